@@ -1,12 +1,11 @@
-"""From the rows of a batch to what a class is shown: which mistakes, who is stuck, what few pass."""
+"""From the rows of a class to what it is shown: whose row counts, which mistakes, who is stuck."""
 
 from __future__ import annotations
 
 from collections import Counter, defaultdict
 from collections.abc import Iterable, Mapping, Sequence
 
-from judge.batch.model import Row
-from judge.batch.outcome import Outcome, counting
+from judge.batch.model import Row, Student
 from judge.problem.model import Verdict
 from judge.report.cohort import (
     Cohort,
@@ -24,31 +23,58 @@ from judge.run.result import Result
 _Pair = tuple[str, str]  # a student and a problem
 
 
-def cohort_of(outcome: Outcome, history: Iterable[Row] = (), equal: Sequence[EqualFiles] = ()) -> Cohort:
-    """The class as it stands: who and what is in the table, in its order.
+def cohort_of(
+    students: Sequence[Student],
+    problems: Sequence[str],
+    rows: Sequence[Row],
+    *,
+    history: Iterable[Row] = (),
+    equal: Sequence[EqualFiles] = (),
+    left: int = 0,
+) -> Cohort:
+    """The class as it stands: the students and problems of the table, in its order, and the present rows.
 
-    `history` are rows of texts that were handed in before and have been replaced since; they tell who is
-    stuck and nothing else. `equal` are the sets of equal files.
+    `history` are rows of texts that were submitted before and have been replaced since; they tell who is
+    stuck and nothing else. `equal` are the sets of equal files, `left` counts files without a row.
     """
-    counts = counting(outcome.rows)
-    handins = Counter((row.student, row.problem) for row in outcome.rows)
+    counts = counting(rows)
+    handins = Counter((row.student, row.problem) for row in rows)
     marks = {pair: _mark(row, handins[pair]) for pair, row in counts.items()}
     handed_in = {student for student, _ in counts}
     solved = {student for (student, _), mark in marks.items() if mark.accepted}
-    order = [each.id for each in outcome.students]
-    met = {problem for _, problem in counts}
-    problems = tuple(each for each in outcome.problems if each in met)
+    order = [each.id for each in students]
+    met = tuple(each for each in problems if any(each == problem for _, problem in counts))
+    failures = [(row.file, row.result.failure) for row in rows if row.verdict == Verdict.JE.value]
     return Cohort(
-        people=tuple(Person(each.id, each.name, each.group, each.known) for each in outcome.students),
-        problems=problems,
+        people=tuple(Person(each.id, each.name, each.group, each.known) for each in students),
+        problems=met,
         marks=marks,
-        views=tuple(_view(each, counts, order) for each in problems),
-        stuck=tuple(_stuck(problems, _in_turn([*history, *outcome.rows]), order)),
+        views=tuple(_view(each, counts, order) for each in met),
+        stuck=tuple(_stuck(met, _in_turn([*history, *rows]), order)),
         unaccepted=tuple(each for each in order if each in handed_in - solved),
         silent=tuple(each for each in order if each not in handed_in),
-        machines=_machines(outcome.rows),
+        machines=_machines(rows),
         equal=tuple(equal),
+        unjudged=tuple((file, failure.message if failure else "") for file, failure in failures),
+        left=left,
     )
+
+
+def counting(rows: Iterable[Row]) -> dict[_Pair, Row]:
+    """Of each student and problem the row that counts: of several files the best, and of equals the newest.
+
+    The best is an accepted one, then the one of most points; one that could not be judged is the last.
+    """
+    found: dict[_Pair, Row] = {}
+    for row in rows:
+        place = row.student, row.problem
+        if place not in found or _worth(row) >= _worth(found[place]):
+            found[place] = row
+    return found
+
+
+def _worth(row: Row) -> tuple[bool, bool, int, float]:
+    return row.accepted, row.verdict != Verdict.JE.value, row.score, row.at
 
 
 def _in_turn(rows: Iterable[Row]) -> dict[_Pair, list[Row]]:
@@ -68,24 +94,28 @@ def _mark(row: Row, handins: int) -> Counted:
         points=row.points,
         mistake=row.mistake,
         handins=handins,
+        copied=bool(row.copied),
+        busy=bool(row.done.busy),
+        machine=row.machine,
+        isolation=row.isolation,
     )
 
 
-def _view(problem: str, counting: Mapping[_Pair, Row], order: Sequence[str]) -> ProblemView:
-    rows = {student: counting[student, problem] for student in order if (student, problem) in counting}
+def _view(problem: str, counts: Mapping[_Pair, Row], order: Sequence[str]) -> ProblemView:
+    rows = {student: counts[student, problem] for student in order if (student, problem) in counts}
     made: dict[tuple[bool, str], list[str]] = defaultdict(list)
     for student, row in rows.items():
         if not row.accepted:
             made[bool(row.mistake), row.mistake or row.verdict].append(student)
     bars = [
-        MistakeBar(label, tuple(found), named, "" if named else Verdict(label).meaning)
+        MistakeBar(label if named else None, None if named else label, tuple(found))
         for (named, label), found in made.items()
     ]
     return ProblemView(
         problem=problem,
         handed_in=len(rows),
         accepted=sum(row.accepted for row in rows.values()),
-        mistakes=tuple(sorted(bars, key=lambda bar: (not bar.named, -bar.count, bar.label))),
+        mistakes=tuple(sorted(bars, key=lambda bar: (not bar.named, -len(bar.students), bar.label))),
         groups=_groups([row.result for row in rows.values()]),
     )
 

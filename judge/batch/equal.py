@@ -65,5 +65,4 @@ def _told(found: list[tuple[Handin, int]]) -> EqualFiles:
         students=tuple(dict.fromkeys(each.student for each in handins)),
         files=tuple(each.file for each in handins),
         same_bytes=len({each.source for each in handins}) == 1,
-        words=found[0][1],
     )

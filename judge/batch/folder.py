@@ -27,8 +27,6 @@ from judge.judging.sources import (
     DANGLING,
     ENVIRONMENT,
     LARGEST,
-    LED_OUT,
-    NOT_FOLLOWED,
     is_dangling,
     why_unreadable,
     within_limit,
@@ -36,7 +34,7 @@ from judge.judging.sources import (
 from judge.languages import SUFFIX, is_program, language_of
 from judge.problem.find import problem_folders
 from judge.problem.fit import fitting_problems, id_of, signs
-from judge.reading import LedOutError, read_inside, read_ordinary, real_within
+from judge.reading import LedOutError, read_inside, real_within
 
 _DEEPEST = 20  # levels of folders
 _MOST = 100_000  # files
@@ -44,8 +42,8 @@ _MOST_BYTES = 2**29  # of all programs together, which are in memory while they 
 _OTHERS = ("node_modules",)  # folders of programs that nobody has handed in
 _NOBODY = "it lies in no student's folder"
 _BACKSLASH = "its name holds a backslash where folders should be: unpack the archive again, with 'unzip'"
-_COPY = "copy it, or --follow-links takes it"
-_NO_PROBLEM = "no problem is called so, and it defines no problem's function"
+_NOT_FOLLOWED = "which is not followed: put the file itself there"
+_NO_PROBLEM = "no kata has that name, and it defines no kata's function"
 
 
 class ClassFolder(Struct, frozen=True):
@@ -66,26 +64,24 @@ def read_class(
     only: Collection[str] = (),
     folders: Sequence[Path] = (),
     students: Collection[str] = (),
-    follow: bool = False,
 ) -> ClassFolder:
     """Everything that is handed in, in a class's folder.
 
     `only` are ids of problems: without them, all; `folders` are folders of problems to look in first.
-    `students` are the known ids: a folder that is called like one of them is a student's in any case. With
-    `follow` every link is followed, wherever it leads.
+    `students` are the known ids: a folder that is called like one of them is a student's in any case.
 
     Raises:
         UsageError: it is no folder, cannot be read, or holds more than any class.
     """
     root = root_of(folder)
     known = {each.name for each in problem_folders(folders)}
-    reader = _Reader(root, known, folders, students, follow=follow)
+    reader = _Reader(root, known, folders, students)
     handins, unplaced, others, size = [], [], [], 0
-    for count, path in enumerate(_files(root, "", seen=set() if follow else None), 1):
+    for count, path in enumerate(_files(root, ""), 1):
         if count > _MOST:
             raise UsageError(f"this folder holds more than {_MOST:,} files", where=str(folder))
         if not is_program(path):
-            why = _why_not_entered(root / path, follow=follow)
+            why = _why_not_entered(root / path)
             if why:
                 unplaced.append(Handin("", "", legible(path), b"", why))
             else:
@@ -132,14 +128,11 @@ class _Reader:
         known: Collection[str],
         folders: Sequence[Path],
         students: Collection[str],
-        *,
-        follow: bool,
     ) -> None:
         self._root = root
         self._known = known
         self._folders = folders
         self._students = students
-        self._follow = follow
         self._names: dict[tuple[int, int], list[_Name]] = {}  # of files that have several
 
     def handin(self, path: str) -> Handin:
@@ -190,7 +183,7 @@ class _Reader:
                 for name in names:
                     other = next(each for each in names if each.student != name.student)
                     if owners != {name.student}:
-                        refused[name.file] = f"it is the same file as {other.file} (a hard link); {_COPY}"
+                        refused[name.file] = f"it is the same file as {other.file} (a hard link); copy it"
         return [
             replace(each, source=b"", why=refused[each.file]) if each.file in refused else each
             for each in handins
@@ -207,11 +200,9 @@ class _Reader:
             if not place.is_file():
                 place.stat()
                 return b"", "it is no ordinary file"
-            if self._follow:
-                return within_limit(read_ordinary(place, LARGEST + 1), path), ""
             return self._read_own(path, student)
         except LedOutError:
-            return b"", LED_OUT
+            return b"", f"it is a link out of the folder, {_NOT_FOLLOWED}"
         except UsageError as fault:
             return b"", fault.what
         except (OSError, RuntimeError) as fault:  # RuntimeError: a loop of links
@@ -223,7 +214,7 @@ class _Reader:
         whose = self._placed(PurePath(real))[0]
         if real != path and whose != student:
             where = f"{whose}'s folder" if whose else "a file of nobody"
-            return b"", f"it is a link to {where}, {NOT_FOLLOWED}"
+            return b"", f"it is a link to {where}, {_NOT_FOLLOWED}"
         source, found = read_inside(str(self._root), real, LARGEST + 1)
         if found.st_nlink > 1:
             owned = (self._root / real).parent.stat().st_uid == found.st_uid
@@ -247,27 +238,22 @@ def _stem(name: str) -> str:
     return name.removesuffix(next((end for end in ends if name.endswith(end)), ""))
 
 
-def _why_not_entered(path: Path, *, follow: bool) -> str:
+def _why_not_entered(path: Path) -> str:
     """Why what lies in a folder is not looked at; empty for what is none."""
     try:
         if not path.is_dir():
             return ""
-        if path.is_symlink() and not follow:
-            return f"it is a link to a folder, {NOT_FOLLOWED}"
+        if path.is_symlink():
+            return f"it is a link to a folder, {_NOT_FOLLOWED}"
         os.scandir(path).close()
     except OSError as fault:
         return f"this folder {why_unreadable(fault)}"
-    return f"this folder lies more than {_DEEPEST} levels down, or was read by another name"
+    return f"this folder lies more than {_DEEPEST} levels down"
 
 
-def _files(
-    root: Path, within: str, depth: int = _DEEPEST, *, seen: set[tuple[str, int, int]] | None
-) -> Iterator[str]:
+def _files(root: Path, within: str, depth: int = _DEEPEST) -> Iterator[str]:
     """The files below a folder, by their paths from the root; and folders that are called like programs, that
     cannot be read, or that lie too deep.
-
-    Links to folders are followed where `seen` is a set: it fills with the folders that were read, each once
-    below one of the top.
     """
     try:
         with os.scandir(root / within) as scanned:
@@ -279,20 +265,7 @@ def _files(
         path = f"{within}/{entry.name}" if within else entry.name
         if entry.name.startswith((".", "__")) or entry.name in _OTHERS:
             continue
-        if not _entered(entry, path, seen) or depth == 1 or is_program(entry.name):
+        if not entry.is_dir(follow_symlinks=False) or depth == 1 or is_program(entry.name):
             yield path
         elif not os.path.lexists(root / path / ENVIRONMENT):
-            yield from _files(root, path, depth - 1, seen=seen)
-
-
-def _entered(entry: os.DirEntry[str], path: str, seen: set[tuple[str, int, int]] | None) -> bool:
-    """Whether that is a folder to go into."""
-    if seen is None:
-        return entry.is_dir(follow_symlinks=False)
-    if not entry.is_dir():
-        return False
-    found = entry.stat()
-    key = (path.partition("/")[0], found.st_dev, found.st_ino)
-    first = key not in seen
-    seen.add(key)
-    return first
+            yield from _files(root, path, depth - 1)

@@ -34,8 +34,8 @@ class Shard(Struct, frozen=True):
         found = _FORM.fullmatch(text)
         number, count = (int(part) for part in found.groups()) if found else (0, 0)
         if not 1 <= number <= count:
-            remedy = "write --shard 3/20 for the third of 20, from 1/20 to 20/20"
-            raise UsageError(f"{text!r} is no shard", where="--shard", remedy=remedy)
+            remedy = "write 3/20 for the third of 20, from 1/20 to 20/20"
+            raise UsageError(f"{text!r} is not a part", remedy=remedy)
         return cls(number, count)
 
     def holds(self, handin: Handin) -> bool:
@@ -72,7 +72,7 @@ def _opened(path: Path) -> Store:
         return Store.open(path, reading=True)
     except StoreError as fault:
         unsaid = fault.remedy in (None, STORE.elsewhere)
-        remedy = "--merge takes the files that --shard wrote" if unsaid else fault.remedy
+        remedy = "name the files that 'python -m judge.batch shard' wrote" if unsaid else fault.remedy
         raise StoreError(fault.what, where=fault.where, remedy=remedy) from fault
 
 

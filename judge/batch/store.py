@@ -43,13 +43,13 @@ _ROWS = (
         standard TEXT NOT NULL              -- judge.batch.model.Standard
     )""",
     "CREATE INDEX rows_of_a_student ON rows (student, problem, at)",
-    "CREATE TABLE meta (name TEXT PRIMARY KEY, value TEXT NOT NULL)",
+    "CREATE TABLE meta (name TEXT PRIMARY KEY, value TEXT NOT NULL)",  # never written
 )
 STORE = Kind(
     "file of results",
     0x4A55434C,  # "JUCL"
     (_ROWS,),
-    "name another file with --out",
+    "move it away, or copy the folder to another place",
     StoreError,
     synchronous="FULL",
 )
@@ -59,7 +59,7 @@ def store_of(folder: Path) -> Path:
     """Where a class's results are: beside its folder. Raises StoreError where nothing is beside it."""
     place = Path(os.path.abspath(folder))  # noqa: PTH100 - a link keeps its own
     if not place.name:
-        raise StoreError("this folder has none beside it", where=str(place), remedy=STORE.elsewhere)
+        raise StoreError("nothing can be beside this folder", where=str(place), remedy="name another folder")
     return place.with_name(f"{place.name}.judge.sqlite3")
 
 
@@ -97,16 +97,12 @@ class Store:
     def __exit__(self, *exc: object) -> None:
         """Close it; after a fault, one that was begun here and holds nothing is taken away."""
         with contextlib.suppress(StoreError, OSError):
-            empty = self._new and any(exc) and not self.every() and not self.meta()
+            empty = self._new and any(exc) and not self.every()
             self._connection.close()
             if empty:
                 self.path.unlink(missing_ok=True)
         self._connection.close()
         _unlock(self.path, self._lock)
-
-    def keep(self, row: Row) -> None:
-        """Keep a row, in place of one of the same key; it is on the disk when this returns."""
-        self.keep_all([row])
 
     def keep_all(self, rows: Iterable[Row]) -> None:
         """Keep rows, all of them or none."""
@@ -117,39 +113,11 @@ class Store:
                 f"INSERT OR REPLACE INTO rows ({', '.join(_COLUMNS)}) VALUES ({marks})", values
             )
 
-    def rows(self) -> list[Row]:
-        """The newest row of each student, problem and file, in that order."""
-        newest: dict[tuple[str, str, str], Row] = {}
-        for row in self.every():
-            newest[row.student, row.problem, row.file] = row
-        return [newest[place] for place in sorted(newest)]
-
     def every(self) -> list[Row]:
-        """All rows, those of older hand-ins and standards too, the oldest first."""
-        return self._rows("SELECT {} FROM rows ORDER BY at, key")
-
-    def handins(self, student: str, problem: str) -> list[Row]:
-        """What a student has handed in for a problem, the oldest first: each text once, by its newest row."""
-        query = "SELECT {} FROM rows WHERE student = ? AND problem = ? ORDER BY at, key"
-        texts: dict[tuple[str, str], Row] = {}
-        for row in self._rows(query, student, problem):
-            texts.pop((row.file, row.digest), None)  # the newest is in its own place
-            texts[row.file, row.digest] = row
-        return list(texts.values())
-
-    def meta(self) -> dict[str, str]:
-        """What else is kept, by name."""
+        """All rows, those of older files and standards too, the oldest first."""
+        query = f"SELECT {', '.join(_COLUMNS)} FROM rows ORDER BY at, key"
         with faults(STORE, self.path):
-            return dict(self._connection.execute("SELECT name, value FROM meta").fetchall())
-
-    def note(self, name: str, value: str) -> None:
-        """Keep something else, by name."""
-        with writing(STORE, self._connection, self.path) as connection:
-            connection.execute("INSERT OR REPLACE INTO meta VALUES (?, ?)", (name, value))
-
-    def _rows(self, query: str, *values: object) -> list[Row]:
-        with faults(STORE, self.path):
-            found = self._connection.execute(query.format(", ".join(_COLUMNS)), values).fetchall()
+            found = self._connection.execute(query).fetchall()
         return [_row(each, self.path) for each in found]
 
 

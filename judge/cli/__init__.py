@@ -10,8 +10,7 @@
     picture.py, outputs.py
                     what becomes of a result; kept.py: the history
     kata.py         the kata in hand
-    asking.py, interview.py, drilling.py
-                    cards, the mock interview, and what to drill afterwards
+    asking.py       asking cards; drilling.py: how many are due
     watching.py     a file under watch; watch_screen.py: the screen of `judge watch`
     wish.py         what is asked for
     complete.py     what a shell completes

@@ -1,17 +1,12 @@
-"""What to drill: rows of the checklist, each with the commands that practise it."""
+"""The cards that were answered, and how many of them are due."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from pathlib import Path
-from types import MappingProxyType
 from typing import TYPE_CHECKING
 
-from judge.kata.checklist import Row, read_checklist
-from judge.problem.find import problem_folders
-
 if TYPE_CHECKING:
-    from judge.kata.quiz.cards import Card
     from judge.kata.review import Review
 
 
@@ -35,22 +30,3 @@ def cards_due(db: Path | None, folders: Sequence[Path]) -> int:
     today = now().astimezone()
     found = card_reviews(answers)
     return sum(review.is_due(today) for review in known_cards(found, folders)) if found else 0
-
-
-def to_drill(
-    missed: Sequence[Card], folders: Sequence[Path], more: Mapping[str, str] = MappingProxyType({})
-) -> list[tuple[Row, tuple[str, ...]]]:
-    """The rows of cards that were not known, and those in `more` with a command; each once, in its order.
-
-    A card that drills several rows stands for its first one.
-    """
-    carded = {card.rows[0] for card in missed if card.rows}
-    here = {folder.name for folder in problem_folders(folders)}
-    found = []
-    for row in read_checklist(folders).rows:
-        if row.id not in carded and row.id not in more:
-            continue
-        commands = [f"judge quiz --row {row.id}"] if row.id in carded else [more[row.id]]
-        commands += [f"judge init {kata}" for kata in row.katas if kata in here]
-        found.append((row, tuple(commands)))
-    return found

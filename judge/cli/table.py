@@ -40,15 +40,6 @@ HEADINGS: Mapping[str, Mapping[str, Entry]] = {
                 "judge run count.py --fresh 30s",
             ),
         ),
-        "watch": Entry(
-            "Judge a file again on every save.",
-            "start",
-            "watch",
-            (
-                "judge watch",
-                "judge watch count.py",
-            ),
-        ),
         "hint": Entry(
             "Give one more hint.",
             "start",
@@ -128,14 +119,16 @@ HEADINGS: Mapping[str, Mapping[str, Entry]] = {
     },
     "Interview": {
         "quiz": Entry(
-            "Ask cards, or hold a mock interview.",
+            "Ask short questions that need no code.",
             "interview",
             "quiz",
-            (
-                "judge quiz middle --cards 5",
-                "judge quiz --row Q6",
-                "judge quiz --interview --minutes 20",
-            ),
+            ("judge quiz", "judge quiz middle --cards 5", "judge quiz --question Q6"),
+        ),
+        "interview": Entry(
+            "Hold a mock interview.",
+            "interview",
+            "interview",
+            ("judge interview", "judge interview senior --minutes 45", "judge interview --kata count"),
         ),
         "hack": Entry(
             "Find a case on which a wrong program fails.",
@@ -150,13 +143,13 @@ HEADINGS: Mapping[str, Mapping[str, Entry]] = {
     },
     "Teach and set": {
         "class": Entry(
-            "Judge what a class has handed in.",
+            "Judge everything that a class has submitted.",
             "class",
             "class",
             (
                 "judge class homework -j 4",
-                "judge class homework --students students.csv --json",
-                "judge class homework --shard 3/20",
+                "judge class homework --students students.csv --csv grades.csv",
+                "judge class homework count --html class.html --feedback pages",
             ),
         ),
         "new": Entry(
@@ -193,6 +186,15 @@ HEADINGS: Mapping[str, Mapping[str, Entry]] = {
             (
                 "judge next",
                 "judge next --init",
+            ),
+        ),
+        "watch": Entry(
+            "Judge a file again on every save.",
+            "start",
+            "watch",
+            (
+                "judge watch",
+                "judge watch count.py",
             ),
         ),
     },

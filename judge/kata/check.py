@@ -1,15 +1,19 @@
-"""What a kata needs beyond being judged: hints, a stub, sets and skills that exist. For `judge verify`."""
+"""What a kata needs beyond being judged: hints, a stub, cards, sets and skills. For `judge verify`."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
+from contextlib import nullcontext
 from pathlib import Path
 
-from judge.errors import ProblemError
+from judge.errors import JudgeError, ProblemError
 from judge.kata.checklist import unknown_skills
+from judge.kata.quiz.cards import read_decks
+from judge.kata.quiz.questions import Sources, ask
 from judge.kata.sets import set_names, unknown_sets
 from judge.kata.stub import make_stub
 from judge.problem import Problem
+from judge.problem.find import problem_roots
 from judge.problem.hints import read_hints
 from judge.run.verify import Fault
 
@@ -17,7 +21,31 @@ from judge.run.verify import Fault
 def kata_faults(problem: Problem, extra: Sequence[Path] = ()) -> Iterator[Fault]:
     """The setter's faults; `extra` are folders of problems to look in first for the sets and skills."""
     for fault in _faults(problem, extra):
-        yield Fault(fault.what, fault.where or problem.id, fault.remedy or "")
+        yield _told(fault, problem.id)
+
+
+def deck_faults(folders: Sequence[Path], katas: Collection[str]) -> tuple[int, tuple[Fault, ...]]:
+    """How many cards are there, and a fault for each that cannot be asked.
+
+    They are the cards of the `katas`; without any, those of all decks in the `folders`, or of all there are.
+    """
+    decks, broken = read_decks(folders)
+    roots = problem_roots(folders)[: len(folders) or None]
+    cards = [card for deck in decks if deck.path.parents[1] in roots for card in deck.cards]
+    if katas:
+        cards, broken = [card for deck in decks for card in deck.cards if card.problem in katas], []
+    faults = [_told(fault, "quiz") for fault in broken]
+    sources = Sources(folders, 0, lambda _label: nullcontext())
+    for card in cards:
+        try:
+            ask(card, sources, "check")
+        except JudgeError as fault:
+            faults.append(_told(fault, card.key))
+    return len(cards), tuple(faults)
+
+
+def _told(fault: JudgeError, where: str) -> Fault:
+    return Fault(fault.what, fault.where or where, fault.remedy or "")
 
 
 def _faults(problem: Problem, extra: Sequence[Path]) -> Iterator[ProblemError]:

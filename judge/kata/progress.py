@@ -375,5 +375,5 @@ def _of_cards(cards: Iterable[Card], answers: Iterable[Answer]) -> Mapping[str, 
         known = next((answer.when for answer in given[card.key] if answer.known), None)
         lost = known is not None and not given[card.key][-1].known
         for row in card.rows:
-            found[row].append(Evidence(Kind.CARD, card.key, f"judge quiz --row {row}", known, lost))
+            found[row].append(Evidence(Kind.CARD, card.key, f"judge quiz --question {row}", known, lost))
     return found

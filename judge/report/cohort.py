@@ -1,4 +1,4 @@
-"""A class as it stands: values in the order in which they are shown, and the gradebook.
+"""A class as it stands: values in the order in which they are shown, what goes out as JSON, the gradebook.
 
 The gradebook is CSV, a line a student. Excel takes a CSV for UTF-8 only by its byte order mark; LibreOffice
 and Python's `utf-8-sig` skip it.
@@ -11,11 +11,14 @@ from typing import Any
 
 from msgspec import Struct
 
+from judge.errors import ExitCode
 from judge.problem.model import Verdict
+from judge.report.published import Published
 from judge.report.sheet import csv_text
 
 BOM = "\ufeff"
 _HEAD = ("student", "name", "group")
+EQUAL_CAUTION = "Short solutions are often alike: equality proves nothing."
 
 
 class Person(Struct, frozen=True):
@@ -28,9 +31,10 @@ class Person(Struct, frozen=True):
 
 
 class Counted(Struct, frozen=True):
-    """What counts of one student on one problem: the best of so many `handins`.
+    """What counts of one student on one kata: the best of so many `handins`.
 
-    `score` and `points` are what was reached and what there is.
+    `score` and `points` are what was reached and what there is. `copied` says whether an equal file was
+    judged in its place, and `busy` whether the machine was busy when it was timed.
     """
 
     file: str
@@ -39,6 +43,10 @@ class Counted(Struct, frozen=True):
     points: int
     mistake: str = ""
     handins: int = 1
+    copied: bool = False
+    busy: bool = False
+    machine: str = ""
+    isolation: str = ""
 
     @property
     def accepted(self) -> bool:
@@ -47,17 +55,24 @@ class Counted(Struct, frozen=True):
 
 
 class MistakeBar(Struct, frozen=True):
-    """How many, and who: of a mistake or, where none was `named`, of a verdict."""
+    """Who made a mistake; where none was named, whose files got that verdict."""
 
-    label: str
+    mistake: str | None
+    verdict: str | None
     students: tuple[str, ...]
-    named: bool = True
-    meaning: str = ""
 
     @property
-    def count(self) -> int:
-        """How many students."""
-        return len(self.students)
+    def named(self) -> bool:
+        """Whether it is a mistake, and not only a verdict."""
+        return self.mistake is not None
+
+    @property
+    def label(self) -> str:
+        """The mistake, or what the verdict means."""
+        if self.mistake is not None or self.verdict is None:
+            return self.mistake or ""
+        meaning = Verdict(self.verdict).meaning
+        return f"{meaning}, no mistake named" if self.verdict == Verdict.WA.value else meaning
 
 
 class GroupBar(Struct, frozen=True):
@@ -69,7 +84,7 @@ class GroupBar(Struct, frozen=True):
 
 
 class ProblemView(Struct, frozen=True):
-    """One problem: how many handed in something and whose is accepted; what went wrong, the most first."""
+    """One kata: how many submitted something and whose is accepted; what went wrong, the most first."""
 
     problem: str
     handed_in: int
@@ -77,28 +92,9 @@ class ProblemView(Struct, frozen=True):
     mistakes: tuple[MistakeBar, ...]
     groups: tuple[GroupBar, ...]
 
-    def as_json(self) -> dict[str, Any]:
-        """The problem's object in the published form."""
-        mistakes = [
-            {
-                "mistake": bar.label if bar.named else None,
-                "verdict": None if bar.named else bar.label,
-                "students": list(bar.students),
-            }
-            for bar in self.mistakes
-        ]
-        groups = [{"name": each.name, "failed": each.failed, "run": each.run} for each in self.groups]
-        return {
-            "problem": self.problem,
-            "handed_in": self.handed_in,
-            "accepted": self.accepted,
-            "mistakes": mistakes,
-            "groups": groups,
-        }
-
 
 class Stuck(Struct, frozen=True):
-    """Students whose last two hand-ins to a problem make the same mistake."""
+    """Students whose last two files for a kata make the same mistake."""
 
     problem: str
     mistake: str
@@ -112,7 +108,6 @@ class EqualFiles(Struct, frozen=True):
     students: tuple[str, ...]
     files: tuple[str, ...]
     same_bytes: bool
-    words: int
 
     @property
     def how(self) -> str:
@@ -120,31 +115,39 @@ class EqualFiles(Struct, frozen=True):
         alike = "identical after removing names, spacing and comments"
         return "identical files" if self.same_bytes else alike
 
-    def as_json(self) -> dict[str, Any]:
-        """The set's object in the published form."""
-        return {
-            "problem": self.problem,
-            "students": list(self.students),
-            "files": list(self.files),
-            "same_bytes": self.same_bytes,
-        }
-
-
-EQUAL_CAUTION = "Short solutions are often alike: equality proves nothing."
-
 
 class Machine(Struct, frozen=True):
-    """A machine that judged, at which level of isolation, and how many hand-ins."""
+    """A machine that judged, at which level of isolation, and how many files."""
 
-    name: str
+    machine: str
     isolation: str
     handins: int
 
 
-class Cohort(Struct, frozen=True):
-    """The class: who and what in the order of the table; `marks` by student and problem.
+class ClassSummary(Struct, frozen=True):
+    """How many students and files, each kata, who needs help, which files are equal, who judged."""
 
-    `unaccepted` handed in something, of which nothing is accepted; `silent` handed in nothing at all.
+    students: int
+    handins: int
+    problems: tuple[ProblemView, ...]
+    stuck: tuple[Stuck, ...]
+    nothing_accepted: tuple[str, ...]
+    nothing_handed_in: tuple[str, ...]
+    equal_files: tuple[EqualFiles, ...]
+    machines: tuple[Machine, ...]
+
+
+class ClassLine(Published, frozen=True):
+    """The last line of a class's JSON."""
+
+    cohort: ClassSummary
+
+
+class Cohort(Struct, frozen=True):
+    """The class: who and what in the order of the table; `marks` by student and kata.
+
+    `unaccepted` submitted something, of which nothing is accepted; `silent` submitted nothing at all.
+    `unjudged` are files with the reason why they could not be judged, `left` counts those without a result.
     """
 
     people: tuple[Person, ...]
@@ -156,38 +159,73 @@ class Cohort(Struct, frozen=True):
     silent: tuple[str, ...]
     machines: tuple[Machine, ...]
     equal: tuple[EqualFiles, ...] = ()
+    unjudged: tuple[tuple[str, str], ...] = ()
+    left: int = 0
 
     @property
     def handins(self) -> int:
-        """How many hand-ins there are, also those that do not count."""
+        """How many files there are, also those that do not count."""
         return sum(mark.handins for mark in self.marks.values())
 
+    @property
+    def exit_code(self) -> ExitCode:
+        """What counts tells the shell: the judge's fault weighs most, then what is not accepted or left."""
+        verdicts = {mark.verdict for mark in self.marks.values()}
+        if Verdict.JE in verdicts:
+            return ExitCode.FAULT
+        return ExitCode.NOT_ACCEPTED if verdicts - {Verdict.AC} or self.left else ExitCode.ACCEPTED
+
+    @property
+    def published(self) -> tuple[ClassLine]:
+        """The class in one object."""
+        return (
+            ClassLine(
+                ClassSummary(
+                    len(self.people),
+                    self.handins,
+                    problems=self.views,
+                    stuck=self.stuck,
+                    nothing_accepted=self.unaccepted,
+                    nothing_handed_in=self.silent,
+                    equal_files=self.equal,
+                    machines=self.machines,
+                )
+            ),
+        )
+
     def total(self, student: str) -> int:
-        """The points of a student on all problems."""
+        """The points of a student on all katas."""
         return sum(self.marks[student, each].score for each in self.problems if (student, each) in self.marks)
 
-    def as_json(self) -> dict[str, Any]:
-        """The class's object in the published form."""
-        return {
-            "students": len(self.people),
-            "handins": self.handins,
-            "problems": [each.as_json() for each in self.views],
-            "stuck": [
-                {"problem": each.problem, "mistake": each.mistake, "students": list(each.students)}
-                for each in self.stuck
-            ],
-            "nothing_accepted": list(self.unaccepted),
-            "nothing_handed_in": list(self.silent),
-            "equal_files": [each.as_json() for each in self.equal],
-            "machines": [
-                {"machine": each.name, "isolation": each.isolation, "handins": each.handins}
-                for each in self.machines
-            ],
-        }
+
+class ClassRow(Published, frozen=True):
+    """A file of a class: whose it is, what it came to and by what it was judged; `result` as in judge run."""
+
+    student: str
+    name: str
+    group: str
+    listed: bool
+    problem: str
+    file: str
+    verdict: str
+    score: int
+    points: int
+    mistake: str | None
+    copied: str | None
+    kept: bool
+    machine: str | None
+    worker: str | None
+    isolation: str | None
+    busy: str | None
+    cpu_seconds: float
+    judged_at: float
+    standard: dict[str, str] | None
+    notes: tuple[str, ...]
+    result: dict[str, Any]
 
 
 def gradebook(cohort: Cohort) -> bytes:
-    """The file. Points, empty where nothing was handed in; the total; then verdict and mistake by problem."""
+    """The file. Points, empty where nothing was submitted; the total; then verdict and mistake by kata."""
     details = [f"{problem} {what}" for problem in cohort.problems for what in ("verdict", "mistake")]
     rows: list[list[object]] = [[*_HEAD, *cohort.problems, "total", *details]]
     for person in cohort.people:

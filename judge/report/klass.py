@@ -1,99 +1,179 @@
-"""A class on the screen: of each kata its mistakes and the groups that fail, then who needs help."""
+"""A class on the screen: the table of students and katas, what goes wrong in each kata, who needs help."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections import Counter
+from collections.abc import Iterable, Iterator, Sequence
+from string import ascii_lowercase
 
-from judge.report.cohort import EQUAL_CAUTION, Cohort, MistakeBar, ProblemView
-from judge.report.layout import (
-    READABLE,
-    Line,
-    Span,
-    Style,
-    beside,
-    cells,
-    line,
-    pad,
-    printable,
-    wrap,
-)
+from rich.console import Group, RenderableType
+from rich.text import Text
+
+from judge.problem import Verdict
+from judge.report.cohort import EQUAL_CAUTION, Cohort, Counted, ProblemView
+from judge.report.layout import cells, printable
+from judge.report.parts import BAD, FAINT, GOOD, STRONG, WARNING, Cell, indented, joined, table, text
+from judge.report.screen import Screen
 from judge.report.values import counted
 
-_SHOWN, _NAMES = 5, 8  # mistakes, groups and sets, and names in a row, where not everything is shown
-_LABEL, _BAR = 34, 30  # columns of a label and of a bar at most
-_NAME = 32  # columns of a student's name at most
+_SHOWN, _NAMES, _FAULTS = 5, 8, 20  # mistakes and groups, names in a row, files, where not all are shown
+_GAP, _NAME = 2, 18  # columns between two, and of a student's name at most
+_NOTHING = "–"
+_COPY, _SEVERAL, _BUSY, _UNKNOWN = "=", "+", "~", "?"
+_MEANING = {
+    _COPY: "the same text as in another file, judged once",
+    _SEVERAL: "the best of several files",
+    _BUSY: "timed while the machine was busy with other things",
+    _UNKNOWN: "not in the list of students",
+}
+_STYLES = {Verdict.AC: GOOD, Verdict.JE: WARNING}
 
 
-def cohort_lines(
-    cohort: Cohort, width: int | None, *, whole: bool = False, block: str = "▇"
-) -> Iterator[Line]:
-    """The class within `width` columns, folded unless the `whole` of it is asked for; bars of `block`."""
-    names = {each.id: _cut(each.id) for each in cohort.people}  # as the table has them
+def klass(found: Cohort, screen: Screen) -> RenderableType:
+    """The table with its footnotes and a line that sums it up, then the katas, then who needs help.
 
-    def listed(label: str, texts: Sequence[str], most: int = _NAMES, indent: int = 2) -> Iterator[Line]:
-        shown = texts if whole else texts[:most]
-        text = ", ".join(shown) + _left(len(texts) - len(shown))
-        room = None if width is None else min(width, READABLE) - 4
-        rows = wrap(f"{label}: {text}" if label else text, room)
-        yield from (line(" " * (4 if at and label else indent), row.rstrip()) for at, row in enumerate(rows))
-
-    for view in cohort.views:
-        about = f"{view.handed_in} of {len(cohort.people)} submitted, {view.accepted} accepted"
-        yield from beside(Span(view.problem, Style.STRONG), about, width)
-        for bar in view.mistakes if whole else view.mistakes[:_SHOWN]:
-            yield from _bar(bar, view, width, block)
-            if whole:
-                yield from listed("", [names[each] for each in bar.students], indent=4)
-        if not whole and len(view.mistakes) > _SHOWN:
-            yield line("  ", Span(_left(len(view.mistakes) - _SHOWN).removeprefix(", "), Style.FAINT))
-        if view.groups:
-            groups = [f"{each.name} {each.failed}" for each in view.groups]
-            yield from listed("groups that fail", groups, _SHOWN)
-        yield line()
-    stuck = [(f"{each.problem}  {each.mistake}", each.students) for each in cohort.stuck]
-    none = [("", cohort.unaccepted)] if cohort.unaccepted else []
-    equal = [(f"{each.problem}  {each.how}", each.students) for each in cohort.equal]
-    for head, about, found in (
-        ("stuck", "the same mistake in the last two submissions", stuck),
+    Long lists are cut on a terminal; a pipe or a file gets them whole.
+    """
+    whole = screen.rows is None
+    letters = _letters(found.marks.values())
+    parts: list[RenderableType] = [*_blocks(found, letters, screen.width)]
+    parts += [text(each, FAINT) for each in _footnotes(found, letters)]
+    parts += [text(f"{file}: {why}", WARNING) for file, why in found.unjudged[:_FAULTS]]
+    if len(found.unjudged) > _FAULTS:
+        parts.append(text(f"… and {len(found.unjudged) - _FAULTS} more; --json has them all", WARNING))
+    parts.append(text(_sum(found), STRONG))
+    for view in found.views:
+        parts += [Text(), *_kata(view, len(found.people), whole=whole)]
+    some = f"{len(found.unaccepted)} of {counted(len(found.people), 'student')}"
+    for head, about, rows in (
         (
-            "no accepted solution yet",
-            f"{len(cohort.unaccepted)} of {counted(len(cohort.people), 'student')}",
-            none,
+            "stuck",
+            "the same mistake in the last two submissions",
+            [(f"{each.problem}  {each.mistake}", each.students) for each in found.stuck],
         ),
-        ("equal files", EQUAL_CAUTION, equal),
+        ("no accepted solution yet", some, [("", found.unaccepted)] if found.unaccepted else []),
+        (
+            "equal files",
+            EQUAL_CAUTION,
+            [(f"{each.problem}  {each.how}", each.students) for each in found.equal],
+        ),
     ):
-        if found:
-            yield from beside(Span(head, Style.STRONG), about, width)
-            for label, ids in found if whole else found[:_SHOWN]:
-                yield from listed(label, [names[each] for each in ids])
-            if not whole and len(found) > _SHOWN:
-                yield line("  ", Span(_left(len(found) - _SHOWN).removeprefix(", "), Style.FAINT))
-            yield line()
+        if rows:
+            said = [f"{label + ': ' if label else ''}{_names(who, whole=whole)}" for label, who in rows]
+            shown, more = _cut(said, whole=whole)
+            parts += [Text(), joined(text(head, STRONG), text(f"  {about}", FAINT))]
+            parts += [indented(table(("",), [(each,)])) for each in shown]
+            parts += [indented(text(more, FAINT))] if more else []
+    return Group(*parts)
 
 
-def _bar(bar: MistakeBar, view: ProblemView, width: int | None, block: str) -> Iterator[Line]:
-    """`  forgotten-abs   3 ▇▇▇`: the labels of a kata are in one column."""
-    longest = max(cells(printable(_words(each))) for each in view.mistakes)
-    room = min(_LABEL, longest) if width is None else max(6, min(_LABEL, longest, width - 20))
-    wide = _BAR if width is None else max(1, min(_BAR, width - room - 8))
-    most = max(each.count for each in view.mistakes)
-    blocks = block * max(1, round(bar.count * min(1.0, wide / most)))
-    style = Style.PLAIN if bar.named else Style.FAINT
-    first, *rest = wrap(_words(bar), room)
-    yield line("  ", Span(pad(first, room), style), f" {bar.count:>3} ", Span(blocks, Style.WARNING))
-    yield from (line("  ", Span(row, style)) for row in rest)
+def _blocks(
+    found: Cohort, letters: dict[tuple[str, str], str], width: int | None
+) -> Iterator[RenderableType]:
+    """The columns beside the names, as many at a time as there is room for."""
+    names = [_name(each.id) + ("" if each.known else _UNKNOWN) for each in found.people]
+    columns: list[tuple[str, list[Text]]] = [
+        (problem, [_mark(found.marks.get((each.id, problem)), letters) for each in found.people])
+        for problem in found.problems
+    ]
+    if len(columns) > 1:
+        of = f" of {len(columns)}"
+        solved = Counter(who for (who, _), mark in found.marks.items() if mark.accepted)
+        columns += [
+            ("solved", [text(f"{solved[each.id]}{of}") for each in found.people]),
+            ("points", [text(str(found.total(each.id))) for each in found.people]),
+        ]
+    if not names:
+        return
+    while columns:
+        fit, used = 0, max(map(cells, names))
+        while fit < len(columns):
+            title, column = columns[fit]
+            used += _GAP + max(len(title), *(each.cell_len for each in column))
+            if width is not None and used > width and fit:
+                break
+            fit += 1
+        titles = ("", *(title for title, _ in columns[:fit]))
+        rows = zip(map(text, names), *(column for _, column in columns[:fit]), strict=True)
+        yield table(titles, rows, prose=None)
+        yield Text()
+        columns = columns[fit:]
 
 
-def _words(bar: MistakeBar) -> str:
-    """A mistake by its name, a verdict with what it means."""
-    return bar.label if bar.named else f"{bar.label}, {'not named' if bar.label == 'WA' else bar.meaning}"
+def _mark(mark: Counted | None, letters: dict[tuple[str, str], str]) -> Text:
+    if mark is None:
+        return text(_NOTHING, FAINT)
+    points = "" if mark.verdict is Verdict.JE else f" {mark.score}"
+    signs = _signs(mark) + letters.get((mark.machine, mark.isolation), "")
+    return text(f"{mark.verdict.value}{points}{signs}", _STYLES.get(mark.verdict, BAD))
 
 
-def _left(number: int) -> str:
-    return f", and {number:,} more: --all" if number else ""
+def _signs(mark: Counted) -> str:
+    return (_COPY * mark.copied) + (_SEVERAL * (mark.handins > 1)) + (_BUSY * mark.busy)
 
 
-def _cut(name: str) -> str:
+def _letters(marks: Iterable[Counted]) -> dict[tuple[str, str], str]:
+    """Where files were judged and how they were isolated, the most frequent first; others have a letter."""
+    found = Counter((mark.machine, mark.isolation) for mark in marks if mark.isolation)
+    letters = ["", *(a + b for a in ("", *ascii_lowercase) for b in ascii_lowercase)]
+    return {place: letters[at % len(letters)] for at, (place, _) in enumerate(found.most_common())}
+
+
+def _footnotes(found: Cohort, letters: dict[tuple[str, str], str]) -> Iterator[str]:
+    used = {sign for mark in found.marks.values() for sign in _signs(mark)}
+    used |= {_UNKNOWN} if any(not each.known for each in found.people) else set()
+    yield from (f"{sign} {meaning}" for sign, meaning in _MEANING.items() if sign in used)
+    for (machine, isolation), letter in letters.items():
+        what = f"{isolation} isolation on {machine or 'a machine without a name'}"
+        yield f"{letter} {what}" if letter else f"judged with {what}"
+    if found.silent and not found.left:
+        yield f"nothing submitted: {', '.join(found.silent)}"
+
+
+def _sum(found: Cohort) -> str:
+    solved = sum(mark.accepted for mark in found.marks.values())
+    students, katas = counted(len(found.people), "student"), counted(len(found.problems), "kata")
+    left = f"; {counted(found.left, 'file')} left to judge" if found.left else ""
+    return f"{solved} of {len(found.marks)} accepted, {students}, {katas}{left}"
+
+
+def _kata(view: ProblemView, people: int, *, whole: bool) -> Iterator[RenderableType]:
+    """How many submitted and are accepted, the mistakes with who made them, the groups that fail."""
+    about = f"  {view.handed_in} of {people} submitted, {view.accepted} accepted"
+    yield joined(text(view.problem, STRONG), text(about, FAINT))
+    rows: list[Sequence[Cell]] = [
+        (
+            text(each.label, "" if each.named else FAINT),
+            str(len(each.students)),
+            text(_names(each.students, whole=whole), FAINT),
+        )
+        for each in (view.mistakes if whole else view.mistakes[:_SHOWN])
+    ]
+    if rows:
+        yield indented(table(("", "", ""), rows, right=[1]))
+    if len(rows) < len(view.mistakes):
+        yield indented(text(f"and {len(view.mistakes) - len(rows)} more", FAINT))
+    if view.groups:
+        groups, more = _cut([f"{each.name} {each.failed}" for each in view.groups], whole=whole)
+        said = ", ".join([*groups, *([more] if more else [])])
+        yield indented(table(("",), [(f"groups that fail: {said}",)]))
+
+
+def _names(students: Sequence[str], *, whole: bool) -> str:
+    shown = students if whole else students[:_NAMES]
+    more = len(students) - len(shown)
+    return ", ".join([*map(_name, shown), *([f"and {more:,} more"] if more else [])])
+
+
+def _cut(found: Sequence[str], *, whole: bool) -> tuple[Sequence[str], str]:
+    """What is shown of a list, and how much is left out."""
+    shown = found if whole else found[:_SHOWN]
+    return shown, f"and {len(found) - len(shown):,} more" if len(shown) < len(found) else ""
+
+
+def _name(student: str) -> str:
     """A name that leaves room for others."""
-    name = printable(name)
-    return name if cells(name) <= _NAME else wrap(name, _NAME - 1)[0].rstrip() + "…"
+    name = printable(student)
+    while cells(name) > _NAME:
+        name = name.removesuffix("…")[:-1] + "…"
+    return name

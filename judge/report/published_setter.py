@@ -106,6 +106,18 @@ def verified(report: VerifyReport, choices: ChoicesReport | None = None) -> Veri
     )
 
 
+class DecksVerified(Published, frozen=True):
+    """How many cards of `judge quiz` were checked, and what is wrong with them."""
+
+    cards: int
+    faults: tuple[Fault, ...]
+
+    @property
+    def exit_code(self) -> ExitCode:
+        """3 where something is wrong."""
+        return ExitCode.FAULT if self.faults else ExitCode.ACCEPTED
+
+
 class VerifySummary(Struct, frozen=True):
     """What all of it comes to; nothing of it is in the JSON."""
 

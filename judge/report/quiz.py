@@ -1,169 +1,180 @@
-"""Quiz cards for the screen: the question, what an answer came to, and what to drill."""
+"""Cards on a screen: a question, what an answer came to, the list; and how a round or an interview went."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
-from datetime import datetime
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from judge.drawing.braille import LEAST_ROWS
-from judge.kata.events import Rating
-from judge.report.layout import Cell, Column, Line, Span, Style, Table, beside, cells, hanging, line, wrap
+from rich.console import Group, RenderableType
+from rich.text import Text
+
+from judge.report.layout import Style
+from judge.report.names import shown_name
+from judge.report.parts import (
+    BAD,
+    FAINT,
+    GOOD,
+    STRONG,
+    WARNING,
+    Cell,
+    facts,
+    indented,
+    joined,
+    table,
+    text,
+)
+from judge.report.published_quiz import CardList, Interviewed, Quizzed
+from judge.report.screen import Screen, drawn
 from judge.report.values import counted
 
 if TYPE_CHECKING:
-    from judge.kata.checklist import Row
-    from judge.kata.quiz.cards import Card
+    from judge.kata.events import Rating
+    from judge.kata.interview import Held, Plan
+    from judge.kata.quiz.choose import Practise
     from judge.kata.quiz.questions import Question, Reply
-    from judge.kata.review import Review
-    from judge.report.screen import Screen
 
+RATE = "How well? 1 again, 2 hard, 3 good, 4 easy: "
+SAVE = "Save the file. Enter judges it, q goes on: "
 _PANEL = 31  # columns of a picture of one panel
-_LABELS = 9  # the column where what follows a label begins
 _AROUND = 2  # rows for the prompt and one above
-RATINGS = "1 again, 2 hard, 3 good, 4 easy"
+_STYLES = {Style.GOOD: GOOD, Style.BAD: BAD, Style.STRONG: STRONG, Style.FAINT: FAINT, Style.PLAIN: ""}
 
 
-def question_lines(question: Question, place: str, screen: Screen) -> list[Line]:
+def question(asked: Question, place: str, screen: Screen) -> RenderableType:
     """The card, what is known of its figure, and the figure where the terminal has room for it."""
-    card, width = question.card, screen.width
-    head = beside(Span(place, Style.FAINT), f"{card.form}{''.join(f'  {row}' for row in card.rows)}", width)
-    lines = [*head, *_prose(card.front, width, Style.STRONG)]
-    lines += [each for text in question.given for each in _prose(text, width, Style.PLAIN)]
-    if question.program:
-        lines += [line(), *_indented(question.program), line()]
-    for letter, text in question.options:
-        lines += hanging(Span(letter, Style.STRONG), Span(text), width, indent=2, column=5)
-    rows = _rows_left(screen, len(lines))
-    return [*lines, *_picture(question, screen, rows)]
+    parts: list[RenderableType] = [text(place, FAINT), _prose(text(asked.card.front, STRONG))]
+    parts += map(_prose, asked.given)
+    if asked.program:
+        rows = [indented(text(row), 4) if row else Text() for row in asked.program.splitlines()]
+        parts += [Text(), *rows, Text()]
+    if asked.options:
+        parts.append(
+            indented(table(("", ""), [(text(letter, STRONG), said) for letter, said in asked.options]))
+        )
+    return Group(*parts, *_picture(asked, screen, drawn(Group(*parts), screen).count("\n")))
 
 
-def _indented(program: str) -> list[Line]:
-    return [line("    ", Span(row)) if row else line() for row in program.splitlines()]
+def _prose(said: Cell) -> RenderableType:
+    return indented(table(("",), [(said,)]))
 
 
-def _prose(text: str, width: int | None, style: Style) -> list[Line]:
-    return hanging(Span(""), Span(text, style), width, indent=2, column=2)
-
-
-def _rows_left(screen: Screen, taken: int) -> int:
+def _picture(asked: Question, screen: Screen, taken: int) -> Iterator[RenderableType]:
+    from judge.report.picture import LEAST_ROWS, has_room, picture_lines
     from judge.report.terminal import height
 
-    return height(screen) - taken - _AROUND
+    if asked.picture is not None and has_room(screen, _PANEL):
+        rows = max(height(screen) - taken - _AROUND, LEAST_ROWS)
+        for row in picture_lines(asked.picture, rows, answered=False):
+            yield indented(joined(*(text(span.text, _STYLES.get(span.style, "")) for span in row)))
 
 
-def _picture(question: Question, screen: Screen, rows: int) -> list[Line]:
-    from judge.report.picture import has_room, picture_lines
-
-    if question.picture is None or not has_room(screen, _PANEL):
-        return []
-    drawn = list(picture_lines(question.picture, max(rows, LEAST_ROWS), answered=False))
-    return [line("  ", *each) for each in drawn]
+def prompt(asks: str, screen: Screen) -> str:
+    """What may be typed, ready to be written: its last line is left open."""
+    return drawn(indented(text(asks.rstrip(), FAINT)), screen).removesuffix("\n") + " "
 
 
-def prompt_text(what: str, screen: Screen) -> str:
-    """What may be typed, ready to be written; the last line is left open for it."""
-    width = screen.width
-    rows = wrap(what, None if width is None else max(1, width - 5))
-    lines = [line("  ", Span(row, Style.FAINT)) for row in rows[:-1]]
-    return screen.text([*lines, line("  ", Span(rows[-1], Style.FAINT), " > ")]).removesuffix("\n")
+def reply(asked: Question, found: Reply | None, rating: Rating) -> RenderableType:
+    """Whether the answer was right, what the right one is, and why; `found` is None where none was given."""
+    if asked.check is None:
+        return Group(indented(text(f"noted: {rating.name.lower()}", FAINT)), Text())
+    right = found is not None and found.right
+    mistake = f": {found.mistake}" if found and found.mistake else ""
+    verdict = text("✓ right", GOOD) if right else text(f"✗ wrong{mistake}" if found else "✗ skipped", BAD)
+    because = found.why if found and not right else ""
+    pairs = [("because", because), ("answer", "" if right else asked.answer), ("why", asked.why)]
+    said = [pair for pair in pairs if pair[1]]
+    return Group(indented(verdict), *([indented(facts(said))] if said else []), Text())
 
 
-def reply_lines(question: Question, reply: Reply | None, width: int | None) -> Iterator[Line]:
-    """Whether the answer was right, what the right one is, and why; `reply` is None where none was given."""
-    if reply is not None and reply.right:
-        yield line("  ", Span("✓ right", Style.GOOD))
-    else:
-        mistake = f": {reply.mistake}" if reply and reply.mistake else ""
-        yield line("  ", Span(f"✗ wrong{mistake}" if reply else "✗ not known", Style.BAD))
-        if reply and reply.why:
-            yield from _labelled("because", reply.why, width)
-        yield from _labelled("answer", question.answer, width)
-    if question.why:
-        yield from _labelled("why", question.why, width)
-    yield line()
-
-
-def model_lines(question: Question, width: int | None) -> Iterator[Line]:
+def model(asked: Question) -> RenderableType:
     """The model answer of a card that the person rates."""
-    yield from _labelled("model", question.answer, width)
+    return indented(facts([("model", asked.answer)]))
 
 
-def _labelled(label: str, text: str, width: int | None) -> list[Line]:
-    return hanging(Span(label, Style.FAINT), Span(text), width, indent=2, column=2 + _LABELS)
+def mistyped(message: str) -> RenderableType:
+    """What was typed is not an answer."""
+    return indented(text(message, WARNING))
 
 
-def mistyped_lines(message: str, width: int | None) -> list[Line]:
-    """What was typed is no answer."""
-    return [
-        line("  ", Span(row, Style.WARNING)) for row in wrap(message, None if width is None else width - 2)
-    ]
+def quizzed(found: Quizzed, _screen: Screen) -> RenderableType:
+    """How the cards went, and what to practise."""
+    if found.next_due is not None:
+        when = f"The next card is due on {found.next_due.astimezone():%Y-%m-%d}."
+        return text(f"Nothing is due today. {when}", GOOD)
+    if not found.asked:
+        return text("No card was answered.", FAINT)
+    known = text(f"{found.known} of {counted(found.asked, 'card')} known", STRONG)
+    return Group(known, *_practise(found.practise))
 
 
-def end_lines(
-    asked: Sequence[tuple[Question, Rating]], drill: Sequence[tuple[Row, Sequence[str]]], width: int | None
-) -> Iterator[Line]:
-    """How the cards went, and the rows of the checklist to drill, each with the commands that do."""
-    if not asked:
-        yield line(Span("No card was answered.", Style.FAINT))
-        return
-    known = sum(rating is not Rating.AGAIN for _, rating in asked)
-    yield line(Span(f"{known} of {counted(len(asked), 'card')} known", Style.STRONG))
-    yield from drill_lines(drill, width)
+def _practise(found: Sequence[Practise]) -> Iterator[RenderableType]:
+    if found:
+        yield from (Text(), text("Practise", STRONG))
+        rows = [(each.commands[0], each.ask) for each in found]
+        yield indented(table(("", ""), rows))
 
 
-def drill_lines(drill: Sequence[tuple[Row, Sequence[str]]], width: int | None) -> Iterator[Line]:
-    """The rows to drill."""
-    if not drill:
-        return
-    yield line()
-    yield line(Span("To drill", Style.STRONG))
-    columns = (Column("row"), Column("with"), Column("question", flexible=True))
-    rows: list[list[Cell]] = [
-        [Span(row.id, Style.STRONG), commands[0] if commands else "", row.ask] for row, commands in drill
-    ]
-    yield from Table(columns, rows).lines(width)
-
-
-def list_lines(
-    cards: Sequence[Card], reviews: Mapping[str, Review], now: datetime, width: int | None
-) -> Iterator[Line]:
-    """The cards, a row each, with when each is due; `reviews` are those that were answered, by their keys.
-
-    A question has the one line that there is room for.
-    """
+def card_list(found: CardList, _screen: Screen) -> RenderableType:
+    """The cards, a row each, with when each is due."""
     from judge.report.learned import due_words
 
-    columns = (Column("card"), Column("form"), Column("due", spare=True), Column("question", flexible=True))
-    due = {key: due_words(review.due, now) for key, review in reviews.items()}
-    taken = [[cells(text) for text in (card.key, card.form, due.get(card.key, ""))] for card in cards]
-    used = sum(max(column) + 2 for column in zip(*taken, strict=True)) + 2
-    rows: list[list[Cell]] = [
-        [
-            Span(card.key, Style.STRONG),
-            card.form,
-            Span(due.get(card.key, ""), Style.FAINT),
-            _one_line(card.front, None if width is None else width - used),
-        ]
-        for card in cards
+    due = {key: due_words(review.due, found.now) for key, review in found.reviews.items()}
+    rows = [
+        (text(card.key, STRONG), card.form, text(due.get(card.key, ""), FAINT), card.front)
+        for card in found.cards
     ]
-    yield from Table(columns, rows).lines(width)
-    new = sum(card.key not in reviews for card in cards)
-    yield line()
-    yield line(Span(f"{counted(len(cards), 'card')}, {new} new", Style.FAINT))
+    new = sum(card.key not in due for card in found.cards)
+    return Group(
+        table(("card", "form", "due" if due else "", "question"), rows),
+        Text(),
+        text(f"{counted(len(rows), 'card')}, {new} new", FAINT),
+    )
 
 
-_LEAST = 20  # columns that a question has at least
+def opening(minutes: int, planned: Plan, held: Held) -> RenderableType:
+    """What is to come in an interview."""
+    before, after = (counted(len(cards), "card") for cards in (planned.before, planned.after))
+    return Group(
+        joined(text("Mock interview", STRONG), text(f"  {counted(minutes, 'minute')}", FAINT)),
+        text(f"{before}, the kata {held.problem.id}, {after}. q leaves; your answers are kept.", FAINT),
+        Text(),
+    )
 
 
-def _one_line(text: str, room: int | None) -> str:
-    """The question's beginning, where it is longer than a line of so many columns."""
-    if room is None or room < _LEAST or cells(text) <= room:
-        return text
-    return wrap(text, room - 2)[0].rstrip(" ,;:") + " …"
+def kata(held: Held, minutes: int) -> RenderableType:
+    """The kata of an interview, its file, and the time for it."""
+    return Group(
+        joined(text(held.problem.title, STRONG), text(f"  {counted(minutes, 'minute')}", FAINT)),
+        _prose(held.problem.summary),
+        _prose(f"Write it in {shown_name(held.file)}: the statement is in there. I judge it on every save."),
+        Text(),
+    )
 
 
-def nothing_lines(when: str, width: int | None) -> list[Line]:
-    """No card is due and none is new."""
-    text = f"Nothing is due{f'; the next card is on {when}' if when else ''}. --ahead asks all the same."
-    return hanging(Span(""), Span(text, Style.GOOD), width, indent=0, column=0)
+def time_over() -> RenderableType:
+    """The time for the kata is over."""
+    return Group(Text(), text("The time for the kata is over.", WARNING), Text())
+
+
+def interviewed(found: Interviewed, _screen: Screen) -> RenderableType:
+    """How it went, and what to practise."""
+    time = f"  {found.minutes} of {counted(found.out_of, 'minute')}"
+    cards = f"{found.known} of {counted(found.asked, 'card')} known" if found.asked else "none answered"
+    said: list[tuple[Cell, Cell]] = [("cards", cards), ("kata", _kata(found))]
+    if found.lacking:
+        said.append(("not yet", ", ".join(found.lacking)))
+    nothing = found.solved and found.known == found.asked
+    return Group(
+        Text(),
+        joined(text("The interview", STRONG), text(time, FAINT)),
+        indented(facts(said)),
+        *((Text(), text("Nothing to practise.", GOOD)) if nothing else _practise(found.practise)),
+    )
+
+
+def _kata(found: Interviewed) -> Text:
+    if found.verdict is None:
+        return text(f"{found.problem}: not judged", FAINT)
+    mistake = f", {found.mistake}" if found.mistake else ""
+    points = f"{found.verdict}, {found.score} of 100 points after {counted(found.runs, 'run')}"
+    return text(f"{found.problem}: {points}{mistake}", GOOD if found.solved else BAD)

@@ -23,7 +23,15 @@ from judge.report.parts import (
     table,
     text,
 )
-from judge.report.published_setter import Doctor, Exported, FilesWritten, NewKata, Verified, VerifySummary
+from judge.report.published_setter import (
+    DecksVerified,
+    Doctor,
+    Exported,
+    FilesWritten,
+    NewKata,
+    Verified,
+    VerifySummary,
+)
 from judge.report.screen import Screen
 from judge.report.values import counted
 
@@ -75,6 +83,16 @@ def verified(found: Verified, _screen: Screen) -> RenderableType:
         ]
         parts += [Text(), indented(table(("cases", "edge"), edges, right=[0]))]
     return Group(*parts)
+
+
+def decks_verified(found: DecksVerified, _screen: Screen) -> RenderableType:
+    """What is wrong with the cards."""
+    verdict = text(counted(len(found.faults), "fault"), BAD) if found.faults else text("sound", GOOD)
+    rows = [(text("fault", BAD), str(each)) for each in found.faults]
+    return Group(
+        joined(text("quiz", STRONG), "  ", verdict, f"  {counted(found.cards, 'card')}"),
+        *([indented(table(("", ""), rows))] if rows else []),
+    )
 
 
 def verify_summary(found: VerifySummary, _screen: Screen) -> RenderableType:

@@ -14,6 +14,7 @@ import pytest
 from cli_support import FLOOR, MEAN
 
 from judge.batch import standard
+from judge.batch.__main__ import main as batch
 from judge.batch.store import Store
 from judge.errors import StoreError
 from judge.manual import page
@@ -21,7 +22,6 @@ from judge.manual import page
 pytestmark = pytest.mark.slow
 
 WRONG = "def middle(a, b):\n    return a + b / {}\n"
-QUICK = ("--no-name",)
 
 
 @pytest.fixture
@@ -38,12 +38,14 @@ def homework(submit):
 
 
 def rows(outcome):
-    return {row["file"]: row for row in map(json.loads, outcome.out.splitlines())}
+    found = [row for row in map(json.loads, outcome.out.splitlines()) if "cohort" not in row]
+    return {row["file"]: row for row in found}
 
 
 def stored(name="homework.judge.sqlite3"):
     with Store.open(Path(name), reading=True) as store:
-        return store.rows()
+        newest = {(row.student, row.problem, row.file): row for row in store.every()}
+    return [newest[place] for place in sorted(newest)]
 
 
 def lasting(result):
@@ -53,7 +55,7 @@ def lasting(result):
 
 
 def test_the_table_says_all_and_the_rows_are_those_of_judge_run(judge, homework):
-    ended = judge("class", "homework", "--students", "list.csv", "--out", "out.sqlite3")
+    ended = judge("class", "homework", "--students", "list.csv")
     assert ended.status == 3
     assert ended.lines[:6] == [
         "      middle",
@@ -67,13 +69,13 @@ def test_the_table_says_all_and_the_rows_are_those_of_judge_run(judge, homework)
     assert [line for line in table[7:] if not line.startswith("judged with")] == [
         "= the same text as in another file, judged once",
         "? not in the list of students",
-        "nothing handed in: zoe",
+        "nothing submitted: zoe",
         "dan/middle.py: it is a link to a file that is not there",
-        "1 of 4 accepted, 5 students, 1 problem",
+        "1 of 4 accepted, 5 students, 1 kata",
     ]
     assert f"isolation on {os.uname().nodename}" in ended.out
-    assert ended.err == "judge: not judged: README.md: no program by its name\n"
-    found = rows(judge("class", "homework", "--out", "out.sqlite3", "--json"))
+    assert ended.err == "judge: not judged: README.md: not a program by its name\n"
+    found = rows(judge("class", "homework", "--json"))
     plain = judge("run", "middle", *(f"homework/{name}" for name in found), "--no-shrink", "--json")
     for row, line in zip(found.values(), plain.lines, strict=True):
         result = json.loads(line)
@@ -87,59 +89,50 @@ def test_the_table_says_all_and_the_rows_are_those_of_judge_run(judge, homework)
 
 
 def test_only_what_is_new_is_judged(judge, homework, submit, monkeypatch):
-    assert judge("class", "homework", *QUICK, "-q").status == 3
+    assert judge("class", "homework").status == 3
     first = {row.file: row for row in stored()}
     Path("homework/dan/middle.py").unlink()
     submit(MEAN, "homework/dan/middle.py")
     submit(WRONG.format(3), "homework/bob/middle.py")
-    ended = judge("class", "homework", *QUICK)
+    ended = judge("class", "homework")
     assert "2 kept from before" in ended.err
     assert "dan  AC 100=" in ended.out
     again = {row.file: row for row in stored()}
     assert {file for file in first if first[file] == again[file]} == {"ada/middle.py", "cy/homework.py"}
     submit(FLOOR, "homework/bob/middle.py")  # as it was
-    assert "4 kept from before" in judge("class", "homework", *QUICK).err
+    assert "4 kept from before" in judge("class", "homework").err
     there = ("ada/middle.py", "bob/middle.py", "cy/homework.py", "ada/middle.py")
     assert [row.digest for row in stored()] == [first[file].digest for file in there]
     with Store.open(Path("homework.judge.sqlite3"), reading=True) as store:
-        assert len(store.handins("bob", "middle")) == 2
+        assert len({row.digest for row in store.every() if row.student == "bob"}) == 2
     before = {row.file: row.at for row in stored()}
-    assert judge("class", "homework", *QUICK, "-q", "--again", "ada").status == 1
+    assert judge("class", "homework", "--again", "ada").status == 1
     after = {row.file: row.at for row in stored()}
     assert [file for file in before if before[file] != after[file]] == ["ada/middle.py"]
     with monkeypatch.context() as other:
         other.setattr(standard, "_own_version", lambda: "9.9+else")
-        told = judge("class", "homework", *QUICK).err
+        told = judge("class", "homework").err
     assert told.count("\n") == 2
     assert "4 judged anew, because of the judge (" in told
     assert " → 9.9+else)" in told
-    named = judge("class", "homework")
-    assert "judged anew, because of " in named.err
-    assert "the options (" in named.err
 
 
-def test_shards_merged_are_the_plain_run(judge, homework, submit):
+def test_parts_put_together_are_the_plain_run(judge, homework, submit, capsys):
     for at in (2, 3):
         submit(WRONG.format(at), f"homework/s{at}/middle.py")
-    assert judge("class", "homework", *QUICK, "-q", "--out", "plain.sqlite3").status == 3
+    assert judge("class", "homework").status == 3
+    Path("homework.judge.sqlite3").rename("plain.sqlite3")
     for number in (1, 2, 3):
-        assert judge("class", "homework", *QUICK, "-q", "--shard", f"{number}/3").status in (0, 1, 3)
+        assert batch(["shard", f"{number}/3", "homework"]) in (0, 1, 3)
     parts = [f"homework.judge.{number}-of-3.sqlite3" for number in (1, 2, 3)]
     assert sum(len(stored(part)) for part in parts) == 6
     assert all(len(stored(part)) < 6 for part in parts)
-    part = judge("class", "homework", "--merge", parts[0], "--out", "one.sqlite3")
-    assert part.status in (1, 3)
-    assert f"{6 - len(stored(parts[0]))} files in none of the files that were merged" in part.err
-    merged = judge("class", "homework", "--merge", *parts)
-    assert (merged.status, merged.err.count("\n")) == (3, 2)
-    assert "6 rows merged from 3 files" in merged.err
+    assert batch(["merge", "homework", *parts]) == 0
+    assert "6 rows merged from 3 files" in capsys.readouterr().err
     assert untimed(stored()) == untimed(stored("plain.sqlite3"))
-    other = judge("class", "homework", "--level", "interview", "-q", "--out", "level.sqlite3")
-    assert other.status == 3  # the problem has one level only, which is no reason to stop
-    again = judge("class", "homework", "--out", "named.sqlite3", "-q")
-    assert again.status == 3
-    mixed = judge("class", "homework", "--merge", *parts, "named.sqlite3", "--out", "mixed.sqlite3")
-    assert "the rows were not judged alike: the options (" in mixed.err
+    assert "5 kept from before" in judge("class", "homework").err  # the sixth cannot be read
+    assert batch(["shard", "0/3", "homework"]) == 2
+    assert "judge: '0/3' is not a part; write 3/20" in capsys.readouterr().err
 
 
 def untimed(found):
@@ -156,7 +149,7 @@ def untimed(found):
 def started(*words):
     """The command as a process of its own, the first of its group."""
     return subprocess.Popen(
-        [sys.executable, "-m", "judge", "class", "homework", *QUICK, *words],
+        [sys.executable, "-m", "judge", "class", "homework", *words],
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
         encoding="utf-8",
@@ -185,7 +178,7 @@ def test_the_same_command_goes_on_after_any_end(judge, submit, how):
         submit(f"{sleepy}\n{WRONG.format(at + 2)}", f"homework/s{at}/middle.py")
     process = started("-j", "2")
     some_rows()
-    second = judge("class", "homework", *QUICK)
+    second = judge("class", "homework")
     assert (second.status, second.out) == (3, "")
     assert "another judge is writing to it; wait until it has ended" in second.err
     os.killpg(process.pid, how) if how == signal.SIGINT else process.kill()
@@ -196,9 +189,9 @@ def test_the_same_command_goes_on_after_any_end(judge, submit, how):
         assert process.returncode == 130
         left = 6 - len(kept)
         assert f"{left} file{'s' * (left > 1)} left; the same command goes on" in said
-        assert f"0 of {len(kept)} accepted, 6 students, 1 problem" in printed
+        assert f"0 of {len(kept)} accepted, 6 students, 1 kata" in printed
         assert "Traceback" not in said
-    ended = judge("class", "homework", *QUICK)
+    ended = judge("class", "homework")
     assert f"{len(kept)} kept from before" in ended.err
     final = stored()
     assert len(final) == len({row.key for row in final}) == 6
@@ -212,14 +205,13 @@ while [ "$task" != 20 ]; do task=$((task + 1)); SLURM_ARRAY_TASK_ID=$task sh -c 
 """
 
 
-def test_the_manuals_recipe_asks_for_each_shard_once(tmp_path):
+def test_the_manuals_recipe_asks_for_each_part_once(tmp_path):
     blocks = page("class").text.split("```")[1::2]
-    (recipe,) = [block.partition("\n")[2] for block in blocks if "sbatch" in block]
-    for name, text in (("sbatch", SBATCH), ("judge", '#!/bin/sh\necho "$@" >> asked\n')):
+    (command,) = [block.partition("\n")[2] for block in blocks if "sbatch" in block]
+    for name, text in (("sbatch", SBATCH), ("python", '#!/bin/sh\necho "$@" >> asked\n')):
         (tmp_path / name).write_text(text)
         (tmp_path / name).chmod(0o755)
     settings = {**os.environ, "PATH": f"{tmp_path}:{os.environ['PATH']}"}
-    command = recipe.partition("judge class homework --merge")[0]
     subprocess.run(["sh", "-e", "-c", command], check=True, env=settings, timeout=60)
     asked = (tmp_path / "asked").read_text().splitlines()
-    assert asked == [f"class homework --shard {number}/20" for number in range(1, 21)]
+    assert asked == [f"-m judge.batch shard {number}/20 homework" for number in range(1, 21)]

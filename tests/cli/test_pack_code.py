@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import json
 import os
 import re
@@ -38,7 +39,8 @@ RUN_IT = {
     "export": "export middle --out made --format files",
     "verify": "verify middle",
     "progress": "progress --html",
-    "quiz": "quiz --interview --cards 0 --kata middle --file mine.py",
+    "quiz": "quiz counts",
+    "interview": "interview halves --kata middle --file mine.py",
 }
 BY_DAY = ("try", "export")
 MARKING = """
@@ -46,6 +48,7 @@ import os
 with open(os.environ["MARK"], "a") as mark:
     mark.write("{} ran\\n")
 """
+COUNTS = 'title = "S"\n[[cards]]\nid = "a"\nform = "count"\nfront = "F?"\nback = "B."\nproblem = "middle"\n'
 META = "Metadata-Version: 2.1\nName: marking\nVersion: 1\n"
 
 
@@ -70,6 +73,7 @@ def practised(judge, mark, submit, tmp_path, monkeypatch):
     toml = module.with_name("problem.toml")
     rule = '[time]\nlimit = 1000\nfunction = "mean.py"\n\n'  # there are times to measure
     toml.write_text(toml.read_text().replace("[tolerance]", f"{rule}[tolerance]", 1))
+    (module.parents[1] / "quiz" / "counts.toml").write_text(COUNTS)
     monkeypatch.setenv("JUDGE_PROBLEMS", str(tmp_path / "pack" / "problems"))
     for source, name in ((MEAN, "mine.py"), (FLOOR, "floor.py"), (FLOOR, "homework/ada/middle.py")):
         submit(source, name)
@@ -105,7 +109,8 @@ def test_these_commands_only_read_it(judge, practised, mark):
 
 
 @pytest.mark.parametrize("command", daily(RUN_IT, BY_DAY))
-def test_these_commands_run_it(command, judge, practised, mark):
+def test_these_commands_run_it(command, judge, practised, mark, monkeypatch):
+    monkeypatch.setattr(sys, "stdin", io.StringIO("?\n" * 3))
     ended = judge(*RUN_IT[command].format(id=practised).split())
     assert ended.status in ((0, 1, 3) if command == "verify" else (0, 1)), ended
     assert mark.exists()

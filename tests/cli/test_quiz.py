@@ -1,6 +1,6 @@
-"""`judge quiz`: what is kept however it ends, when cards come again, and the time of the mock interview.
+"""`judge quiz` and `judge interview`: what is kept however they end, when cards come again, the time.
 
-What it asks and says is in the transcripts of `quiz/`.
+What they ask and say is in the transcripts of `quiz/`.
 """
 
 from __future__ import annotations
@@ -17,7 +17,6 @@ from cli_support import MEAN
 from sampling import nightly
 from terminals import Terminal
 
-from judge.cli import interview
 from judge.kata import events
 from judge.kata.events import Answer, Rating
 from judge.kata.history import History
@@ -43,7 +42,7 @@ def answers():
 
 def test_answers_are_kept_with_their_rating(typing):
     typing(["seven", "3.5", "A"], "quiz", "halves", "--seed", "3")
-    typing(["by a cross product", "5", "hard"], "quiz", "--card", "junior/dot-product")
+    typing(["by a cross product", "5", "hard"], "quiz", "--question", "junior/dot-product")
     assert answers() == [
         ("halves/half-of-seven", Rating.GOOD, True, "3.5"),
         ("halves/rounding", Rating.AGAIN, True, "a"),
@@ -61,15 +60,37 @@ def test_known_cards_come_later_and_missed_ones_sooner(typing, judge, monkeypatc
     noon = events.now().replace(hour=12)
     monkeypatch.setattr("judge.kata.events.now", lambda: noon)
     typing(["3.5", "a"], "quiz", "halves", "--seed", "3")
-    told = json.loads(judge("progress", "--due", "--json").out)["cards"]
-    dates = {each["name"]: each["due"] for each in told["later"]}
+    dates = {
+        row["card"]: row["due"] for row in map(json.loads, judge("quiz", "halves", "--list", "--json").lines)
+    }
     assert dates["halves/rounding"] < dates["halves/half-of-seven"]
+    assert "Nothing is due today" in judge("quiz", "halves").out
     monkeypatch.setattr("judge.kata.events.now", lambda: noon + timedelta(days=1))
     assert "judge quiz" in judge("progress", "--due").out
-    assert "1 card is due: judge quiz" in judge("next").out
-    assert json.loads(judge("next", "--json").out)["cards_due"] == 1
     again = typing(["b"], "quiz", "halves", "--seed", "3")
-    assert again.out.startswith("1 of 1  choice")
+    assert again.out.startswith("Question 1 of 1\n  What is 7 // 2")
+
+
+def test_new_cards_are_of_the_set_of_the_last_kata(judge, submit, typing):
+    def first():
+        return typing([], "quiz", "--seed", "3").out.splitlines()[1]
+
+    assert "distance from A to B" in first()  # of the first steps
+    submit("def line_count(cx, cy, r, A, B):\n    return 1\n", "count.py")
+    judge("run", "-q", "count", "count.py", "--group", "examples")
+    assert "the circle and the infinite line" in first()  # of the junior set
+
+
+def test_the_summary_is_all_that_json_writes(typing):
+    ended = typing(["?", "b"], "quiz", "halves", "--seed", "1", "--json")
+    assert len(ended.lines) == 1
+    told = json.loads(ended.lines[0])
+    assert (told["asked"], told["known"], [each["rating"] for each in told["answers"]]) == (
+        2,
+        1,
+        ["again", "good"],
+    )
+    assert "Question 1 of 2" in ended.err
 
 
 # -- the interview -----------------------------------------------------------------------------------------
@@ -77,23 +98,25 @@ def test_known_cards_come_later_and_missed_ones_sooner(typing, judge, monkeypatc
 
 def test_an_interview_keeps_its_runs_and_its_answers(typing, submit):
     submit(MEAN)
-    words = ("--interview", "--cards", "3", "--kata", "middle", "--file", "mine.py", "--seed", "3")
-    assert typing(["?", "?", "?", "?"], "quiz", "halves", *words).status == 0
+    words = ("--kata", "middle", "--file", "mine.py", "--out", "page.txt")
+    assert typing(["?", "?", "?", "?"], "interview", "halves", *words).status == 0
     with History.open(reading=True) as history:
         assert [run.problem for run in history.runs()] == ["middle"]
     assert len(answers()) == 2
+    assert "middle: AC, 100 of 100 points after 1 run" in Path("page.txt").read_text()
+    assert typing(["q"], "interview", "halves", *words).status == 0  # its own page may be written again
 
 
 def test_the_file_of_an_interview_is_never_written_over(typing, submit):
     submit(MEAN, "middle_interview.py")
-    typing(["q"], "quiz", "--interview", "--cards", "0", "--kata", "middle")
+    typing(["?", "?", "q"], "interview", "halves", "--kata", "middle")
     assert Path("middle_interview.py").read_text() == MEAN
 
 
 def test_when_the_time_is_over_no_card_is_asked_any_more(typing, monkeypatch):
     times = iter([0.0, 0.0, *[1e6] * 100])
-    monkeypatch.setattr(interview.hold, "__defaults__", (lambda: next(times),))
-    ended = typing(["?", "?", "?"], "quiz", "halves", "--interview", "--minutes", "10", "--kata", "middle")
+    monkeypatch.setattr("judge.cli.commands.interview.monotonic", lambda: next(times))
+    ended = typing(["?", "?", "?"], "interview", "halves", "--minutes", "10", "--kata", "middle")
     assert ended.status == 0
     assert len(answers()) == 1
     assert "10 of 10 minutes" in ended.out
@@ -116,26 +139,26 @@ def plain(text):
     ],
 )
 def test_a_question_with_its_figure_fits_the_screen(card, rows, columns):
-    words = ["quiz", "--card", card, "--cards", "1", "--seed", "4"]
+    words = ["quiz", "--question", card, "--seed", "4"]
     with Terminal(*words, rows=rows, columns=columns) as terminal:
-        shown = plain(terminal.until(" > "))
+        shown = plain(terminal.until("):"))
         lines = shown.split("\n")
         assert len(lines) <= rows
         assert all(len(line) <= columns for line in lines)
         assert sum(bool(re.search("[\u2801-\u28ff]", row)) for row in lines) >= 7
         assert "wanted" not in shown
         terminal.press("?\n")
-        assert "not known" in terminal.until("To drill")
+        assert "skipped" in terminal.until("Practise")
         assert terminal.ends() == 0
 
 
 @pytest.mark.parametrize(("key", "status"), [("\x03", 130), nightly("\x04", 0)])
 def test_ctrl_c_and_ctrl_d_keep_what_was_answered(key, status):
     with Terminal("quiz", "halves", "--seed", "3") as terminal:
-        terminal.until(" > ")
+        terminal.until("):")
         terminal.press("3.5\n")
         terminal.until("2 of 2")
-        terminal.until(" > ")
+        terminal.until("):")
         terminal.press(key)
         terminal.until("1 of 1 card known")
         assert terminal.ends() == status
@@ -145,12 +168,15 @@ def test_ctrl_c_and_ctrl_d_keep_what_was_answered(key, status):
 
 
 def test_the_kata_of_an_interview_is_judged_when_its_file_is_saved():
-    words = ["quiz", "--interview", "--cards", "0", "--kata", "middle", "--minutes", "60"]
+    words = ["interview", "halves", "--kata", "middle", "--minutes", "60"]
     with Terminal(*words, rows=40, columns=100) as terminal:
-        terminal.until("q to go on")
+        for _ in range(2):
+            terminal.until("):")
+            terminal.press("?\n")
+        terminal.until("q goes on:")
         terminal.press("what\n")
-        terminal.until("an empty line has the file judged")
-        terminal.until("q to go on")
+        terminal.until("An empty line has the file judged")
+        terminal.until("q goes on:")
         Path("middle_interview.py").write_text(MEAN)
         terminal.until("all 52 cases pass")
         terminal.until("middle: AC, 100 of 100 points after 1 run")

@@ -6,7 +6,6 @@ import msgspec
 
 from judge.batch.cohort import cohort_of
 from judge.batch.model import Done, Row, Student
-from judge.batch.outcome import Outcome
 from judge.digest import digest_of
 from judge.problem.model import Verdict
 from judge.report.cohort import EqualFiles
@@ -97,13 +96,13 @@ ROWS = [
     row(DEE, "segment", fails=("grid",)),
     row("zoe", "count", "tight-epsilon", ("examples",)),
 ]
-EQUAL = [EqualFiles("count", ("bob", "cid"), ("bob/count-2.py", "cid/count.py"), False, 120)]
+EQUAL = [EqualFiles("count", ("bob", "cid"), ("bob/count-2.py", "cid/count.py"), False)]
 
 
 def class_of(*rows, students=(), problems=("count",), history=(), equal=()):
     """The cohort of these rows, of these students or those who have rows."""
     who = students or [Student(each) for each in sorted({row.student for row in rows})]
-    return cohort_of(Outcome(tuple(who), tuple(problems), rows), history, equal)
+    return cohort_of(tuple(who), tuple(problems), rows, history=history, equal=equal)
 
 
 def small_class():

@@ -49,7 +49,7 @@ def test_a_number_a_count_and_an_option_are_read():
     for text in ("-1", "2.0", "two", "٢", ""):
         with pytest.raises(MistypedError):
             count(text)
-    with pytest.raises(MistypedError, match="type a, b or c"):
+    with pytest.raises(MistypedError, match="Type a, b or c"):
         option("d", "abc")
 
 
@@ -60,7 +60,7 @@ def test_a_sequence_is_read_by_words_or_by_what_they_mean():
     assert sequence("none", tags) == ()
     assert sequence("b A", {"A": "", "B": ""}) == ("B", "A")
     for text in ("x", "i x", "", "ioxo"):
-        with pytest.raises(MistypedError, match="i, o and t in their order, or none"):
+        with pytest.raises(MistypedError, match=r"i, o and t\. Type them in their order, or none"):
             sequence(text, tags)
 
 

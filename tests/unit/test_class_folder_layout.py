@@ -86,7 +86,7 @@ def test_what_is_not_judged_is_named_with_the_reason(place):
         "middle.py": "it lies in no student's folder",
         "ada\\middle.py": "its name holds a backslash where folders should be: "
         "unpack the archive again, with 'unzip'",
-        "ada/nothing.py": "no problem is called so, and it defines no problem's function",
+        "ada/nothing.py": "no kata has that name, and it defines no kata's function",
         "ada/pipe.py": "it is a folder",
     }
     assert read.others == ("README.md", "ada/notes.txt")
@@ -114,9 +114,9 @@ def test_an_odd_file_costs_its_own_row(place, tmp_path):
     assert why == {
         "well": "",
         "empty": "",
-        "within": "it is a link to well's folder, which is not followed; --follow-links follows it",
+        "within": "it is a link to well's folder, which is not followed: put the file itself there",
         "huge": "this file is larger than 4 MB",
-        "out": "it is a link out of the folder, which is not followed; --follow-links follows it",
+        "out": "it is a link out of the folder, which is not followed: put the file itself there",
         "dangling": "it is a link to a file that is not there",
         "loop": "it is a link to a file that is not there",
         "fifo": "it is no ordinary file",

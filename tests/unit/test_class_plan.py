@@ -111,6 +111,6 @@ def test_shards_part_the_texts_and_equal_ones_meet():
 
 def test_what_is_no_shard_is_refused():
     for text in ("", "0/3", "1/0", "a/b", "٣/٣"):
-        with pytest.raises(UsageError, match="is no shard; write --shard 3/20"):
+        with pytest.raises(UsageError, match="is not a part; write 3/20"):
             Shard.read(text)
     assert Shard.read("3/20") == Shard(3, 20)

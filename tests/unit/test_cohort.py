@@ -9,14 +9,13 @@ import msgspec
 import pytest
 from classes import class_of, row, small_class
 
+from judge.batch.cohort import cohort_of, counting
 from judge.batch.model import Done, Row, Student
-from judge.batch.outcome import Outcome, counting
-from judge.batch.table import table_lines
 from judge.errors import ExitCode
 from judge.report.cohort import gradebook, is_gradebook
-from judge.report.klass import cohort_lines
+from judge.report.klass import klass
 from judge.report.layout import cells
-from judge.report.screen import Screen
+from judge.report.screen import Screen, drawn
 from judge.report.sheet import cell
 
 
@@ -27,8 +26,16 @@ def scored(student, problem, verdict="WA", score=40, where=("lab1", "full"), at=
     return Row(key, student, problem, file, "d", verdict, score, 100, "", *where, at, copied, plain)
 
 
-def table(outcome, width=80):
-    return ["".join(span.text for span in line) for line in table_lines(outcome, width)]
+class Terminal(io.StringIO):
+    """A stream that a person looks at."""
+
+    def isatty(self):
+        return True
+
+
+def shown(cohort, width=80, stream=None):
+    """The class as it is read, without colours; whole where no terminal is given."""
+    return drawn(klass(cohort, screen := Screen(stream or io.StringIO(), colour=False, width=width)), screen)
 
 
 @pytest.mark.parametrize("width", [40, 80, 200])
@@ -36,13 +43,13 @@ def test_thirty_students_and_twenty_problems_fit_any_screen(width):
     students = [Student(f"student-with-a-long-name-{at:02}") for at in range(30)]
     problems = [f"problem-number-{at:02}" for at in range(20)]
     rows = [scored(each.id, problem, "AC", 100) for each in students for problem in problems]
-    outcome = Outcome(tuple(students), tuple(problems), tuple(rows))
-    lines = table(outcome, width)
+    cohort = cohort_of(students, problems, rows)
+    lines = shown(cohort, width).partition("judged with")[0].splitlines()
     assert max(map(cells, lines)) <= width
     assert sum(line.count("AC 100") for line in lines) == 600
     assert all(sum(f"{at:02}" in line for line in lines) for at in range(20))
     assert sum("20 of 20  2000" in line for line in lines) == 30
-    assert max(line.count("AC 100") for line in table(outcome, None)) == 20
+    assert max(line.count("AC 100") for line in shown(cohort, None).splitlines()) == 20
 
 
 def test_the_best_counts_and_the_newest_of_equals():
@@ -54,17 +61,11 @@ def test_the_best_counts_and_the_newest_of_equals():
     assert counting(rows)["a", "p"] == rows[2]
     accepted = scored("a", "p", "AC", 60, at=0.5)
     assert counting([accepted, *rows])["a", "p"] == accepted
-    assert Outcome((), ("p",), (accepted, *rows)).exit_code is ExitCode.ACCEPTED
-    assert Outcome((), ("p",), tuple(rows)).exit_code is ExitCode.NOT_ACCEPTED
-    assert Outcome((), ("p",), (accepted,), left=1).exit_code is ExitCode.NOT_ACCEPTED
-    assert table(Outcome((), (), ())) == ["0 of 0 accepted, 0 students, 0 problems"]
-
-
-def text(width, **asked):
-    """The cohort as it is read, without colours."""
-    stream = io.StringIO()
-    Screen(stream, colour=False, width=width).show(cohort_lines(small_class(), width, **asked))
-    return stream.getvalue()
+    assert cohort_of((), ("p",), (accepted, *rows)).exit_code is ExitCode.ACCEPTED
+    assert cohort_of((), ("p",), rows).exit_code is ExitCode.NOT_ACCEPTED
+    assert cohort_of((), ("p",), (accepted,), left=1).exit_code is ExitCode.NOT_ACCEPTED
+    assert cohort_of((), ("p",), rows[1:2]).exit_code is ExitCode.FAULT
+    assert shown(cohort_of((), (), ())) == "0 of 0 accepted, 0 students, 0 katas\n"
 
 
 def test_stuck_is_the_same_mistake_twice_in_a_row_and_nothing_accepted():
@@ -82,31 +83,29 @@ def test_stuck_is_the_same_mistake_twice_in_a_row_and_nothing_accepted():
     assert class_of(*unnamed).stuck == ()
 
 
-@pytest.mark.parametrize("width", [20, 80, None])
-@pytest.mark.parametrize("whole", [False, True])
-def test_it_fits_the_screen_and_nothing_in_it_steers(width, whole):
-    shown = text(width, whole=whole)
-    assert "\x1b" not in shown
-    assert r"dee\x1b[31m王" in shown.replace("\n", "").replace(" ", "")
-    assert "forgotten-abs" in shown
+@pytest.mark.parametrize("width", [40, 80, None])
+@pytest.mark.parametrize("stream", [Terminal(), io.StringIO()])
+def test_it_fits_the_screen_and_nothing_in_it_steers(width, stream):
+    said = shown(small_class(), width, stream)
+    assert "\x1b" not in said
+    assert r"dee\x1b[31m王" in said
+    assert "forgotten-abs" in said
     if width:
-        assert max(map(cells, shown.splitlines())) <= width
-    assert all(row == row.rstrip() for row in shown.splitlines())
+        assert max(map(cells, said.splitlines())) <= width
+    assert all(row == row.rstrip() for row in said.splitlines())
 
 
-def test_long_lists_are_folded_and_nobody_is_nothing():
+def test_long_lists_are_folded_on_a_terminal_and_nobody_is_nothing():
     empty = class_of(problems=())
     assert (empty.people, empty.problems, empty.views, empty.handins) == ((), (), (), 0)
-    assert list(cohort_lines(empty, 80)) == []
     fails = ("grid", "tangent")
-    many = [row(f"s{at:03}", "count", f"mistake-{at % 9}", fails) for at in range(90)]
-    folded = [*cohort_lines(class_of(*many), 80)]
-    whole = [*cohort_lines(class_of(*many), 80, whole=True)]
-    said = ["".join(span.text for span in each) for each in folded]
-    assert "  and 4 more: --all" in said
-    assert any(each.endswith("and 82 more: --all") for each in said)
-    assert len(folded) < 20 < len(whole)
-    assert not any("--all" in span.text for each in whole for span in each)
+    many = class_of(*(row(f"s{at:03}", "count", f"mistake-{at % 9}", fails) for at in range(90)))
+    folded, whole = (shown(many, 80, stream).partition("kata\n")[2] for stream in (Terminal(), io.StringIO()))
+    assert "  and 4 more\n" in folded
+    assert "and 82 more" in folded
+    assert folded.count("\n") < 20 < whole.count("\n")
+    assert "more" not in whole
+    assert "s089" in whole
 
 
 def read(content, delimiter=","):

@@ -1,201 +1,177 @@
-"""`judge class`: judge what a class has handed in."""
+"""`judge class`: judge what a class has submitted."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from contextlib import AbstractContextManager, nullcontext
+from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Annotated
 
 import click
+from msgspec import Struct
 
-from judge.cli.judging_options import (
-    follow_links_option,
-    isolation_option,
-    jobs_option,
-    junit_option,
-    no_name_option,
-)
-from judge.cli.options import json_option, level_option, problems_option
-from judge.errors import ExitCode, UsageError
-from judge.judging.job import RunOptions
+from judge.batch.folder import root_of
+from judge.batch.run import Classroom, class_options
+from judge.batch.store import Store, store_of
+from judge.cli.options import Common, command, opt, takes
+from judge.cli.target import OutFile, moment
+from judge.errors import UsageError, unwritable
+from judge.problem.find import find_problem
+from judge.problem.model import LEVELS
+from judge.report.cohort import ClassLine, ClassRow, Cohort, gradebook, is_gradebook
+from judge.report.screen import note
+from judge.report.values import counted
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from judge.judging.executors import Executor
 
 
-@click.command("class")
-@click.argument("folder", metavar="FOLDER", type=click.Path(path_type=Path))
-@click.argument("more", metavar="[STORE...]", nargs=-1, type=click.Path(path_type=Path))
-@click.option(
-    "--students",
-    metavar="LIST",
-    type=click.Path(path_type=Path),
-    help="A CSV file of the class, with the columns id, name and group.",
-)
-@jobs_option
-@click.option(
-    "--on",
-    "where",
-    metavar="WHERE",
-    help="Judge with the workers of a dask scheduler: tls://HOST:PORT or FILE. See 'judge help class'.",
-)
-@click.option(
-    "--out",
-    "place",
-    metavar="STORE",
-    type=click.Path(path_type=Path),
-    help="Keep the results in this file, instead of FOLDER.judge.sqlite3.",
-)
-@click.option("--problem", "only", metavar="PROBLEM", multiple=True, help="Only this problem; repeatable.")
-@click.option(
-    "--again",
-    metavar="WHOSE",
-    multiple=True,
-    help="Judge a student, a problem or one file again; repeatable.",
-)
-@follow_links_option
-@no_name_option
-@level_option
-@isolation_option
-@click.option("--shard", metavar="K/N", help="Judge only part K of N; the parts need no contact.")
-@click.option(
-    "--merge",
-    "part",
-    metavar="STORE",
-    type=click.Path(path_type=Path),
-    help="Put the results of shards together instead of judging: --merge *-of-20.sqlite3.",
-)
-@json_option
-@click.option("-q", "--quiet", is_flag=True, help="Only the table.")
-@click.option("--all", "whole", is_flag=True, help="Show the whole cohort; with --json, as a last object.")
-@click.option(
-    "--csv",
-    "csv",
-    metavar="FILE",
-    type=click.Path(path_type=Path),
-    help="Write the gradebook, a line a student.",
-)
-@click.option(
-    "--html",
-    "html",
-    metavar="FILE",
-    type=click.Path(path_type=Path),
-    help="Write one page of it all, with a picture of each mistake.",
-)
-@click.option(
-    "--feedback",
-    "feedback",
-    metavar="DIR",
-    type=click.Path(path_type=Path),
-    help="Write a page for each student into this folder.",
-)
-@junit_option
-@click.option(
-    "--similar",
-    metavar="DETECTOR",
-    type=click.Choice(["dolos"]),
-    help="Write what the detector dolos reads, and run it if it is installed.",
-)
-@problems_option
-def command(
-    folder: Path,
-    more: tuple[Path, ...],
-    students: Path | None,
-    jobs: int,
-    where: str | None,
-    place: Path | None,
-    only: tuple[str, ...],
-    again: tuple[str, ...],
-    follow_links: bool,
-    no_name: bool,
-    kata_level: str | None,
-    level: str | None,
-    shard: str | None,
-    part: Path | None,
-    as_json: bool,
-    quiet: bool,
-    whole: bool,
-    csv: Path | None,
-    html: Path | None,
-    feedback: Path | None,
-    junit: Path | None,
-    similar: str | None,
-    folders: tuple[Path, ...],
-) -> ExitCode:
-    """Judge what a class has handed in.
+class ClassAsk(Struct, frozen=True):
+    """How to judge a class, and what to write of it."""
 
-    FOLDER holds STUDENT/PROBLEM.py or PROBLEM/STUDENT.py, in any language. A file of another name is for the
-    problem whose function it defines. Each row is kept at once in FOLDER.judge.sqlite3: after Ctrl-C or a
-    crash the same command goes on, and judges only what is new. If a student has several files for one
-    problem, the best counts. Equal files are judged once.
+    students: Annotated[
+        Path | None,
+        opt("--students", metavar="CSV", help="The list of the class, with the columns id, name and group."),
+    ] = None
+    jobs: Annotated[
+        int, opt("-j", "--jobs", type=click.IntRange(1, 256), metavar="N", help="Judge N files at once.")
+    ] = 1
+    level: Annotated[
+        str | None,
+        opt(
+            "--level",
+            type=click.Choice(LEVELS),
+            metavar="|".join(LEVELS),
+            help="Only this level of each kata.",
+        ),
+    ] = None
+    again: Annotated[
+        tuple[str, ...],
+        opt("--again", metavar="NAME", help="Judge a student, a kata or a file again (repeatable)."),
+    ] = ()
+    csv: Annotated[
+        Path | None, opt("--csv", metavar="FILE", help="Write the gradebook, a line a student.")
+    ] = None
+    html: Annotated[
+        Path | None,
+        opt("--html", metavar="FILE", help="Write one page of it all, with a picture of each mistake."),
+    ] = None
+    feedback: Annotated[
+        Path | None, opt("--feedback", metavar="DIR", help="Write a page for each student into this folder.")
+    ] = None
+    where: Annotated[
+        str | None,
+        opt(
+            "--on",
+            metavar="WHERE",
+            help="Judge with the workers of a dask scheduler: tls://HOST:PORT, or its file.",
+        ),
+    ] = None
+
+
+@command("class", ClassRow, ClassLine)
+@click.argument("folder", metavar="FOLDER", type=click.Path(path_type=Path))
+@click.argument("katas", metavar="[KATA]...", nargs=-1)
+@takes(ClassAsk, "ask")
+def judge_class(
+    folder: Path, katas: tuple[str, ...], ask: ClassAsk, common: Common
+) -> Iterator[ClassRow | Cohort]:
+    """Judge everything that a class has submitted.
+
+    FOLDER holds STUDENT/KATA.py or KATA/STUDENT.py, in any language. A file of another name is for the kata
+    whose function it defines. Each result is kept at once in FOLDER.judge.sqlite3: after Ctrl-C or a crash
+    the same command goes on, and judges only what is new. If a student has several files for one kata, the
+    best counts. Equal files are judged once. A terminal shows the first names of long lists, a pipe all.
 
     Exit status: 0 all accepted, 1 not, 2 usage, 3 something could not be judged.
     """
-    from judge.batch.folder import root_of
-    from judge.batch.shards import Shard
-    from judge.batch.store import Store
-    from judge.cli.class_views import Views
-    from judge.cli.classroom import Classroom, Wanted
-    from judge.problem.find import find_problem
-
-    if more and part is None:
-        raise UsageError("a class is one folder", where=str(more[0]), remedy="judge one after another")
-    parts = (part, *more) if part is not None else ()
-    if shard is not None and parts:
-        raise UsageError("--shard and --merge contradict each other", remedy="leave one out")
-    if where is not None and (parts or jobs > 1):
-        remedy = "leave one out"
-        raise UsageError(f"--on and {'--merge' if parts else '-j'} contradict each other", remedy=remedy)
+    if ask.where is not None and ask.jobs > 1:
+        raise UsageError("--on and -j contradict each other", remedy="leave one out")
     root_of(folder)  # before a file is made beside it
-    views = Views(csv, html, feedback, junit, similar, whole)
-    if shard is not None and views.any_file:
-        remedy = "give these options with --merge, when all parts are there"
-        raise UsageError("a shard is no whole class", where="--shard", remedy=remedy)
-    views.check()
-    for each in only:
-        find_problem(each, folders)
-    options = RunOptions((), None, level, diagnosed=False, named=not no_name, level=kata_level)
-    wanted = Wanted(
-        folder,
-        options,
-        students=students,
-        out=place,
-        only=only,
-        again=again,
-        folders=folders,
-        shard=Shard.read(shard) if shard is not None else None,
-        parts=parts,
-        as_json=as_json,
-        quiet=quiet,
-        follow=follow_links,
-    )
-    with Store.open(wanted.place) as store:
-        classroom = Classroom(wanted, store)
+    for each in katas:
+        find_problem(each, common.problems)
+    files = _Files(ask, folder)
+    with Store.open(store_of(folder)) as store:
+        classroom = Classroom(
+            folder,
+            store,
+            class_options(common.isolation, ask.level),
+            students=ask.students,
+            only=katas,
+            folders=common.problems,
+            say=note,
+        )
         try:
-            if parts:
-                classroom.merge()
-            else:
-                with _executor(where, jobs, level, classroom.say) as executor:
-                    classroom.judge(executor)
+            with _executor(ask, common.isolation) as executor:
+                for row in classroom.judge(executor, ask.again):
+                    if common.json:
+                        yield row
         except KeyboardInterrupt:
-            classroom.close(interrupted=True)
+            if not common.json:
+                yield classroom.cohort()
+            note(f"{counted(classroom.left, 'file')} left; the same command goes on")
             raise
-        found = classroom.close()
-        classroom.show_views(views, found)
-        return found.exit_code
+        found = classroom.cohort()
+        yield found
+        files.write(classroom, found)
 
 
-def _executor(
-    where: str | None, jobs: int, level: str | None, say: Callable[[str], None]
-) -> AbstractContextManager[Executor]:
+def _executor(ask: ClassAsk, isolation: str | None) -> AbstractContextManager[Executor]:
     """Who judges: this machine, or others."""
-    if where is not None:
+    if ask.where is not None:
         from judge.batch.elsewhere import Elsewhere
 
-        return Elsewhere(where, level, say)
+        return Elsewhere(ask.where, isolation, note)
     from judge.judging.executors import Here
     from judge.judging.processes import Processes
 
-    return nullcontext(Processes(jobs) if jobs > 1 else Here())
+    return nullcontext(Processes(ask.jobs) if ask.jobs > 1 else Here())
+
+
+class _Files:
+    """The files to write; raises UsageError, before anything is judged, where one cannot be written."""
+
+    def __init__(self, ask: ClassAsk, folder: Path) -> None:
+        self._feedback = ask.feedback
+        self._title = folder.resolve().name or "class"
+        self._csv = OutFile(ask.csv, "--csv", "gradebook", is_gradebook) if ask.csv else None
+        self._html = (
+            OutFile(ask.html, "--html", "page of a class", partial(_is_page, "CLASS")) if ask.html else None
+        )
+        for target in (self._csv, self._html):
+            if target:
+                target.check()
+        if ask.html or ask.feedback:
+            moment()
+        if ask.feedback:
+            try:
+                ask.feedback.mkdir(exist_ok=True)
+            except OSError as fault:
+                raise unwritable(ask.feedback, fault, "name another folder with --feedback") from fault
+
+    def write(self, classroom: Classroom, cohort: Cohort) -> None:
+        """Write them. Raises UsageError."""
+        if self._csv:
+            self._csv.write(gradebook(cohort))
+        if not (self._html or self._feedback):
+            return
+        from judge.report.html.klass import class_page, feedback_pages
+
+        results = classroom.results(cohort, everybody=self._feedback is not None)
+        problems, title, generated = classroom.problems(), self._title, moment()
+        if self._html:
+            self._html.write(class_page(cohort, results, problems, title=title, generated=generated))
+        if self._feedback:
+            for name, content in feedback_pages(cohort, results, problems, title=title, generated=generated):
+                target = OutFile(
+                    self._feedback / name, "--feedback", "feedback page", partial(_is_page, "FEEDBACK")
+                )
+                target.check()
+                target.write(content)
+
+
+def _is_page(kind: str, start: bytes) -> bool:
+    from judge.report.html import is_page, klass
+
+    return is_page(start, getattr(klass, f"{kind}_MARK"))

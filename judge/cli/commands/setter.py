@@ -19,7 +19,7 @@ from judge.data.model import ProblemData
 from judge.errors import ProblemError, UsageError, unwritable
 from judge.judging.isolation import kept_level
 from judge.kata.begin import begin_kata
-from judge.kata.check import kata_faults
+from judge.kata.check import deck_faults, kata_faults
 from judge.languages.boxes import AnyBoxes
 from judge.languages.signature import signature_of
 from judge.mistakes.verified import ChoicesReport, verify_choices
@@ -33,6 +33,7 @@ from judge.problem.find import find_problem, folders_within, problem_folders
 from judge.problem.model import chosen_groups
 from judge.report.progress import Stage, progress, stages
 from judge.report.published_setter import (
+    DecksVerified,
     Exported,
     FilesWritten,
     NewKata,
@@ -94,15 +95,15 @@ class VerifyAsk(Struct, frozen=True):
     ] = 1
 
 
-@command("verify", Verified)
+@command("verify", Verified, DecksVerified)
 @click.argument("names", metavar="[KATA]...", nargs=-1)
 @takes(VerifyAsk, "ask")
 def verify(names: tuple[str, ...], ask: VerifyAsk, common: Common) -> Iterator[Struct]:
     """Check katas from the setter's side.
 
     Every case keeps the promise, the examples agree with the reference, the data are the pinned ones, every
-    solution gets the verdict its folder says, hints can be read and a stub can be made. Without a name: all
-    katas of the folders that --problems gives, or all there are.
+    solution gets the verdict its folder says, hints can be read, a stub can be made, and the cards of judge
+    quiz can be asked. Without a name: all of the folders that --problems gives, or all there is.
 
     With --group or --solution only a part is checked, as you work on it.
 
@@ -120,6 +121,11 @@ def verify(names: tuple[str, ...], ask: VerifyAsk, common: Common) -> Iterator[S
             _draw_figure(find_problem(found.problem, common.problems))
         faults += len(found.faults)
         yield found
+    if not (ask.groups or ask.solution):
+        decks = DecksVerified(*deck_faults(common.problems, names))
+        faults += len(decks.faults)
+        if decks.cards or decks.faults:
+            yield decks
     if len(chosen) > 1:
         yield VerifySummary(len(chosen), faults)
 

@@ -15,7 +15,7 @@ it practises, `sets` the practice sets that the deck's cards are asked with.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from fractions import Fraction
 from pathlib import Path
 
@@ -26,7 +26,7 @@ from judge.errors import ProblemError, UsageError
 from judge.kata.checklist import read_checklist
 from judge.kata.quiz.typed import NUMBER, MistypedError, number
 from judge.kata.sets import USUAL, set_names
-from judge.problem.find import problem_folders, problem_roots
+from judge.problem.find import problem_roots
 from judge.problem.tables import TomlFile, meant, refusal
 
 _NAME = frozenset("abcdefghijklmnopqrstuvwxyz0123456789-")
@@ -181,6 +181,7 @@ class Deck(Struct, frozen=True):
     """One file of cards."""
 
     name: str
+    path: Path
     title: str
     cards: tuple[Card, ...]
 
@@ -209,7 +210,7 @@ def read_decks(extra: Sequence[Path] = ()) -> tuple[list[Deck], list[ProblemErro
         return [], [fault]
     for name in sorted(found, key=lambda name: (sets.index(name) if name in sets else len(sets), name)):
         try:
-            decks.append(_deck(name, TomlFile(found[name]), rows, sets))
+            decks.append(_deck(name, found[name], rows, sets))
         except ProblemError as fault:
             faults.append(fault)
     return decks, faults
@@ -228,20 +229,15 @@ def cards_of(name: str, cards: Sequence[Card], extra: Sequence[Path] = ()) -> li
     found = [card for card in cards if name == USUAL or name == card.deck or name in card.sets]
     if not found:
         known = list(dict.fromkeys([*set_names(extra), *(card.deck for card in cards)]))
-        what = f"the set {name!r} has no cards" if name in known else f"no set of cards is called {name!r}"
+        what = f"The set {name!r} has no cards" if name in known else f"There is no set of cards {name!r}"
         holding = [each for each in known if each == USUAL or any(each in card.sets for card in cards)]
         remedy = meant(name, known) if name not in known else f"cards are in {', '.join(holding)}"
         raise UsageError(what, remedy=remedy)
     return found
 
 
-def unknown_parts(cards: Sequence[Card], extra: Sequence[Path] = ()) -> Mapping[str, str]:
-    """The problems that cards name and that are not here, each with a card that does."""
-    here = {folder.name for folder in problem_folders(extra)}
-    return {card.problem: card.key for card in cards if card.problem and card.problem not in here}
-
-
-def _deck(name: str, file: TomlFile, rows: Sequence[str], sets: Sequence[str]) -> Deck:
+def _deck(name: str, path: Path, rows: Sequence[str], sets: Sequence[str]) -> Deck:
+    file = TomlFile(path)
     table = file.read(_DeckTable)
     for place, each in enumerate(table.sets):
         if each not in sets:
@@ -257,4 +253,4 @@ def _deck(name: str, file: TomlFile, rows: Sequence[str], sets: Sequence[str]) -
             if row not in rows:
                 what = f"the checklist has no row {row!r}"
                 raise file.fault(what, meant(row, rows), "cards", place, "rows", at)
-    return Deck(name, table.title, tuple(Card(name, card, table.sets) for card in table.cards))
+    return Deck(name, path, table.title, tuple(Card(name, card, table.sets) for card in table.cards))

@@ -1,66 +1,85 @@
-"""Which cards come next: those that are due, then new ones, then, where they are asked for, the others."""
+"""Which cards come next: those that are due, then new ones; and what to practise afterwards."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from datetime import datetime
+from pathlib import Path
+from types import MappingProxyType
 
+from msgspec import Struct
+
+from judge.kata.checklist import read_checklist
 from judge.kata.quiz.cards import Card
 from judge.kata.review import Review
-
-REPEATED = ("count", "first-hit", "order", "tags", "spot")  # forms with something new each time
-
-
-def due_cards(cards: Iterable[Card], reviews: Iterable[Review], now: datetime) -> list[Card]:
-    """The cards that are due, the longest overdue first."""
-    named = {card.key: card for card in cards}
-    found = [review for review in reviews if review.name in named and review.is_due(now)]
-    return [named[review.name] for review in sorted(found, key=lambda review: (review.due, review.name))]
+from judge.problem.find import problem_folders
 
 
-def new_cards(cards: Iterable[Card], reviews: Iterable[Review]) -> list[Card]:
-    """The cards that were never answered, in their order."""
-    known = {review.name for review in reviews}
-    return [card for card in cards if card.key not in known]
+class Practise(Struct, frozen=True):
+    """A question of the checklist to practise, and the commands that do."""
+
+    question: str
+    ask: str
+    commands: tuple[str, ...]
 
 
 def next_cards(
-    cards: Sequence[Card], reviews: Sequence[Review], now: datetime, count: int, *, ahead: bool = False
+    cards: Sequence[Card], reviews: Sequence[Review], now: datetime, *, own: str = "", ahead: bool = False
 ) -> list[Card]:
-    """So many cards at most: what is due, then new ones; `ahead` takes the others too, the next due first.
+    """The cards that are due, the longest overdue first, then new ones, those of the set `own` before others.
 
-    And then `ahead` fills up with cards that have something new each time, in turn.
+    With `ahead` all the others follow, the next due first.
     """
-    found = [*due_cards(cards, reviews, now), *new_cards(cards, reviews)]
-    if ahead:
-        dates: Mapping[str, datetime] = {review.name: review.due for review in reviews}
-        later = [card for card in cards if card not in found]
-        found += sorted(later, key=lambda card: dates[card.key])
-        again = [card for card in found if card.form in REPEATED]
-        while again and len(found) < count:
-            found += again
-    return found[:count]
+    answered = {review.name: review for review in reviews}
+    known = sorted(
+        (card for card in cards if card.key in answered),
+        key=lambda card: (answered[card.key].due, card.key),
+    )
+    new = [card for card in cards if card.key not in answered]
+    due = [card for card in known if answered[card.key].is_due(now)]
+    later = [card for card in known if card not in due]
+    return [*due, *sorted(new, key=lambda card: own not in card.sets), *(later if ahead else ())]
 
 
 def next_due(cards: Iterable[Card], reviews: Iterable[Review]) -> datetime | None:
-    """When the next of these cards is due."""
+    """When the next of these cards is due; None where none was ever answered."""
     keys = {card.key for card in cards}
     return min((review.due for review in reviews if review.name in keys), default=None)
 
 
-def rising(cards: Sequence[Card], count: int, tiers: Sequence[str]) -> list[Card]:
-    """So many of the cards, about equally many of each tier, the easier tiers first.
+def rising(cards: Sequence[Card], count: int, sets: Sequence[str]) -> list[Card]:
+    """At most `count` of the cards, about equally many of each set, the first sets first.
 
-    Within a tier they are taken in the order in which they come; a card of no tier comes last.
+    Within a set they stay in their order; cards of none of these sets come last.
     """
-    of_tier: dict[str, list[Card]] = {tier: [] for tier in (*tiers, "")}
+    of_set: dict[str, list[Card]] = {name: [] for name in (*sets, "")}
     for card in cards:
-        of_tier[next((tier for tier in tiers if tier in card.sets), "")].append(card)
-    taken: list[Card] = []
-    depth = 0
-    while len(taken) < min(count, len(cards)):
-        level = [own[depth] for own in of_tier.values() if depth < len(own)]
-        taken += level[: count - len(taken)]
-        depth += 1
-    places = {card.key: place for place, card in enumerate(card for own in of_tier.values() for card in own)}
-    return sorted(taken, key=lambda card: places[card.key])
+        of_set[next((name for name in sets if name in card.sets), "")].append(card)
+    ranked = sorted((at, place) for place, own in enumerate(of_set.values()) for at in range(len(own)))
+    taken = sorted((place, at) for at, place in ranked[:count])
+    every = list(of_set.values())
+    return [every[place][at] for place, at in taken]
+
+
+def to_practise(
+    missed: Sequence[Card], folders: Sequence[Path], more: Mapping[str, str] = MappingProxyType({})
+) -> tuple[Practise, ...]:
+    """The questions of cards that were not known, and those in `more`, each with its command.
+
+    A card that practises several questions stands for its first one. Raises ProblemError where the
+    checklist is broken.
+    """
+    asked = {card.rows[0] for card in missed if card.rows}
+    here = {folder.name for folder in problem_folders(folders)}
+    return tuple(
+        Practise(
+            row.id,
+            row.ask,
+            (
+                f"judge quiz --question {row.id}" if row.id in asked else more[row.id],
+                *(f"judge init {kata}" for kata in row.katas if kata in here),
+            ),
+        )
+        for row in read_checklist(folders).rows
+        if row.id in asked or row.id in more
+    )

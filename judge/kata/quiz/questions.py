@@ -127,14 +127,15 @@ def ask(card: Card, sources: Sources, turn: str) -> Question:
             return _options(card, [right, *wrong], draw, content.right, content.back)
         case Number() as content:
             answer = f"{content.answer} {content.unit}".rstrip()
-            return Question(card, NUMBER, answer, partial(_nearly, content), why=content.back.strip())
+            expects, check = f"a number: {NUMBER}", partial(_nearly, content)
+            return Question(card, expects, answer, check, why=content.back.strip())
         case Count() as content:
             return _count(card, content, sources, draw)
         case Drawn() as content:
             return _drawn(card, content, sources, draw)
         case Spot() as content:
             return _spot(card, content, sources, draw)
-    return Question(card, "your answer, or nothing if you say it aloud", card.content.back.strip())
+    return Question(card, "Your answer (only Enter if you say it aloud)", card.content.back.strip())
 
 
 def _cannot(card: Card, what: str, remedy: str) -> ProblemError:
@@ -217,7 +218,7 @@ def _count(card: Card, content: Count, sources: Sources, draw: Draw) -> Question
         return Reply(found == many, found)
 
     given = ", ".join(f"{name}={_plain(value)}" for name, value in values.items())
-    expects, why = "a whole number, or none", content.back.strip()
+    expects, why = "a number, or none", content.back.strip()
     return Question(card, expects, many, check, given=(given,), picture=drawn, why=why)
 
 

@@ -9,8 +9,7 @@ from fractions import Fraction
 NONE = "none"
 _NUMBER = re.compile(r"([+-]?)(\d{1,40})(?:\.(\d{0,40}))?(?:e([+-]?\d{1,3}))?(?:/(\d{1,40}))?", re.IGNORECASE)
 _LONGEST = 40  # characters of it that are quoted
-_COUNT = "a whole number such as 0, 1 or 2, or none"
-NUMBER = "a number such as 4, 0.5, 1e-9 or 2/3"
+NUMBER = "4, 0.5, 1e-9 or 2/3"
 
 
 class MistypedError(Exception):
@@ -21,13 +20,13 @@ def number(text: str) -> Fraction:
     """The number that is typed. Raises MistypedError."""
     found = _NUMBER.fullmatch(text.strip().replace("−", "-").replace(" ", ""))
     if found is None:
-        raise mistyped(text, NUMBER)
+        raise mistyped(text, "a number", NUMBER)
     sign, whole, part, power, under = found.groups()
     value = Fraction(f"{sign}{whole}.{part or 0}") * Fraction(10) ** int(power or 0)
     if under is None:
         return value
     if not int(under):
-        raise MistypedError("nothing can be divided by 0")
+        raise MistypedError("Nothing can be divided by 0")
     return value / int(under)
 
 
@@ -37,7 +36,7 @@ def count(text: str) -> str:
     if word == NONE:
         return NONE
     if not re.fullmatch(r"\d{1,6}", word, re.ASCII):
-        raise mistyped(text, _COUNT)
+        raise mistyped(text, "a number", "0, 1, 2 … or none")
     return str(int(word))
 
 
@@ -45,7 +44,7 @@ def option(text: str, letters: Sequence[str]) -> str:
     """The letter that is typed. Raises MistypedError."""
     word = text.strip().lower().strip("().")
     if word not in letters:
-        raise mistyped(text, letters_of(letters))
+        raise mistyped(text, "one of the options", letters_of(letters))
     return word
 
 
@@ -75,12 +74,13 @@ def sequence(text: str, words: Mapping[str, str]) -> tuple[str, ...]:
     found = [known.get(part.lower()) for part in parts]
     lost = next((part for part, word in zip(parts, found, strict=True) if word is None), None)
     if lost is not None or not parts:
-        raise mistyped(lost or text, f"{listed(list(words), 'and')} in their order, or none")
+        every = listed(list(words), "and")
+        raise mistyped(lost or text, f"one of {every}", "them in their order, or none")
     return tuple(word for word in found if word is not None)
 
 
-def mistyped(text: str, wanted: str) -> MistypedError:
-    """That this is no answer, and what one looks like."""
+def mistyped(text: str, kind: str, remedy: str) -> MistypedError:
+    """That this is not an answer, and what to type."""
     word = text.strip()
     shown = repr(word if len(word) <= _LONGEST else f"{word[:_LONGEST]}…")
-    return MistypedError(f"{shown} is no answer here; type {wanted}")
+    return MistypedError(f"{shown} is not {kind}. Type {remedy}")

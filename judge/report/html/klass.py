@@ -15,7 +15,7 @@ from msgspec import Struct
 
 from judge.problem import Problem, Verdict
 from judge.problem.model import FULL_SCORE
-from judge.report.cohort import EQUAL_CAUTION, Cohort, Counted, MistakeBar
+from judge.report.cohort import EQUAL_CAUTION, Cohort, Counted
 from judge.report.html import page
 from judge.report.html.case import Case, Cases
 from judge.run.result import Result
@@ -75,7 +75,7 @@ def class_page(
         for place, bar in enumerate(view.mistakes, 1):
             first = cohort.marks[bar.students[0], view.problem]
             case = _told(view.problem, first, results, cases, f"kata-{at}-case-{place}")
-            made.append(Made(_label(bar), bar.students, bar.named, case))
+            made.append(Made(bar.label, bar.students, bar.named, case))
         name = _title(view.problem, problems)
         katas.append(Kata(f"kata-{at}", view.problem, name, view.handed_in, view.accepted, tuple(made)))
     marks = cohort.marks.values()
@@ -145,12 +145,6 @@ def _verdicts(marks: Iterable[Counted]) -> list[Verdict]:
 
 def _title(problem: str, problems: Mapping[str, Problem]) -> str:
     return problems[problem].title if problem in problems else problem
-
-
-def _label(bar: MistakeBar) -> str:
-    if bar.named:
-        return bar.label
-    return f"{bar.meaning}, no mistake named" if bar.label == Verdict.WA.value else bar.meaning
 
 
 def _told(problem: str, mark: Counted, results: Results, cases: Cases, anchor: str) -> Case | None:
