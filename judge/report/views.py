@@ -27,7 +27,7 @@ VIEWS: Mapping[str, tuple[str, str]] = {
     "CaseTried": ("trying", "case_tried"),
     "PageWritten": ("trying", "page_written"),
     "HackTurn": ("hacking", "hack_turn"),
-    "HackList": ("hacking", "hack_list"),
+    "HackStanding": ("hacking", "hack_standing"),
     "Topics": ("manual", "topics"),
     "PageShown": ("manual", "page"),
     "Mentions": ("manual", "mentions"),
