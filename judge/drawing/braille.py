@@ -32,7 +32,8 @@ class Piece:
 def to_braille(picture: Picture, rows: int = ROWS, *, answered: bool = True) -> list[list[Piece]]:
     """At most `rows` rows, or `LEAST_ROWS` where that is more, of at most `COLUMNS` columns.
 
-    A picture that is not `answered` has no legend of answers, and titles only where there are any.
+    The legend is of the marks that are drawn; a picture that is not `answered` has none, and titles only
+    where there are any.
 
     A lower drawing is narrower too: true scale stays true. Rows that are blank in every panel at the top and
     at the bottom are left out.
@@ -46,12 +47,20 @@ def to_braille(picture: Picture, rows: int = ROWS, *, answered: bool = True) -> 
     drawn = [[Piece(title.ljust(_WIDE + 2)) for title in titles]] if answered or any(titles) else []
     for level in range(levels[0], levels[-1] + 1) if levels else ():
         drawn.append([piece for each in grids for piece in (*pieces(each[level]), gap)])
-    if answered:
-        first, second = (
-            f"{letter} {key}" for letter, key in zip(_LETTERS.values(), picture.keys, strict=True)
-        )
-        drawn.append([Piece(first, Role.WANTED), Piece("  "), Piece(second, Role.GOT), Piece("  * both")])
+    if answered and (legend := _legend(picture, {cell for each in grids for row in each for cell in row})):
+        drawn.append(legend)
     return [trimmed(row) for row in drawn]
+
+
+def _legend(picture: Picture, drawn: set[Cell]) -> list[Piece]:
+    """What the letters of answers stand for, of those that are drawn."""
+    letters = zip((*_LETTERS.items(), (None, "*")), (*picture.keys, "both"), strict=True)
+    shown = [
+        Piece(f"{letter} {key}", role)
+        for (role, letter), key in letters
+        if (letter, role or Role.WANTED) in drawn
+    ]
+    return [part for piece in shown for part in (Piece("  "), piece)][1:]
 
 
 @dataclass(frozen=True, slots=True)

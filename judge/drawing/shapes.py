@@ -86,7 +86,7 @@ class Picture:
     lens: Panel | None
     facts: tuple[Fact, ...]
     legend: str = ""  # what its words stand for
-    keys: tuple[str, str] = ("wanted", "got")  # what the two kinds of marks are called
+    keys: tuple[str, str] = ("expected", "got")  # what the two kinds of marks are called
 
     @property
     def panels(self) -> tuple[Panel, ...]:

@@ -276,13 +276,17 @@ def _bar(bar: Bar, base: float) -> Iterator[str]:
 
 def _legend(picture: Picture, left: float, y: float) -> Iterator[str]:
     first, second = picture.keys
-    yield f'<circle class="wanted" cx="{_n(left + 7)}" cy="{_n(y - 5)}" r="{_n(_MARK + 1)}"/>'
-    yield _text(left + 22, y, first, "t-wanted")
-    left += _KEY * (len(first) - len("wanted"))
-    yield _cross(left + 97, y - 5)
-    yield _text(left + 110, y, second, "t-got")
-    left += _KEY * (len(second) - len("got"))
-    yield _text(left + 160, y, picture.legend, "quiet")
+    drawn = {mark.role for panel in picture.panels for mark in panel.marks}
+    drawn |= {stroke.role for panel in picture.panels for stroke in panel.strokes}
+    if Role.WANTED in drawn:
+        yield f'<circle class="wanted" cx="{_n(left + 7)}" cy="{_n(y - 5)}" r="{_n(_MARK + 1)}"/>'
+        yield _text(left + 22, y, first, "t-wanted")
+        left += 90 + _KEY * (len(first) - len("wanted"))
+    if Role.GOT in drawn:
+        yield _cross(left + 7, y - 5)
+        yield _text(left + 20, y, second, "t-got")
+        left += 70 + _KEY * (len(second) - len("got"))
+    yield _text(left, y, picture.legend, "quiet")
 
 
 def _fact_rows(fact: Fact, room: float) -> list[tuple[str, str, str]]:

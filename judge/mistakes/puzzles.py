@@ -1,8 +1,9 @@
 """Wrong programs that a person is to break with one case: one for each known mistake of a problem.
 
-A puzzle shows a program without a word of what is wrong with it: no docstring, no comment, and of what stands
-before the function only what it uses. What is shown is what is run. The easiest come first: those that the
-groups of the easier level should catch, and of them those that the first groups should.
+A puzzle shows a program without a word of what is wrong with it, and without what does nothing: docstrings,
+comments, names that are never read, what stands below a return. What is shown is what is run. The easiest
+come first: those that the groups of the easier level should catch, and of them those that the first groups
+should.
 
 A mistake that shows only in the second of two calls is no puzzle, nor is one that only big cases show.
 """
@@ -24,6 +25,7 @@ from judge.mistakes.makers import Maker, Makers, read_makers
 from judge.problem import Group, Problem
 from judge.problem.model import LEVELS
 
+_HARMLESS = ("abs", "copysign", "hypot", "len", "map", "max", "min")  # calls that cannot fail on valid input
 _NEUTRAL = "inner"  # what a function is called whose own name would tell that it is right
 
 
@@ -111,47 +113,92 @@ def _typical(makers: Sequence[Maker]) -> Maker:
     return beside[len(beside) // 2]
 
 
-def without_pass(source: str) -> str:
-    """The source without each `pass` on a line of its own beside other statements: it marks a change."""
-    lines = source.splitlines()
-    needless = {
-        each.lineno
-        for node in ast.walk(ast.parse(source))
-        for name in ("body", "orelse", "finalbody")
-        if isinstance(body := getattr(node, name, None), list)
-        for each in body
-        if isinstance(each, ast.Pass) and any(_does(other) for other in body)
-    }
-    return "".join(
-        f"{row}\n" for number, row in enumerate(lines, 1) if number not in needless or row.strip() != "pass"
-    )
-
-
-def _does(node: ast.stmt) -> bool:
-    """Whether it is neither `pass` nor a docstring."""
-    text = isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)
-    return not (text or isinstance(node, ast.Pass))
-
-
 # -- a program without what would tell its mistake ----------------------------------------------------------
 
 
 def _bare(problem: Problem, maker: Maker) -> bytes:
-    source = maker.program.source.decode()
+    source, entry = maker.program.source.decode(), ""
     if maker.choice is not None:
-        source = re.sub(rf"\b{INNER}\b", _NEUTRAL, source)
-        source = _without_unused(source, problem.entry)
-    source = without_pass(_without_comments(source))
-    lines = source.splitlines()
-    for first, last in reversed(list(_docstrings(source))):
-        del lines[first - 1 : last]
-    return _tidy(lines).encode()
+        source, entry = re.sub(rf"\b{INNER}\b", _NEUTRAL, source), problem.entry
+    source = _without_comments(source)
+    while (shorter := _cut(_inlined(source), entry)) != source:
+        source = shorter
+    return _tidy(source.splitlines()).encode()
 
 
-def _without_unused(source: str, entry: str) -> str:
-    """The source without what stands outside and `entry` does not lead to, its lines left empty."""
+def _cut(source: str, entry: str) -> str:
+    """The source with every statement that does nothing left empty, or what is left of it in its place."""
     tree = ast.parse(source)
     lines = source.splitlines()
+    for node, rest in (*_needless(tree), *_unused(tree, entry)):
+        first = min([node.lineno, *(each.lineno for each in getattr(node, "decorator_list", []))])
+        last = node.end_lineno or first
+        before = lines[first - 1].encode()[: node.col_offset]
+        after = lines[last - 1].encode()[node.end_col_offset or 0 :]
+        if not before.strip() and not after.strip():  # it has its lines for itself
+            lines[first - 1 : last] = [rest] + [""] * (last - first)
+    return "\n".join(lines)
+
+
+def _needless(tree: ast.Module) -> Iterator[tuple[ast.stmt, str]]:
+    """Statements of a block that do nothing there; never all of one."""
+    unread = {id(each) for node in tree.body for each in _unread(node)}
+    for node in ast.walk(tree):
+        for block in (getattr(node, name, None) for name in ("body", "orelse", "finalbody")):
+            found, ended = [], False
+            for each in block if isinstance(block, list) else ():
+                text = isinstance(each, ast.Expr) and isinstance(each.value, ast.Constant)
+                if ended or text or isinstance(each, ast.Pass) or id(each) in unread:
+                    found.append((each, ""))
+                ended = ended or isinstance(each, ast.Return | ast.Raise | ast.Continue | ast.Break)
+            yield from found if isinstance(block, list) and len(found) < len(block) else ()
+
+
+def _unread(function: ast.stmt) -> Iterator[ast.Assign]:
+    """Assignments to names that the function never reads, of values that cannot fail."""
+    nodes = list(ast.walk(function)) if isinstance(function, ast.FunctionDef) else []
+    read = {each.id for each in nodes if isinstance(each, ast.Name) and isinstance(each.ctx, ast.Load)}
+    read |= {
+        each.target.id
+        for each in nodes
+        if isinstance(each, ast.AugAssign) and isinstance(each.target, ast.Name)
+    }
+    read |= {name for each in nodes if isinstance(each, ast.Global | ast.Nonlocal) for name in each.names}
+    for each in nodes:
+        if isinstance(each, ast.Assign) and _bound(each).isdisjoint(read) and _is_harmless(each.value):
+            yield each
+
+
+def _is_harmless(value: ast.expr) -> bool:
+    """Whether to work it out changes nothing, and does not fail as the root of a number below 0 does."""
+    parts = list(ast.walk(value))
+    calls = (each.func for each in parts if isinstance(each, ast.Call))
+    plain = all(isinstance(each, ast.Name) and each.id in _HARMLESS for each in calls)
+    return plain and not any(isinstance(each, ast.FloorDiv | ast.Mod | ast.Pow) for each in parts)
+
+
+def _inlined(source: str) -> str:
+    """The source with x in place of every f(x) where f returns what it is given."""
+    tree = ast.parse(source)
+    same = {
+        node.name
+        for node in tree.body
+        if isinstance(node, ast.FunctionDef)
+        and [*map(ast.unparse, node.body)] == [f"return {ast.unparse(node.args)}"]
+    }
+    lines = source.splitlines()
+    for call in ast.walk(tree):
+        if isinstance(call, ast.Call) and isinstance(call.func, ast.Name) and call.func.id in same:
+            row = lines[call.lineno - 1]
+            if call.lineno == call.end_lineno and row.isascii():  # whose columns are its bytes
+                given = ast.unparse(call.args[0])
+                lines[call.lineno - 1] = row[: call.col_offset] + given + row[call.end_col_offset :]
+                return _inlined("\n".join(lines))
+    return source
+
+
+def _unused(tree: ast.Module, entry: str) -> Iterator[tuple[ast.stmt, str]]:
+    """What stands outside and `entry` does not lead to; nothing where there is no entry."""
     wanted, fresh = {entry}, {entry}
     while fresh:
         used = {
@@ -162,16 +209,13 @@ def _without_unused(source: str, entry: str) -> str:
             if isinstance(name, ast.Name)
         }
         wanted, fresh = wanted | used, used - wanted
-    for node in tree.body:
+    for node in tree.body if entry else ():
         bound = _bound(node)
-        first = min([node.lineno, *(each.lineno for each in getattr(node, "decorator_list", []))])
         if bound and wanted.isdisjoint(bound):
-            lines[first - 1 : node.end_lineno] = [""] * ((node.end_lineno or first) - first + 1)
+            yield node, ""
         elif isinstance(node, ast.ImportFrom) and not bound <= wanted:
             kept = [ast.unparse(alias) for alias in node.names if _called(alias) in wanted]
-            lines[first - 1] = f"from {node.module} import {', '.join(kept)}"
-            lines[first : node.end_lineno] = [""] * ((node.end_lineno or first) - first)
-    return "\n".join(lines)
+            yield node, f"from {node.module} import {', '.join(kept)}"
 
 
 def _bound(node: ast.stmt) -> set[str]:
@@ -198,17 +242,6 @@ def _without_comments(source: str) -> str:
             row, column = token.start
             lines[row - 1] = lines[row - 1][:column].rstrip()
     return "\n".join(lines)
-
-
-def _docstrings(source: str) -> Iterator[tuple[int, int]]:
-    """The first and last line of each, from 1, in order; of what has nothing else in it, none."""
-    found = []
-    for node in ast.walk(ast.parse(source)):
-        if isinstance(node, ast.Module | ast.FunctionDef | ast.ClassDef) and len(node.body) > 1:
-            first = node.body[0]
-            if isinstance(first, ast.Expr) and isinstance(first.value, ast.Constant):
-                found.append((first.lineno, first.end_lineno or first.lineno))
-    return iter(sorted(found))
 
 
 def _tidy(lines: Sequence[str]) -> str:

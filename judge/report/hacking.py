@@ -11,14 +11,14 @@ from judge.data.given import call_of
 from judge.kata.hacks import HackShare, HackState
 from judge.report.layout import Line, Span, Style, hanging
 from judge.report.parts import BAD, FAINT, GOOD, STRONG, commands, facts, indented, joined, table, text
-from judge.report.published_cases import HackList, HackTurn
+from judge.report.published_cases import HackStanding, HackTurn
 from judge.report.screen import Screen
 from judge.report.trying import fitted
 from judge.report.values import counted
 
 _STATES = {
-    HackState.BROKEN.value: text("broken", GOOD),
-    HackState.GIVEN_UP.value: text("given up", FAINT),
+    HackState.BROKEN: text("broken", GOOD),
+    HackState.GIVEN_UP: text("given up", FAINT),
 }
 
 
@@ -34,7 +34,7 @@ def hack_turn(found: HackTurn, screen: Screen) -> RenderableType:
 
 def _program(found: HackTurn) -> RenderableType:
     name, number = found.problem.id, found.puzzle.number
-    aside = f"  wrong program {number} of {found.programs}, {found.done} broken"
+    aside = f"  wrong program {number} of {len(found.puzzles)}, {found.done} broken"
     rows = (text(row) for row in found.puzzle.source.decode().splitlines())
     asked = "This program is wrong for at least one valid input. Find one:"
     command = f'  judge hack {name} {number} "{call_of(found.problem)}"'
@@ -52,28 +52,27 @@ def _ended(found: HackTurn) -> list[RenderableType]:
     mistake = [indented(text(puzzle.mistake, BAD)), indented(text(puzzle.advice), 4)]
     if found.outcome == "given-up":
         return [*mistake]
-    said = f"broken, {found.done} of {counted(found.programs, 'program')} of {name}"
+    said = f"broken, {found.done} of {counted(len(found.puzzles), 'program')} of {name}"
     if found.following:
-        said += f"; next: judge hack {name} {found.following}"
+        said += f"; next: judge hack {name} {found.following.number}"
     return [*mistake, Text(), facts([(text("WON", f"{STRONG} {GOOD}"), said)])]
 
 
-def hack_list(found: HackList, _screen: Screen) -> RenderableType:
+def hack_standing(found: HackStanding, _screen: Screen) -> RenderableType:
     """A row for each program that was broken or given up, with its mistake; the open ones by number."""
-    done = sum(each.state == HackState.BROKEN.value for each in found.programs)
-    said = f"  {done} of {len(found.programs)} wrong programs broken"
-    parts: list[RenderableType] = [joined(text(found.problem, STRONG), said)]
+    name, puzzles, states = found.turn.problem.id, found.turn.puzzles, found.turn.states
+    said = f"  {found.turn.done} of {len(puzzles)} wrong programs broken"
+    parts: list[RenderableType] = [joined(text(name, STRONG), said)]
+    left = [each.number for each in puzzles if states[each.mistake] is HackState.OPEN]
     rows = [
-        (str(each.number), _STATES[each.state], text(each.mistake, FAINT))
-        for each in found.programs
-        if each.mistake is not None
+        (str(each.number), _STATES[states[each.mistake]], text(each.mistake, FAINT))
+        for each in puzzles
+        if each.number not in left
     ]
     if rows:
         parts += [Text(), indented(table(("program", "state", "mistake"), rows, right=[0]))]
-    left = [each.number for each in found.programs if each.mistake is None]
     if left:
-        following = f"judge hack {found.problem} {left[0]}"
-        parts += [Text(), indented(facts([("open", _runs(left)), ("next", following)]))]
+        parts += [Text(), indented(facts([("open", _runs(left)), ("next", f"judge hack {name} {left[0]}")]))]
     return Group(*parts)
 
 

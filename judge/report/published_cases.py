@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 from msgspec import Struct
@@ -110,23 +111,33 @@ class CaseTried(Struct, frozen=True):
         return (line,)
 
 
-class HackTurn(Struct, frozen=True, kw_only=True):
-    """A wrong program that is shown, attacked or given up; `following` is the next one to break.
+class HackTurn(Struct, frozen=True):
+    """A wrong program that is shown, attacked or given up, among all those of the kata.
 
-    `done` of `programs` are broken. With `goes_on` a terminal asks for the next case.
+    `states` is by mistake. `why` says why a case does not break it. With `goes_on` a terminal asks for more.
     """
 
     problem: Problem
+    puzzles: tuple[Puzzle, ...]
+    states: Mapping[str, HackState]
     puzzle: Puzzle
     outcome: str
-    state: HackState
-    done: int
-    programs: int
-    following: int | None = None
     why: str = ""
     tried: Tried | None = None
     said: Said | None = None
     goes_on: bool = False
+
+    @property
+    def done(self) -> int:
+        """How many are broken."""
+        return [*self.states.values()].count(HackState.BROKEN)
+
+    @property
+    def following(self) -> Puzzle | None:
+        """The first that is open, or else that was given up; None where all are broken."""
+        order = (HackState.OPEN, HackState.GIVEN_UP)
+        found = (each for state in order for each in self.puzzles if self.states[each.mistake] is state)
+        return next(found, None)
 
     @property
     def exit_code(self) -> ExitCode:
@@ -137,12 +148,13 @@ class HackTurn(Struct, frozen=True, kw_only=True):
     @property
     def published(self) -> tuple[HackLine]:
         """The line of JSON."""
-        told = self.state is not HackState.OPEN
+        state = self.states[self.puzzle.mistake]
+        told = state is not HackState.OPEN
         line = HackLine(
             problem=self.problem.id,
             number=self.puzzle.number,
             outcome=self.outcome,
-            state=self.state.value,
+            state=state.value,
             why=self.why,
             mistake=self.puzzle.mistake if told else None,
             advice=self.puzzle.advice if told else None,
@@ -151,6 +163,22 @@ class HackTurn(Struct, frozen=True, kw_only=True):
             said=_said(self.said),
         )
         return (line,)
+
+
+class HackStanding(Struct, frozen=True):
+    """How all wrong programs of a kata stand."""
+
+    turn: HackTurn
+
+    @property
+    def published(self) -> tuple[HackList]:
+        """The line of JSON."""
+        rows = ((each, self.turn.states[each.mistake]) for each in self.turn.puzzles)
+        programs = tuple(
+            HackProgram(each.number, state.value, None if state is HackState.OPEN else each.mistake)
+            for each, state in rows
+        )
+        return (HackList(problem=self.turn.problem.id, programs=programs),)
 
 
 def _case(tried: Tried) -> CaseRow:

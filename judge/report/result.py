@@ -168,7 +168,7 @@ def _with_picture(
     if width is not None and width - 4 - _GAP - wide >= width // 2:
         both = Table.grid(expand=True, padding=(0, 0, 0, _GAP))
         both.add_column(ratio=1)
-        both.add_column(width=wide, no_wrap=True)
+        both.add_column(width=wide + _GAP, no_wrap=True)
         both.add_row(case, Group(*rows))
         return both
     return Group(case, Text(), *rows)

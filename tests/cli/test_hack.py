@@ -35,6 +35,9 @@ def test_a_shipped_problem_has_its_puzzles(name):
         text = puzzle.source.decode()
         bodies = [node.body for node in ast.walk(ast.parse(text)) if isinstance(node, ast.FunctionDef)]
         assert not any(isinstance(each, ast.Pass) for body in bodies if len(body) > 1 for each in body)
+        blocks = [getattr(node, "body", None) for node in ast.walk(ast.parse(text))]
+        above = [each for block in blocks if isinstance(block, list) for each in block[:-1]]
+        assert not any(isinstance(each, ast.Return | ast.Raise | ast.Continue) for each in above), text
         assert "#" not in text.replace("'#'", "")
         assert puzzle.mistake not in text
         assert "right_way" not in text

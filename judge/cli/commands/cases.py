@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -19,6 +20,7 @@ from judge.cli.options import Common, command, opt, takes
 from judge.cli.submissions import read_submissions
 from judge.cli.target import OutFile, svg_target
 from judge.data.given import example_of, line_of, read_case
+from judge.diagnose.regression import MARK, with_case
 from judge.diagnose.replay import decode, problem_name
 from judge.errors import HistoryError, UsageError
 from judge.judging.job import RunOptions
@@ -26,7 +28,7 @@ from judge.judging.session import Session
 from judge.judging.trying import ask as ask_file
 from judge.judging.trying import try_case
 from judge.kata.events import Hack, Outcome
-from judge.kata.hacks import HackState, hack_states, was_shown
+from judge.kata.hacks import hack_states, was_shown
 from judge.languages import is_program
 from judge.mistakes.puzzles import Puzzle, puzzle_called, read_puzzles
 from judge.problem import Case, Problem, Verdict
@@ -39,7 +41,7 @@ from judge.report.published_cases import (
     CaseTried,
     HackLine,
     HackList,
-    HackProgram,
+    HackStanding,
     HackTurn,
     PageWritten,
 )
@@ -90,23 +92,28 @@ def try_(words: tuple[str, ...], ask: TryAsk, common: Common) -> Iterator[Struct
     """
     meant = _meant(_arguments(words), common)
     problem, page = meant.problem, ask.page or (_PAGE if ask.opened else None)
-    targets = {
-        "page": page and OutFile(page, "--out", "page of judge try", lambda start: _PAGE_MARK in start),
-        "svg": ask.svg and svg_target(ask.svg),
-        "test": ask.test and _test_target(ask.test),
-    }
-    wanted = {name: target for name, target in targets.items() if target}
-    for target in wanted.values():
+    wanted: list[tuple[OutFile, Callable[[CaseTried | None], str]]] = []
+    if page:
+        target = OutFile(page, "--out", "page of judge try", lambda start: _PAGE_MARK in start)
+        wanted.append((target, partial(_page, problem)))
+    if ask.svg:
+        wanted.append((svg_target(ask.svg), _svg))
+    if ask.test:
+        target = OutFile(ask.test, "--pytest", "file of such tests", lambda start: start.startswith(MARK))
+        wanted.append((target, partial(_test, ask.test)))
+    for target, _ in wanted:
         target.check()
-    tried = try_case(problem, meant.case, meant.group) if meant.case is not None else None
-    if tried is None and [*wanted] != ["page"]:
+    found = None
+    if meant.case is not None:
+        tried = try_case(problem, meant.case, meant.group)
+        found = CaseTried(tried, _said(tried, meant.file, common) if meant.file else None)
+    elif not page or ask.svg or ask.test:
         raise UsageError(f'Give a case: judge try {problem.id} "{example_of(problem)}"')
-    found = CaseTried(tried, _said(tried, meant.file, common)) if tried else None
-    content = {name: _content(name, problem, found, ask) for name in wanted}
+    content = [make(found) for _, make in wanted]
     if found:
         yield found
-    for name, target in wanted.items():
-        target.write(content[name].encode())
+    for (target, _), text in zip(wanted, content, strict=True):
+        target.write(text.encode())
         yield PageWritten(problem=problem.id, file=str(target.path))
     if ask.opened and click.launch(str(page)):
         note(f"No browser was found. Open {page} yourself")
@@ -121,7 +128,8 @@ def _arguments(words: Sequence[str]) -> list[str]:
 
 
 def _meant(words: list[str], common: Common) -> _Meant:
-    file = words.pop() if words and is_program(words[-1]) else None
+    is_file = words and (is_program(words[-1]) or words[-1].startswith(("/", "./", "../")))
+    file = words.pop() if is_file else None
     named = words and words[0][:1].isalpha() and not any(sign in words[0] for sign in ",=([:")
     name = words.pop(0) if named else None
     if words and ":" in words[0]:
@@ -134,10 +142,7 @@ def _meant(words: list[str], common: Common) -> _Meant:
         return _Meant(problem, found.case, found.group.name, file or _own_file(problem, common))
     if not words:
         return _last_failed(name, file, common)
-    if name is None and file is not None:
-        problem = problem_of_file(read_submissions([file])[0], "try", common.problems, common.db)
-    else:
-        problem = problem_in_hand(name, common.problems, common.db)
+    problem = find_problem(name, common.problems) if name else _of_file_or_in_hand(file, common)
     return _Meant(problem, read_case(problem, " ".join(words)), "", file or _own_file(problem, common))
 
 
@@ -151,67 +156,67 @@ def _own_file(problem: Problem, common: Common) -> str | None:
 def _last_failed(name: str | None, file: str | None, common: Common) -> _Meant:
     """The case on which that kata, that file or a file of this folder failed last."""
     problem = find_problem(name, common.problems) if name else None
-    path = str(Path(file).absolute()) if file else ""
+    path = None
+    with suppress(OSError):  # the current folder is gone
+        path = Path(file).resolve() if file else None
     with history_at(common.db, reading=True) as history:
-        for run in reversed(history.runs(name)):
-            here = run.path == path if file else name or Path(run.path).parent == Path.cwd()
-            if not here or run.verdict in (Verdict.AC, Verdict.JE):
-                continue
+        runs = [run for run in history.runs(name) if run.verdict not in (Verdict.AC, Verdict.JE)]
+    for run in reversed(runs):
+        near = shown(run.path)
+        if (run.path and Path(run.path).resolve() == path) if file else name or near == Path(near).name:
+            problem = problem or find_problem(run.problem, common.problems)
             smallest, first = run.result.counterexample, run.result.failure
             failure = smallest if smallest is not None and smallest.input is not None else first
-            problem = problem or find_problem(run.problem, common.problems)
             if failure is None or failure.input is None:
                 break
-            own = file or (shown(run.path) if run.path and Path(run.path).is_file() else None)
+            own = file or (near if near and Path(near).is_file() else None)
             return _Meant(problem, case_of(failure.input), failure.group or "", own)
-    return _Meant(problem or problem_in_hand(None, common.problems, common.db), None)
+    return _Meant(problem or _of_file_or_in_hand(file, common), None)
 
 
-def _said(tried: Tried, file: str | None, common: Common) -> Said | None:
+def _of_file_or_in_hand(file: str | None, common: Common) -> Problem:
     if file is None:
-        return None
-    submissions = read_submissions([file])
-    if len(submissions) > 1:
+        return problem_in_hand(None, common.problems, common.db)
+    return problem_of_file(read_submissions([file])[0], "try", common.problems, common.db)
+
+
+def _said(tried: Tried, file: str, common: Common) -> Said:
+    submission, *more = read_submissions([file])
+    if more:
         raise UsageError("this folder holds several submissions", where=file, remedy="name one file")
     with Session(tried.problem, RunOptions(isolation=common.isolation)) as session:
-        said = ask_file(session, tried, submissions[0].source, submissions[0].name)
+        said = ask_file(session, tried, submission.source, submission.name)
         Notes().say(session.containment.notes(said.isolation))
     return said
 
 
-def _content(name: str, problem: Problem, found: CaseTried | None, ask: TryAsk) -> str:
-    """What goes into the page, the SVG file or the file of tests. Raises UsageError."""
-    if name == "test" and found and ask.test:
-        return _test(found, ask.test)
-    if name == "svg" and found:
-        from judge.drawing.svg import to_svg
-        from judge.report.trying import picture_of
-
-        picture = picture_of(found.tried, found.said, "your case")
-        if picture is None:
-            raise UsageError(f"{problem.id} has no picture of this case", remedy="leave out --svg")
-        return to_svg(picture)
+def _page(problem: Problem, found: CaseTried | None) -> str:
     explore = load_module(problem).hooks.explore
-    values = problem.named(found.tried.case) if found else None
-    page = explore(problem, values) if explore else None
+    page = explore(problem, problem.named(found.tried.case) if found else None) if explore else None
     if page is None:
         raise UsageError(f"No page for {problem.id} yet", remedy="leave out --open and --out")
     return page
 
 
-def _test_target(path: Path) -> OutFile:
-    from judge.diagnose.regression import MARK
+def _svg(found: CaseTried | None) -> str:
+    from judge.drawing.svg import to_svg
+    from judge.report.trying import picture_of
 
-    return OutFile(path, "--pytest", "file of such tests", lambda start: start.startswith(MARK))
+    picture = picture_of(found.tried, found.said, "your case") if found else None
+    if picture is None:
+        raise UsageError("there is no picture of this case", remedy="leave out --svg")
+    return to_svg(picture)
 
 
-def _test(found: CaseTried, path: Path) -> str:
-    from judge.diagnose.regression import with_case
-
-    said = found.said
-    if said is None or said.mode is not Mode.FUNCTION or not Path(said.name).is_file():
+def _test(path: Path, found: CaseTried | None) -> str:
+    said = found.said if found else None
+    if not found or not said or said.mode is not Mode.FUNCTION or not Path(said.name).is_file():
         raise UsageError("--pytest tests a function", remedy="name a file that defines it")
-    return with_case(read_ordinary_text(path) if path.exists() else "", path, Path(said.name), found.tried)
+    try:
+        content = read_ordinary_text(path) if path.exists() else ""
+    except (OSError, ValueError) as fault:
+        raise UsageError("this file cannot be read", where=str(path)) from fault
+    return with_case(content, path, Path(said.name), found.tried)
 
 
 class HackAsk(Struct, frozen=True):
@@ -240,26 +245,27 @@ def hack(name: str, words: tuple[str, ...], ask: HackAsk, common: Common) -> Ite
     if not puzzles:
         raise UsageError(f"{problem.id} has no wrong programs to break", remedy="judge list shows all katas")
     number, text = _number_and_case(problem, _arguments(words))
-    puzzle = puzzle_called(puzzles, number, problem.id) if number else None
     hacking = _Hacking(problem, puzzles, common)
-    puzzle = puzzle or hacking.following() or puzzles[0]
+    puzzle = (
+        puzzle_called(puzzles, number, problem.id) if number else hacking.turn(puzzles[0], "shown").following
+    )
+    puzzle = puzzle or puzzles[0]
     if ask.listed:
-        yield hacking.listed()
+        yield HackStanding(hacking.turn(puzzle, "shown"))
     elif ask.give_up:
         yield hacking.given_up(puzzle)
     elif text is not None:
-        case = read_case(problem, sys.stdin.read(1 << 16) if text == "-" else text)
-        yield hacking.attempted(puzzle, case)
+        yield hacking.attempted(puzzle, sys.stdin.read(1 << 16) if text == "-" else text)
     else:
         yield hacking.turn(puzzle, "shown")
         asked = not common.json and is_terminal(sys.stdin) and is_terminal(sys.stdout)
         while asked and (typed := _typed()):
             try:
-                turn = hacking.attempted(puzzle, read_case(problem, typed), goes_on=True)
+                turn = hacking.attempted(puzzle, typed)
             except UsageError as fault:
                 note(str(fault))
                 continue
-            yield turn
+            yield replace(turn, goes_on=True)
             asked = turn.outcome == "lost"
 
 
@@ -287,82 +293,55 @@ def _number_and_case(problem: Problem, words: list[str]) -> tuple[str | None, st
     return first, " ".join(words[1:])
 
 
-class _Hacking:
+class _Hacking(Struct, frozen=True):
     """A person and the wrong programs of a kata; what is tried is kept in the history."""
 
-    def __init__(self, problem: Problem, puzzles: Sequence[Puzzle], common: Common) -> None:
-        self._problem = problem
-        self._puzzles = puzzles
-        self._common = common
+    problem: Problem
+    puzzles: tuple[Puzzle, ...]
+    common: Common
 
-    def following(self) -> Puzzle | None:
-        """The first that is open, or else that was given up; None where all are broken."""
-        states = self._states()
-        wanted = (HackState.OPEN, HackState.GIVEN_UP)
-        return next(
-            (each for state in wanted for each in self._puzzles if states[each.mistake] is state), None
-        )
-
-    def listed(self) -> HackList:
-        """How all of them stand."""
-        states = self._states()
-        rows = (
-            HackProgram(each.number, state.value, None if state is HackState.OPEN else each.mistake)
-            for each in self._puzzles
-            for state in (states[each.mistake],)
-        )
-        return HackList(problem=self._problem.id, programs=tuple(rows))
-
-    def attempted(self, puzzle: Puzzle, case: Case, *, goes_on: bool = False) -> HackTurn:
+    def attempted(self, puzzle: Puzzle, text: str) -> HackTurn:
         """What the program answers to the case, and whether that breaks it."""
         from judge.judging.hacking import hack as attack
 
-        found = attack(self._problem, puzzle, case, self._common.isolation)
-        text, why = line_of(self._problem, case), found.why
-        if not why and was_shown(puzzle.mistake, text, self._hacks()):
-            why = "this is the case that you saw when you gave up"
+        found = attack(self.problem, puzzle, read_case(self.problem, text), self.common.isolation)
+        why = found.why
         if found.tried is not None:  # an invalid case says nothing of the person
-            self._keep(puzzle, text, Outcome.LOST if why else Outcome.WON)
+            line = line_of(self.problem, found.tried.case)
+            if not why and was_shown(puzzle.mistake, line, self._hacks()):
+                why = "this is the case that you saw when you gave up"
+            self._keep(puzzle, line, Outcome.LOST if why else Outcome.WON)
         Notes().say(found.notes)
-        turn = self.turn(puzzle, "lost" if why else "won", found.tried, found.said)
-        return replace(turn, why=why, goes_on=goes_on)
+        return self.turn(puzzle, "lost" if why else "won", found.tried, found.said, why)
 
     def given_up(self, puzzle: Puzzle) -> HackTurn:
         """The mistake, and a smallest case."""
         from judge.judging.hacking import smallest
         from judge.report.progress import progress
 
-        tried, said = smallest(self._problem, puzzle, self._common.isolation, progress) or (None, None)
-        self._keep(puzzle, line_of(self._problem, tried.case) if tried else "", Outcome.GIVEN_UP)
+        tried, said = smallest(self.problem, puzzle, self.common.isolation, progress) or (None, None)
+        self._keep(puzzle, line_of(self.problem, tried.case) if tried else "", Outcome.GIVEN_UP)
         return self.turn(puzzle, "given-up", tried, said)
 
     def turn(
-        self, puzzle: Puzzle, outcome: str, tried: Tried | None = None, said: Said | None = None
+        self,
+        puzzle: Puzzle,
+        outcome: str,
+        tried: Tried | None = None,
+        said: Said | None = None,
+        why: str = "",
     ) -> HackTurn:
-        """What is shown of the program now."""
-        states, following = self._states(), self.following()
-        return HackTurn(
-            problem=self._problem,
-            puzzle=puzzle,
-            outcome=outcome,
-            state=states[puzzle.mistake],
-            done=sum(state is HackState.BROKEN for state in states.values()),
-            programs=len(self._puzzles),
-            following=following.number if following else None,
-            tried=tried,
-            said=said,
-        )
+        """What is shown of the program, as all of them stand now."""
+        states = hack_states([each.mistake for each in self.puzzles], self._hacks())
+        return HackTurn(self.problem, self.puzzles, states, puzzle, outcome, why, tried, said)
 
     def _keep(self, puzzle: Puzzle, case: str, outcome: Outcome) -> None:
         try:
-            with history_at(self._common.db) as history:
-                history.keep(Hack(self._problem.id, puzzle.mistake, case, outcome))
+            with history_at(self.common.db) as history:
+                history.keep(Hack(self.problem.id, puzzle.mistake, case, outcome))
         except HistoryError as fault:  # what came of it is worth more
             note(f"this is not kept: {fault}")
 
     def _hacks(self) -> list[Hack]:
-        with history_at(self._common.db, reading=True) as history:
-            return history.events(Hack, self._problem.id)
-
-    def _states(self) -> dict[str, HackState]:
-        return hack_states([puzzle.mistake for puzzle in self._puzzles], self._hacks())
+        with history_at(self.common.db, reading=True) as history:
+            return history.events(Hack, self.problem.id)
