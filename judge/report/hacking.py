@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 
 from judge.data.given import call_of, line_of
-from judge.kata.hacks import HackState
+from judge.kata.hacks import HackShare, HackState
 from judge.mistakes.puzzles import Puzzle
 from judge.problem import Problem
 from judge.report.layout import Cell, Column, Line, Span, Style, Table, beside, hanging, line, wrap
@@ -116,6 +116,14 @@ def _runs(numbers: Sequence[int]) -> str:
             runs.append([number])
     said = (f"{run[0]} to {run[-1]}" if len(run) > 2 else ", ".join(map(str, run)) for run in runs)
     return ", ".join(said)
+
+
+def share_lines(shares: Sequence[HackShare], width: int | None) -> Iterator[Line]:
+    """The share of the wrong programs that were broken, of each problem that was tried."""
+    if shares:
+        text = ", ".join(f"{each.problem} {len(each.broken)} of {each.programs}" for each in shares)
+        label = Span("hacks", Style.FAINT)
+        yield from hanging(label, Span(f"wrong programs broken: {text}"), width, indent=2, column=12)
 
 
 def _prose(text: str, width: int | None) -> Iterator[Line]:
