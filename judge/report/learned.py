@@ -189,7 +189,9 @@ def question(found: QuestionShown, _screen: Screen) -> RenderableType:
     said = f"since {day(asked.since)}" if asked.since else said
     head = table(("", ""), [(text(asked.row, STRONG), joined(text(asked.ask, STRONG), f"  {said}"))])
     rows = table(("by", "", "since", "name"), map(_evidence, asked.by))
-    return Group(head, Text(), indented(rows), Text(), *map(text, asked.drills))
+    labels = ("practise with", *[""] * len(asked.drills))
+    below = facts([*zip(labels, asked.drills, strict=False)])
+    return Group(head, Text(), indented(rows), Text(), below)
 
 
 def _evidence(each: Evidence) -> tuple[Cell, ...]:

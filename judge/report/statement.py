@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING
 
-from judge.report.screen import Screen, drawn, is_terminal
+from judge.report.screen import Screen, is_terminal
 
 if TYPE_CHECKING:
     from rich.console import RenderableType
@@ -13,16 +13,6 @@ if TYPE_CHECKING:
 _FIGURE = re.compile(r"^!\[[^]]*\]\([^)]*\)\n\n?", re.MULTILINE)
 _READABLE = 88  # columns of prose that an eye follows with ease
 _REMARK = re.compile(r"^( *)(>>> .*?) {2,}(# .*)$", re.MULTILINE)
-
-
-def show_statement(text: str, screen: Screen) -> None:
-    """Write the Markdown `text`, drawn where a person is looking."""
-    screen.write(statement_text(text, screen))
-
-
-def statement_text(text: str, screen: Screen) -> str:
-    """The Markdown `text` for that screen, ready to be written."""
-    return drawn(prose(text, screen), screen)
 
 
 def prose(text: str, screen: Screen) -> RenderableType:

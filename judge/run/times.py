@@ -29,10 +29,14 @@ _CPU_SECONDS, _WALL_SECONDS, _OUTPUT_BYTES = 60.0, 300.0, 64 << 20
 
 
 class Program(Struct, frozen=True):
-    """A program to measure: the name of its file, its source, and whether it is compiled while it runs."""
+    """A program to measure: the name of its file and its source.
+
+    `missing` says why its language cannot be run here, `warms` that it is compiled while it runs.
+    """
 
     name: str
     source: bytes
+    missing: str = ""
     warms: bool = False
 
 
@@ -49,14 +53,14 @@ def measure(
     cases = cases[:: 1 + (len(cases) - 1) // _MOST_CASES]
     slopes: list[list[float]] = [[] for _ in programs]
     ready: dict[int, _Slope] = {}
-    why_not: dict[int, str] = {}
+    why_not = {at: each.missing for at, each in enumerate(programs) if each.missing}
     machine, turns, done = Machine(), (rounds + 1) * len(programs), 0
     with ExitStack() as stack:
         for turn in range(rounds + 1):
             with machine.measuring() if turn else machine.judging():
                 for at, program in enumerate(programs):
                     try:
-                        if not turn:
+                        if not turn and not program.missing:
                             box = stack.enter_context(open_box(program.source, program.name))
                             ready[at] = _Slope(data.problem, program, box, cases)
                         elif at in ready:

@@ -24,7 +24,6 @@ from judge.report.published_practice import ApproachRow, HintShown, SolutionShow
 if TYPE_CHECKING:
     from judge.kata.events import Run
     from judge.run.result import Taken
-    from judge.run.times import Program
 
 _ROUNDS = 3
 
@@ -140,26 +139,23 @@ def solution(name: str | None, approach: str | None, ask: SolutionAsk, common: C
 
 def _measured(
     problem: Problem, programs: Sequence[tuple[str, bytes]], rounds: int, common: Common
-) -> list[Taken | None]:
+) -> Sequence[Taken]:
     """What each program takes for a case; why not, where its language is not installed."""
     from judge.data.load import load_data
     from judge.judging.containment import Containment
     from judge.languages.find import why_not
     from judge.report.progress import progress
-    from judge.run.result import Taken
     from judge.run.times import Program, measure
 
-    missing = [why_not(language) if (language := language_of(name)) else "" for name, _ in programs]
-    here: list[Program] = []
-    for (name, source), lacking in zip(programs, missing, strict=True):
+    entries = []
+    for name, source in programs:
         language = language_of(name)
-        if not lacking:
-            here.append(Program(name, source, warms=bool(language and language.factor > 1)))
+        missing, warms = (why_not(language), language.factor > 1) if language else ("", False)
+        entries.append(Program(name, source, missing, warms))
     with progress(f"building {problem.id}") as advance:
         data = load_data(problem, progress=advance)
     with Containment(problem, common.isolation) as containment, progress("measuring") as advance:
-        found = iter(measure(data, here, containment.open_box, rounds, advance))
-    return [Taken(why_not=lacking) if lacking else next(found) for lacking in missing]
+        return measure(data, entries, containment.open_box, rounds, advance)
 
 
 def _admit(problem: Problem, db: Path | None, *, giving_up: bool) -> tuple[Run, bytes] | None:
