@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import random
 import re
+import webbrowser
 from html import unescape
 from pathlib import Path
 
@@ -80,6 +81,16 @@ def test_the_case_that_broke_a_file(judge, submit):
     case = found["input"]
     numbers = explore._flat([each["value"] for each in start["args"]])
     assert list(map(float, numbers)) == [case["cx"], case["cy"], case["r"], *case["A"], *case["B"]]
+
+
+def test_it_is_opened_in_the_browser_or_that_is_said(judge, monkeypatch):
+    opened = []
+    for found, said in ((True, ""), (False, "judge: No browser was found. Open judge-try.html yourself\n")):
+        monkeypatch.setattr(webbrowser, "open", lambda address, found=found: opened.append(address) or found)
+        ended = judge("try", "count", TOUCH, "--open")
+        assert (ended.status, ended.err) == (0, said)
+        assert ended.out.endswith("Wrote judge-try.html: count\n")
+    assert opened == [Path("judge-try.html").absolute().as_uri()] * 2
 
 
 def test_a_kata_without_a_page_and_a_case_too_large_for_one(judge):

@@ -75,7 +75,7 @@ def test_it_finds_its_problems_rejects_a_wrong_program_and_accepts_its_own_solut
 def test_its_wrong_programs_can_be_broken(judge):
     """The solutions are hidden from what runs in the box, and the one to break is read outside of it."""
     status, (found,) = judge("hack", "count", "forgotten-abs", "0 0 1 -1 -1 1 -1", "--json")
-    assert (status, found["outcome"], found["case"]["got"]) == (0, "won", "2")
+    assert (status, found["outcome"], found["said"]["got"]) == (0, "won", "2")
 
 
 @pytest.mark.nightly

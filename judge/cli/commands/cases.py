@@ -115,7 +115,14 @@ def try_(words: tuple[str, ...], ask: TryAsk, common: Common) -> Iterator[Struct
     for (target, _), text in zip(wanted, content, strict=True):
         target.write(text.encode())
         yield PageWritten(problem=problem.id, file=str(target.path))
-    if ask.opened and click.launch(str(page)):
+    if ask.opened and page:
+        _open(page)
+
+
+def _open(page: Path) -> None:
+    import webbrowser  # hardly ever
+
+    if not webbrowser.open(page.absolute().as_uri()):
         note(f"No browser was found. Open {page} yourself")
 
 
@@ -140,9 +147,12 @@ def _meant(words: list[str], common: Common) -> _Meant:
             raise UsageError(f"this ID is a case of {problem.id}, not of {name}")
         found = decode(words[0], problem, load_module(problem))
         return _Meant(problem, found.case, found.group.name, file or _own_file(problem, common))
+    known = find_problem(name, common.problems) if name else None
+    if known is None and file is not None:
+        known = problem_of_file(read_submissions([file])[0], "try", common.problems, common.db)
     if not words:
-        return _last_failed(name, file, common)
-    problem = find_problem(name, common.problems) if name else _of_file_or_in_hand(file, common)
+        return _last_failed(known, file, common)
+    problem = known or problem_in_hand(None, common.problems, common.db)
     return _Meant(problem, read_case(problem, " ".join(words)), "", file or _own_file(problem, common))
 
 
@@ -153,17 +163,13 @@ def _own_file(problem: Problem, common: Common) -> str | None:
     return None
 
 
-def _last_failed(name: str | None, file: str | None, common: Common) -> _Meant:
-    """The case on which that kata, that file or a file of this folder failed last."""
-    problem = find_problem(name, common.problems) if name else None
-    path = None
-    with suppress(OSError):  # the current folder is gone
-        path = Path(file).resolve() if file else None
+def _last_failed(problem: Problem | None, file: str | None, common: Common) -> _Meant:
+    """The case on which a file of that kata failed last; without a kata, one of this folder."""
     with history_at(common.db, reading=True) as history:
-        runs = [run for run in history.runs(name) if run.verdict not in (Verdict.AC, Verdict.JE)]
-    for run in reversed(runs):
+        runs = history.runs(problem.id if problem else None)
+    for run in reversed([run for run in runs if run.verdict not in (Verdict.AC, Verdict.JE)]):
         near = shown(run.path)
-        if (run.path and Path(run.path).resolve() == path) if file else name or near == Path(near).name:
+        if problem or near == Path(near).name:
             problem = problem or find_problem(run.problem, common.problems)
             smallest, first = run.result.counterexample, run.result.failure
             failure = smallest if smallest is not None and smallest.input is not None else first
@@ -171,13 +177,7 @@ def _last_failed(name: str | None, file: str | None, common: Common) -> _Meant:
                 break
             own = file or (near if near and Path(near).is_file() else None)
             return _Meant(problem, case_of(failure.input), failure.group or "", own)
-    return _Meant(problem or _of_file_or_in_hand(file, common), None)
-
-
-def _of_file_or_in_hand(file: str | None, common: Common) -> Problem:
-    if file is None:
-        return problem_in_hand(None, common.problems, common.db)
-    return problem_of_file(read_submissions([file])[0], "try", common.problems, common.db)
+    return _Meant(problem or problem_in_hand(None, common.problems, common.db), None)
 
 
 def _said(tried: Tried, file: str, common: Common) -> Said:
