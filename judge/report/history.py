@@ -26,8 +26,9 @@ from judge.report.parts import (
     verdict_style,
 )
 from judge.report.published_practice import Restored, RunList, RunsCompared, RunShown
-from judge.report.results import result_lines
+from judge.report.result import Shown, result
 from judge.report.screen import Screen
+from judge.report.tell import tell
 from judge.report.values import counted, score_text, times
 
 _DIFFERENT = {"+": GOOD, "-": BAD, "@": FAINT}  # how a line of a diff is shown, by its first character
@@ -101,7 +102,8 @@ def run_shown(found: RunShown, screen: Screen) -> RenderableType:
 
 def _came_to(run: Run, screen: Screen) -> RenderableType:
     """What `judge run` said of it."""
-    return Text.from_ansi(screen.text(result_lines(run.result, screen.width)).rstrip("\n"))
+    told = tell(None, run.result)
+    return result(Shown(told, run.submission, run.result.groups), screen, None)
 
 
 def _head(number: int, when: datetime) -> Text:

@@ -15,7 +15,6 @@ from judge.kata.review import Review
 from judge.languages import file_name
 from judge.problem.model import FULL_SCORE, KataLevel
 from judge.report.history import day
-from judge.report.levels import level_name
 from judge.report.names import shown_name
 from judge.report.parts import (
     BAD,
@@ -139,7 +138,7 @@ def _all(told: ProgressShown) -> Iterator[RenderableType]:
             [kata, *(_level(its.get((kata, level))) for level in KataLevel)] for kata in katas
         ]
         yield Text()
-        yield table(("kata", *map(level_name, KataLevel)), rows, prose=None)
+        yield table(("kata", *(f"{level.value} level" for level in KataLevel)), rows, prose=None)
     for section, grouped in groupby(told.rows, lambda each: each.section):
         questions = list(grouped)
         yield Text()

@@ -130,7 +130,7 @@ def _happened(problem: Problem | None, result: Result) -> str:
         return f"Stopped after {spent[1]} of CPU time{where}. An endless loop?"
     if result.verdict is Verdict.TLE and failure.input is None and failure.case is None and _slow(result):
         return ""
-    return placed[:1].upper() + placed[1:]
+    return placed
 
 
 def _slow(result: Result) -> bool:

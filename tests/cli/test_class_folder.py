@@ -114,8 +114,8 @@ def test_a_student_gets_no_marks_by_a_link(judge, submit):
     submit(FLOOR, "class/eve/middle.py")
     Path("class/ada").mkdir()
     Path("class/ada/middle.py").symlink_to("../bob/middle.py")
-    ended = judge("class", "class", "--json", "--no-name")
-    rows = {row["student"]: row for row in map(json.loads, ended.lines)}
+    ended = judge("class", "class", "--json")
+    rows = {row["student"]: row for row in map(json.loads, ended.lines) if "student" in row}
     assert {name: row["verdict"] for name, row in rows.items()} == {"ada": "JE", "bob": "AC", "eve": "WA"}
     assert rows["ada"]["score"] == 0
     assert ended.status == 3

@@ -8,7 +8,7 @@ from xml.etree import ElementTree as Xml
 import msgspec
 import pytest
 from classes import ROWS
-from judge.report.junit import junit
+from judge.report.formats import junit
 from msgspec.structs import replace
 from past_runs import past_result
 
