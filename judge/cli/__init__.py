@@ -6,13 +6,14 @@
     emit.py         a command's value to JSON, or to its view in judge/report
     commands/       the commands
     submissions.py  reading the files to judge; target.py: the files that options write
-    judging.py      what `judge run` and `judge watch` ask of `judge.judging`
+    judging.py      what `judge run` and `judge start` ask of `judge.judging`
     regression.py, picture.py, outputs.py
                     what becomes of a result; kept.py: the history
-    kata.py         the kata in hand
+    resolve.py      what words mean; the current kata of a folder
+    home.py         `judge` alone: where a person stands, and the next kata
     asking.py, interview.py, drilling.py
                     cards, the mock interview, and what to drill afterwards
-    watching.py     a file under watch; watch_screen.py: the screen of `judge watch`
+    watching.py     a file under watch; watch_screen.py: the loop of `judge start`
     wish.py         what is asked for
     complete.py     what a shell completes
 

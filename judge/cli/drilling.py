@@ -24,19 +24,6 @@ def known_cards(found: Sequence[Review], folders: Sequence[Path]) -> list[Review
     return [review for review in found if review.name in keys]
 
 
-def cards_due(db: Path | None, folders: Sequence[Path]) -> int:
-    """How many cards are due today."""
-    from judge.cli.kept import history_at
-    from judge.kata.events import Answer, now
-    from judge.kata.review import card_reviews
-
-    with history_at(db, reading=True) as history:
-        answers = history.events(Answer)
-    today = now().astimezone()
-    found = card_reviews(answers)
-    return sum(review.is_due(today) for review in known_cards(found, folders)) if found else 0
-
-
 def to_drill(
     missed: Sequence[Card], folders: Sequence[Path], more: Mapping[str, str] = MappingProxyType({})
 ) -> list[tuple[Row, tuple[str, ...]]]:

@@ -21,14 +21,11 @@ class Entry(NamedTuple):
 # heading of `judge --help` -> its commands; the last two are only named there
 HEADINGS: Mapping[str, Mapping[str, Entry]] = {
     "Practise": {
-        "init": Entry(
-            "Begin a kata: write the file for your solution.",
+        "start": Entry(
+            "Start or resume a kata, and judge it on every save.",
             "start",
-            "init",
-            (
-                "judge init count",
-                "judge init count my-count.py",
-            ),
+            "start",
+            ("judge start", "judge start count --no-watch"),
         ),
         "run": Entry(
             "Judge submissions on a problem.",
@@ -38,15 +35,6 @@ HEADINGS: Mapping[str, Mapping[str, Entry]] = {
                 "judge run",
                 "judge run count.py",
                 "judge run count count.py --level interview",
-            ),
-        ),
-        "watch": Entry(
-            "Judge a file again on every save.",
-            "start",
-            "watch",
-            (
-                "judge watch",
-                "judge watch count.py",
             ),
         ),
         "hint": Entry(
@@ -182,15 +170,6 @@ HEADINGS: Mapping[str, Mapping[str, Entry]] = {
         ),
     },
     "Also": {
-        "next": Entry(
-            "Go on to the next kata.",
-            "start",
-            "next",
-            (
-                "judge next",
-                "judge next --init",
-            ),
-        ),
         "due": Entry("Say what to do again today.", "start", "due", ("judge due",)),
         "report": Entry(
             "Write the history as one HTML page.",
@@ -225,6 +204,10 @@ COMMANDS: Mapping[str, Entry] = {name: entry for rows in HEADINGS.values() for n
 
 # what a command was called -> the words that stand for it now
 OLD: Mapping[str, tuple[str, ...]] = {
+    "init": ("start", "--no-watch"),
+    "watch": ("start",),
+    "next": ("start",),
+    "practice": ("list",),
     "why": ("show", "--groups"),
     "data": ("export", "--format", "files"),
     "schema": ("help", "--schema"),
@@ -232,4 +215,4 @@ OLD: Mapping[str, tuple[str, ...]] = {
 }
 
 # words that people try -> the command that they mean, where no name is near
-LIKE: Mapping[str, str] = {"submit": "run", "test": "run", "check": "run", "judge": "run", "start": "init"}
+LIKE: Mapping[str, str] = {"submit": "run", "test": "run", "check": "run", "judge": "run"}
