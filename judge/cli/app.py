@@ -236,9 +236,11 @@ def _hush() -> None:
 def app(ctx: click.Context) -> None:
     """Practise circle and line geometry, offline."""
     if ctx.invoked_subcommand is None:
+        gc.disable()  # it only looks, and ends
         from judge.cli.emit import emit
         from judge.cli.home import home
         from judge.cli.options import Common
 
         imported()
         emit(home(Common()), Common())
+        gc.enable()

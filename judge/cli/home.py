@@ -57,10 +57,9 @@ def next_kata(
     then on the whole path.
     """
     own = set_of(after, problems, folders)
-    path = next((each for each in sound_sets(problems, folders)[0] if each.name == USUAL), None)
-    rows = [_from(after, each.problems) for each in (own, path) if each]
-    ahead = (each for each in (*chain(*rows), *problems) if each.id not in solved and each.id != after)
-    return next(ahead, None)
+    path = next((each.problems for each in sound_sets(problems, folders)[0] if each.name == USUAL), problems)
+    rows = chain(_from(after, own.problems if own else ()), _from(after, path))
+    return next((each for each in rows if each.id not in solved and each.id != after), None)
 
 
 def set_of(problem: str, problems: Sequence[Problem], folders: Sequence[Path]) -> PracticeSet | None:

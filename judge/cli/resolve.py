@@ -18,7 +18,6 @@ from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
-from judge.cli.submissions import Submission, Unjudged, gathered, read_submissions
 from judge.errors import HistoryError, JudgeError, UsageError
 from judge.languages import file_name, is_program
 from judge.problem import Problem
@@ -27,6 +26,7 @@ from judge.problem.names import is_name
 
 if TYPE_CHECKING:
     from judge.cli.options import Common
+    from judge.cli.submissions import Submission, Unjudged
     from judge.kata.events import Started
     from judge.kata.history import History
 
@@ -44,6 +44,8 @@ def resolve(words: Sequence[str], common: Common) -> tuple[list[Task], list[Unju
     Raises JudgeError: no file is meant, or the only one cannot be read or fits none.
     """
     folders, db = common.problems, common.db
+    from judge.cli.submissions import gathered  # not where somebody only looks
+
     if words:
         name, files = split(words, "run", folders, db)
         problem = find_problem(name, folders) if name else None
@@ -185,6 +187,8 @@ def assigned(
     """
     if problem is not None:
         return ([Task(problem, tuple(submissions))] if submissions else []), []
+    from judge.cli.submissions import Unjudged
+
     problems: dict[str, Problem] = {}
     mine: dict[str, list[Submission]] = {}
     unfit = []
@@ -205,6 +209,8 @@ def problem_meant(word: str, folders: Sequence[Path], db: Path | None) -> Proble
     """The kata of that name, or the one that the file of that name is for. Raises JudgeError."""
     if is_problem(word, folders) or not (is_program(word) or _is_file(word)):
         return find_problem(word, folders)
+    from judge.cli.submissions import read_submissions
+
     (submission, *_) = read_submissions([word])
     return problem_of_file(submission, "hint", folders, db)
 

@@ -30,7 +30,7 @@ from judge.problem.find import sound_problems
 from judge.report.hint import hint_text
 from judge.report.layout import Line, Style, line
 from judge.report.picture import has_room
-from judge.report.results import verdict_lines
+from judge.report.results import failure_lines, verdict_lines
 from judge.report.screen import Screen, drawn, out
 from judge.report.statement import statement_text
 from judge.report.terminal import GONE, Keys, height, redraw, reprompt
@@ -39,10 +39,13 @@ from judge.report.watch import begun_text, keys_text, note_text, place_text, res
 if TYPE_CHECKING:
     from rich.console import Group
 
+    from judge.run.result import Failure, Result
+
 _SAVED, _RESIZED = "saved", "resized"
 _END = ("q", "\x04", GONE)
 _AGAIN = 2.0  # seconds that breaking off may take
 _TICK = 0.1  # seconds between two states of the line that says what is being judged
+_NO_CASE = "There is no failing case to draw."
 _BELOW = 2  # rows that the keys take, and one to spare
 
 View = Callable[[Screen], str]
@@ -251,29 +254,22 @@ class _Loop:
         return lambda screen: drawn(kata_list(found, screen), screen)
 
     def picture(self) -> View:
-        """The failing case, drawn."""
+        """The failing case, drawn below its arguments."""
         found = self._found
-
-        def shown(screen: Screen) -> str:
-            if not has_room(screen):
-                return note_text("A picture needs a terminal of 60 columns that knows braille.", screen)
-            lines = [] if isinstance(found, str) else found.lines(screen, height(screen) - _BELOW - 2)
-            return screen.text(lines) if lines else note_text("There is no failing case to draw.", screen)
-
-        return shown
+        if isinstance(found, str):
+            return lambda screen: note_text(_NO_CASE, screen)
+        return lambda screen: picture_text(found, screen, _BELOW + 2)
 
     def browser(self) -> View:
         """The failing case on a page where it can be dragged, opened in the browser."""
+        found = self._found
+        explore = None if isinstance(found, str) else found.data.module.hooks.explore
+        case = None if isinstance(found, str) else smallest(found.result)
+        page = explore(self._kata.problem, case.input if case else None) if explore else None
+        if page is None:
+            return lambda screen: note_text(f"There is no page for {self._kata.problem.id} yet.", screen)
         import click
 
-        problem, found = self._kata.problem, self._found
-        if isinstance(found, str) or found.data.module.hooks.explore is None:
-            return lambda screen: note_text(f"There is no page for {problem.id} yet.", screen)
-        failures = (found.result.counterexample, found.result.failure)
-        case = next((each.input for each in failures if each and each.input), None)
-        page = found.data.module.hooks.explore(problem, case)
-        if page is None:
-            return lambda screen: note_text(f"There is no page for {problem.id} yet.", screen)
         with tempfile.NamedTemporaryFile("w", suffix=".html", delete=False, encoding="utf-8") as file:
             file.write(page)
         click.launch(file.name)
@@ -316,6 +312,21 @@ class _Loop:
             parts += ["" if parts[-1].endswith("\n\n") else "\n", end]
         failed = not isinstance(self._found, str) and self._found.result.failure is not None
         redraw(screen, "".join([*parts, "\n"]), keys_text(screen, failed=failed))
+
+
+def smallest(result: Result) -> Failure | None:
+    """The smallest case that fails, of those whose arguments are known."""
+    return next((each for each in (result.counterexample, result.failure) if each and each.input), None)
+
+
+def picture_text(found: Drawing, screen: Screen, spare: int) -> str:
+    """The failing case and its picture, which leave so many rows of the terminal free."""
+    case = smallest(found.result)
+    about = list(failure_lines(case, screen.width, most=2, titled=False)) if case else []
+    if not has_room(screen):
+        return note_text("A picture needs a terminal of 60 columns that knows braille.", screen)
+    drawing = found.lines(screen, height(screen) - spare - len(about))
+    return screen.text([*about, *drawing]) if drawing else note_text(_NO_CASE, screen)
 
 
 def result_text(found: Drawing, screen: Screen, spare: int) -> str:
