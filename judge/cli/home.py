@@ -88,15 +88,14 @@ def _stars(problems: Iterable[Problem], runs: Sequence[Run]) -> tuple[int, int]:
     """How many katas have one star, the interview level, and how many two, production too."""
     if not runs:
         return 0, 0
-    from judge.kata.progress import levels
+    from judge.cli.commands.look import row_of
 
     tried = {run.problem for run in runs}
-    passed = [
-        sum(level.since is not None for level in levels(problem, runs))
-        for problem in problems
-        if problem.id in tried
-    ]
-    return passed.count(1), passed.count(2)
+    rows = (
+        row_of(each, [run for run in runs if run.problem == each.id]) for each in problems if each.id in tried
+    )
+    stars = [row.stars for row in rows]
+    return stars.count(1), stars.count(2)
 
 
 def _now(at: Started, runs: Sequence[Run], *, elsewhere: bool) -> Now:

@@ -72,11 +72,11 @@ def _rows(problems: Sequence[Problem], db: Path | None) -> tuple[tuple[KataRow, 
     except HistoryError as fault:
         note(str(fault))
         runs, taken_up = [], None
-    rows = (_row(each, [run for run in runs if run.counts and run.problem == each.id]) for each in problems)
+    rows = (row_of(each, [run for run in runs if run.counts and run.problem == each.id]) for each in problems)
     return tuple(rows), taken_up.problem if taken_up else ""
 
 
-def _row(problem: Problem, runs: Sequence[Run]) -> KataRow:
+def row_of(problem: Problem, runs: Sequence[Run]) -> KataRow:
     """How far these runs have come: a level counts once one run has passed all its groups."""
     solved = any(run.solved for run in runs)
     passed = [set(run.passed) for run in runs]
