@@ -2,16 +2,16 @@
 
     table.py        the commands: sentence, module, page of the manual, examples; old names
     app.py          loading a command when it is used, and how everything ends
-    options.py      options as fields of structs; judging_options.py: those of the commands that judge
+    options.py      options as fields of structs
     emit.py         a command's value to JSON, or to its view in judge/report
     commands/       the commands
     submissions.py  reading the files to judge; target.py: the files that options write
-    judging.py      what `judge run` and `judge watch` ask of `judge.judging`
-    picture.py, outputs.py
-                    what becomes of a result; kept.py: the history
-    kata.py         the kata in hand
-    asking.py       asking cards; drilling.py: how many are due
-    watching.py     a file under watch; watch_screen.py: the screen of `judge watch`
+    judging.py      what `judge run` and `judge start` ask of `judge.judging`
+    picture.py      the picture of a failing case; kept.py: the history
+    resolve.py      what words mean; the current kata of a folder
+    home.py         `judge` alone: where a person stands, and the next kata
+    asking.py       asking cards; drilling.py: those that are due
+    watching.py     a file under watch; watch_screen.py: the loop of `judge start`
     wish.py         what is asked for
     complete.py     what a shell completes
 

@@ -53,7 +53,7 @@ def drawings(
             recording.add(submission, result)
             said.say(result.notes)
             done += 1
-            yield Drawing(session.problem, session.data, result)
+            yield Drawing(session.problem, session.data, result, submission.source)
 
 
 def _results(

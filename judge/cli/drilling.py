@@ -17,16 +17,3 @@ def known_cards(found: Sequence[Review], folders: Sequence[Path]) -> list[Review
     decks, _ = read_decks(folders)
     keys = {card.key for deck in decks for card in deck.cards}
     return [review for review in found if review.name in keys]
-
-
-def cards_due(db: Path | None, folders: Sequence[Path]) -> int:
-    """How many cards are due today."""
-    from judge.cli.kept import history_at
-    from judge.kata.events import Answer, now
-    from judge.kata.review import card_reviews
-
-    with history_at(db, reading=True) as history:
-        answers = history.events(Answer)
-    today = now().astimezone()
-    found = card_reviews(answers)
-    return sum(review.is_due(today) for review in known_cards(found, folders)) if found else 0

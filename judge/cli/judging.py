@@ -1,4 +1,4 @@
-"""Judging submissions as a person has asked for it: the one way of `judge run` and `judge watch`.
+"""Judging submissions as a person has asked for it: the one way of `judge run` and `judge start`.
 
 Containers are started as early as can be: most of what judging and showing need is imported while they boot.
 """

@@ -14,8 +14,7 @@ from judge.errors import told
 from judge.problem import Problem
 from judge.problem.declare import Shown
 from judge.problem.model import case_of
-from judge.report.layout import Line
-from judge.report.screen import Screen, is_terminal, note
+from judge.report.screen import Screen, note
 from judge.run.result import Result
 
 if TYPE_CHECKING:
@@ -34,29 +33,12 @@ class Drawing(Struct, frozen=True):
     problem: Problem
     data: ProblemData
     result: Result
-
-    @property
-    def drawable(self) -> bool:
-        """Whether the problem has pictures of its cases."""
-        try:
-            return self.data.module.hooks.picture is not None
-        except Exception:  # its code fails: who asks for a picture is told
-            return False
+    source: bytes = b""
 
     @property
     def _has_any(self) -> bool:
         """Whether there may be something to draw: a case that failed, or how the time grows."""
         return self.result.failure is not None or self.result.time.growth is not None
-
-    def hurdle(self, width: int | None) -> list[Line]:
-        """What keeps the submission from running at all, if anything does."""
-        if self.result.hurdle is None:
-            return []
-        from judge.report.layout import Span, hanging
-        from judge.report.obstacle import obstacle_text  # most submissions run
-
-        text = obstacle_text(self.result, self.result.hurdle, self.problem)
-        return hanging(Span(""), Span(text), width, indent=2, column=2)
 
     def rows(self, screen: Screen) -> Callable[[int], Sequence[Text]] | None:
         """What draws it in so many rows; None where there is nothing to draw, or no room."""
@@ -90,46 +72,6 @@ class Drawing(Struct, frozen=True):
             return None
         exact, _ = self.data.exact(case_of(shown.input), group)
         return draw(Shown(self.problem, shown.input, exact, shown.expected, shown.got, shown.given, heading))
-
-    def lines(self, screen: Screen, rows: int | None = None) -> list[Line]:
-        """The drawing for a terminal, in about so many rows; nothing where it cannot be shown."""
-        if not self._has_any or self.result.hurdle is not None:
-            return []
-        from judge.report.picture import has_room, picture_lines
-
-        try:
-            picture = self.picture() if has_room(screen) else None
-        except Exception as fault:  # the verdict is known, and worth more
-            note(f"the failing case is not drawn: {told(fault)}")
-            return []
-        return list(picture_lines(picture, rows)) if picture else []
-
-    def beside(
-        self,
-        laid: Callable[[Sequence[Line]], list[Line]],
-        screen: Screen,
-        *,
-        wanted: bool = False,
-        spare: int = 1,
-    ) -> list[Line]:
-        """What `laid` makes of the drawing: all that is shown.
-
-        There is one where the screen has room for both and so many rows more, and where it is `wanted`.
-        """
-        bare = laid(())
-        failed = self.result.failure is not None
-        shown = wanted or (failed and is_terminal(screen.stream))
-        if not self._has_any or self.result.hurdle or not shown:
-            return bare
-        from judge.report.glance import taken
-        from judge.report.picture import LEAST_ROWS
-        from judge.report.terminal import height
-
-        left = height(screen) - spare - taken(bare, screen.width) - 1
-        if not wanted and left < LEAST_ROWS:
-            return bare
-        drawn = self.lines(screen, left)
-        return laid(drawn) if drawn else bare
 
     def save(self, path: Path | None) -> None:
         """Write the SVG, if one was asked for. Raises UsageError where that cannot be done."""

@@ -18,17 +18,14 @@ class Entry(NamedTuple):
     examples: tuple[str, ...]
 
 
-# heading of `judge --help` -> its commands; the last two are only named there
+# heading of `judge --help` -> its commands; the last ones are only named there
 HEADINGS: Mapping[str, Mapping[str, Entry]] = {
     "Practise": {
-        "init": Entry(
-            "Begin a kata: write the file for your solution.",
+        "start": Entry(
+            "Start or resume a kata, and judge it on every save.",
             "start",
-            "init",
-            (
-                "judge init count",
-                "judge init count my-count.py",
-            ),
+            "start",
+            ("judge start", "judge start count --no-watch"),
         ),
         "run": Entry(
             "Judge files once.",
@@ -178,26 +175,6 @@ HEADINGS: Mapping[str, Mapping[str, Entry]] = {
             ("judge doctor", "judge doctor --languages"),
         ),
     },
-    "Also": {
-        "next": Entry(
-            "Go on to the next kata.",
-            "start",
-            "next",
-            (
-                "judge next",
-                "judge next --init",
-            ),
-        ),
-        "watch": Entry(
-            "Judge a file again on every save.",
-            "start",
-            "watch",
-            (
-                "judge watch",
-                "judge watch count.py",
-            ),
-        ),
-    },
 }
 COMMANDS: Mapping[str, Entry] = {name: entry for rows in HEADINGS.values() for name, entry in rows.items()}
 
@@ -206,6 +183,10 @@ OLD: Mapping[str, tuple[str, ...]] = {
     "stress": ("run", "--fresh", "30s"),
     "due": ("progress", "--due"),
     "report": ("progress", "--html"),
+    "init": ("start", "--no-watch"),
+    "watch": ("start",),
+    "next": ("start",),
+    "practice": ("list",),
     "why": ("show", "--groups"),
     "data": ("export", "--format", "files"),
     "replay": ("try",),
@@ -220,4 +201,4 @@ GONE: Mapping[str, str] = {
 }
 
 # words that people try -> the command that they mean, where no name is near
-LIKE: Mapping[str, str] = {"submit": "run", "test": "run", "check": "run", "judge": "run", "start": "init"}
+LIKE: Mapping[str, str] = {"submit": "run", "test": "run", "check": "run", "judge": "run"}

@@ -1,57 +1,101 @@
-"""The screen of `judge watch`: the last verdict, what is asked for by a key, and the keys."""
+"""The loop of `judge start` on a terminal: the last verdict, what a key asks for, and the keys."""
 
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Sequence
-from contextlib import ExitStack, closing, redirect_stderr
+import tempfile
+import threading
+import time
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import ExitStack, closing, contextmanager, redirect_stderr
 from io import StringIO
-from pathlib import Path
 from queue import SimpleQueue
+from types import FrameType
+from typing import TYPE_CHECKING, NoReturn
 
 from judge.cli.hints import next_hint, note_seen
-from judge.cli.kata import Kata, next_problem, take_up, the_path, write_stub
+from judge.cli.home import next_kata, set_of, solved_katas
+from judge.cli.kept import history_at
+from judge.cli.options import Common
 from judge.cli.picture import Drawing
-from judge.cli.watching import WatchedFile, await_event, handled
+from judge.cli.watching import Kata, WatchedFile, await_event, handled, take_up
 from judge.cli.wish import Wish
-from judge.errors import ExitCode, JudgeError
+from judge.errors import JudgeError
+from judge.judging.job import RunOptions
 from judge.kata.saves import Saves
-from judge.kata.stub import file_name
-from judge.report.layout import Line, Style, line
+from judge.kata.stub import make_stub, write_stub
+from judge.languages import file_name, language_of
+from judge.problem import Problem
+from judge.problem.find import sound_problems
+from judge.report.layout import Style, line
 from judge.report.picture import has_room
-from judge.report.practice import practice_lines
-from judge.report.results import verdict_lines
+from judge.report.result import Shown, magnified, result, verdict_line
 from judge.report.screen import Screen, drawn, out
+from judge.report.statement import prose
+from judge.report.tell import Told, tell
 from judge.report.terminal import GONE, Keys, height, redraw, reprompt
 from judge.report.views import view
-from judge.report.watch import note_text, prompt_text, report_lines
+from judge.report.watch import begun_text, keys_text, note_text, place_text, waiting_text
+
+if TYPE_CHECKING:
+    from rich.console import Group
+
+    from judge.run.result import Failure, Result
 
 _SAVED, _RESIZED = "saved", "resized"
 _END = ("q", "\x04", GONE)
 _AGAIN = 2.0  # seconds that breaking off may take
+_TICK = 0.1  # seconds between two states of the line that says what is being judged
+_NO_CASE = "There is no failing case to draw."
 _BELOW = 2  # rows that the keys take, and one to spare
 
 View = Callable[[Screen], str]
 
 
-def watch_on_screen(kata: Kata, wish: Wish, folders: Sequence[Path]) -> ExitCode:
-    """Watch a kata, and those that are gone on to, until the person has enough."""
+def loop(kata: Kata, level: str | None, common: Common) -> None:
+    """Judge a kata on every save, and those that are gone on to, until the person has enough."""
     screen = out()
     screen.write("\n" * (height(screen) - 1))  # what stood there can be scrolled back to
     following: Kata | None = kata
-    while following is not None:
-        following = _WatchScreen(following, wish, folders).watch()
-    return ExitCode.ACCEPTED
+    with handled(dict.fromkeys(("SIGTERM", "SIGHUP"), _leave)):
+        while following is not None:
+            following = _Loop(following, level, common).watch()
 
 
-class _WatchScreen:
+def _leave(number: int, _frame: FrameType | None) -> NoReturn:
+    """End like any program that was asked to, but after clearing up."""
+    raise SystemExit(128 + number)
+
+
+@contextmanager
+def _waiting(screen: Screen, file: str) -> Iterator[None]:
+    """Say below what is seen what is being judged, and for how long, while the block runs."""
+    over = threading.Event()
+
+    def tell() -> None:
+        begun = time.monotonic()
+        while True:
+            reprompt(screen, waiting_text(file, time.monotonic() - begun, screen))
+            if over.wait(_TICK):
+                return
+
+    thread = threading.Thread(target=tell, name="waiting", daemon=True)
+    thread.start()
+    try:
+        yield
+    finally:
+        over.set()
+        thread.join()
+
+
+class _Loop:
     """One kata on the screen."""
 
-    def __init__(self, kata: Kata, wish: Wish, folders: Sequence[Path]) -> None:
-        self._kata = kata
-        self._wish = wish
-        self._folders = folders
-        self._file = WatchedFile(kata, wish)
+    def __init__(self, kata: Kata, level: str | None, common: Common) -> None:
+        self._kata, self._level, self._common = kata, level, common
+        options = RunOptions(isolation=common.isolation, level=level)
+        self._file = WatchedFile(kata, Wish(options, db=common.db))
+        self._stub = make_stub(kata.problem, language_of(kata.path)).encode()
         self._events: SimpleQueue[str] = SimpleQueue()
         self._found: Drawing | str = ""
         self._notes = ""
@@ -109,24 +153,48 @@ class _WatchScreen:
         return None
 
     def _judge(self) -> None:
+        """Judge what stands in the file, unless that is still the stub."""
+        if self._is_stub():
+            self._found, self._notes = "", ""
+            self._show(self._begun)
+            return
         screen = out()
-        busy = note_text(f"judging {self._kata.name} …", screen, Style.FAINT).splitlines()[0]
-        if self._found:
-            reprompt(screen, busy)
-        else:
-            problem = self._kata.problem
-            redraw(screen, note_text(f"{problem.id}: {problem.title}", screen, Style.STRONG) + "\n", busy)
+        if not self._found:
+            redraw(screen, drawn(self._place(screen), screen), "")
         notes = StringIO()
         found: Drawing | str | None = None
         with self._file.judging:
             if not self._leaving:
-                with redirect_stderr(notes):  # which would be drawn over; a progress bar does without
+                with _waiting(screen, self._kata.name), redirect_stderr(notes):  # a bar would be drawn over
                     found = self._file.judge()
         if found is None:  # what was judged is out of date: what is there now comes next
             return
         self._found, self._notes = found, notes.getvalue()
-        self._view, self._asked = self._report, ""
-        self._draw()
+        self._asked = ""
+        self._show(self._report)
+
+    def _is_stub(self) -> bool:
+        try:
+            return self._kata.path.read_bytes() == self._stub
+        except OSError:  # judging says so
+            return False
+
+    def _begun(self, screen: Screen) -> str:
+        """The kata, whose file is still to be written."""
+        rows = height(screen) - _BELOW
+        return begun_text(self._place(screen), self._kata.problem, self._kata.name, screen, rows)
+
+    def _place(self, screen: Screen) -> Group:
+        problem, (problems, solved) = self._kata.problem, self._katas()
+        mine = len(solved & {each.id for each in problems})
+        found = set_of(problem.id, problems, self._common.problems)
+        return place_text(problem, found, mine, len(problems), screen)
+
+    def _katas(self) -> tuple[Sequence[Problem], set[str]]:
+        """All katas, and those that are solved."""
+        with history_at(self._common.db, reading=True) as history:
+            solved = solved_katas(history)
+        return sound_problems(self._common.problems)[0], solved
 
     def _key(self, key: str) -> Kata | None:
         """Do what a key says; the kata to go on to, if it says so."""
@@ -134,8 +202,8 @@ class _WatchScreen:
         try:
             if key == "n":
                 return self._next(confirmed=asked == "n")
-            if key == "r":
-                self._judge()
+            if key == "x":
+                self._start_over(confirmed=asked == "x")
             elif key in _VIEWS:
                 self._show(_VIEWS[key](self))
         except JudgeError as fault:
@@ -144,57 +212,67 @@ class _WatchScreen:
 
     def _next(self, *, confirmed: bool) -> Kata | None:
         """The kata to go on to; one that is not solved is only left when that is asked for twice."""
-        problem = self._kata.problem
+        problem, common = self._kata.problem, self._common
         if not (confirmed or self._solved()):
-            self._asked = "n"
-            self._say(f"{problem.id} is not solved yet; n once more leaves it for now")
+            self._ask_again("n", "Not solved yet. Press n again to skip it.")
             return None
-        following = next_problem(problem.id, the_path(self._folders, self._wish.db)[1])
+        problems, solved = self._katas()
+        following = next_kata(problem.id, problems, common.problems, solved)
         if following is None:
-            self._say("every other kata of the path is passed", Style.GOOD)
+            self._say("All other katas are solved.", Style.GOOD)
             return None
-        kata = Kata(following, self._kata.path.with_name(file_name(following)))
+        kata = Kata(following, self._kata.path.with_name(file_name(following.id.replace("-", "_"))))
         if not kata.path.exists():
             write_stub(following, kata.path)
-        if self._wish.kept:
-            take_up(kata, self._wish.db)
+        take_up(kata, common.db)
         return kata
+
+    def _start_over(self, *, confirmed: bool) -> None:
+        """Write the stub again, once that is asked for twice."""
+        if not confirmed:
+            self._ask_again("x", "Start over? Your text will be kept as a .bak file. Press x again.")
+            return
+        write_stub(self._kata.problem, self._kata.path, over=True)
 
     def hint(self) -> View:
         """The next hint."""
-        hint = next_hint(self._kata.problem, self._wish.db)
-        note_seen(hint, self._wish.db)
+        hint = next_hint(self._kata.problem, self._common.db)
+        note_seen(hint, self._common.db)
         return lambda screen: drawn(view(hint, screen), screen)
 
-    def path(self) -> View:
-        """The path, and how far one is."""
-        path, katas = the_path(self._folders, self._wish.db)
-        in_hand = self._kata.problem.id
-        return lambda screen: screen.text(practice_lines(path, katas, in_hand, screen.width))
+    def statement(self) -> View:
+        """The statement."""
+        return lambda screen: drawn(prose(self._kata.problem.statement, screen), screen)
 
-    def why(self) -> View:
-        """What the failing group shows, and the mistakes that it rejects."""
-        problem = self._kata.problem
-        failure = None if isinstance(self._found, str) else self._found.result.failure
-        group = problem.group(failure.group) if failure and failure.group else None
-        if group is None:
-            text = f"no test group fails; judge show {problem.id} --groups lists them all"
-            return lambda screen: note_text(text, screen)
-        from judge.report.katas import group_details  # which imports rich
+    def katas(self) -> View:
+        """The katas by set."""
+        from judge.cli.commands.look import ListAsk, listed
+        from judge.report.katas import kata_list
 
-        return lambda screen: drawn(group_details(problem, [group]), screen)
+        found = listed(None, ListAsk(), self._common)
+        return lambda screen: drawn(kata_list(found, screen), screen)
 
     def picture(self) -> View:
-        """The failing case, drawn."""
+        """The failing case, drawn below its arguments."""
         found = self._found
+        if isinstance(found, str):
+            return lambda screen: note_text(_NO_CASE, screen)
+        return lambda screen: picture_text(found, screen, _BELOW + 2)
 
-        def shown(screen: Screen) -> str:
-            if not has_room(screen):
-                return note_text("a picture wants a terminal of 60 columns that knows braille", screen)
-            lines = [] if isinstance(found, str) else found.lines(screen, height(screen) - _BELOW - 2)
-            return screen.text(lines) if lines else note_text("there is no failing case to draw", screen)
+    def browser(self) -> View:
+        """The failing case on a page where it can be dragged, opened in the browser."""
+        found = self._found
+        explore = None if isinstance(found, str) else found.data.module.hooks.explore
+        case = None if isinstance(found, str) else smallest(found.result)
+        page = explore(self._kata.problem, case.input if case else None) if explore else None
+        if page is None:
+            return lambda screen: note_text(f"There is no page for {self._kata.problem.id} yet.", screen)
+        import click
 
-        return shown
+        with tempfile.NamedTemporaryFile("w", suffix=".html", delete=False, encoding="utf-8") as file:
+            file.write(page)
+        click.launch(file.name)
+        return lambda screen: note_text(f"Opened {file.name}", screen, Style.FAINT)
 
     def report(self) -> View:
         """What judging came to."""
@@ -203,22 +281,20 @@ class _WatchScreen:
     def _report(self, screen: Screen) -> str:
         if isinstance(self._found, str):
             return note_text(self._found, screen)
-        found, spare = self._found, _BELOW + self._notes.count("\n")
-        rows, hurdle = height(screen) - spare, found.hurdle(screen.width)
-
-        def laid(drawn: Sequence[Line]) -> list[Line]:
-            return report_lines(found.result, screen, rows, drawn, hurdle)
-
-        return screen.text(found.beside(laid, screen, spare=spare))
+        return result_text(self._found, screen, _BELOW + self._notes.count("\n"))
 
     def _end(self, screen: Screen) -> str:
         """The last lines, whatever else is shown: the verdict."""
         if isinstance(self._found, str):
-            return note_text(self._found, screen)
-        return screen.text(verdict_lines(self._found.result, screen.width, alone=True))
+            return note_text(self._found, screen) if self._found else ""
+        return drawn(verdict_line(told_of(self._found), self._kata.name), screen)
 
     def _solved(self) -> bool:
         return not isinstance(self._found, str) and self._found.result.solved
+
+    def _ask_again(self, key: str, text: str) -> None:
+        self._asked = key
+        self._say(text)
 
     def _say(self, text: str, style: Style = Style.WARNING) -> None:
         self._show(lambda screen: note_text(text, screen, style))
@@ -231,16 +307,44 @@ class _WatchScreen:
         """All of it at once; the verdict is last, above the keys."""
         screen = out()
         parts = [screen.text(line(row) for row in self._notes.splitlines()), self._view(screen)]
-        if self._view != self._report:
-            parts += ["" if parts[-1].endswith("\n\n") else "\n", self._end(screen)]
-        redraw(screen, "".join([*parts, "\n"]), prompt_text(screen))
+        if self._view != self._report and (end := self._end(screen)):
+            parts += ["" if parts[-1].endswith("\n\n") else "\n", end]
+        failed = not isinstance(self._found, str) and self._found.result.failure is not None
+        redraw(screen, "".join([*parts, "\n"]), keys_text(screen, failed=failed))
 
 
-_VIEWS: dict[str, Callable[[_WatchScreen], View]] = {
-    "h": _WatchScreen.hint,
-    "l": _WatchScreen.path,
-    "w": _WatchScreen.why,
-    "p": _WatchScreen.picture,
-    " ": _WatchScreen.report,
-    "\n": _WatchScreen.report,
+def smallest(result: Result) -> Failure | None:
+    """The smallest case that fails, of those whose arguments are known."""
+    return next((each for each in (result.counterexample, result.failure) if each and each.input), None)
+
+
+def picture_text(found: Drawing, screen: Screen, spare: int) -> str:
+    """The failing case and its picture, which leave so many rows of the terminal free."""
+    if not has_room(screen):
+        return note_text("A picture needs a terminal of 60 columns that knows braille.", screen)
+    drawing = found.rows(screen)
+    if drawing is None:
+        return note_text(_NO_CASE, screen)
+    return drawn(magnified(told_of(found), drawing, height(screen) - spare, screen.width), screen)
+
+
+def result_text(found: Drawing, screen: Screen, spare: int) -> str:
+    """A result that leaves so many rows of the terminal free."""
+    shown = Shown(told_of(found), found.result.submission, drawing=found.rows(screen), commands=False)
+    return drawn(result(shown, screen, height(screen) - spare), screen)
+
+
+def told_of(found: Drawing) -> Told:
+    """The result in words."""
+    return tell(found.problem, found.result, found.source)
+
+
+_VIEWS: dict[str, Callable[[_Loop], View]] = {
+    "h": _Loop.hint,
+    "s": _Loop.statement,
+    "l": _Loop.katas,
+    "p": _Loop.picture,
+    "e": _Loop.browser,
+    " ": _Loop.report,
+    "\n": _Loop.report,
 }

@@ -6,21 +6,50 @@ import signal
 import threading
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
+from pathlib import Path
 from queue import Empty, SimpleQueue
 from types import FrameType
 from typing import TYPE_CHECKING, Any
 
+from msgspec import Struct
+
 from judge.cli.judging import Sitting
-from judge.cli.kata import Kata
+from judge.cli.resolve import folder_to_keep, shown
 from judge.cli.submissions import read_submissions
 from judge.cli.wish import Wish
-from judge.errors import JudgeError, UsageError
+from judge.errors import HistoryError, JudgeError, UsageError
 from judge.kata.saves import SavedMark, mark, settled
+from judge.problem import Problem
+from judge.report.screen import note
 
 if TYPE_CHECKING:
     from judge.cli.picture import Drawing
 
 _LOOK = 1.0  # seconds after which the file is looked at even if nothing was told of it
+
+
+class Kata(Struct, frozen=True):
+    """A kata and the file that is to solve it, from the root."""
+
+    problem: Problem
+    path: Path
+
+    @property
+    def name(self) -> str:
+        """The file as a person would name it from here."""
+        return shown(self.path)
+
+
+def take_up(kata: Kata, db: Path | None) -> None:
+    """Note that the kata was started; a history that fails does not stand in the way."""
+    from judge.cli.kept import history_at
+    from judge.kata.events import Started
+
+    try:
+        with history_at(db) as history:
+            history.keep(Started(kata.problem.id, str(kata.path), folder_to_keep(kata.problem)))
+    except HistoryError as fault:
+        note(f"not kept in the history: {fault}")
 
 
 class Judging:

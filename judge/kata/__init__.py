@@ -1,6 +1,6 @@
 """Practice: what was judged before, what it shows that a person can do, and what to do next.
 
-    history.py      every run and its source, the kata in hand, the help that was taken
+    history.py      every run and its source, the files that were started, the help that was taken
     database.py     opening the SQLite file behind it, and its faults as one line each
     migrations.py   the numbered steps from an empty file to today's tables
 

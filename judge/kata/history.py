@@ -28,6 +28,7 @@ from judge.errors import HistoryError, UsageError
 from judge.folders import user_data
 from judge.kata.events import DAMAGE, TABLES, Event, Kind, Run, Started, columns, from_row, to_row
 from judge.problem import Verdict
+from judge.problem.solutions import is_solution
 from judge.reading import read_ordinary
 from judge.run.result import Result
 
@@ -72,6 +73,12 @@ STEPS: tuple[tuple[str, ...], ...] = (
         "DROP TABLE current",
     ),
 )
+_PLACE = ("time", "problem", "path", "problems")
+_PLACES = """
+    SELECT max(id), max(time), problem, path, max(problems) FROM (
+        SELECT id, time, problem, path, problems FROM started UNION ALL
+        SELECT id, time, problem, path, x'' FROM runs WHERE path <> x'' AND verdict <> 'JE')
+    GROUP BY problem, path ORDER BY max(time) DESC, max(id) DESC"""
 _BESIDE = ("-wal", "-shm", "-journal", "")  # what SQLite keeps with a file, and the file itself
 _HEAD, _APPLICATION = 100, 68  # bytes of SQLite's header; where it names the application
 _MOST = 2**63 - 1  # what SQLite can be asked for
@@ -193,9 +200,21 @@ class History:
         except DAMAGE as fault:  # it is not there, or no judge wrote it
             raise HistoryError(f"the source of run {number} is damaged", where=str(self.path)) from fault
 
-    def current(self) -> Started | None:
-        """The kata that was taken up last, if there is one."""
-        return next(iter(self.events(Started, limit=1)), None)
+    def places(self) -> list[Started]:
+        """Every file that was started or judged, the last one first, each once; model solutions are not."""
+
+        def read(connection: sqlite3.Connection) -> list[tuple[Any, ...]]:
+            return connection.execute(_PLACES).fetchall()
+
+        found = []
+        for number, *row in self._do(read):
+            with contextlib.suppress(*DAMAGE):
+                place = from_row(Started, dict(zip(_PLACE, row, strict=True)))
+                if not is_solution(place.path, place.problem):
+                    found.append(place)
+                continue
+            self.left_out.add(("started", number))
+        return found
 
     def _rows(self, kind: type[Event], which: str, *values: object) -> list[dict[str, Any]]:
         names = ["id", *columns(kind)]

@@ -230,7 +230,7 @@ def assess(
             made[run.problem].update(_mistakes(run))
     found = standings(runs)
     katas = {
-        each.id: Evidence(Kind.KATA, each.id, f"judge init {each.id}", found.get(each.id, Standing()).passed)
+        each.id: Evidence(Kind.KATA, each.id, f"judge start {each.id}", found.get(each.id, Standing()).passed)
         for each in problems
     }
     skilled = {each.name: _of_skill(each) for each in skills}
@@ -353,7 +353,7 @@ def _question(row: Row, section: str, by: tuple[Evidence, ...]) -> Question:
 def _of_skill(skill: SkillProgress) -> Evidence:
     needs = skill.needs
     drilled = next((need.problem for need in needs if need.since is None or need.lost), needs[0].problem)
-    return Evidence(Kind.SKILL, skill.name, f"judge init {drilled}", skill.since, skill.state is State.LOST)
+    return Evidence(Kind.SKILL, skill.name, f"judge start {drilled}", skill.since, skill.state is State.LOST)
 
 
 def _of_hacks(row: Row, hacks: Iterable[Hack], problems: Collection[str]) -> Iterator[Evidence]:

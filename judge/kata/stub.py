@@ -11,11 +11,16 @@ import ast
 import re
 import textwrap
 from collections.abc import Callable, Iterable, Iterator
+from itertools import count
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from judge.atomic import new_file, replace_file
 from judge.errors import ProblemError, UsageError
 from judge.languages import file_name as program_name
+from judge.languages import language_of
 from judge.problem import Example, Problem
+from judge.reading import read_ordinary
 from judge.values import parameters
 
 if TYPE_CHECKING:
@@ -39,6 +44,51 @@ def usual_name(problem: str) -> str:
     return program_name(problem.replace("-", "_"))
 
 
+def write_stub(problem: Problem, path: Path, *, over: bool = False) -> Path | None:
+    """Write the problem's stub, in the language that the file's name says; in Python where it says none.
+
+    Where there is a file, that is written over only with `over`: its text is kept beside it as FILE.bak, and
+    that path is returned.
+
+    Raises:
+        UsageError: there is a file, or none can be written there.
+        ProblemError: no stub can be made of the problem.
+    """
+    text = make_stub(problem, language_of(path)).encode()
+    where, kept = str(path), None
+    try:
+        if not path.name or path.is_dir():
+            raise UsageError("this is a folder", where=where or "''", remedy="name a file in it")
+        if over and path.exists():
+            old = read_ordinary(path)
+            if old != text:
+                kept = _kept_beside(path, old)
+                replace_file(path, text)
+        else:
+            new_file(path, text)
+    except FileExistsError as fault:
+        raise UsageError(f"{where} exists. Start over: add --reset") from fault
+    except FileNotFoundError as fault:
+        remedy = f"make the folder {path.parent} first"
+        raise UsageError("its folder does not exist", where=where, remedy=remedy) from fault
+    except (OSError, ValueError) as fault:  # ValueError: a NUL in the name
+        reason = (getattr(fault, "strerror", None) or str(fault)).lower()
+        raise UsageError(f"cannot be written ({reason})", where=where, remedy="name another file") from fault
+    return kept
+
+
+def _kept_beside(path: Path, text: bytes) -> Path:
+    """Write a file's text beside it, over no other: FILE.bak, FILE.bak-2 and so on. Raises OSError."""
+    for number in count(1):
+        kept = path.with_name(f"{path.name}.bak" + (f"-{number}" if number > 1 else ""))
+        try:
+            new_file(kept, text)
+        except FileExistsError:
+            continue
+        return kept
+    raise AssertionError
+
+
 def make_stub(problem: Problem, language: Language | None = None) -> str:
     """The text of the stub in that language, or in Python.
 
@@ -50,7 +100,7 @@ def make_stub(problem: Problem, language: Language | None = None) -> str:
         *_wrapped(f"{problem.id}: {problem.title}.", _WIDTH - len(_QUOTES)),
         "",
         f"`judge show {problem.id}` shows the whole statement, `judge hint` the next hint.",
-        "`judge watch` judges this file on every save.",
+        f"`judge start {problem.id}` judges this file on every save.",
     ]
     return _python(problem, about) if language is None else _native(problem, language, about)
 

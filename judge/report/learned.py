@@ -101,7 +101,7 @@ def _now(found: ProgressPage) -> Iterator[tuple[Cell, Cell]]:
     if following := found.shown.next:
         skill = f"; new: {following.skill}" if following.skill else ""
         about = f"  {following.title}{skill}"
-        yield text("next", STRONG), joined(f"judge init {following.problem}", text(about, FAINT))
+        yield text("next", STRONG), joined(f"judge start {following.problem}", text(about, FAINT))
 
 
 def _points(tried: Unfinished) -> str:
@@ -216,7 +216,7 @@ def due(found: DueShown, _screen: Screen) -> RenderableType:
             text(f"Due today: {counted(len(found.due), 'kata')}", STRONG),
             _reviews(found.due, found.time),
         ]
-        parts += [commands([(f"judge init {first} {fresh}", "write it again, from an empty file")]), Text()]
+        parts += [commands([(f"judge start {first} {fresh}", "write it again, from an empty file")]), Text()]
     elif found.later:
         parts.append(joined(text("Nothing is due today.", GOOD), " Next:"))
     elif not found.now:

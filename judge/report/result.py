@@ -49,6 +49,7 @@ class Shown(Struct, frozen=True):
     groups: tuple[GroupResult, ...] = ()
     drawing: Drawing | None = None
     after: RenderableType | None = None
+    commands: bool = True  # whether those that go on from a failure are shown
 
 
 class _Cut(Struct, frozen=True):
@@ -141,8 +142,14 @@ def _parts(shown: Shown, cut: _Cut, width: int | None) -> Iterator[RenderableTyp
         yield indented(facts([("fails", ", ".join(told.fails) + more)]))
     if shown.after is not None:
         yield shown.after
-    elif told.commands:
+    elif told.commands and shown.commands:
         yield indented(commands(told.commands))
+
+
+def magnified(told: Told, drawing: Drawing, rows: int, width: int | None) -> RenderableType:
+    """The failing case, and its picture as large as so many rows allow, beside it or below it."""
+    case = _case(told, _Cut(values=2), width)
+    return indented(_with_picture(case, drawing, _Cut(picture=max(_LEAST, rows - 2)), width))
 
 
 def _case(told: Told, cut: _Cut, width: int | None) -> RenderableType:

@@ -16,6 +16,8 @@ if TYPE_CHECKING:
 
 # the name of a value's class -> the module in judge/report, and the function in it
 VIEWS: Mapping[str, tuple[str, str]] = {
+    "Home": ("home", "home"),
+    "Begun": ("home", "begun"),
     "KataList": ("katas", "kata_list"),
     "KataShown": ("katas", "kata_shown"),
     "NewKata": ("setter", "new_kata"),

@@ -1,53 +1,83 @@
-"""What is seen of a kata while it is watched, as text for a screen: the verdict last, and the keys below."""
+"""What `judge start` shows on a terminal: the kata that was started, a result, and the keys below them."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from rich.console import Group
+from rich.text import Text
 
-from judge.report.glance import glance_lines
-from judge.report.layout import Line, Span, Style, hanging, line
-from judge.report.screen import Screen
-from judge.run.result import Result
+from judge.kata.sets import PracticeSet
+from judge.problem import Problem
+from judge.report.layout import Span, Style, hanging, line
+from judge.report.names import shown_name
+from judge.report.parts import FAINT, STRONG, bar, text
+from judge.report.screen import Screen, drawn
+from judge.report.statement import prose
+from judge.report.values import counted
 
 _KEYS = {
     "n": "next",
     "h": "hint",
+    "s": "statement",
     "l": "list",
-    "w": "why",
     "p": "picture",
-    "r": "run again",
+    "e": "browser",
+    "x": "start over",
     "q": "quit",
 }
+_OF_A_CASE = "pe"  # keys that need a case that failed
 
 
-def report_lines(
-    result: Result, screen: Screen, rows: int, drawing: Iterable[Line] = (), hurdle: Sequence[Line] = ()
-) -> list[Line]:
-    """The result in so many rows, with a drawing of its failing case."""
-    end = _onward(result, screen)
-    return glance_lines(result, screen.width, rows, hurdle=hurdle, drawing=drawing, end=end)
+def place_text(problem: Problem, found: PracticeSet | None, solved: int, katas: int, screen: Screen) -> Group:
+    """The kata's title, where it stands in its set, and how many are solved."""
+    said = ""
+    if found:
+        at = [each.id for each in found.problems].index(problem.id) + 1
+        said = f"{found.title.lower()}, kata {at} of {len(found.problems)}"
+    head = text(f"{problem.id}  {problem.title}", STRONG)
+    room = (screen.width or 80) - head.cell_len - len(said)
+    rows = [Text.assemble(head, " " * room, (said, FAINT))] if room > 1 else [head, text(said, FAINT)]
+    return Group(*rows, bar(solved, katas, f"{solved} of {counted(katas, 'kata')}", screen.width))
 
 
-def note_text(text: str, screen: Screen, style: Style = Style.WARNING) -> str:
+def begun_text(place: Group, problem: Problem, file: str, screen: Screen, rows: int) -> str:
+    """The kata before its file is written, in so many rows: the task as far as there is room."""
+    task = drawn(prose(_task(problem.statement), screen), screen).splitlines()
+    head = drawn(
+        Group(place, Text(), text(f"  Created {shown_name(file)}. Open it in your editor."), Text()), screen
+    )
+    end = drawn(Group(Text(), text("  Write the function, then save. I judge it on every save.")), screen)
+    room = max(rows - head.count("\n") - end.count("\n"), 2)
+    if len(task) > room:
+        task = [*task[: room - 1], drawn(text("  … press s for the rest", FAINT), screen).rstrip("\n")]
+    return head + "".join(f"{row}\n" for row in task) + end
+
+
+def _task(statement: str) -> str:
+    """A statement without its title, and without what follows the task."""
+    return statement.partition("\n")[2].partition("\n## ")[0].strip() + "\n"
+
+
+def note_text(said: str, screen: Screen, style: Style = Style.WARNING) -> str:
     """A sentence of the judge's own."""
-    return screen.text(hanging(Span(""), Span(text, style), screen.width, indent=0, column=0))
+    return screen.text(hanging(Span(""), Span(said, style), screen.width, indent=0, column=0))
 
 
-def prompt_text(screen: Screen) -> str:
+def waiting_text(file: str, seconds: float, screen: Screen) -> str:
+    """What is being judged, and for how long, on one line without its end."""
+    width = (screen.width or 80) - 1
+    said = f"judging {shown_name(file)}  {seconds:.1f} s"
+    return screen.text([line(Span(said[-width:], Style.FAINT))]).rstrip("\n")
+
+
+def keys_text(screen: Screen, *, failed: bool) -> str:
     """The keys on one line, without its end: what they do where there is room for it."""
     width = screen.width or 80
-    full = [(Span(key, Style.STRONG), f" {about}") for key, about in _KEYS.items()]
-    short = [(Span(key, Style.STRONG), f"){about.split()[0][1:]}") for key, about in _KEYS.items()]
-    bare = [(Span(key, Style.STRONG), "") for key in _KEYS]
+    shown = {key: about for key, about in _KEYS.items() if failed or key not in _OF_A_CASE}
+    full = [(Span(key, Style.STRONG), f" {about}") for key, about in shown.items()]
+    short = [(Span(key, Style.STRONG), f" {about.split()[0]}") for key, about in shown.items()]
+    bare = [(Span(key, Style.STRONG), "") for key in shown]
     for keys, gap in ((full, "   "), (full, "  "), (short, " "), (bare, " ")):
         spans = [part for key, about in keys for part in (gap, key, about)][1:]
         if sum(len(part if isinstance(part, str) else part.text) for part in spans) < width:
             break
     return screen.text([line(*spans)]).rstrip("\n")
-
-
-def _onward(result: Result, screen: Screen) -> list[Line]:
-    if not result.solved:
-        return []
-    text = f"n goes on to the next kata, judge solution {result.problem} explains a model solution"
-    return hanging(Span("then", Style.FAINT), Span(text), screen.width, indent=2, column=8)

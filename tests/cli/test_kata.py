@@ -1,4 +1,4 @@
-"""Beginning a kata, the one in hand, hints, the next one, a solution: what is kept, and where files are.
+"""Hints and solutions that were seen, katas of a pack, and katas of one's own.
 
 What these commands show is in the transcripts of `kata/`.
 """
@@ -26,16 +26,6 @@ def refused(ended, *words):
     assert ended.err.count("\n") == 1, ended.err
     for word in words:
         assert word in ended.err
-
-
-def test_the_kata_in_hand_is_judged_from_any_folder(judge, submit, tmp_path, monkeypatch):
-    judge("init", "middle")
-    submit(MEAN, "middle.py")
-    (tmp_path / "deeper").mkdir()
-    monkeypatch.chdir(tmp_path / "deeper")
-    assert str(tmp_path / "middle.py") in judge("run").out
-    (tmp_path / "middle.py").unlink()
-    refused(judge("run"), "middle.py", "'judge init middle")
 
 
 def test_what_was_seen_of_hints_and_solutions_is_kept(judge, submit):
@@ -72,21 +62,20 @@ def lone(pack, tmp_path, monkeypatch):
 
 
 def test_a_packs_kata_is_gone_on_with_by_every_command(lone, judge, submit):
-    assert judge("init", "middle", "--problems", lone).status == 0
+    assert judge("start", "middle", "--problems", lone).status == 0
     submit(FLOOR, "middle.py")
     assert judge("run", "-q").status == 1
     assert judge("hint").lines[0].endswith("middle, hint 1 of 3")
     submit(MEAN, "middle.py")
     assert judge("run", "-q").status == 0
     assert judge("solution").status == 0
-    assert judge("next").status == 0
 
 
 def test_a_kata_whose_pack_is_gone_says_where_it_was(lone, judge, tmp_path):
-    judge("init", "middle", "--problems", lone)
+    judge("start", "middle", "--problems", lone)
     (tmp_path / "elsewhere" / "pack").rename(tmp_path / "moved")
-    for words in (["run"], ["hint"], ["watch"]):
-        refused(judge(*words), f"{lone}: the problem of the kata in hand, middle, is not there", "--problems")
+    for words in (["run"], ["hint"], ["start"]):
+        refused(judge(*words), f"{lone}: the kata middle is not there any more", "--problems")
     assert judge("run", "-q", "--problems", tmp_path / "moved" / "problems").status == 1
 
 

@@ -49,7 +49,7 @@ def test_a_right_function_is_accepted(judge, submit, name):
 @pytest.mark.parametrize("name", daily(MEAN, ("cpp",)))
 def test_a_stub_compiles_and_fails_with_its_own_words(judge, name):
     language = need(name)
-    assert judge("init", "middle", "--language", name).status == 0
+    assert judge("start", "middle", "--language", name).status == 0
     ended = judge("run")
     assert ended.status == 1, ended
     assert ended.lines[0].startswith(f"RTE  Run-time error  middle{language.suffixes[0]}")

@@ -4,14 +4,12 @@ from __future__ import annotations
 
 import io
 import json
-import os
 import re
 import shutil
-import subprocess
 import sys
 
 import pytest
-from cli_support import FLOOR, MEAN, PACK, ROOT
+from cli_support import FLOOR, MEAN, PACK
 from sampling import daily
 
 from judge.cli.table import COMMANDS
@@ -22,9 +20,8 @@ pytestmark = pytest.mark.slow
 READ = {  # those that read what is kept of it, in the ways that could make a difference
     "list": ["list --json"],
     "show": ["show middle", "show middle --groups"],
-    "init": ["init middle new.py", "init middle other.py --force"],
+    "start": ["start middle new.py", "start middle other.py --reset", "start"],
     "hint": ["hint middle --all"],
-    "next": ["next", "next --init"],
     "history": ["history middle", "history --json"],
     "new": ["new problems/fresh-kata"],
     "doctor": ["doctor"],
@@ -63,7 +60,7 @@ def mark(tmp_path, monkeypatch):
 
 @pytest.fixture
 def practised(judge, mark, submit, tmp_path, monkeypatch):
-    """`middle`, whose problem.py leaves a mark: a kata in hand with a history, and no data in the cache.
+    """`middle`, whose problem.py leaves a mark: a current kata with a history, and no data in the cache.
 
     The id of a case that fails.
     """
@@ -77,7 +74,7 @@ def practised(judge, mark, submit, tmp_path, monkeypatch):
     monkeypatch.setenv("JUDGE_PROBLEMS", str(tmp_path / "pack" / "problems"))
     for source, name in ((MEAN, "mine.py"), (FLOOR, "floor.py"), (FLOOR, "homework/ada/middle.py")):
         submit(source, name)
-    for words in ("init middle other.py", "hint middle"):
+    for words in ("start middle other.py", "hint middle"):
         judge(*words.split())
     run = judge("run", "middle", "floor.py", "--json")
     shutil.rmtree(tmp_path / "cache" / "data")
@@ -94,7 +91,7 @@ def test_a_problem_is_run_when_it_is_first_read(judge, practised, mark, tmp_path
 
 
 def test_these_commands_only_read_it(judge, practised, mark):
-    assert {*READ, *RUN_IT, "watch"} == set(COMMANDS)
+    assert {*READ, *RUN_IT} == set(COMMANDS)
     more = [
         "solution middle --give-up",
         "progress",
@@ -113,17 +110,6 @@ def test_these_commands_run_it(command, judge, practised, mark, monkeypatch):
     monkeypatch.setattr(sys, "stdin", io.StringIO("?\n" * 3))
     ended = judge(*RUN_IT[command].format(id=practised).split())
     assert ended.status in ((0, 1, 3) if command == "verify" else (0, 1)), ended
-    assert mark.exists()
-
-
-@pytest.mark.nightly
-def test_watch_runs_it(practised, mark):
-    words = [sys.executable, "-m", "judge", "watch", "middle", "mine.py", "--json"]
-    environment = {**os.environ, "PYTHONPATH": str(ROOT)}
-    with subprocess.Popen(words, stdout=subprocess.PIPE, text=True, env=environment) as running:
-        assert running.stdout is not None
-        assert '"verdict": "AC"' in running.stdout.readline()
-        running.terminate()
     assert mark.exists()
 
 
@@ -170,5 +156,5 @@ def test_an_installed_pack_is_imported_where_its_name_is_looked_up(
 def test_the_manual_names_the_same_commands():
     readme = " ".join(page("sandbox").text.split())
     (told,) = re.findall(r"runs with your rights when you use ([^.]*)\.", readme)
-    assert set(re.findall(r"`(?:judge )?(\w+)`", told)) == {*RUN_IT, "watch"}
+    assert set(re.findall(r"`(?:judge )?(\w+)`", told)) == {*RUN_IT, "start"}
     assert "docker run --init" in readme

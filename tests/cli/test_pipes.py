@@ -43,10 +43,10 @@ def refused(ended, name, *words):
 def test_a_named_pipe_is_refused_before_it_is_opened(judge, named_pipe):
     for words in ("run middle pipe.py", "try middle 1 2 pipe.py"):
         refused(judge(*words.split()), "pipe.py", "named pipe", "<(command)")
-    refused(judge("watch", "middle", "pipe.py"), "pipe.py", "no ordinary file", "name the file to watch")
-    refused(judge("init", "middle", "pipe.py", "--force"), "pipe.py", "it is no ordinary file")
+    for more in ((), ("--reset",)):
+        refused(judge("start", "middle", "pipe.py", *more), "pipe.py", "not an ordinary file", "name a file")
     assert Path("pipe.py").is_fifo()
-    assert "no ordinary file" in patient("watch", "middle", shell="<(sleep 5 2> /dev/null)").err
+    assert "not an ordinary file" in patient("start", "middle", shell="<(sleep 5 2> /dev/null)").err
 
 
 def test_beside_other_files_it_is_a_row_and_they_are_judged(judge, named_pipe):

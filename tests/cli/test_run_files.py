@@ -109,8 +109,8 @@ def refused(ended, *words):
     ("words", "told"),
     [
         (["run", "middle", "a\0b"], "no such file"),
-        (["init", "middle", "a\0b"], "cannot be written"),
-        (["init", "middle", "x" * 3000], "cannot be written (file name too long)"),
+        (["start", "middle", "a\0b"], "cannot be written"),
+        (["start", "middle", "x" * 3000], "cannot be written (file name too long)"),
         (["progress", "--html", "--out", "x" * 300], "cannot be written (file name too long)"),
         (["new", "pack", "a" * 300], "cannot be written (file name too long); name another folder"),
     ],

@@ -148,7 +148,7 @@ def test_a_mistake_is_told_shrunk_and_named(folder, judge):
 
 
 def test_the_stub_and_the_statement_tell_the_types(judge, tmp_path):
-    assert judge("init", "oddness").status == 0
+    assert judge("start", "oddness").status == 0
     compile((tmp_path / "oddness.py").read_text(), "oddness.py", "exec")
     problem = json.loads(judge("show", "oddness", "--json").out)
     assert problem["answer"] == "[truth]"

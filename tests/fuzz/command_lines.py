@@ -109,7 +109,7 @@ def _odd(chance: random.Random) -> Run:
         checked = "_JUDGE_COMPLETE" not in settings and not {"--help", "-h"} & set(words)
     if words[:1] == ("verify",):  # the shipped problems take long, and have tests of their own
         words = (*(word for word in words if word not in _SHIPPED), "middle")
-    waits = words[:1] == ("watch",) or (words[:1] in (("quiz",), ("interview",)) and streams[0] == TERMINAL)
+    waits = words[:1] == ("start",) or (words[:1] in (("quiz",), ("interview",)) and streams[0] == TERMINAL)
     if waits:
         extra["interrupt"] = 1.0
     return Run(words, {"JUDGE_PROBLEMS": "../problems"} | settings, streams, checked=checked, **extra)

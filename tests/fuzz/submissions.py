@@ -144,7 +144,7 @@ def _runs(chance: random.Random, problem: str, groups: list[str]) -> list[Run]:
     if chance.random() < 0.1:
         name = f"batch/odd{chance.randrange(_BATCH)}.py"
         stressing = ("run", problem, name, "--json", "--fresh", "0.2s", "--seed", "7", *few, *level)
-        return [_one(stressing), _one(("watch", "--json", problem, name, *few, *level), interrupt=2.0)]
+        return [_one(stressing)]
     words = ["run", problem, "batch", *few, *level]
     words += ["--no-shrink"] if chance.random() < 0.7 else []
     words += ["--no-name"] if chance.random() < 0.92 else []  # else the known mistakes are judged too

@@ -5,7 +5,7 @@ A walk is a section of a page. Its steps are the fenced blocks, in order:
     … `name/of/file` …      a paragraph; the block below it is written into the first file it names
     ```diff                 or changes that file: the lines after - and a blank are found, and replaced
     ```console              lines `$ command` to be run, and below each what it shows, in parts or whole:
-    $ judge next            a line … stands for lines left out
+    $ judge start           a line … stands for lines left out
 
 Run as a script it goes all walks and writes what the commands show now into the pages.
 """

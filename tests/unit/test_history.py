@@ -126,7 +126,7 @@ def test_every_other_event_comes_back_as_it_was():
         for event in events:
             assert history.keep(event) >= 1
         assert [each for kind in KINDS for each in history.events(kind)] == events
-        assert history.current() == events[0]
+        assert history.places() == events[:1]
         assert [each.gave_up for each in history.events(Help, "count")] == [False, True]
         assert history.events(Help, "segment") == []
 
@@ -163,7 +163,7 @@ def test_only_a_whole_problem_is_solved_and_a_model_solution_says_nothing_of_the
 
 def test_it_is_where_the_settings_say_and_reading_makes_no_file(monkeypatch, tmp_path, own_history):
     with History.open(reading=True) as history:
-        assert (history.path, history.runs(), history.current()) == (own_history, [], None)
+        assert (history.path, history.runs(), history.places()) == (own_history, [], [])
     assert not own_history.parent.exists()
     other = tmp_path / "a" / "b" / "other ?#%.db"
     kept(other)
@@ -212,12 +212,12 @@ def test_an_older_judges_file_is_brought_up_to_date(version, own_history):
         run = history.run(1)
         assert (run.when, run.passed, run.failed, run.solved) == (START, ("a", "b"), (), True)
         assert history.source(1) == b"old"
-        begun = history.current()
-        assert (begun and (begun.problem, begun.path)) == (("segment", "/a.py") if version > 1 else None)
+        started = [("segment", "/a.py")] if version > 1 else []
+        assert [(each.problem, each.path) for each in history.places()] == [("segment", "/old.py"), *started]
         history.keep(Started("count", "/count.py"))
         assert counts(history) == [1, 1 + (version > 1), 0, 0, 0]
     with History.open() as history:
-        assert history.current().problem == "count"
+        assert history.places()[0].problem == "count"
 
 
 NEWER = len(STEPS) + 1

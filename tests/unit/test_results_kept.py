@@ -8,12 +8,12 @@ from xml.etree import ElementTree as Xml
 import msgspec
 import pytest
 from classes import ROWS
-from judge.report.formats import junit
 from msgspec.structs import replace
 from past_runs import past_result
 
 from judge.problem import Verdict
 from judge.problem.model import KataLevel
+from judge.report.formats import junit
 from judge.run.result import (
     Failure,
     GroupResult,

@@ -13,10 +13,9 @@ import click
 from msgspec import Struct
 from msgspec.structs import replace
 
-from judge.cli.fitting import problem_of_file, usual_file
-from judge.cli.kata import problem_in_hand, shown
 from judge.cli.kept import history_at
 from judge.cli.options import Common, command, opt, takes
+from judge.cli.resolve import kata_meant, problem_of_file, shown, usual_file
 from judge.cli.submissions import read_submissions
 from judge.cli.target import OutFile, svg_target
 from judge.data.given import example_of, line_of, read_case
@@ -152,14 +151,14 @@ def _meant(words: list[str], common: Common) -> _Meant:
         known = problem_of_file(read_submissions([file])[0], "try", common.problems, common.db)
     if not words:
         return _last_failed(known, file, common)
-    problem = known or problem_in_hand(None, common.problems, common.db)
+    problem = known or kata_meant(None, common)
     return _Meant(problem, read_case(problem, " ".join(words)), "", file or _own_file(problem, common))
 
 
 def _own_file(problem: Problem, common: Common) -> str | None:
     """The usual file of the kata in this folder, if it is there."""
     with suppress(UsageError):
-        return usual_file(problem.id, "try", common.db)
+        return usual_file(problem.id, common.db)
     return None
 
 
@@ -177,7 +176,7 @@ def _last_failed(problem: Problem | None, file: str | None, common: Common) -> _
                 break
             own = file or (near if near and Path(near).is_file() else None)
             return _Meant(problem, case_of(failure.input), failure.group or "", own)
-    return _Meant(problem or problem_in_hand(None, common.problems, common.db), None)
+    return _Meant(problem or kata_meant(None, common), None)
 
 
 def _said(tried: Tried, file: str, common: Common) -> Said:

@@ -12,9 +12,9 @@ import click
 from msgspec import Struct
 
 from judge.atomic import new_file, replace_file
-from judge.cli.kata import shown
 from judge.cli.kept import history_at
 from judge.cli.options import Common, command, opt, takes
+from judge.cli.resolve import shown
 from judge.cli.target import check_place
 from judge.errors import UsageError, unwritable
 from judge.kata.events import Run

@@ -15,14 +15,12 @@ from msgspec import Struct
 
 from judge.cli.asking import Round, StoppedError
 from judge.cli.commands.quiz import new_seed, shown_cards
-from judge.cli.kata import Kata, write_stub
 from judge.cli.kept import history_at
 from judge.cli.options import Common, command, opt, takes
-from judge.cli.outputs import show_result
 from judge.cli.submissions import read_submissions
 from judge.cli.target import OutFile
-from judge.cli.watching import WatchedFile
-from judge.cli.wish import Wish, named_problem
+from judge.cli.watching import Kata, WatchedFile
+from judge.cli.wish import Wish
 from judge.judging.job import RunOptions
 from judge.kata.events import Answer, Help, now
 from judge.kata.interview import Held, plan, usual_kata
@@ -31,11 +29,14 @@ from judge.kata.quiz.choose import to_practise
 from judge.kata.quiz.questions import Sources
 from judge.kata.review import card_reviews
 from judge.kata.sets import USUAL
+from judge.kata.stub import write_stub
 from judge.languages import file_name
+from judge.problem.find import find_problem
 from judge.report import quiz
+from judge.report.judged import Judged, judged
 from judge.report.progress import progress
 from judge.report.published_quiz import Interviewed, interviewed
-from judge.report.screen import Screen, drawn, err, is_terminal, note, out
+from judge.report.screen import Screen, drawn, err, is_terminal, note, out, show
 
 _LAST = 0.1  # of the time, kept for the cards after the kata
 _LOOK = 0.5  # seconds between two looks at the file
@@ -86,7 +87,7 @@ def interview(name: str, ask: InterviewAsk, common: Common) -> Iterator[Intervie
     with history_at(common.db) as history:
         today = now().astimezone()
         problem = (
-            named_problem(ask.kata, common.problems)
+            find_problem(ask.kata, common.problems)
             if ask.kata
             else usual_kata(name, history.runs(), history.events(Help), today, common.problems)
         )
@@ -166,7 +167,8 @@ class _Sitting:
         if self._common.json:
             note(f"{found.result.submission}: {found.result.verdict.value}")
         else:
-            show_result(found)
+            screen = self._asking.screen
+            show(judged(Judged(found.result, found.source, found.problem, found), screen), screen)
             self._asking.screen.write("\n")
         self.held = self.held.after(found.result)
 

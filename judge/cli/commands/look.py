@@ -11,6 +11,7 @@ from msgspec import Struct
 
 from judge.cli.kept import history_at
 from judge.cli.options import Common, command, opt, takes
+from judge.cli.resolve import current, this_folder
 from judge.errors import HistoryError, ProblemError, UsageError, nearest
 from judge.kata.sets import USUAL, sound_sets
 from judge.problem import Problem
@@ -43,8 +44,13 @@ def list_katas(name: str | None, ask: ListAsk, common: Common) -> KataList:
 
     Exit status: 0, 2 usage, 3 a kata cannot be read (the others are listed).
     """
+    return listed(name, ask, common)
+
+
+def listed(name: str | None, ask: ListAsk, common: Common) -> KataList:
+    """The katas by set, one set open. Raises UsageError for a name that no set has."""
     problems, faults = sound_problems(common.problems)
-    rows, current = _rows(problems, common.db)
+    rows, at = _rows(problems, common.db)
     sets, broken = _sets(problems, common.problems)
     for fault in (*faults, *broken):
         note(str(fault), Style.BAD)
@@ -53,24 +59,24 @@ def list_katas(name: str | None, ask: ListAsk, common: Common) -> KataList:
         meant = nearest(name, names)
         remedy = f"did you mean {meant}?" if meant else f"there are {', '.join(names)}"
         raise UsageError(f"There is no set {name!r}", remedy=remedy)
-    listed = sets if name == USUAL else tuple(each for each in sets if each.name != USUAL)
-    shown = name or ("" if common.json or ask.whole else _opened(listed, rows, current))
-    return KataList(listed, rows, shown, current, ask.todo, ask.whole, len(faults) + len(broken))
+    shown_sets = sets if name == USUAL else tuple(each for each in sets if each.name != USUAL)
+    shown = name or ("" if common.json or ask.whole else _opened(shown_sets, rows, at))
+    return KataList(shown_sets, rows, shown, at, ask.todo, ask.whole, len(faults) + len(broken))
 
 
 def _rows(problems: Sequence[Problem], db: Path | None) -> tuple[tuple[KataRow, ...], str]:
     """Each problem's row, and the current kata; a history that cannot be read counts as empty."""
     try:
         with history_at(db, reading=True) as history:
-            runs, taken_up = history.runs(), history.current()
+            runs, taken_up = history.runs(), current(this_folder(), history)
     except HistoryError as fault:
         note(str(fault))
         runs, taken_up = [], None
-    rows = (_row(each, [run for run in runs if run.counts and run.problem == each.id]) for each in problems)
+    rows = (row_of(each, [run for run in runs if run.counts and run.problem == each.id]) for each in problems)
     return tuple(rows), taken_up.problem if taken_up else ""
 
 
-def _row(problem: Problem, runs: Sequence[Run]) -> KataRow:
+def row_of(problem: Problem, runs: Sequence[Run]) -> KataRow:
     """How far these runs have come: a level counts once one run has passed all its groups."""
     solved = any(run.solved for run in runs)
     passed = [set(run.passed) for run in runs]
@@ -90,10 +96,10 @@ def _sets(
     return (*found, *([SetRow(_OTHERS, "Katas that are in no set.", others)] if others else ())), faults
 
 
-def _opened(sets: Sequence[SetRow], rows: Sequence[KataRow], current: str) -> str:
+def _opened(sets: Sequence[SetRow], rows: Sequence[KataRow], at: str) -> str:
     """The set of the current kata; failing that, the first with something to do."""
     todo = {row.problem for row in rows if not row.solved}
-    with_current: Iterator[str] = (each.name for each in sets if current in each.katas)
+    with_current: Iterator[str] = (each.name for each in sets if at in each.katas)
     with_todo: Iterator[str] = (each.name for each in sets if todo & {*each.katas})
     return next(with_current, None) or next(with_todo, sets[0].name if sets else "")
 

@@ -11,9 +11,9 @@ import click
 from msgspec import Struct
 
 from judge.cli.drilling import known_cards
-from judge.cli.kata import shown, tell_faults
 from judge.cli.kept import history_at
 from judge.cli.options import Common, command, opt, takes
+from judge.cli.resolve import shown
 from judge.cli.target import OutFile, moment
 from judge.errors import ProblemError, UsageError
 from judge.kata import events
@@ -80,7 +80,8 @@ def progress(name: str, ask: ProgressAsk, common: Common) -> Struct:
         if ask.due:
             return _due(history, common.problems)
         chosen = find_set(name, common.problems)
-        tell_faults(chosen)
+        for fault in chosen.faults:
+            note(str(fault), Style.BAD)
         problems, _ = sound_problems(common.problems)
         found, faults = read_progress(history, problems, common.problems)
         for fault in (*unknown_skills(chosen.problems, common.problems), *faults):

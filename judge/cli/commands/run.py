@@ -16,12 +16,11 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from judge.cli.duration import seconds_of
-from judge.cli.fitting import Task, assigned, split
-from judge.cli.kata import file_in_hand, problem_of
 from judge.cli.options import Common, command, opt, takes
-from judge.cli.submissions import Unjudged, gathered
+from judge.cli.resolve import Task, resolve
+from judge.cli.submissions import Unjudged
 from judge.cli.target import OutFile, check_svg
-from judge.cli.wish import Wish, named_problem
+from judge.cli.wish import Wish
 from judge.errors import ExitCode, JudgeError, UsageError, told
 from judge.judging.job import RunOptions
 from judge.problem.model import LEVELS, chosen_groups
@@ -104,12 +103,6 @@ def run(words: tuple[str, ...], ask: RunAsk, common: Common) -> Iterator[Struct]
 
     Exit status: 0 all accepted, 1 not accepted, 2 usage, 3 a fault of the judge or of a kata.
     """
-    if words:
-        name, files = split(words, "run", common.problems, common.db)
-        current = None
-    else:
-        current, file = file_in_hand(common.db)
-        name, files = current.problem, (file,)
     if common.json and ask.form != TEXT:
         raise UsageError(f"--json and --format {ask.form} contradict each other", remedy="leave one out")
     junit = (
@@ -119,12 +112,7 @@ def run(words: tuple[str, ...], ask: RunAsk, common: Common) -> Iterator[Struct]
     )
     if junit is not None:
         junit.check()
-    problem = None
-    if name is not None:
-        problem = problem_of(current, common.problems) if current else named_problem(name, common.problems)
-    submissions, unread = gathered(files, problem.id if problem else "")
-    tasks, unfit = assigned(submissions, problem, common.problems, common.db)
-    unjudged = [*unread, *unfit]
+    tasks, unjudged = resolve(words, common)
     total = len(unjudged) + sum(len(task.submissions) for task in tasks)
     if ask.svg is not None:
         check_svg(ask.svg, total)
@@ -230,7 +218,7 @@ def _shown(drawing: Drawing, source: bytes, total: int, several: int, ask: RunAs
     after: tuple[tuple[str, str], ...] = ()
     if drawing.result.solved and total == 1:
         name = drawing.problem.id
-        after = ((f"judge solution {name}", "the model solution"), ("judge next", "goes on to the next kata"))
+        after = ((f"judge solution {name}", "the model solution"), ("judge start", "the next kata"))
     return Judged(
         drawing.result,
         source,

@@ -9,11 +9,10 @@ from typing import TYPE_CHECKING, Annotated
 import click
 from msgspec import Struct
 
-from judge.cli.fitting import problem_meant
 from judge.cli.hints import hints_of, hints_seen, next_hint, note_seen
-from judge.cli.kata import problem_in_hand
 from judge.cli.kept import history_at
 from judge.cli.options import Common, command, opt, takes
+from judge.cli.resolve import kata_meant
 from judge.errors import UsageError
 from judge.kata.events import Help
 from judge.kata.model import approaches, chosen_approach
@@ -47,8 +46,7 @@ def hint(name: str | None, ask: HintAsk, common: Common) -> Iterator[HintShown]:
     """
     if ask.again + ask.whole + (ask.step is not None) > 1:
         raise UsageError("--again, --step and --all exclude each other", remedy="name one of them")
-    where = common.problems, common.db
-    problem = problem_in_hand(None, *where) if name is None else problem_meant(name, *where)
+    problem = kata_meant(name, common)
     chosen = _chosen(problem, ask, common.db)
     try:
         note_seen(chosen[-1], common.db)  # first: what was shown counts as seen, whatever happens then
@@ -105,7 +103,7 @@ def solution(name: str | None, approach: str | None, ask: SolutionAsk, common: C
     """
     if ask.rounds and not ask.times:
         raise UsageError("--rounds goes with --times", remedy="add --times")
-    problem = problem_in_hand(name, common.problems, common.db)
+    problem = kata_meant(name, common)
     models = approaches(problem)
     model = chosen_approach(problem, models, approach, ask.language)
     yours = _admit(problem, common.db, giving_up=ask.giving_up)

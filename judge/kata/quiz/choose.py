@@ -77,7 +77,7 @@ def to_practise(
             row.ask,
             (
                 f"judge quiz --question {row.id}" if row.id in asked else more[row.id],
-                *(f"judge init {kata}" for kata in row.katas if kata in here),
+                *(f"judge start {kata}" for kata in row.katas if kata in here),
             ),
         )
         for row in read_checklist(folders).rows
