@@ -65,7 +65,7 @@ def test_each_is_judged_on_its_problem_and_what_cannot_be_is_a_row(class_, judge
         "bob/friend": "a link to a folder is not followed",
         "bob/gone.py": "it is a link to a file that is not there",
         "bob/huge.py": "this file is larger than 4 MB",
-        "bob/notes.py": "defines no problem's function",
+        "bob/notes.py": "I cannot tell which kata this file is for",
         "bob/pipe.py": "this is a named pipe",
         "bob/try.py": "examples, case 1",
     }.items():

@@ -38,7 +38,7 @@ def test_looking_writes_nothing_and_moves_nothing(judge, submit, tmp_path, own_h
     for words in ((), ("list",), ("show", "count"), ("progress",)) * 3:
         judge(*words)
     assert sorted(tmp_path.iterdir()) == before
-    assert judge("run").lines[0].startswith("AC  which_side.py")
+    assert judge("run").lines[0].startswith("AC  Accepted  which_side.py")
 
 
 def test_the_current_kata_is_the_file_last_started_or_judged_in_this_folder(
@@ -49,11 +49,11 @@ def test_the_current_kata_is_the_file_last_started_or_judged_in_this_folder(
     submit(SIDE, "mine.py")
     assert judge("run", "-q").status == 0
     judge("run", "-q", "mine.py")
-    assert judge("run").lines[0].startswith("AC  mine.py")
+    assert judge("run").lines[0].startswith("AC  Accepted  mine.py")
     judge("start", "middle")
-    assert judge("run").lines[0].startswith("AC  middle.py")
+    assert judge("run").lines[0].startswith("AC  Accepted  middle.py")
     (tmp_path / "middle.py").unlink()  # the one before it is still there
-    assert judge("run").lines[0].startswith("AC  mine.py")
+    assert judge("run").lines[0].startswith("AC  Accepted  mine.py")
     (tmp_path / "deeper").mkdir()
     monkeypatch.chdir(tmp_path / "deeper")
     for words in (("run",), ("hint",), ("solution",)):
@@ -84,7 +84,7 @@ def test_what_an_older_judge_took_up_without_a_file_is_not_current(judge, submit
     judge("run", "-q", "middle.py")
     with History.open() as history:
         history.keep(Started("diameter", str(tmp_path / "diameter.py")))
-    assert judge("run").lines[0].startswith("WA  middle.py")
+    assert judge("run").lines[0].startswith("WA  Wrong answer  middle.py")
 
 
 def test_the_next_kata_follows_in_the_same_set(judge, submit):
@@ -149,7 +149,7 @@ def test_start_goes_on_with_a_file_and_over_it_only_when_asked(judge, submit, tm
 def test_a_file_says_its_kata_and_its_language(judge, submit, tmp_path):
     submit(SIDE, "mine.py")
     assert judge("start", "mine.py").out.startswith("mine.py exists.")
-    assert judge("run").lines[0].startswith("AC  mine.py  which-side")
+    assert judge("run").lines[0].startswith("AC  Accepted  mine.py")
     assert judge("start", "middle.go").out.startswith("Created middle.go.")
     assert judge("start", "middle", "--language", "rust").out.startswith("Created middle.rs.")
     assert judge("start", "middle", "--language", "rust", "--no-watch").out.startswith("middle.rs exists.")

@@ -74,7 +74,8 @@ def test_on_day_one_there_is_a_bar_for_each_set_and_the_next_skill(judge):
     shown = judge("progress")
     bars = [row.split()[0] for row in shown.lines if "[.........." in row]
     assert bars[1:] == ["first-steps", "junior", "middle", "senior", "professional"]
-    assert "  next    judge init distance-squared  The distance squared; new: distance squared" in shown.lines
+    following = "judge start distance-squared  The distance squared; new: distance squared"
+    assert f"  next    {following}" in shown.lines
     assert len(shown.lines) < 24
     assert "Ready?" not in shown.out
 
@@ -123,7 +124,7 @@ def test_what_is_due(judge, monkeypatch):
     assert shown.lines[0] == "Due today: 1 kata"
     assert shown.lines[2].split()[:2] == ["middle", "today"]
     assert "2026-03-01: solved at once, so again after 3 days" in shown.lines[2]
-    assert shown.lines[3].startswith("judge init middle middle_0304.py")
+    assert shown.lines[3].startswith("judge start middle middle_0304.py")
     assert "again" in judge("progress").out
     assert due(judge) == {"now": [], "due": ["middle"], "later": []}
 

@@ -89,13 +89,12 @@ def last(lines):
 
 def test_every_save_is_judged_and_the_verdict_is_last(watch, submit, tmp_path):
     terminal = watch("middle", submit(FLOOR))
-    lines = terminal.sees("WA  wrong answer")
-    assert lines[0] == "WA  mine.py  middle, its function called"
-    assert last(lines).startswith("WA  wrong answer, 40 of 100 points")
+    lines = terminal.sees("WA  Wrong answer")
+    assert lines[0] == "WA  Wrong answer  mine.py"
+    assert last(lines).startswith("WA  21 of 52 cases pass, 40 of 100 points")
     submit(MEAN)
-    lines = terminal.sees("AC  accepted")
-    assert last(lines).startswith("AC  accepted, 100 of 100 points")
-    assert "n  the next kata" in " ".join(lines)
+    lines = terminal.sees("AC  Accepted")
+    assert last(lines).startswith("AC  all 52 cases pass")
     terminal.leaves()
     for picture in terminal.written.split("\x1b[?2026h")[1:]:  # in one write, which clears nothing first
         assert picture.startswith(HOME)
@@ -109,27 +108,27 @@ def test_every_save_is_judged_and_the_verdict_is_last(watch, submit, tmp_path):
 def test_a_file_is_replaced_deleted_and_written_in_pieces(watch, submit, tmp_path):
     mine = tmp_path / submit(FLOOR)
     terminal = watch("middle", mine)
-    terminal.sees("WA  wrong answer")
+    terminal.sees("WA  Wrong answer")
     submit(MEAN, "new")
     (tmp_path / "new").rename(mine)  # as many editors save
-    terminal.sees("AC  accepted")
+    terminal.sees("AC  Accepted")
     mine.unlink()
     assert last(terminal.sees("is gone")) == "mine.py is gone; it is judged again when it is back"
     mine.write_text("def middle(a, b):\n    return (a +")
-    assert last(terminal.sees("does not compile")).startswith("CE  does not compile")
+    assert last(terminal.sees("Does not compile")).startswith("CE  nothing was run")
     mine.write_text("")
     terminal.sees("is empty; it is judged when there is something in it")
     with mine.open("a") as file:
         for piece in (FLOOR[:20], FLOOR[20:]):
             file.write(piece)
             file.flush()
-    terminal.sees("WA  wrong answer")
+    terminal.sees("WA  Wrong answer")
     terminal.leaves()
 
 
 def test_the_keys(watch, submit):
     terminal = watch("middle", submit(FLOOR))
-    terminal.sees("WA  wrong answer")
+    terminal.sees("WA  Wrong answer")
     terminal.press("h")
     assert terminal.sees("hint 1 of 3")[0].startswith("Half of what?")
     terminal.press("h")
@@ -148,7 +147,7 @@ def test_the_keys(watch, submit):
     terminal.press("n")
     assert last(terminal.sees("Not solved yet. Press n again to skip it.")).startswith("WA  ")
     terminal.press("\n")
-    terminal.sees("smallest case found", without=["again to skip"])
+    terminal.sees("Smallest failing case", without=["again to skip"])
     terminal.leaves("Q")
     with History.open() as history:
         assert max(each.hints for each in history.events(Help, "middle")) == 2
@@ -162,7 +161,7 @@ def test_going_on_begins_the_next_kata_beside_this_one(watch, submit, pack, tmp_
     sets = 'title = "Both"\nabout = "Two."\nproblems = ["middle", "mid-twin"]\n'
     (tmp_path / "problems" / "sets" / "path.toml").write_text(sets)
     terminal = watch("middle", submit(MEAN), "--problems", "problems")
-    terminal.sees("AC  accepted")
+    terminal.sees("AC  Accepted")
     terminal.press("n")
     lines = terminal.sees("Created mid_twin.py. Open it in your editor.")
     assert lines[0] == "mid-twin  The middle"
@@ -170,7 +169,7 @@ def test_going_on_begins_the_next_kata_beside_this_one(watch, submit, pack, tmp_
     with History.open() as history:
         assert history.places()[0].path == str(begun)
     begun.write_text(MEAN)
-    terminal.sees("AC  accepted")
+    terminal.sees("AC  Accepted")
     terminal.press("n")
     assert last(terminal.sees("All other katas are solved.")).startswith("AC  ")
     terminal.leaves()
@@ -182,7 +181,7 @@ def test_going_on_begins_the_next_kata_beside_this_one(watch, submit, pack, tmp_
 )
 def test_the_terminal_is_given_back_however_it_ends(ending, status, watch, submit):
     terminal = watch("middle", submit(MEAN))
-    terminal.sees("AC  accepted")
+    terminal.sees("AC  Accepted")
     terminal.leaves(ending, status)
     busy = watch("middle", submit(SLEEPS))
     busy.begins()
@@ -197,7 +196,7 @@ def test_a_save_gives_up_the_run_of_what_stood_there_before(watch, submit):
     terminal = watch("middle", submit(SLEEPS))
     terminal.begins()
     submit(MEAN)
-    terminal.sees("AC  accepted")
+    terminal.sees("AC  Accepted")
     assert "TLE" not in terminal.written
     terminal.leaves()
     with History.open() as history:
@@ -215,7 +214,7 @@ def test_a_new_kata_is_shown_before_it_is_judged_and_started_over(watch, tmp_pat
     mine = tmp_path / "which_side.py"
     stub = mine.read_text()
     mine.write_text("def which_side(A, B, P):\n    return 0\n")
-    assert terminal.sees("WA  wrong answer")[0].startswith("WA  which_side.py")
+    assert terminal.sees("WA  Wrong answer")[0].startswith("WA  Wrong answer  which_side.py")
     terminal.press("x")
     assert last(terminal.sees("Press x again.")).startswith("WA  ")
     terminal.press("x")

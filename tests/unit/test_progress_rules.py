@@ -196,7 +196,7 @@ def test_a_question_is_ticked_by_all_of_its_katas_that_are_here():
     assert question(row, past_result("count")).state is State.OPEN
     ticked = question(row, past_result("count"), past_result("segment"))
     assert (ticked.state, ticked.since) == (State.SHOWN, days(1))
-    assert ticked.drills == ("judge init count", "judge init segment")
+    assert ticked.drills == ("judge start count", "judge start segment")
     assert question(Row("J1", "s", "?", katas=("later",))).by == ()
 
 
