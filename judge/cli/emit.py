@@ -20,7 +20,6 @@ import msgspec
 from msgspec import Struct
 
 from judge.errors import ExitCode
-from judge.schema import schema_of as written_schema
 
 if TYPE_CHECKING:
     from judge.cli.options import Common
@@ -66,7 +65,7 @@ def schema_of(command: click.Command) -> dict[str, Any]:
     """
     writes = getattr(command, "writes", None)
     if writes is None:
-        return written_schema(str(command.name))
+        raise KeyError(command.name)
     kinds, parts = msgspec.json.schema_components(
         writes, schema_hook=lambda _type: {"type": "string"}, ref_template="#/$defs/{name}"
     )

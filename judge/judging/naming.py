@@ -17,7 +17,6 @@ from judge.run.settings import Progress, Settings
 
 if TYPE_CHECKING:
     from judge.mistakes.namer import Namer
-    from judge.run.matrix import Matrix
 
 Bars = Callable[[str], AbstractContextManager[Progress | None]]  # opens a bar for work of that label
 
@@ -66,11 +65,6 @@ class Naming:
         alone = ProblemData(self._data.problem, (one,))
         settings = replace(self._settings, measured=False)
         return run_submission(alone.problem, alone, source, name, settings=settings).verdict is not Verdict.AC
-
-    def matrix(self) -> tuple[Matrix, tuple[str, ...]]:
-        """Which group rejects which known-wrong program, and notes. Raises JudgeError."""
-        namer = self._ready()
-        return namer.matrix(), tuple(namer.notes)
 
     def _ready(self, label: str = "") -> Namer:
         from judge.mistakes.namer import Namer

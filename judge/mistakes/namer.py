@@ -25,7 +25,6 @@ from judge.mistakes.rights import right_outlines
 from judge.mistakes.same import Cases, Joint, Same, as_match, twins, wrong_answers
 from judge.mistakes.vetoes import Vetoes
 from judge.problem import Verdict
-from judge.run.matrix import Matrix, kill_matrix
 from judge.run.result import Behaviour, Pitfall, Result
 from judge.run.settings import Settings
 from judge.values import Outline
@@ -132,19 +131,6 @@ class Namer:
     @cached_property
     def _rights(self) -> Mapping[str, Sequence[Outline]]:
         return right_outlines(self._data)
-
-    def matrix(self) -> Matrix:
-        """Which group rejects which known mistake. Raises JudgeError where no program can be judged."""
-        ready = self._ready()
-        sizes = {each.group.name: len(each.cases) for each in self._data.groups}
-        return kill_matrix(
-            ready.read.problem.groups,
-            sizes,
-            [
-                (maker.file, maker.name, each.behaviour)
-                for maker, each in zip(ready.makers, ready.known, strict=True)
-            ],
-        )
 
     def _joint(self, family: Family | None, choices: Sequence[Sequence[Choice]]) -> Joint | None:
         """What the program answers that makes two mistakes at once, by the first choices that go together."""

@@ -104,11 +104,6 @@ def junit(results: Sequence[Result]) -> bytes:
     return f'<?xml version="1.0" encoding="UTF-8"?>\n{text}\n'.encode()
 
 
-def is_junit(start: bytes) -> bool:
-    """Whether a file that begins like this was written here, or by another test runner."""
-    return b"<testsuite" in start
-
-
 def _suite(result: Result) -> Xml.Element:
     suite, told = (
         Xml.Element("testsuite", {"name": printable(f"{result.problem} {result.submission}")}),

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 
 from rich.console import Group, RenderableType
 from rich.text import Text
 
 from judge.data.given import call_of
-from judge.kata.hacks import HackShare, HackState
-from judge.report.layout import Line, Span, Style, hanging
+from judge.kata.hacks import HackState
 from judge.report.parts import BAD, FAINT, GOOD, STRONG, commands, facts, indented, joined, table, text
 from judge.report.published_cases import HackStanding, HackTurn
 from judge.report.screen import Screen
@@ -86,11 +85,3 @@ def _runs(numbers: Sequence[int]) -> str:
             runs.append([number])
     said = (f"{run[0]} to {run[-1]}" if len(run) > 2 else ", ".join(map(str, run)) for run in runs)
     return ", ".join(said)
-
-
-def share_lines(shares: Sequence[HackShare], width: int | None) -> Iterator[Line]:
-    """The share of the wrong programs that were broken, of each problem that was tried."""
-    if shares:
-        said = ", ".join(f"{each.problem} {len(each.broken)} of {each.programs}" for each in shares)
-        label = Span("hacks", Style.FAINT)
-        yield from hanging(label, Span(f"wrong programs broken: {said}"), width, indent=2, column=12)

@@ -31,8 +31,8 @@ class Judged(Struct, frozen=True):
     """One result with all that its screen shows.
 
     `quiet` shows the verdict alone; one of `several` is a line, with its kata where these are of more than
-    one. `whole` shows every group. `after` are commands that go on from an accepted submission, `fresh` says
-    what a run on fresh cases did.
+    one. `whole` shows every group. `after` are commands that go on from an accepted submission, `you` says
+    what it took, `solved` how many of all katas are; `fresh` says what a run on fresh cases did.
     """
 
     result: Result
@@ -43,6 +43,8 @@ class Judged(Struct, frozen=True):
     several: int = 0  # katas that the submissions are of, 0 for a single one
     whole: bool = False
     after: tuple[tuple[str, str], ...] = ()
+    you: str = ""
+    solved: tuple[int, int] | None = None
     fresh: str = ""
     status: ExitCode | None = None
 
@@ -92,8 +94,8 @@ def judged(found: Judged, screen: Screen) -> RenderableType:
     name = found.result.submission
     if found.quiet:
         return verdict_line(told, name)
-    facts = [("fresh", found.fresh)] if found.fresh else []
-    after = accepted(facts, found.after) if facts or found.after else None
+    facts = [each for each in (("you", found.you), ("fresh", found.fresh)) if each[1]]
+    after = accepted(facts, found.after, found.solved, screen.width) if facts or found.after else None
     groups = found.result.groups if found.whole else ()
     drawing = found.drawing.rows(screen) if found.drawing else None
     rows = None if found.whole else min(screen.rows - 1 if screen.rows else _ROWS, 60)

@@ -18,6 +18,7 @@ from judge.report.parts import (
     STRONG,
     WARNING,
     Cell,
+    bar,
     commands,
     facts,
     indented,
@@ -27,7 +28,7 @@ from judge.report.parts import (
 )
 from judge.report.screen import Screen, drawn
 from judge.report.tell import Told
-from judge.report.values import times
+from judge.report.values import counted, times
 from judge.run.result import GroupResult, Result
 
 Drawing = Callable[[int], Sequence[Text]]  # the picture of the failing case in about so many rows
@@ -236,10 +237,17 @@ def _first(found: Result, told: Told) -> str:
     return failure.group if failure.case is None else f"{failure.group}, case {failure.case}"
 
 
-def accepted(shown: Sequence[tuple[str, str]], further: Sequence[tuple[str, str]]) -> RenderableType:
-    """What follows an accepted result: facts about it, then commands that go on."""
+def accepted(
+    shown: Sequence[tuple[str, str]],
+    further: Sequence[tuple[str, str]],
+    solved: tuple[int, int] | None,
+    width: int | None,
+) -> RenderableType:
+    """What follows an accepted result: facts, commands that go on, how many katas are solved."""
     parts: list[RenderableType] = [indented(facts(shown))] if shown else []
     if further:
-        parts += [Text()] if parts else []
-        parts.append(indented(commands(further)))
+        parts += [Text(), indented(commands(further))] if parts else [indented(commands(further))]
+    if solved is not None:
+        done, every = solved
+        parts += [Text(), bar(done, every, f"{done} of {counted(every, 'kata')}", width)]
     return Group(*parts)

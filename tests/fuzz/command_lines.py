@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import os
 import random
+import re
 import shutil
 import sys
 import tomllib
@@ -55,9 +56,9 @@ def prepare(chance: random.Random, folder: Path) -> tuple[list[str], list[Run]]:
     _lay_out(folder)
     runs = []
     if chance.random() < 0.15:
-        runs.append(_usual("run", "--json", "middle", "floor.py", "mean.py", "--no-shrink", "--no-name"))
+        runs.append(_usual("run", "--json", "middle", "floor.py", "mean.py"))
     if chance.random() < 0.15:
-        runs.append(_usual("init", "--json", "middle"))
+        runs.append(_usual("start", "--json", "middle", "--no-watch"))
     odd = _odd(chance)
     if any(_BROKEN in (word or "") for word in (*odd.words, *odd.settings.values())):
         from broken_problems import FAULTS, broken  # late: there is no other way to a folder above
@@ -158,7 +159,7 @@ def _value(chance: random.Random, parameter: click.Parameter) -> str:
     """A value for it, a good one half of the time."""
     if isinstance(parameter.type, click.Choice):
         return chance.choice([*parameter.type.choices, "none-such"])
-    kinds = (parameter.metavar or "").split()[0].strip("[].").split("|")
+    kinds = re.findall(r"[A-Z/]+", parameter.metavar or "N")
     values = _pool("words")[chance.choice(kinds)]
     return chance.choice(values[:3] if chance.random() < 0.5 else values)
 

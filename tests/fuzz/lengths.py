@@ -38,7 +38,7 @@ from judge.problem.find import find_problem
 from judge.problem.fit import fitting_problems, meant_problem, signs
 from judge.problem.tables import key_lines
 from judge.problem.toml import toml_of
-from judge.report import editor, github, junit, layout, places
+from judge.report import formats, layout, places
 from judge.run import hurdle, printed, program
 from judge.run.result import judge_fault
 from judge.run.tried import Tried
@@ -178,9 +178,9 @@ def _failed(text: str) -> None:
         places.fault_place(replace(result, verdict=verdict))
     program._CHOKED.match(text)
     hurdle._failed_import(text, called=True)
-    github.annotation(result, b"", "line_count", {})
-    list(editor.editor_lines(result, b"", "line_count"))
-    junit.junit([result])
+    formats.annotation(result, b"", "line_count", {})
+    list(formats.editor_lines(result, b"", "line_count"))
+    formats.junit([result])
 
 
 def _annotated(text: str) -> None:

@@ -162,12 +162,12 @@ def _write(path: Path, content: bytes) -> None:
 
 
 _CHEAP = (
-    *("list", "show {problem}", "show {problem} --groups", "init {problem}", "hint {problem}"),
-    *("hint {problem} --all", "next --init", "progress", "progress junior"),
+    *("list", "show {problem}", "show {problem} --groups", "start {problem} --no-watch", "hint {problem}"),
+    *("hint {problem} --all", "progress", "progress junior"),
     *("solution {problem} --give-up", "progress --due"),
 )
 _DEAR = (
-    *("data {problem} --out data", "run {problem} {program}", "verify {problem} --matrix"),
+    *("export {problem} --out data", "run {problem} {program}", "verify {problem} --matrix"),
     *("run {problem} {program} --group {group} --seed 7", "verify {problem} --pin", "progress --html"),
     *("run {problem} {program} --fresh 0.05s --seed 7", "try {problem} '1 2' {program}"),
     "try {problem}:{group}:v1,2:000000 {program}",

@@ -34,9 +34,12 @@ def test_no_case_ends_as_none_may_end(target, seeds, worker, tmp_path):
     assert list(tmp_path.iterdir()) == []
 
 
-SHOW, JSON = Run(("show", "middle")), Run(("init", "--json"), checked=True)
+SHOW, JSON = Run(("show", "middle")), Run(("start", "--json"), checked=True)
 UNHEARD = Run((), streams=(NULL, FULL, KEPT))
-SOUND = '{"schema": 1, "problem": "middle", "file": "middle.py"}\n'
+SOUND = (
+    '{"schema": 1, "problem": "middle", "title": "T", "entry": "middle", "file": "middle.py",'
+    ' "created": true, "kept": ""}\n'
+)
 
 
 @pytest.mark.parametrize(
@@ -54,7 +57,7 @@ SOUND = '{"schema": 1, "problem": "middle", "file": "middle.py"}\n'
         (UNHEARD, 0, "fine\n", "", "it ends with status 0 though nobody got its output"),
         (JSON, 0, "fine\n", "", "this is no JSON (Expecting value: line 1 column 1 (char 0)): 'fine'"),
         (JSON, 0, '{"a": NaN}\n', "", "this is no JSON (NaN is no number of JSON)"),
-        (JSON, 0, SOUND.replace("1", "7"), "", "breaks the schema at sc"),
+        (JSON, 0, SOUND.replace("true", "7"), "", "breaks the schema at created"),
         (JSON, 0, SOUND, "", None),
         (SHOW, 2, "", "judge: a\njudge: b\n", None),
         (UNHEARD, 3, "", "judge: cannot write\n", None),
@@ -69,7 +72,7 @@ def test_a_command_line_writes_only_where_it_may_and_has_the_streams_that_are_as
     case, elsewhere = tmp_path / "case", tmp_path / "elsewhere"
     for folder in (case / "work", case / "tmp", elsewhere):
         folder.mkdir(parents=True)
-    ended = worker.run(Run(("init", "count", str(elsewhere / "x.py"))), case)
+    ended = worker.run(Run(("start", "count", str(elsewhere / "x.py"), "--no-watch")), case)
     assert (ended.status, len(ended.outside), list(elsewhere.iterdir())) == (2, 1, [])
     shown = worker.run(Run(("show", "count"), streams=(TERMINAL,) * 3), case)
     assert (shown.status, shown.out, "line_count" in shown.shown) == (0, "", True)

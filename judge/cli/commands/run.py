@@ -7,7 +7,7 @@ import os
 import random
 import sys
 from collections.abc import Generator, Iterator, Sequence
-from contextlib import closing, nullcontext
+from contextlib import closing, nullcontext, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -23,6 +23,7 @@ from judge.cli.target import OutFile, check_svg
 from judge.cli.wish import Wish
 from judge.errors import ExitCode, JudgeError, UsageError, told
 from judge.judging.job import RunOptions
+from judge.problem import Problem
 from judge.problem.model import LEVELS, chosen_groups
 from judge.report.judged import AtLines, Judged, Several
 from judge.run.result import Result, judge_fault
@@ -141,10 +142,6 @@ def run(words: tuple[str, ...], ask: RunAsk, common: Common) -> Iterator[Struct]
     yield from _several(found, total, ask)
 
 
-def _is_junit(start: bytes) -> bool:
-    return b"<testsuite" in start
-
-
 def _several(found: Sequence[Result], total: int, ask: RunAsk) -> Iterator[Several]:
     """What several submissions came to."""
     if total > 1 and found and ask.form == TEXT:
@@ -190,11 +187,11 @@ def _judged(
                 drawings = judged(task.problem, task.submissions, replace(wish, before=done))
                 try:
                     with closing(drawings):
-                        for drawing, each in zip(drawings, task.submissions, strict=True):
+                        for drawing in drawings:
                             done += 1
                             if advance:
                                 advance(done, total)
-                            yield _shown(drawing, each.source, total, several, ask)
+                            yield _shown(drawing, total, several, ask, common)
                             drawing.save(ask.svg)
                             if not (common.isolation or brief) and plain:
                                 _say_that_full_is_missing(drawing.result)
@@ -213,21 +210,54 @@ def _judged(
         yield _not_judged(entry.name, entry.why, entry.problem, several, ask)
 
 
-def _shown(drawing: Drawing, source: bytes, total: int, several: int, ask: RunAsk) -> Judged:
+def _shown(drawing: Drawing, total: int, several: int, ask: RunAsk, common: Common) -> Judged:
     """One result, with all that its screen shows."""
-    after: tuple[tuple[str, str], ...] = ()
-    if drawing.result.solved and total == 1:
-        name = drawing.problem.id
-        after = ((f"judge solution {name}", "the model solution"), ("judge start", "the next kata"))
-    return Judged(
+    found = Judged(
         drawing.result,
-        source,
+        drawing.source,
         drawing.problem,
         drawing,
         quiet=ask.quiet and total == 1,
         several=several,
         whole=ask.whole,
-        after=after,
+    )
+    if not drawing.result.solved or several or ask.quiet or common.json:
+        return found
+    name = drawing.problem.id
+    after = [(f"judge solution {name}", "the model solution"), ("judge start", "the next kata")]
+    from judge.report.screen import is_terminal
+
+    if is_terminal(sys.stdout) and not ask.unrecorded:
+        with suppress(JudgeError):  # the verdict is known, and worth more
+            return _standing(found, drawing.problem, common)
+    return replace(found, after=tuple(after))
+
+
+def _standing(found: Judged, problem: Problem, common: Common) -> Judged:
+    """The result with what it took the person, and what comes next. Raises JudgeError."""
+    from judge.cli.home import next_kata
+    from judge.cli.kept import history_at
+    from judge.kata.events import Help
+    from judge.problem.find import sound_problems
+    from judge.report.values import counted
+
+    with history_at(common.db, reading=True) as history:
+        runs = [run for run in history.runs() if run.counts]
+        hints = max((each.hints for each in history.events(Help, problem.id)), default=0)
+    problems, _ = sound_problems(common.problems)
+    solved = {run.problem for run in runs if run.solved}
+    following = next_kata(problem.id, problems, common.problems, solved)
+    after = [(f"judge solution {problem.id}", "the model solution")]
+    if following is not None:
+        after.append(
+            ("judge start", f"next: {following.id}, {following.title[:1].lower()}{following.title[1:]}")
+        )
+    mine = sum(run.problem == problem.id for run in runs)
+    return replace(
+        found,
+        after=tuple(after),
+        you=", ".join([counted(mine, "run"), *([counted(hints, "hint")] if hints else [])]),
+        solved=(len(solved & {each.id for each in problems}), len(problems)),
     )
 
 
