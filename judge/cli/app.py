@@ -134,7 +134,7 @@ def _unknown(name: str) -> str:
         return f"There is no command {name}. To judge that file: {shown_command('judge', 'run', file=name)}"
     near = LIKE.get(name) or nearest(name, [*COMMANDS, *OLD])
     meant = f"Did you mean judge {near}?" if near else "judge --help shows the commands"
-    return f"There is no command {name}. {meant}"
+    return f"There is no command {name if name.isprintable() else ascii(name)}. {meant}"
 
 
 def explain(fault: Exception) -> tuple[str, int]:

@@ -1,7 +1,7 @@
 """The published JSON Schemas: each is whole, and refuses what is not what its command writes.
 
 What commands write is held against them where the transcripts of `json/` are played; here are the
-commands that measure or ask the machine; watch has a test of its own.
+commands that measure or ask the machine.
 """
 
 from __future__ import annotations

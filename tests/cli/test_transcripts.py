@@ -10,9 +10,7 @@ import pytest
 from sampling import nightly
 from transcripts import play as transcripts
 
-from judge.cli.app import app
 from judge.cli.table import COMMANDS
-from judge.schema import commands
 
 # What is said of circles and lines; a "line" of output is none of them.
 TOPIC = re.compile(
@@ -23,7 +21,6 @@ TOPIC = re.compile(
 OWN = ("[circle; 1..6]", "Circle", '"extent": ')  # a kata's own type, and a key of [tolerance]
 COPIED = re.compile(r"\bjudge \w+ |^  [\w-]+(/[\w.-]+)+$")  # a command or a path is never broken
 ROWS = 23  # of a terminal's 24: the shell's prompt takes the last one
-ENDLESS = {"doctor", "watch"}  # their JSON has tests of its own
 
 
 class Call(NamedTuple):
@@ -115,17 +112,7 @@ def test_every_command_refuses_an_option_it_does_not_have_and_has_a_page_of_help
     for name in COMMANDS:
         assert judge(name, "--nothing").status == 2
         assert judge(name, "--help").status == 0
-        assert judge(name, "--help").out.count("\n") <= (70 if written_schema(name) else 40)
-
-
-def test_what_every_command_with_json_writes_has_a_transcript():
-    with_json = {name for name in COMMANDS if written_schema(name)}
-    assert with_json - ENDLESS == {name[5:] for name in NAMES if name.startswith("json/")} & with_json
-
-
-def written_schema(name: str) -> bool:
-    """Whether the schema of its JSON is a file, and not made of a struct."""
-    return not hasattr(app.get_command(None, name), "writes") and name in commands()
+        assert judge(name, "--help").out.count("\n") <= 40
 
 
 def terminals() -> list[tuple[Call, int, int]]:
