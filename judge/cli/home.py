@@ -15,7 +15,7 @@ from judge.kata.events import Answer, Help
 from judge.kata.sets import USUAL, sound_sets
 from judge.problem import Problem
 from judge.problem.find import sound_problems
-from judge.report.published_start import Again, Home, Next, Now
+from judge.report.published_start import Again, Home, Next, Now, Standing
 
 if TYPE_CHECKING:
     from judge.cli.options import Common
@@ -46,6 +46,23 @@ def home(common: Common) -> Home:
             next=Next(following.id, following.title, following.summary) if following else None,
             cards_due=_cards_due(answers, common.problems),
         )
+
+
+def standing(problem: str, common: Common) -> Standing:
+    """What a kata took the person, and what comes after it. Raises JudgeError."""
+    with history_at(common.db, reading=True) as history:
+        runs = [run for run in history.runs() if run.counts]
+        hints = max((each.hints for each in history.events(Help, problem)), default=0)
+    problems, _ = sound_problems(common.problems)
+    solved = {run.problem for run in runs if run.solved}
+    following = next_kata(problem, problems, common.problems, solved)
+    return Standing(
+        runs=sum(run.problem == problem for run in runs),
+        hints=hints,
+        next=Next(following.id, following.title, following.summary) if following else None,
+        solved=len(solved & {each.id for each in problems}),
+        katas=len(problems),
+    )
 
 
 def next_kata(

@@ -14,7 +14,7 @@ from types import FrameType
 from typing import TYPE_CHECKING, NoReturn
 
 from judge.cli.hints import next_hint, note_seen
-from judge.cli.home import next_kata, set_of, solved_katas
+from judge.cli.home import next_kata, set_of, solved_katas, standing
 from judge.cli.kept import history_at
 from judge.cli.options import Common
 from judge.cli.picture import Drawing
@@ -29,7 +29,7 @@ from judge.problem import Problem
 from judge.problem.find import sound_problems
 from judge.report.layout import Style, line
 from judge.report.picture import has_room
-from judge.report.result import Shown, magnified, result, verdict_line
+from judge.report.result import Shown, accepted, magnified, result, verdict_line
 from judge.report.screen import Screen, drawn, out
 from judge.report.statement import prose
 from judge.report.tell import Told, tell
@@ -38,7 +38,7 @@ from judge.report.views import view
 from judge.report.watch import begun_text, keys_text, note_text, place_text, waiting_text
 
 if TYPE_CHECKING:
-    from rich.console import Group
+    from rich.console import Group, RenderableType
 
     from judge.run.result import Failure, Result
 
@@ -281,7 +281,11 @@ class _Loop:
     def _report(self, screen: Screen) -> str:
         if isinstance(self._found, str):
             return note_text(self._found, screen)
-        return result_text(self._found, screen, _BELOW + self._notes.count("\n"))
+        after = None
+        if self._solved():
+            name = self._kata.problem.id
+            after = accepted(name, standing(name, self._common), screen.width, key="n")
+        return result_text(self._found, screen, _BELOW + self._notes.count("\n"), after)
 
     def _end(self, screen: Screen) -> str:
         """The last lines, whatever else is shown: the verdict."""
@@ -328,9 +332,11 @@ def picture_text(found: Drawing, screen: Screen, spare: int) -> str:
     return drawn(magnified(told_of(found), drawing, height(screen) - spare, screen.width), screen)
 
 
-def result_text(found: Drawing, screen: Screen, spare: int) -> str:
-    """A result that leaves so many rows of the terminal free."""
-    shown = Shown(told_of(found), found.result.submission, drawing=found.rows(screen), commands=False)
+def result_text(found: Drawing, screen: Screen, spare: int, after: RenderableType | None = None) -> str:
+    """A result, and what follows it, that leaves so many rows of the terminal free."""
+    shown = Shown(
+        told_of(found), found.result.submission, drawing=found.rows(screen), after=after, commands=False
+    )
     return drawn(result(shown, screen, height(screen) - spare), screen)
 
 

@@ -232,6 +232,7 @@ def _contract(problem: Problem, width: int, prompt: Callable[[Problem, Example],
     """
     examples = {example.line: example for example in problem.examples}
     skipped = 0  # the level of the heading whose section is left out
+    heading_rows: list[str] = []  # of a section that has said nothing yet
     for start, block in _blocks(problem.statement):
         first = block[0]
         rows: list[str] = []
@@ -239,7 +240,7 @@ def _contract(problem: Problem, width: int, prompt: Callable[[Problem, Example],
             level = len(heading[1])
             if level > 1 and (not skipped or level <= skipped):
                 skipped = level if "program" in first.lower() and problem.entry not in first else 0
-            rows = block if level > 1 else []
+            heading_rows = block if level > 1 else []
         elif told := [examples[line] for line in range(start, start + len(block)) if line in examples]:
             rows = [row for example in told for row in prompt(problem, example)]
         elif first.startswith(_FENCE):
@@ -252,7 +253,9 @@ def _contract(problem: Problem, width: int, prompt: Callable[[Problem, Example],
                 if "is run as a program" not in item:
                     rows += _wrapped(item, width, " " * (marker.end() if marker else 0))
         if rows and not skipped:
-            yield from ("", *rows)
+            for part in (heading_rows, rows):
+                yield from ("", *part) if part else ()
+            heading_rows = []
 
 
 def _blocks(text: str) -> Iterator[tuple[int, list[str]]]:

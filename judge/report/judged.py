@@ -13,6 +13,7 @@ from judge.run.result import Result, exit_code
 if TYPE_CHECKING:
     from rich.console import RenderableType
 
+    from judge.report.published_start import Standing
     from judge.report.result import Drawing
     from judge.report.screen import Screen
 
@@ -31,8 +32,8 @@ class Judged(Struct, frozen=True):
     """One result with all that its screen shows.
 
     `quiet` shows the verdict alone; one of `several` is a line, with its kata where these are of more than
-    one. `whole` shows every group. `after` are commands that go on from an accepted submission, `you` says
-    what it took, `solved` how many of all katas are; `fresh` says what a run on fresh cases did.
+    one. `whole` shows every group, `commands` those that go on. `standing` says what an accepted one took,
+    `fresh` what a run on fresh cases did.
     """
 
     result: Result
@@ -42,9 +43,8 @@ class Judged(Struct, frozen=True):
     quiet: bool = False
     several: int = 0  # katas that the submissions are of, 0 for a single one
     whole: bool = False
-    after: tuple[tuple[str, str], ...] = ()
-    you: str = ""
-    solved: tuple[int, int] | None = None
+    commands: bool = True
+    standing: Standing | None = None
     fresh: str = ""
     status: ExitCode | None = None
 
@@ -85,6 +85,7 @@ class AtLines(Struct, frozen=True):
 
 def judged(found: Judged, screen: Screen) -> RenderableType:
     """The screen of one result, or its line."""
+    from judge.report.parts import facts, indented
     from judge.report.result import Shown, accepted, result, row, verdict_line
     from judge.report.tell import tell
 
@@ -94,12 +95,15 @@ def judged(found: Judged, screen: Screen) -> RenderableType:
     name = found.result.submission
     if found.quiet:
         return verdict_line(told, name)
-    facts = [each for each in (("you", found.you), ("fresh", found.fresh)) if each[1]]
-    after = accepted(facts, found.after, found.solved, screen.width) if facts or found.after else None
+    after: RenderableType | None = None
+    if found.fresh:
+        after = indented(facts([("fresh", found.fresh)]))
+    elif found.result.solved and found.commands:
+        after = accepted(found.result.problem, found.standing, screen.width)
     groups = found.result.groups if found.whole else ()
     drawing = found.drawing.rows(screen) if found.drawing else None
     rows = None if found.whole else min(screen.rows - 1 if screen.rows else _ROWS, 60)
-    return result(Shown(told, name, groups, drawing, after), screen, rows)
+    return result(Shown(told, name, groups, drawing, after, found.commands), screen, rows)
 
 
 def several(found: Several, _screen: Screen) -> RenderableType:

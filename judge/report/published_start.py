@@ -35,6 +35,16 @@ class Again(Struct, frozen=True):
     days: int
 
 
+class Standing(Struct, frozen=True):
+    """What a kata took a person, the kata that comes next, and how many of all are solved."""
+
+    runs: int
+    hints: int
+    next: Next | None
+    solved: int
+    katas: int
+
+
 class Home(Published, frozen=True):
     """Where a person stands: katas solved, those with one star and with two, and what to do now.
 

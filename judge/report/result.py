@@ -26,6 +26,7 @@ from judge.report.parts import (
     table,
     text,
 )
+from judge.report.published_start import Standing
 from judge.report.screen import Screen, drawn
 from judge.report.tell import Told
 from judge.report.values import counted, times
@@ -237,17 +238,25 @@ def _first(found: Result, told: Told) -> str:
     return failure.group if failure.case is None else f"{failure.group}, case {failure.case}"
 
 
-def accepted(
-    shown: Sequence[tuple[str, str]],
-    further: Sequence[tuple[str, str]],
-    solved: tuple[int, int] | None,
-    width: int | None,
-) -> RenderableType:
-    """What follows an accepted result: facts, commands that go on, how many katas are solved."""
-    parts: list[RenderableType] = [indented(facts(shown))] if shown else []
-    if further:
-        parts += [Text(), indented(commands(further))] if parts else [indented(commands(further))]
-    if solved is not None:
-        done, every = solved
-        parts += [Text(), bar(done, every, f"{done} of {counted(every, 'kata')}", width)]
-    return Group(*parts)
+def accepted(problem: str, standing: Standing | None, width: int | None, key: str = "") -> RenderableType:
+    """What follows an accepted result: what it took, how to go on, and how many katas are solved.
+
+    `key` is the one that goes on, where a loop takes keys and no commands.
+    """
+    said: list[tuple[str, str]] = []
+    onward = [] if key else [(f"judge solution {problem}", "the model solution")]
+    following = "the next kata"
+    if standing is not None:
+        hints = f", {counted(standing.hints, 'hint')}" if standing.hints else ""
+        said = [("you", counted(standing.runs, "run") + hints)]
+        title = standing.next.title if standing.next else ""
+        following = f"next: {standing.next.problem}, {title[:1].lower()}{title[1:]}" if standing.next else ""
+    if following:
+        onward.append((key or "judge start", following))
+    parts: list[RenderableType] = [indented(facts(said))] if said else []
+    if onward:
+        parts.append(indented(commands(onward)))
+    if standing is not None:
+        solved = f"{standing.solved} of {counted(standing.katas, 'kata')}"
+        parts.append(bar(standing.solved, standing.katas, solved, width))
+    return Group(*[row for part in parts for row in (part, Text())][:-1])

@@ -142,10 +142,9 @@ def _time(result: Result) -> str:
     """How long it took beside the reference, where that was measured."""
     time, ratio = result.time, result.time.ratio
     said = []
-    if ratio is not None:
+    if ratio is not None and (not ratio.unreliable or result.verdict is Verdict.TLE):
         whose = f"the {time.reference} reference's" if time.reference else "the reference's"
-        doubts = [f"unreliable: {ratio.unreliable}"] if ratio.unreliable else []
-        doubts += [ratio.busy] if ratio.busy else []
+        doubts = [ratio.busy] if ratio.busy else []
         doubts += ["near the limit"] if time.borderline else []
         limit = f" (limit {ratio.limit:g} ×)" if result.verdict is Verdict.TLE and ratio.limit else ""
         said.append(f"{times(ratio.median)} × {whose} time{limit}")

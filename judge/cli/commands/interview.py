@@ -168,7 +168,8 @@ class _Sitting:
             note(f"{found.result.submission}: {found.result.verdict.value}")
         else:
             screen = self._asking.screen
-            show(judged(Judged(found.result, found.source, found.problem, found), screen), screen)
+            shown = Judged(found.result, found.source, found.problem, found, commands=False)
+            show(judged(shown, screen), screen)
             self._asking.screen.write("\n")
         self.held = self.held.after(found.result)
 

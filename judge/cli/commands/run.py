@@ -23,7 +23,6 @@ from judge.cli.target import OutFile, check_svg
 from judge.cli.wish import Wish
 from judge.errors import ExitCode, JudgeError, UsageError, told
 from judge.judging.job import RunOptions
-from judge.problem import Problem
 from judge.problem.model import LEVELS, chosen_groups
 from judge.report.judged import AtLines, Judged, Several
 from judge.run.result import Result, judge_fault
@@ -223,42 +222,14 @@ def _shown(drawing: Drawing, total: int, several: int, ask: RunAsk, common: Comm
     )
     if not drawing.result.solved or several or ask.quiet or common.json:
         return found
-    name = drawing.problem.id
-    after = [(f"judge solution {name}", "the model solution"), ("judge start", "the next kata")]
     from judge.report.screen import is_terminal
 
     if is_terminal(sys.stdout) and not ask.unrecorded:
+        from judge.cli.home import standing
+
         with suppress(JudgeError):  # the verdict is known, and worth more
-            return _standing(found, drawing.problem, common)
-    return replace(found, after=tuple(after))
-
-
-def _standing(found: Judged, problem: Problem, common: Common) -> Judged:
-    """The result with what it took the person, and what comes next. Raises JudgeError."""
-    from judge.cli.home import next_kata
-    from judge.cli.kept import history_at
-    from judge.kata.events import Help
-    from judge.problem.find import sound_problems
-    from judge.report.values import counted
-
-    with history_at(common.db, reading=True) as history:
-        runs = [run for run in history.runs() if run.counts]
-        hints = max((each.hints for each in history.events(Help, problem.id)), default=0)
-    problems, _ = sound_problems(common.problems)
-    solved = {run.problem for run in runs if run.solved}
-    following = next_kata(problem.id, problems, common.problems, solved)
-    after = [(f"judge solution {problem.id}", "the model solution")]
-    if following is not None:
-        after.append(
-            ("judge start", f"next: {following.id}, {following.title[:1].lower()}{following.title[1:]}")
-        )
-    mine = sum(run.problem == problem.id for run in runs)
-    return replace(
-        found,
-        after=tuple(after),
-        you=", ".join([counted(mine, "run"), *([counted(hints, "hint")] if hints else [])]),
-        solved=(len(solved & {each.id for each in problems}), len(problems)),
-    )
+            return replace(found, standing=standing(drawing.problem.id, common))
+    return found
 
 
 def _not_judged(name: str, why: str, problem: str, several: int, ask: RunAsk, source: bytes = b"") -> Judged:
