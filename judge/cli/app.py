@@ -132,7 +132,7 @@ def _unknown(name: str) -> str:
         from judge.report.names import shown_command  # only for the one who is told
 
         return f"There is no command {name}. To judge that file: {shown_command('judge', 'run', file=name)}"
-    near = LIKE.get(name) or nearest(name, [*COMMANDS, *OLD])
+    near = LIKE.get(name) or nearest(name, COMMANDS) or nearest(name, OLD)
     meant = f"Did you mean judge {near}?" if near else "judge --help shows the commands"
     return f"There is no command {name if name.isprintable() else ascii(name)}. {meant}"
 

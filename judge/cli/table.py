@@ -181,6 +181,7 @@ COMMANDS: Mapping[str, Entry] = {name: entry for rows in HEADINGS.values() for n
 # what a command was called -> the words that stand for it now
 OLD: Mapping[str, tuple[str, ...]] = {
     "stress": ("run", "--fresh", "30s"),
+    "bench": ("solution", "--times"),
     "due": ("progress", "--due"),
     "report": ("progress", "--html"),
     "init": ("start", "--no-watch"),

@@ -6,6 +6,7 @@ What they say is in the transcripts of `help/` and `screens/help`.
 from __future__ import annotations
 
 import json
+import random
 import re
 import shlex
 import subprocess
@@ -200,3 +201,20 @@ def test_katas_and_files(pack, monkeypatch):
     monkeypatch.delenv("JUDGE_PROBLEMS")
     elsewhere = ("show", "--problems", str(pack / "problems"), "mi")
     assert offered(("show", "mi"), elsewhere) == [[], ["middle"]]
+
+
+def test_every_command_is_named_for_two_hundred_words_with_one_slip(judge):
+    chance = random.Random(5)
+    asked = 0
+    while asked < 200:
+        meant = chance.choice(list(COMMANDS))
+        at = chance.randrange(len(meant))
+        before, letter, after = meant[:at], meant[at], meant[at + 1 :]
+        other = chance.choice("abcdefghijklmnopqrstuvwxyz")
+        typed = before + chance.choice(("", letter * 2, other, after[:1] + letter)) + after
+        if len(typed) < 2 or typed in COMMANDS or typed in OLD:
+            continue
+        asked += 1
+        ended = judge(typed)
+        assert ended.status == 2
+        assert ended.err == f"judge: There is no command {typed}. Did you mean judge {meant}?\n", meant
