@@ -17,7 +17,7 @@ from typing import Any
 
 import msgspec
 
-from judge.atomic import put_file, sweep
+from judge.atomic import put_file
 from judge.digest import digest_of
 from judge.folders import CACHE_VARIABLE
 from judge.reading import read_ordinary
@@ -66,9 +66,7 @@ class KeptFile:
         `form` is the type it is read as, such as tuples for JSON's lists; where it does not fit, it is none.
         """
         try:
-            path = self._path()
-            sweep(path.parent)
-            body = read_kept(path, self._key, self._cache_folder())
+            body = read_kept(self._path(), self._key, self._cache_folder())
         except (OSError, RuntimeError):  # RuntimeError: there is no home folder
             return None
         if body is None:
