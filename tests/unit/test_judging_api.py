@@ -51,6 +51,23 @@ def test_a_wrong_use_is_told_in_one_line(arguments, more, told):
     assert "\n" not in str(fault.value)
 
 
+def test_a_notebook_shows_a_result_with_its_drawing_and_nothing_that_runs():
+    failed = judge.judge("middle", FLOOR, name="<script>.py", options=RunOptions(timed=False))._repr_html_()
+    assert "WA  Wrong answer" in failed
+    assert "Smallest failing case" in failed
+    assert "&lt;script&gt;.py" in failed
+    assert "<script" not in failed
+    html = judge.Result(problem="gone", submission="a.py", verdict=Verdict.AC)._repr_html_()
+    assert "AC  Accepted" in html
+    assert "<svg" not in html
+
+
+def test_a_notebook_shows_the_drawing_of_a_case(monkeypatch):
+    monkeypatch.delenv("JUDGE_PROBLEMS")
+    two = "def line_count(cx, cy, r, A, B):\n    return 2\n"
+    assert "<svg" in judge.judge("count", two, options=RunOptions(timed=False))._repr_html_()
+
+
 # -- jobs ------------------------------------------------------------------------------------------------
 
 
