@@ -89,11 +89,3 @@ def _whole(value: int) -> str:
     if magnitude == 10 ** number.adjusted():
         return f"{sign}10^{number.adjusted()}"
     return f"{sign}{number:,}" if number.adjusted() < 15 else f"{sign}{number}"
-
-
-def percent(share: Fraction) -> str:
-    """A share in whole percents; one that is neither nothing nor all is never shown as such."""
-    rounded = round(100 * share)
-    if 0 < share < 1:
-        rounded = min(99, max(1, rounded))
-    return f"{rounded}%"  # no space: a table may break there
