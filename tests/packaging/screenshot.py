@@ -1,4 +1,7 @@
-"""README's picture: a real run in a terminal, drawn as SVG. Run as a script, it draws the picture anew."""
+"""README's pictures: real commands in a terminal, drawn as SVG. Run as a script, it draws them anew.
+
+One is a run that fails; the other one moves: a run that fails, a hint, and the run that is accepted.
+"""
 
 from __future__ import annotations
 
@@ -8,6 +11,7 @@ import re
 import sys
 import tempfile
 import xml.etree.ElementTree as ElementTree
+from collections.abc import Sequence
 from pathlib import Path
 
 from pseudoterminal import COLUMNS, run
@@ -17,7 +21,9 @@ from judge.mistakes.family import Family
 from judge.problem.find import find_problem
 
 PICTURE = ROOT / ".github" / "screenshot.svg"
+FILM = ROOT / ".github" / "loop.svg"
 _COMMAND = "judge run segment.py"
+_SECONDS = (8, 5, 5)  # that the scenes of the film last
 _TITLE = "judge"
 # Colours that hold on the picture's own dark ground, whatever the page around it; SGR 2 is dimmed by hand.
 _GROUND, _TEXT, _FAINT = (13, 17, 23), (201, 209, 217), "139;148;158"
@@ -35,18 +41,52 @@ _PIECE = re.compile(
 
 def real_run(cache: Path | None = None) -> str:
     """What a terminal shows of judging a wrong program, with its colours; the command line first."""
+    return real_loop(cache, 1)[0]
+
+
+def real_loop(cache: Path | None = None, scenes: int = 3) -> list[str]:
+    """What a terminal shows of a wrong try, of a hint and of a right one; only the first scenes."""
+    problem = find_problem("segment")
+    family = Family(problem)
+    wrong = next(choice for choice, name in family.named if name == "loose-epsilon")
+    right = next(iter(sorted((ROOT / "solutions" / "segment" / "accepted").glob("*.py"))))
+    files = (family.program(wrong), None, right.read_text("utf-8"))
+    shown = []
     with tempfile.TemporaryDirectory() as folder:
-        family = Family(find_problem("segment"))
-        wrong = next(choice for choice, name in family.named if name == "loose-epsilon")
-        (Path(folder) / "segment.py").write_text(family.program(wrong), encoding="utf-8")
         settings = {"JUDGE_CACHE": str(cache or f"{folder}/cache"), "JUDGE_DB": f"{folder}/history.sqlite3"}
         settings["PYTHONPATH"] = str(ROOT)
-        command = [sys.executable, "-m", *_COMMAND.split()]
-        _, shown, _ = run(command, Path(folder), settings)
-    return f"\x1b[1m$\x1b[0m {_COMMAND}\n\n{shown}"
+        for words, source in zip((_COMMAND, "judge hint", _COMMAND), files[:scenes], strict=False):
+            if source is not None:
+                (Path(folder) / "segment.py").write_text(source, encoding="utf-8")
+            _, said, _ = run([sys.executable, "-m", *words.split()], Path(folder), settings)
+            shown.append(f"\x1b[1m$\x1b[0m {words}\n\n{said}")
+    return shown
 
 
-def drawn(shown: str) -> str:
+def film(shown: Sequence[str]) -> str:
+    """One SVG that shows these screens in turn, for ever; the first alone where motion is unwanted."""
+    whole, begins, parts, rules = sum(_SECONDS), 0, [], []
+    sizes, rows = [], max(screen.count("\n") for screen in shown)
+    for number, (screen, lasts) in enumerate(zip(shown, _SECONDS, strict=True)):
+        svg = drawn(screen + "\n" * (rows - screen.count("\n")), f"scene{number}")
+        width, height = map(float, re.findall(r'viewBox="0 0 ([\d.]+) ([\d.]+)"', svg)[0])
+        sizes.append((width, height))
+        scene = svg.replace("<svg ", f'<svg width="{width:g}" height="{height:g}" ', 1)
+        parts.append(f'<g class="scene" id="g{number}">\n{scene}</g>\n')
+        start, end = 100 * begins / whole, 100 * (begins + lasts) / whole
+        rules.append(
+            f"@keyframes k{number}{{0%,{start:.2f}%{{opacity:{int(not begins)}}}"
+            f"{start + 0.01:.2f}%,{end - 0.01:.2f}%{{opacity:1}}{end:.2f}%,100%{{opacity:0}}}}\n"
+            f"#g{number}{{animation:k{number} {whole}s step-end infinite}}\n"
+        )
+        begins += lasts
+    width, height = (max(each) for each in zip(*sizes, strict=True))
+    still = "@media (prefers-reduced-motion:reduce){.scene{animation:none!important}#g0{opacity:1}}\n"
+    head = f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width:g} {height:g}">\n'
+    return f"{head}<style>.scene{{opacity:0}}\n{''.join(rules)}{still}</style>\n{''.join(parts)}</svg>\n"
+
+
+def drawn(shown: str, name: str = "judge") -> str:
     """The SVG of what was shown: no script, no address but SVG's own, fonts of the machine it is seen on."""
     from rich.console import Console
     from rich.terminal_theme import TerminalTheme
@@ -56,7 +96,7 @@ def drawn(shown: str) -> str:
     bare = re.sub(r"\x1b\]8;;[^\x1b]*\x1b\\", "", shown)
     console.print(Text.from_ansi(bare.replace("\x1b[2m", f"\x1b[38;2;{_FAINT}m")))
     theme = TerminalTheme(_GROUND, _TEXT, _SIXTEEN, _SIXTEEN)
-    svg = console.export_svg(title=_TITLE, theme=theme, unique_id="judge")
+    svg = console.export_svg(title=_TITLE, theme=theme, unique_id=name)
     svg = re.sub(r"<!--.*?-->\s*", "", svg, flags=re.DOTALL)
     svg = re.sub(r"@font-face \{.*?\}\s*", "", svg, flags=re.DOTALL)
     svg = _PIECE.sub(_placed, svg.replace("Fira Code, monospace", _FONTS))
@@ -95,8 +135,10 @@ def _row(pieces: list[tuple[float, str]]) -> str:
 
 
 def main() -> None:
-    """Draw the picture anew."""
-    PICTURE.write_text(drawn(real_run()), encoding="utf-8")
+    """Draw the pictures anew."""
+    scenes = real_loop()
+    PICTURE.write_text(drawn(scenes[0]), encoding="utf-8")
+    FILM.write_text(film(scenes), encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -14,7 +14,7 @@ import pytest
 from gallery import FOLDER, gallery, levels, path_of
 from mistaken import mistaken
 from sampling import daily
-from screenshot import PICTURE, real_run, text_of
+from screenshot import FILM, PICTURE, real_run, text_of
 from walk import ROOT, WALKS, claims_hold, go, missing, plain, steps
 
 from judge.cli import main
@@ -104,6 +104,15 @@ def test_the_picture_is_of_a_run_as_it_goes_now_and_loads_nothing(built):
     assert not re.findall(r"(?<!xmlns=.)https?:|@font-face|<script|<image|url\((?!#)", picture)
     lacking = missing(plain(text_of(picture)), plain(real_run(built)))
     assert lacking is None, f"python tests/packaging/screenshot.py draws it anew; it lacks\n{lacking}"
+
+
+@pytest.mark.skipif(not FILM.exists(), reason="not part of a source distribution")
+def test_the_film_shows_a_try_a_hint_and_an_accepted_try_and_loads_nothing():
+    film = FILM.read_text(encoding="utf-8")
+    assert "loop.svg" in README
+    assert not re.findall(r"(?<!xmlns=.)https?:|@font-face|<script|<image|url\((?!#)", film)
+    shown = re.findall(r"Smallest failing case|hint 1 of|Accepted", film)
+    assert shown == ["Smallest failing case", "hint 1 of", "Accepted"]
 
 
 @pytest.mark.nightly
