@@ -30,6 +30,12 @@ class BuilderError(ProblemError):
     """A builder made something else than it says: a mistake in it or in its parameters."""
 
 
+def require(condition: bool, what: str) -> None:
+    """Raise BuilderError unless `condition` holds; `what` says what should have been true."""
+    if not condition:
+        raise BuilderError(f"its check fails: {what}", remedy="correct what it draws")
+
+
 class Draw:
     """A source of choices: all of them come from `integer`."""
 
