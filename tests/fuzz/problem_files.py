@@ -184,7 +184,7 @@ def _runs(chance: random.Random, problem: str, files: dict[str, bytes]) -> list[
     programs = [name for name in files if name.startswith(f"solutions/{problem}/")]
     program = f"../{chance.choice(programs)}"
     written = b"".join(_base()[f"problems/{problem}/problem.{kind}"] for kind in ("toml", "py")).decode()
-    group = chance.choice(re.findall(r'(?m)(?:^name = |group\()"([\w-]+)"', written))
+    group = chance.choice([*re.findall(r'(?m)(?:^name = |group\()"([\w-]+)"', written), "examples"])
     cheap, dear = (_commands(texts, problem, group, program) for texts in (_CHEAP, _DEAR))
     chosen = [
         *chance.sample(cheap, chance.choice((1, 1, 2))),
