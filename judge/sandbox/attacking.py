@@ -29,6 +29,7 @@ _LIMITS = {
     Stop.WALL: Limits(2.0, 0.5, 256 << 20, _OUTPUT),
 }
 _SHOWN = 200
+_LONGEST = 70  # bytes of a folder's path below which that of a socket is not too long for the system
 _FIRST_MAPPING = re.compile(r"^([0-9a-f]+)-[0-9a-f]+ r", re.MULTILINE)
 
 
@@ -74,7 +75,8 @@ def _judged(attack: Attack, run: ProgramResult) -> Attacked:
 def targets(packs: Iterable[Path]) -> Iterator[dict[str, Any]]:
     """What there is to attack, made for it and gone afterwards: files, sockets, a process that sleeps."""
     with contextlib.ExitStack() as closing:
-        folder = Path(tempfile.mkdtemp(prefix="judge-attacked-"))
+        fits = len(os.fsencode(tempfile.gettempdir())) <= _LONGEST
+        folder = Path(tempfile.mkdtemp(prefix="judge-attacked-", dir=None if fits else "/tmp"))
         closing.callback(shutil.rmtree, folder, ignore_errors=True)
         folder.chmod(0o777)
         for name, mode in (("private", 0o600), ("open", 0o666)):

@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import json
+import socket
+import tempfile
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -13,6 +16,7 @@ from sampling import nightly
 
 from judge.cli.app import app
 from judge.cli.emit import schema_of
+from judge.sandbox.attacking import targets
 from judge.sandbox.attacks import ATTACKS
 
 NAMES = [attack.name for attack in ATTACKS]
@@ -31,6 +35,18 @@ def outcomes(attacker: Attacker, level: str) -> dict[str, dict[str, Any]]:
 
 def test_there_are_twenty_at_least_and_each_has_a_name() -> None:
     assert len(set(NAMES)) == len(NAMES) >= 20
+
+
+def test_the_socket_to_attack_has_a_name_that_fits_wherever_temporary_files_are(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    deep = tmp_path / ("x" * 120)
+    deep.mkdir()
+    monkeypatch.setattr(tempfile, "tempdir", str(deep))
+    with targets([]) as target, socket.socket(socket.AF_UNIX) as caller:
+        caller.connect(target["socket"])
+        assert Path(target["private"]).read_text() == "private"
+    assert not Path(target["folder"]).exists()
 
 
 @pytest.mark.parametrize("name", NAMES)
