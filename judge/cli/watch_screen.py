@@ -7,7 +7,7 @@ import tempfile
 import threading
 import time
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import ExitStack, closing, contextmanager, redirect_stderr
+from contextlib import ExitStack, closing, contextmanager, redirect_stderr, suppress
 from io import StringIO
 from queue import SimpleQueue
 from types import FrameType
@@ -40,6 +40,7 @@ from judge.report.watch import begun_text, keys_text, note_text, place_text, wai
 if TYPE_CHECKING:
     from rich.console import Group, RenderableType
 
+    from judge.report.published_start import Standing
     from judge.run.result import Failure, Result
 
 _SAVED, _RESIZED = "saved", "resized"
@@ -99,6 +100,7 @@ class _Loop:
         self._events: SimpleQueue[str] = SimpleQueue()
         self._found: Drawing | str = ""
         self._notes = ""
+        self._standing: Standing | None = None
         self._view: View = self._report
         self._asked = ""  # the key before, where it asks for confirmation
         self._leaving = False
@@ -170,8 +172,12 @@ class _Loop:
         if found is None:  # what was judged is out of date: what is there now comes next
             return
         self._found, self._notes = found, notes.getvalue()
-        self._asked = ""
+        self._asked, self._standing = "", None
         self._show(self._report)
+        if self._solved():  # the verdict stands there already, and is worth more
+            with suppress(JudgeError):
+                self._standing = standing(self._kata.problem.id, self._common)
+                self._draw()
 
     def _is_stub(self) -> bool:
         try:
@@ -283,8 +289,7 @@ class _Loop:
             return note_text(self._found, screen)
         after = None
         if self._solved():
-            name = self._kata.problem.id
-            after = accepted(name, standing(name, self._common), screen.width, key="n")
+            after = accepted(self._kata.problem.id, self._standing, screen.width, key="n")
         return result_text(self._found, screen, _BELOW + self._notes.count("\n"), after)
 
     def _end(self, screen: Screen) -> str:

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from typing import Any
 
 import pytest
-from cli_support import FLOOR
+from cli_support import FLOOR, ROOT
 from jsonschema import Draft202012Validator
 
 from judge.cli.app import app
@@ -86,6 +86,12 @@ def test_every_command_with_json_has_a_sound_schema():
                     assert part["$ref"].removeprefix("#/$defs/") in schema["$defs"], name
                 if part.get("type") == "object" and "properties" in part:
                     assert part["additionalProperties"] is False, name
+
+
+def test_what_every_command_with_json_writes_is_held_against_its_schema():
+    played = {path.stem for path in (ROOT / "tests" / "golden" / "transcripts" / "json").glob("*.txt")}
+    held = played | {words.split()[0] for words in SAMPLES} | {"show"}  # which has a test of its own
+    assert {name for name in COMMANDS if hasattr(app.get_command(None, name), "writes")} - held == set()
 
 
 @pytest.mark.parametrize("words", SAMPLES)

@@ -9,6 +9,7 @@ import signal
 import termios
 import time
 from contextlib import closing
+from pathlib import Path
 
 import pytest
 from cli_support import FLOOR, MEAN
@@ -186,6 +187,20 @@ def test_the_terminal_is_given_back_however_it_ends(ending, status, watch, submi
     busy = watch("middle", submit(SLEEPS))
     busy.begins()
     busy.leaves(ending, status)
+
+
+def test_an_accepted_save_is_told_where_the_history_cannot_be_read(watch, submit):
+    terminal = watch("middle", submit(FLOOR))
+    terminal.sees("WA  Wrong answer")
+    kept = Path(os.environ["JUDGE_DB"])
+    kept.rename(kept.with_name("elsewhere"))
+    kept.mkdir()
+    submit(MEAN)
+    lines = terminal.sees("AC  Accepted")
+    assert last(lines).startswith("AC  all 52 cases pass")
+    terminal.press("s")
+    terminal.sees("half-way between a and b")
+    terminal.leaves()
 
 
 SLEEPS = "import time\ndef middle(a, b):\n    time.sleep(999)\n"
