@@ -3,7 +3,8 @@
     judge run                  the file last started or judged in this folder
     judge run count            count.py in this folder, or another file here that was judged as count
     judge run count a.py b.py  these files, as count
-    judge run a.py homework    each file says its kata: by its function, its first line, or its name
+    judge run a.py homework    each file says its kata: by its function, its first line, its name, or
+                               its folder in solutions/
 
 The first word is a kata where there is one of that name, even where a file is called so; `./count` is the
 file. Nothing points to the current kata: it is read from the history, so looking never moves it.
@@ -13,6 +14,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
+from itertools import pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -231,16 +233,20 @@ def problem_of_file(
     fitting = fitting_problems(found, folders)
     if len(fitting) == 1:
         return fitting[0]
-    path = str(Path(submission.name).absolute())
-    if known := next((each for each in _places(db) if each.path == path), None):
+    path = Path(submission.name).absolute()
+    for above, name in pairwise(path.parent.parts):
+        meant = above == "solutions" and (not fitting or name in [each.id for each in fitting])
+        if meant and is_problem(name, folders):
+            return find_problem(name, folders)
+    if known := next((each for each in _places(db) if each.path == str(path)), None):
         return problem_of(known, folders)
     if fitting:
         names = [problem.id for problem in fitting]
         chosen = shown_command("judge", command, names[0], file=submission.name)
         what = f"this file fits {' and '.join(names)}"
         raise UsageError(what, where=submission.name, remedy=f"'{chosen}' takes the first")
-    if meant := meant_problem(found, folders):
-        name, entry, problem = meant
+    if near := meant_problem(found, folders):
+        name, entry, problem = near
         what = f"this file defines {name}; did you mean {entry}, of {problem}?"
         chosen = shown_command("judge", command, problem, file=submission.name)
         raise UsageError(what, where=submission.name, remedy=f"rename it, or write '{chosen}'")

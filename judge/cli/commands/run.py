@@ -96,8 +96,8 @@ def run(words: tuple[str, ...], ask: RunAsk, common: Common) -> Iterator[Struct]
     """Judge files once.
 
     Without words: the file of your current kata. A FILE says its kata by its function, the first line of its
-    stub, or its name; a folder stands for every *.py in it. A file that does not define the kata's function
-    is run as a program that reads standard input.
+    stub, its name, or its folder in solutions/; a folder stands for every *.py in it. A file that does not
+    define the kata's function is run as a program that reads standard input.
 
     With --fresh, new cases are drawn until the time is up or one fails. Ctrl-C keeps what was found.
 
