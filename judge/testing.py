@@ -17,6 +17,7 @@ import os
 from collections.abc import Iterable, Iterator, Sequence
 from functools import cached_property
 from pathlib import Path
+from textwrap import wrap
 from typing import Any
 
 from msgspec import Struct
@@ -29,9 +30,8 @@ from judge.mistakes.told import told_mistakes
 from judge.problem import Group, Problem
 from judge.problem.find import find_problem
 from judge.problem.model import chosen_groups
-from judge.report.layout import printable, wrap
 from judge.report.tell import tell
-from judge.report.values import counted
+from judge.report.words import counted, printable
 from judge.run.result import GroupResult, Result
 
 __all__ = ["JudgeGroup", "JudgeProblem", "judge_problem"]
@@ -174,5 +174,5 @@ def _hints(problem: Problem, group: Group) -> Iterator[str]:
 
 def _text(lines: Iterable[str]) -> str:
     """The lines, wrapped, with nothing in them that a terminal obeys."""
-    shown = (row for text in lines for row in wrap(text, _WIDTH))
-    return "\n".join(map(printable, shown))
+    rows = (printable(row) for text in lines for row in text.splitlines() or [""])
+    return "\n".join(part for row in rows for part in wrap(row, _WIDTH) or [""])

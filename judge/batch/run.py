@@ -32,7 +32,7 @@ from judge.problem.find import find_problem
 from judge.report.cohort import ClassRow, Cohort
 from judge.report.live import Live
 from judge.report.progress import progress
-from judge.report.values import counted
+from judge.report.words import counted
 from judge.run.result import Result
 
 _NAMES = 5  # files that one sentence names

@@ -227,7 +227,7 @@ def problem_of_file(
         ProblemError: the one that fits is broken.
     """
     from judge.problem.fit import fitting_problems, meant_problem, signs  # only where no kata is named
-    from judge.report.names import shown_command
+    from judge.report.words import shown_command
 
     found = signs(submission.source, submission.name)
     fitting = fitting_problems(found, folders)

@@ -16,11 +16,9 @@ from pathlib import Path
 from xml.etree import ElementTree as Xml
 
 from judge.problem.model import Verdict
-from judge.report.layout import printable
-from judge.report.names import shown_name
 from judge.report.places import annotated_place
 from judge.report.tell import Told, level_share, tell
-from judge.report.values import counted
+from judge.report.words import counted, printable, shown_name
 from judge.run.result import Failure, GroupResult, Result
 
 

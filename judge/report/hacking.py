@@ -13,7 +13,7 @@ from judge.report.parts import BAD, FAINT, GOOD, STRONG, commands, facts, indent
 from judge.report.published_cases import HackStanding, HackTurn
 from judge.report.screen import Screen
 from judge.report.trying import fitted
-from judge.report.values import counted
+from judge.report.words import counted
 
 _STATES = {
     HackState.BROKEN: text("broken", GOOD),

@@ -8,8 +8,7 @@ import sys
 import time
 from collections.abc import Callable
 
-from judge.report.layout import cells, printable
-from judge.report.screen import Screen, err, is_terminal, note
+from judge.report.screen import Screen, err, fitted, is_terminal, note
 
 _EACH = 0.1  # seconds between two states of it on a terminal
 _SELDOM = 30.0  # … and between two lines of a log
@@ -46,10 +45,7 @@ class Live:
             return
         screen = err()
         room = (screen.width or 80) - 1  # a line that is full goes on in the next one
-        shown = printable(text())
-        while cells(shown) > room:
-            shown = shown.removesuffix("…")[:-1] + "…"
-        _write(screen, f"\r\x1b[K{shown}")
+        _write(screen, f"\r\x1b[K{fitted(text(), room)}")
         self._shown = True
 
     def hide(self) -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from judge.drawing import Picture
@@ -10,20 +9,18 @@ from judge.drawing.braille import COLUMNS, ROWS, to_braille
 from judge.drawing.braille import LEAST_ROWS as LEAST_ROWS
 from judge.drawing.chart import Axis, Chart, Series, chart_braille
 from judge.drawing.shapes import Role
-from judge.report.layout import Line, Span, Style, line
 from judge.report.screen import Screen, is_terminal
-from judge.report.values import seconds
+from judge.report.words import seconds
 from judge.run.result import Growth
 
 if TYPE_CHECKING:
     from rich.text import Text
 
-_RICH = {Style.GOOD: "green", Style.BAD: "red", Style.STRONG: "bold", Style.FAINT: "dim"}
-_STYLES = {
-    Role.WANTED: Style.GOOD,
-    Role.GOT: Style.BAD,
-    Role.CASE: Style.STRONG,
-    Role.BEYOND: Style.FAINT,
+_COLOURS: dict[Role | None, str] = {
+    Role.WANTED: "green",
+    Role.GOT: "red",
+    Role.CASE: "bold",
+    Role.BEYOND: "dim",
 }
 
 
@@ -56,28 +53,12 @@ def growth_chart(growth: Growth) -> Chart | None:
     return Chart(title, series, Axis("n", log=True), Axis("CPU time", seconds, log=True), about)
 
 
-def picture_lines(
-    picture: Picture | Chart, rows: int | None = None, *, answered: bool = True
-) -> Iterator[Line]:
+def picture_rows(picture: Picture | Chart, rows: int = ROWS, *, answered: bool = True) -> list[Text]:
     """The drawing in about so many rows, coloured by what is expected and what was given."""
-    rows = ROWS if rows is None else rows
+    from rich.text import Text
+
     if isinstance(picture, Chart):
         drawn = chart_braille(picture, rows)
     else:
         drawn = to_braille(picture, rows, answered=answered)
-    for row in drawn:
-        yield line(*(Span(piece.text, _style(piece.role)) for piece in row))
-
-
-def _style(role: Role | None) -> Style:
-    return _STYLES.get(role, Style.PLAIN) if role else Style.PLAIN
-
-
-def picture_rows(picture: Picture | Chart, rows: int) -> list[Text]:
-    """The same for a view."""
-    from rich.text import Text
-
-    return [
-        Text.assemble(*((span.text, _RICH.get(span.style, "")) for span in row))
-        for row in picture_lines(picture, rows)
-    ]
+    return [Text.assemble(*((each.text, _COLOURS.get(each.role, "")) for each in row)) for row in drawn]

@@ -9,8 +9,8 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
-from judge.report.layout import printable
 from judge.report.screen import is_terminal
+from judge.report.words import printable
 
 if TYPE_CHECKING:
     from rich.progress import Progress, TaskID

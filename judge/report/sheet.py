@@ -12,7 +12,7 @@ import io
 import re
 from collections.abc import Iterable
 
-from judge.report.layout import printable
+from judge.report.words import printable
 
 _FORMULA = re.compile(r"""(^|[;,"'|\t])(\s*)(?=[=+\-@＝＋－＠])""")
 

@@ -14,7 +14,7 @@ from judge.problem import Problem, Verdict
 from judge.problem.model import KataLevel
 from judge.report.obstacle import obstacle_text
 from judge.report.places import fault_place
-from judge.report.values import argument, counted, seconds, times
+from judge.report.words import argument, counted, seconds, times
 from judge.run.result import Failure, GroupResult, LevelResult, Mode, Obstacle, Pitfall, Result
 
 _PLACE = re.compile(r" \(line (\d{1,9})\)")

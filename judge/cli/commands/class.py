@@ -21,7 +21,7 @@ from judge.problem.find import find_problem
 from judge.problem.model import LEVELS
 from judge.report.cohort import ClassLine, ClassRow, Cohort, gradebook, is_gradebook
 from judge.report.screen import note
-from judge.report.values import counted
+from judge.report.words import counted
 
 if TYPE_CHECKING:
     from judge.judging.executors import Executor

@@ -16,7 +16,6 @@ from judge.errors import HistoryError, ProblemError, UsageError, nearest
 from judge.kata.sets import USUAL, sound_sets
 from judge.problem import Problem
 from judge.problem.find import find_problem, sound_problems
-from judge.report.layout import Style
 from judge.report.published import KataInFull, KataList, KataRow, KataShown, SetRow, kata_row
 from judge.report.screen import note
 
@@ -53,7 +52,7 @@ def listed(name: str | None, ask: ListAsk, common: Common) -> KataList:
     rows, at = _rows(problems, common.db)
     sets, broken = _sets(problems, common.problems)
     for fault in (*faults, *broken):
-        note(str(fault), Style.BAD)
+        note(str(fault), bad=True)
     names = [each.name for each in sets]
     if name is not None and name not in names:
         meant = nearest(name, names)

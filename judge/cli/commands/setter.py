@@ -43,7 +43,7 @@ from judge.report.published_setter import (
     verified,
 )
 from judge.report.screen import note
-from judge.report.values import counted
+from judge.report.words import counted
 from judge.run.edges import edges_of
 from judge.run.verify import Fault, VerifyReport, fresh_data, verify_problem
 from judge.sandbox import Boxes

@@ -16,7 +16,7 @@ from judge.problem import Problem, Verdict
 from judge.problem.declare import Shown
 from judge.problem.model import case_of
 from judge.problem.module import Module, load_module
-from judge.report.values import arguments, with_points
+from judge.report.words import arguments, with_points
 from judge.run.result import Failure, Result
 from judge.values import parameters
 

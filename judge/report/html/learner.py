@@ -20,7 +20,7 @@ from judge.kata.progress import SkillProgress, State
 from judge.problem import Problem, Verdict
 from judge.report.html import day, page
 from judge.report.html.case import Case, Cases
-from judge.report.values import counted
+from judge.report.words import counted
 
 MARK = "circle-line-judge report"  # in the head of every such page, also of older ones
 _MOST_RUNS = 300  # of one kata in its table
