@@ -30,8 +30,7 @@ from judge.mistakes.known import is_kept
 from judge.problem import Problem
 from judge.problem.find import find_problem
 from judge.report.cohort import ClassRow, Cohort
-from judge.report.live import Live
-from judge.report.progress import progress
+from judge.report.wait import Live, progress
 from judge.report.words import counted
 from judge.run.result import Result
 

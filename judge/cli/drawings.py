@@ -12,8 +12,8 @@ from judge.cli.wish import Wish
 from judge.judging.containment import Containment
 from judge.judging.session import Session
 from judge.problem import Problem
-from judge.report.progress import Advance, progress
 from judge.report.screen import Notes
+from judge.report.wait import Advance, progress
 from judge.run.result import Result
 
 

@@ -1,4 +1,4 @@
-"""The failing case drawn on a terminal, or how the time grows."""
+"""Pictures: the failing case on a terminal, how the time grows, the figure of a statement."""
 
 from __future__ import annotations
 
@@ -9,6 +9,8 @@ from judge.drawing.braille import COLUMNS, ROWS, to_braille
 from judge.drawing.braille import LEAST_ROWS as LEAST_ROWS
 from judge.drawing.chart import Axis, Chart, Series, chart_braille
 from judge.drawing.shapes import Role
+from judge.problem import Problem
+from judge.problem.declare import Shown
 from judge.report.screen import Screen, is_terminal
 from judge.report.words import seconds
 from judge.run.result import Growth
@@ -62,3 +64,30 @@ def picture_rows(picture: Picture | Chart, rows: int = ROWS, *, answered: bool =
     else:
         drawn = to_braille(picture, rows, answered=answered)
     return [Text.assemble(*((each.text, _COLOURS.get(each.role, "")) for each in row)) for row in drawn]
+
+
+FIGURE = "figure.svg"
+
+
+def figure(problem: Problem) -> str | None:
+    """The SVG; None where the problem draws none of its examples."""
+    from judge.drawing.svg import panel_svg
+    from judge.problem.module import load_module
+    from judge.values import show
+
+    module = load_module(problem)
+    draw = module.hooks.picture
+    if draw is None:
+        return None
+    names = [parameter.name for parameter in problem.parameters]
+    for example in problem.examples:
+        values = dict(zip(names, example.case, strict=True))
+        exact = module.solve(*example.case)
+        picture = draw(
+            Shown(
+                problem, values, exact, str(show.exact_text(problem.answer, exact)), None, heading="example"
+            )
+        )
+        if picture is not None:
+            return panel_svg(picture.whole, "figure", picture.description, alone=True) + "\n"
+    return None

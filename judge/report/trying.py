@@ -15,11 +15,11 @@ from judge.drawing.shapes import Picture, Role
 from judge.errors import told
 from judge.problem import Verdict
 from judge.problem.declare import Shown
-from judge.report.obstacle import obstacle_text
 from judge.report.parts import BAD, FAINT, GOOD, STRONG, Cell, facts, indented, joined, text, verdict
 from judge.report.picture import has_room
 from judge.report.published_cases import CaseTried, PageWritten
 from judge.report.screen import Screen, drawn, note
+from judge.report.tell import obstacle_text
 from judge.report.words import arguments, shown_name
 from judge.run.result import Failure, Obstacle, Result
 from judge.run.tried import Said, Tried

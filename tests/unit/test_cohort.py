@@ -14,9 +14,9 @@ from judge.batch.cohort import cohort_of, counting
 from judge.batch.model import Done, Row, Student
 from judge.errors import ExitCode
 from judge.report.cohort import gradebook, is_gradebook
+from judge.report.formats import cell
 from judge.report.klass import klass
 from judge.report.screen import Screen, drawn
-from judge.report.sheet import cell
 
 
 def scored(student, problem, verdict="WA", score=40, where=("lab1", "full"), at=1.0, copied="", **done):

@@ -316,7 +316,7 @@ class _Hacking(Struct, frozen=True):
     def given_up(self, puzzle: Puzzle) -> HackTurn:
         """The mistake, and a smallest case."""
         from judge.judging.hacking import smallest
-        from judge.report.progress import progress
+        from judge.report.wait import progress
 
         tried, said = smallest(self.problem, puzzle, self.common.isolation, progress) or (None, None)
         self._keep(puzzle, line_of(self.problem, tried.case) if tried else "", Outcome.GIVEN_UP)

@@ -18,9 +18,9 @@ from judge.judging.isolation import keep_level
 from judge.languages.find import Found
 from judge.languages.find import found as found_of
 from judge.languages.model import languages
-from judge.report.progress import progress
 from judge.report.published_setter import AttackRow, Attacks, Doctor, LanguageRow, LevelRow
 from judge.report.screen import note
+from judge.report.wait import progress
 from judge.sandbox import Boxes, levels
 
 if TYPE_CHECKING:

@@ -170,7 +170,7 @@ def _judged(
     result of each submission that is left, for whoever reads the results as data.
     """
     from judge.cli.judging import judged
-    from judge.report.progress import progress
+    from judge.report.wait import progress
 
     plain = ask.form == TEXT and ask.junit is None and not common.json
     brief = ask.quiet and plain
@@ -242,8 +242,8 @@ def _fresh(task: Task, ask: RunAsk, common: Common) -> Judged:
     from judge.data.model import ProblemData
     from judge.judging.session import Session
     from judge.judging.stressing import Stressing
-    from judge.report.progress import progress, stages
     from judge.report.screen import Notes
+    from judge.report.wait import progress, stages
 
     (submission,), problem = task.submissions, task.problem
     lasting = seconds_of(ask.fresh or "", "--fresh")

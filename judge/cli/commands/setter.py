@@ -31,7 +31,6 @@ from judge.packs.export.statement import latex
 from judge.problem import Problem
 from judge.problem.find import find_problem, folders_within, problem_folders
 from judge.problem.model import chosen_groups
-from judge.report.progress import Stage, progress, stages
 from judge.report.published_setter import (
     DecksVerified,
     Exported,
@@ -43,6 +42,7 @@ from judge.report.published_setter import (
     verified,
 )
 from judge.report.screen import note
+from judge.report.wait import Stage, progress, stages
 from judge.report.words import counted
 from judge.run.edges import edges_of
 from judge.run.verify import Fault, VerifyReport, fresh_data, verify_problem
@@ -192,7 +192,7 @@ def _data(problem: Problem, seeds: int, advance: Stage | None) -> list[ProblemDa
 
 def _draw_figure(problem: Problem) -> None:
     """Write figure.svg beside the statement, where there is something to draw."""
-    from judge.report.figure import FIGURE, figure
+    from judge.report.picture import FIGURE, figure
 
     drawn = figure(problem)
     if drawn is not None:

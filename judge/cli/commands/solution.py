@@ -142,7 +142,7 @@ def _measured(
     from judge.data.load import load_data
     from judge.judging.containment import Containment
     from judge.languages.find import why_not
-    from judge.report.progress import progress
+    from judge.report.wait import progress
     from judge.run.times import Program, measure
 
     entries = []
