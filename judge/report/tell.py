@@ -282,7 +282,7 @@ def _level(level: KataLevel) -> str:
 
 
 # As judge.run.execute writes a compiler's complaint, whose quotation of the line follows it …
-_COMPILED = re.compile(r"\(line (\d{1,9})(?:, column (\d{1,9}))?\)")
+_COMPLAINT = re.compile(r"\(line (\d{1,9})(?:, column (\d{1,9}))?\)")
 # … and judge.sandbox.inside.child an exception, which may have such words in its own text before,
 # or the place where a call stood that did not end.
 _RAISED = re.compile(r".*\(line (\d{1,9})\)(?:$|, after |, when |; its input|; it was run as a program)")
@@ -302,7 +302,7 @@ def fault_place(result: Result) -> FilePlace | None:
     """
     message = result.failure.message if result.failure else ""
     if result.verdict is Verdict.CE:
-        found = _COMPILED.search(message)
+        found = _COMPLAINT.search(message)
         return FilePlace(int(found[1]), int(found[2] or 0)) if found else None
     found = _RAISED.match(message) if result.verdict in (Verdict.RTE, Verdict.TLE) else None
     return FilePlace(int(found[1])) if found else None
