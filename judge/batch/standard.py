@@ -11,8 +11,8 @@ from msgspec.structs import replace
 from judge import __version__
 from judge.batch.model import Standard
 from judge.digest import digest_of
-from judge.judging.containment import Containment
-from judge.judging.job import RunOptions, judged_by
+from judge.judging.api import RunOptions, judged_by
+from judge.judging.session import Session
 from judge.languages import file_name
 from judge.problem import Problem
 from judge.problem.keys import all_code_files, content_key
@@ -46,9 +46,9 @@ def level_here(problem: Problem, options: RunOptions) -> tuple[str, tuple[str, .
         UsageError: the one that is demanded cannot be had.
         JudgeError: none can.
     """
-    with Containment(problem, options.isolation) as containment, containment.take(b"", _EMPTY) as box:
+    with Session(problem, options) as session, session.take(b"", _EMPTY) as box:
         box.inspect()
-        return box.isolation, containment.notes(box.isolation)
+        return box.isolation, session.notes(box.isolation)
 
 
 def differing(one: Standard, other: Standard) -> str:

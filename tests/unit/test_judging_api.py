@@ -12,10 +12,10 @@ import pytest
 import judge
 from judge import Job, RunOptions, Session
 from judge.errors import JudgeError, ProblemError, UsageError
-from judge.judging import session as session_module
-from judge.judging.public import run
+from judge.judging.api import run
 from judge.problem import Verdict
 from judge.problem.find import find_problem
+from judge.run import execute
 
 PACK = Path(__file__).parents[1] / "fixtures" / "pack"
 GOOD = "def middle(a, b):\n    return (a + b) / 2\n"
@@ -123,14 +123,14 @@ def test_a_job_is_not_done_on_another_version_of_its_problem(elsewhere):
     ],
 )
 def test_a_fault_costs_one_submission(fault, told, problem, monkeypatch):
-    real = session_module.run_in
+    real = execute.judge_submission
 
-    def faulty(box, problem, data, source, name, **how):
+    def faulty(data, source, name, *how, **more):
         if name == "b.py":
             raise fault
-        return real(box, problem, data, source, name, **how)
+        return real(data, source, name, *how, **more)
 
-    monkeypatch.setattr(session_module, "run_in", faulty)
+    monkeypatch.setattr(execute, "judge_submission", faulty)
     with Session(problem, RunOptions(timed=False)) as session:
         results = [session.judge(GOOD.encode(), name) for name in ("a.py", "b.py", "c.py")]
     assert [result.verdict for result in results] == [Verdict.AC, Verdict.JE, Verdict.AC]
