@@ -79,11 +79,12 @@ class Job(Struct, frozen=True):
 
 def version_of(problem: Problem) -> str:
     """The hash of the judge's own code and of all that it judges by in the problem's two folders."""
-    return content_key("job/", judged_by(problem), _code())
+    return content_key("job/", judged_by(problem), code_version())
 
 
 @cache
-def _code() -> str:
+def code_version() -> str:
+    """The hash of the judge's own code."""
     return content_key("judge/", all_code_files())
 
 
@@ -149,13 +150,11 @@ def _judged(problem: Problem, options: RunOptions, source: bytes, name: str) -> 
 
 def _read(source: bytes | str | os.PathLike[str]) -> tuple[bytes, str]:
     """The bytes of a submission, and what it is called."""
-    if isinstance(source, bytes):
-        return source, _NAMELESS
-    if isinstance(source, str):
-        if "\n" not in source and is_program(source):
-            remedy = f"give pathlib.Path({source!r}), or the text that is in it"
-            raise UsageError(f"{source!r} is a file's name, not a program", remedy=remedy)
-        return source.encode(), _NAMELESS
+    if isinstance(source, str) and "\n" not in source and is_program(source):
+        remedy = f"give pathlib.Path({source!r}), or the text that is in it"
+        raise UsageError(f"{source!r} is a file's name, not a program", remedy=remedy)
+    if isinstance(source, bytes | str):
+        return source if isinstance(source, bytes) else source.encode(), _NAMELESS
     try:
         return read_ordinary(Path(source)), os.fspath(source)
     except OSError as fault:

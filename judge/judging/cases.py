@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Sequence
 
@@ -24,13 +25,13 @@ from judge.run.execute import Judged, judge_submission, opened
 from judge.run.group import group_limits
 from judge.run.hurdle import hurdle_of, with_hurdle
 from judge.run.printed import message_of, text_of
-from judge.run.replies import VERDICTS
+from judge.run.replies import VERDICTS, Replies
 from judge.run.result import Failure, GroupResult, Result
 from judge.run.runner import Runner
 from judge.run.stress import OnCases, Stressed, stress
 from judge.run.tried import Hacked, Said, Tried
-from judge.sandbox.boundary import Reply, Stop, Usage
-from judge.values import Rejection, show, wire
+from judge.sandbox.boundary import Stop, Usage
+from judge.values import Raw, Rejection, show, wire
 
 _SHOWN = 400  # characters of an answer
 _NAME = file_name("program")  # what a wrong program is called in a message
@@ -46,12 +47,12 @@ def try_case(problem: Problem, case: Case, group: str = "") -> Tried:
     module = load_module(problem)
     proof = Validator(problem, module.solve).proof(case)
     if proof.fault:
-        what = proof.fault.replace("The ", "the ", 1) if proof.fault.startswith("The ") else proof.fault
+        what = re.sub("^The ", "the ", proof.fault)
         raise UsageError(f"Not a valid input: {what}", remedy=f"see judge show {problem.id}")
-    alone = replace(problem.group(group) or _usual(problem), count=1, points=100)
-    target = target_of(problem, proof.answer, alone.tolerance)
-    data = ProblemData(problem, (GroupData(alone, [case], [target]),), module=module)
-    return Tried(problem, case, alone, proof.answer, target, data)
+    judged_by = problem.group(group) or _usual(problem)
+    target = target_of(problem, proof.answer, judged_by.tolerance)
+    data = ProblemData(problem, (GroupData(judged_by, [case], [target]),), module=module)
+    return Tried(problem, case, judged_by, proof.answer, target, data)
 
 
 def _usual(problem: Problem) -> Group:
@@ -72,20 +73,17 @@ def ask(session: Session, tried: Tried, source: bytes, name: str) -> Said:
         if isinstance(runner, Failure):
             return Said(name, Verdict.CE, "no answer", runner.message, box.isolation)
         replies = runner.answers(box, [tried.case], group_limits(tried.problem, tried.group, Usage()))
-        broken, printed = replies.breakdown, text_of(replies.printed)
-        said = Said(name, Verdict.AC, "no answer", "", box.isolation, runner.mode, printed=printed)
-        if broken is not None:
-            said = replace(said, verdict=broken.verdict, got=broken.got, message=broken.detail)
-        else:
-            said = _decided(said, runner, tried, replies.replies[0])
-        if said.verdict is Verdict.AC:
+        verdict, got, message, given = _answer(runner, tried, replies)
+        printed = text_of(replies.printed)
+        said = Said(name, verdict, got, message, box.isolation, runner.mode, given, printed)
+        if verdict is Verdict.AC:
             return said
-        failure = runner.explained(Failure(message_of(said.message, said.got, printed)))
-        group = GroupResult(name=tried.group.name, verdict=said.verdict, cases=1, passed=0)
+        failure = runner.explained(Failure(message_of(message, got, printed)))
+        group = GroupResult(name=tried.group.name, verdict=verdict, cases=1, passed=0)
         result = Result(
             problem=tried.problem.id,
             submission=name,
-            verdict=said.verdict,
+            verdict=verdict,
             groups=(group,),
             failure=failure,
         )
@@ -93,16 +91,20 @@ def ask(session: Session, tried: Tried, source: bytes, name: str) -> Said:
         return replace(said, message=failure.message, hurdle=hurdle)
 
 
-def _decided(said: Said, runner: Runner, tried: Tried, reply: Reply) -> Said:
-    """With what came of one call."""
+def _answer(runner: Runner, tried: Tried, replies: Replies) -> tuple[Verdict, str, str, Raw]:
+    """The verdict on what came of one call, the answer in words, why it is rejected, the answer itself."""
+    broken = replies.breakdown
+    if broken is not None:
+        return broken.verdict, broken.got, broken.detail, None
+    reply = replies.replies[0]
     if reply.stop is not Stop.ANSWERED:
-        return replace(said, verdict=VERDICTS[reply.stop], message=reply.detail)
+        return VERDICTS[reply.stop], "no answer", reply.detail, None
     outcome = runner.decide(reply.answer, tried.target, lambda: (tried.exact, tried.group.tolerance))
     given = runner.raw(reply.answer)
     if isinstance(outcome, Rejection):
-        return replace(said, verdict=Verdict.WA, got=outcome.got, message=outcome.message, given=given)
+        return Verdict.WA, outcome.got, outcome.message, given
     shown = show.shown(tried.problem.answer, given) if runner.calls else wire.quoted(reply.answer)[1:-1]
-    return replace(said, got=shown[:_SHOWN], given=given)
+    return Verdict.AC, shown[:_SHOWN], "", given
 
 
 def hack(problem: Problem, puzzle: Puzzle, case: Case, isolation: str | None = None) -> Hacked:
@@ -138,15 +140,11 @@ def smallest(
     options = RunOptions(groups=(puzzle.group.name,), isolation=isolation, timed=False, named=False)
     with Session(problem, options, bars=bars) as session:
         result = session.judge(puzzle.source, _NAME)
-        found, failure = result.counterexample, result.failure
-        if found is not None and found.replay and found.input is not None:
-            case = case_of(found.input)
-        elif failure is not None and failure.group and failure.case:
-            data = next(each for each in session.data.groups if each.group.name == failure.group)
-            case = data.cases[failure.case - 1]
-        else:
+        found = result.counterexample
+        shown = found if found is not None and found.replay else result.failure
+        if shown is None or shown.input is None:
             return None
-        tried = try_case(problem, case, puzzle.group.name)
+        tried = try_case(problem, case_of(shown.input), puzzle.group.name)
         return tried, ask(session, tried, puzzle.source, _NAME)
 
 
@@ -198,7 +196,6 @@ def judge_fresh(
 
 def _named(session: Session, result: Result, source: bytes) -> Result:
     """With the mistake's name, which the wrong answers to the session's own cases tell, if there are any."""
-    untimed = replace(session.settings, measured=False)
-    pinned = judge_submission(session.data, source, result.submission, untimed)
+    pinned = judge_submission(session.data, source, result.submission, session.untimed)
     named = session.named(pinned.result, pinned.behaviour, source)
     return replace(result, pitfall=named.pitfall).noting(*named.notes)

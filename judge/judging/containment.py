@@ -23,8 +23,8 @@ def hidden_folders(problem: Problem) -> tuple[Path, ...]:
     cache = cache_folder()
     with suppress(OSError):  # whoever builds the data says so
         cache.mkdir(parents=True, exist_ok=True)
-    own = (problem.folder, problem.solutions)  # they may be symlinks to another place than their parents
-    return (*own, *(folder.parent for folder in own), cache)
+    folder, solutions = problem.folder, problem.solutions  # they may be links to elsewhere than their parents
+    return folder, solutions, folder.parent, solutions.parent, cache
 
 
 def every_hidden_folder() -> tuple[Path, ...]:
@@ -61,6 +61,5 @@ def _file(what: str) -> KeptFile:
     """The machine and the user are in its stem, so that a cache that machines share keeps a level of each."""
     system = os.uname()
     place = digest_of(f"{system.nodename}\0{os.geteuid()}".encode())[:8]
-    key = "\0".join((__version__, system.sysname, system.release, system.version, system.machine))
-    key = digest_of(key.encode())[:32]
+    key = digest_of(f"{__version__}\0{system}".encode())[:32]
     return KeptFile(cache_folder, "isolation", f"{what}-{place}-", key, "levels of isolation")

@@ -12,7 +12,7 @@ import io
 import sys
 import warnings
 from collections.abc import Callable, Collection, Iterator, Sequence
-from contextlib import ExitStack, contextmanager, nullcontext, redirect_stdout
+from contextlib import ExitStack, contextmanager, nullcontext, redirect_stdout, suppress
 from pathlib import Path
 from traceback import walk_tb
 from typing import Any, NamedTuple
@@ -153,22 +153,18 @@ def explain_routine(data: ProblemData, routine: Routine) -> Result:
     from judge.diagnose.shrink import shrink  # only after a failure
     from judge.mistakes.namer import Namer
 
-    problem, runner, rule = data.problem, FunctionRunner(data.problem), data.problem.time
     runs = [each.run for each in check_routine(data, routine, [each.group.name for each in data.groups])]
     first = next(run for run in runs if run.failure is not None)
-    failure, verdict, name = first.failure, first.verdict, routine_name(routine)
-    assert failure is not None
-    groups = tuple(run.result() for run in runs)
-    result = Result(problem=problem.id, submission=name, verdict=verdict, failure=failure, **earned(groups))
-    with Reference(problem, InProcess) as reference:
-        found = shrink(
-            data,
-            InProcess(routine=routine),
-            runner,
-            verdict,
-            failure,
-            reference=lambda: reference.open(rule.function if rule else None),
-        )
+    result = Result(
+        problem=data.problem.id,
+        submission=routine_name(routine),
+        verdict=first.verdict,
+        failure=first.failure,
+        **earned([run.result() for run in runs]),
+    )
+    with Reference(data.problem, InProcess) as reference:
+        box = InProcess(routine=routine)
+        found = shrink(data, box, FunctionRunner(data.problem), result, reference=reference)
 
     def fails_alone(group: str, case: int) -> bool:
         (one,) = check_routine(one_case(data, group, case), routine, [group])
@@ -186,11 +182,9 @@ def routine_name(routine: Routine) -> str:
 
 def _source(routine: Routine) -> bytes:
     """The file that the routine is written in; nothing where it is in none."""
-    code = getattr(routine, "__code__", None)
-    try:
-        return Path(code.co_filename).read_bytes() if code else b""
-    except OSError:
-        return b""
+    with suppress(AttributeError, OSError):
+        return Path(routine.__code__.co_filename).read_bytes()
+    return b""
 
 
 @contextmanager

@@ -116,31 +116,29 @@ class Processes:
         self.count, limit = room.measure().at_once(count)
         short = f"{self.count} at once, not {count}: there is no room for more ({limit})"
         self.short = short if limit else ""
-        self._alive = 0
+        self._workers: list[_Worker] = []
 
     def run(self, work: Callable[[T], R], items: Sequence[T], lost: Lost[T, R]) -> Finished[R]:
         """See `Executor.run`."""
         kinds = [getattr(item, "problem", None) for item in items]  # what each needs to be warm
         waiting, tries = list(range(len(items))), Counter[int]()
-        idle = [_Worker() for _ in range(min(self.count, len(items)))]
+        self._workers = [_Worker() for _ in range(min(self.count, len(items)))]
+        idle = list(self._workers)
         busy: dict[Any, tuple[_Worker, int]] = {}
         try:
             while waiting or busy:
                 while waiting and idle:
                     worker = idle.pop()
-                    others = {other.at for other, _ in busy.values()}
-                    place = _next(waiting, kinds, worker.at, others)
+                    place = _next(waiting, kinds, worker.at, {other.at for other, _ in busy.values()})
                     try:
                         busy[worker.given(work, items[place])] = worker, place
                     except (OSError, MemoryError) as fault:  # no process can be started
-                        worker.end()
                         short = shortage(fault)
                         if short is None or not busy:
                             raise short or fault from None
                         continue  # those that are at work will do it
                     waiting.remove(place)
                     worker.at = kinds[place]
-                    self._alive = len(busy) + len(idle)
                 for line in wait(busy):
                     worker, place = busy.pop(line)
                     outcome = worker.outcome()
@@ -151,13 +149,12 @@ class Processes:
                     else:
                         yield place, _settled(outcome, items[place], lost)
         finally:
-            for worker in (*idle, *(worker for worker, _ in busy.values())):
+            for worker in self._workers:
                 worker.end()
-            self._alive = 0
 
     def alive(self) -> int:
         """The processes that have or await an item."""
-        return self._alive
+        return sum(worker.process is not None for worker in self._workers)
 
 
 def _next(waiting: Sequence[int], kinds: Sequence[object], at: object, others: Container[object]) -> int:
@@ -174,7 +171,7 @@ class _Worker:
 
     def __init__(self) -> None:
         self.at: object = None  # the kind of its last item
-        self._process: SpawnProcess | None = None
+        self.process: SpawnProcess | None = None
         self._items: Connection
         self._outcomes: Connection
 
@@ -183,20 +180,19 @@ class _Worker:
 
         Raises OSError where no process can be started.
         """
-        if self._process is not None and not self._process.is_alive():  # it has died while it waited
-            self.end()
-        if self._process is None:
+        if self.process is None:
             theirs, self._items = _SPAWN.Pipe(duplex=False)
             self._outcomes, back = _SPAWN.Pipe(duplex=False)
-            self._process = _SPAWN.Process(target=_serve, args=(theirs, back))
+            process = _SPAWN.Process(target=_serve, args=(theirs, back))
             # Until the process is ready for it, it does not get Ctrl-C.
             before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
             try:
                 with theirs, back:
-                    self._process.start()
+                    process.start()
+                self.process = process
             finally:
                 signal.pthread_sigmask(signal.SIG_SETMASK, before)
-        with suppress(BrokenPipeError):  # it has died just now: that is its outcome
+        with suppress(BrokenPipeError):  # it has died: that is its outcome
             self._items.send((work, item))
         return self._outcomes
 
@@ -211,12 +207,10 @@ class _Worker:
 
     def end(self) -> None:
         """End the process, in the middle of an item if it has one."""
-        process, self._process = self._process, None
-        if process is None:
-            return
-        self._items.close()
-        self._outcomes.close()
-        if process.pid is not None:
+        process, self.process = self.process, None
+        if process is not None:
+            self._items.close()
+            self._outcomes.close()
             process.join()
 
 

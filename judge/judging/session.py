@@ -80,6 +80,7 @@ class Session:
         self.reference = Reference(problem, self.open_box)
         self.lock = MeasureLock(waiting=lambda: self.bars(_WAITING))
         self.settings = Settings(self.take, options.timed, self.lock, self.reference, options.program)
+        self.untimed = replace(self.settings, measured=False)
         self._ahead: dict[tuple[bytes, str], Box] = {}
         self._namer: Namer | None = None
 
@@ -110,8 +111,6 @@ class Session:
 
     def prepare(self) -> None:
         """Read the problem's data, and start the reference, not wanted yet. Raises as `judge` does."""
-        if self.options.timed:
-            check_needs(self.problem)
         _ = self.data
         if self.options.timed:
             with suppress(*_SHORT):
@@ -128,9 +127,14 @@ class Session:
 
     @cached_property
     def data(self) -> ProblemData:
-        """The cases and what their answers are held against; read or built when first asked for."""
+        """The cases and what their answers are held against; read or built when first asked for.
+
+        Raises as `judge`.
+        """
         from judge.data.load import load_data
 
+        if self.options.timed:
+            check_needs(self.problem)
         with self.bars(f"building {self.problem.id}") as advance:
             return load_data(self.problem, seed=self.options.seed, progress=advance)
 
@@ -143,8 +147,6 @@ class Session:
             UsageError: the level of isolation that is asked for cannot be had, or what the reference needs.
             ProblemError: the data cannot be built.
         """
-        if self.options.timed:
-            check_needs(self.problem)
         notes = self.data.notes
         try:
             result = self._judged(source, name)
@@ -153,8 +155,6 @@ class Session:
         except Exception as fault:  # such as a reference that fails on a case
             known = isinstance(fault, JudgeError) or shortage(fault)  # of the machine, not of the code there
             result = judge_fault(self.problem.id, name, told(fault) + ("" if known else _place(fault)))
-        if result.verdict is Verdict.JE:  # it was not held at any level, perhaps
-            return result.noting(*notes)
         return result.noting(*notes, *self.notes(result.isolation))
 
     def notes(self, isolation: str) -> tuple[str, ...]:
@@ -173,8 +173,8 @@ class Session:
                     self.data, source, name, settings, box=box, groups=groups, on_progress=advance
                 )
             result, runner, does = judged
-            left_out = len(self.problem.groups) > len(result.groups) > 0
-            result = replace(result, out_of=len(self.problem.groups) if left_out else 0)
+            every = len(self.problem.groups)
+            result = replace(result, out_of=every if every > len(result.groups) > 0 else 0)
             if runner is None:
                 return result
             result = with_hurdle(result, runner, box, source)
@@ -202,19 +202,9 @@ class Session:
             return result
         from judge.diagnose.shrink import shrink  # only after a wrong answer
 
-        rule = self.problem.time
-        name = runner.reference(rule) if rule else None
         try:
             with self.lock.judging():
-                found = shrink(
-                    data,
-                    box,
-                    runner,
-                    result.verdict,
-                    result.failure,
-                    reference=lambda: self.reference.open(name),
-                    choices=choices,
-                )
+                found = shrink(data, box, runner, result, reference=self.reference, choices=choices)
         except Exception as fault:
             return result.noting(f"no smaller case for {result.submission}: {told(fault)}")
         if found is not None and found.replay is not None:
@@ -243,7 +233,7 @@ class Session:
 
         if self._namer is None:
             bar = partial(self.bars, f"{told}learning the mistakes of {self.problem.id}, once")
-            self._namer = Namer(self.data, self.options.seed, self.settings, bar)
+            self._namer = Namer(self.data, self.options.seed, self.untimed, bar)
         return self._namer
 
     def _fails_alone(self, source: bytes, name: str, group: str, case: int) -> bool:
@@ -251,16 +241,13 @@ class Session:
         from judge.run.execute import judge_submission
         from judge.run.group import one_case
 
-        untimed = replace(self.settings, measured=False)
-        alone = judge_submission(one_case(self.data, group, case), source, name, untimed)
+        alone = judge_submission(one_case(self.data, group, case), source, name, self.untimed)
         return alone.result.verdict is not Verdict.AC
 
 
 def _place(fault: Exception) -> str:
     """The innermost line of the judge's own that led to a fault, for whoever is to mend it."""
-    import traceback  # hardly ever
+    from traceback import extract_tb  # hardly ever
 
-    for step in reversed(traceback.extract_tb(fault.__traceback__)):
-        if step.filename.startswith(_PACKAGE):
-            return f" (judge{step.filename[len(_PACKAGE) :]}:{step.lineno})"
-    return ""
+    own = [step for step in extract_tb(fault.__traceback__) if step.filename.startswith(_PACKAGE)]
+    return f" (judge{own[-1].filename.removeprefix(_PACKAGE)}:{own[-1].lineno})"

@@ -60,7 +60,7 @@ class Namer:
     ) -> None:
         self.notes: list[str] = []
         self._data = data
-        self._answers = KnownAnswers(data, seed, replace(settings, measured=False))
+        self._answers = KnownAnswers(data, seed, settings)
         self._computer = Computer(data)  # of what makes two mistakes at once
         self._progress = progress
         self._made: _Ready | None = None

@@ -48,9 +48,8 @@ def shrunk(name, source, *, budget=None, cpu_seconds=2.0):
             data,
             box,
             runner,
-            result.verdict,
-            result.failure,
-            reference=lambda: problem.time and reference.open(runner.reference(problem.time)),
+            result,
+            reference=reference,
             budget=budget or SearchBudget(guard=Guard(cpu=600.0, wall=600.0)),  # of a busy machine
         )
     return problem, result, found

@@ -249,7 +249,7 @@ def _fresh(task: Task, ask: RunAsk, common: Common) -> Judged:
     lasting = seconds_of(ask.fresh or "", "--fresh")
     seed = random.randrange(_SEEDS) if ask.seed is None else ask.seed
     groups = chosen_groups(problem, ask.groups, ask.level)
-    options = replace(ask.options(common.isolation, brief=ask.quiet), seed=None)
+    options = replace(ask.options(common.isolation, brief=ask.quiet), seed=None, timed=False)
     with Session(problem, options, bars=progress) as session, stages(Path(submission.name).name) as stage:
 
         def tell(cases: int, spent: float) -> None:

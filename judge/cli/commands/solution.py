@@ -150,7 +150,7 @@ def _measured(
         language = language_of(name)
         missing, warms = (why_not(language), language.factor > 1) if language else ("", False)
         entries.append(Program(name, source, missing, warms))
-    with Session(problem, RunOptions(isolation=common.isolation), bars=progress) as session:
+    with Session(problem, RunOptions(isolation=common.isolation, timed=False), bars=progress) as session:
         data = session.data
         with progress("measuring") as advance:
             return measure(data, entries, session.open_box, rounds, advance)
