@@ -137,6 +137,28 @@ def test_a_fault_costs_one_submission(fault, told, problem, monkeypatch):
     assert results[1].failure.message.startswith(told)
 
 
+def test_a_level_that_was_had_is_demanded(problem, tmp_path, monkeypatch):
+    monkeypatch.setenv("PATH", str(tmp_path))  # without bubblewrap
+    with Session(problem, RunOptions(timed=False), had="full") as session:
+        result = session.judge(GOOD.encode(), "mine.py")
+    assert result.verdict is Verdict.JE
+    assert result.failure.message.startswith("isolation full was had and is now refused: ")
+
+
+def test_a_submission_sees_neither_problem_nor_solutions_nor_cache(problem, tmp_path, monkeypatch):
+    cache = tmp_path / "cache"
+    monkeypatch.setenv("JUDGE_CACHE", str(cache))
+    files = [problem.folder / "problem.py", problem.solutions / "accepted", cache / "data"]
+    seen = f"[path for path in {[*map(str, files)]} if os.path.exists(path)]"
+    source = f"import os\ndef middle(a, b):\n    return (a + b) / 2, {seen}\n"
+    with Session(problem, RunOptions(timed=False, named=False)) as session:
+        result = session.judge(source.encode(), "mine.py")
+    if result.isolation == "limits":
+        pytest.skip("there is no sandbox on this machine")
+    assert all(file.exists() for file in files)
+    assert result.failure.given[1] == []
+
+
 def test_a_result_is_one_line_where_it_is_shown():
     result = judge.judge("middle", FLOOR, name="mine.py", options=RunOptions(timed=False, diagnosed=False))
     told = r"<Result middle mine\.py: WA, \d+ of 100 points, in \w+, floor-division>"
