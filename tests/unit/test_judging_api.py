@@ -145,12 +145,17 @@ def test_a_level_that_was_had_is_demanded(problem, tmp_path, monkeypatch):
     assert result.failure.message.startswith("isolation full was had and is now refused: ")
 
 
-def test_a_submission_sees_neither_problem_nor_solutions_nor_cache(problem, tmp_path, monkeypatch):
-    cache = tmp_path / "cache"
+def test_a_submission_sees_neither_problem_nor_solutions_nor_cache(tmp_path, monkeypatch):
+    site = tmp_path / "site-packages"
+    pack, cache = site / "pack", site / "cache"
+    shutil.copytree(PACK, pack)
+    (site / "beside.py").write_text("")
+    monkeypatch.syspath_prepend(site)  # whose modules a submission may import
     monkeypatch.setenv("JUDGE_CACHE", str(cache))
-    files = [problem.folder / "problem.py", problem.solutions / "accepted", cache / "data"]
+    files = [pack / "problems/middle/problem.py", pack / "solutions/middle/accepted/mean.py", cache / "data"]
     seen = f"[path for path in {[*map(str, files)]} if os.path.exists(path)]"
-    source = f"import os\ndef middle(a, b):\n    return (a + b) / 2, {seen}\n"
+    source = f"import os, beside\ndef middle(a, b):\n    return (a + b) / 2, {seen}\n"
+    problem = find_problem("middle", [pack / "problems"])
     with Session(problem, RunOptions(timed=False, named=False)) as session:
         result = session.judge(source.encode(), "mine.py")
     if result.isolation == "limits":
