@@ -17,6 +17,7 @@ from collections.abc import Callable, Container, Generator, Iterator, Sequence
 from contextlib import closing, suppress
 from multiprocessing.connection import Connection, wait
 from multiprocessing.context import SpawnProcess
+from multiprocessing.resource_tracker import ensure_running
 from typing import Any, Protocol, TypeAlias, TypeVar
 
 from msgspec import Struct
@@ -184,6 +185,7 @@ class _Worker:
             theirs, self._items = _SPAWN.Pipe(duplex=False)
             self._outcomes, back = _SPAWN.Pipe(duplex=False)
             process = _SPAWN.Process(target=_serve, args=(theirs, back))
+            ensure_running()  # which would let Ctrl-C through
             # Until the process is ready for it, it does not get Ctrl-C.
             before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
             try:
