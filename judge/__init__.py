@@ -20,16 +20,16 @@ if TYPE_CHECKING:
 
 __version__ = "0.1.0"
 _FROM = {
-    "Job": "judge.judging.job",
+    "Job": "judge.judging.api",
     "JudgeError": "judge.errors",
     "ProblemError": "judge.errors",
     "Result": "judge.run.result",
-    "RunOptions": "judge.judging.job",
+    "RunOptions": "judge.judging.api",
     "Session": "judge.judging.session",
     "ShortageError": "judge.errors",
     "UsageError": "judge.errors",
     "find_problem": "judge.problem.find",
-    "judge": "judge.judging.public",
+    "judge": "judge.judging.api",
 }
 __all__ = [*_FROM, "__version__"]
 

@@ -25,7 +25,7 @@ from msgspec import Struct
 from judge.data.load import load_data
 from judge.data.model import ProblemData
 from judge.errors import UsageError
-from judge.judging.routine import Held, Routine, explained, held, routine_name
+from judge.judging.inprocess import Held, Routine, check_routine, explain_routine, routine_name
 from judge.mistakes.told import told_mistakes
 from judge.problem import Group, Problem
 from judge.problem.find import find_problem
@@ -86,10 +86,10 @@ class JudgeProblem:
         chosen_groups(self.problem, chosen)
         if not chosen:
             raise UsageError("no group is named", remedy="leave groups out for all of them")
-        judged = held(self.data, routine, chosen)
-        failed = next((each for each in judged if each.failure is not None), None)
+        judged = check_routine(self.data, routine, chosen)
+        failed = next((each for each in judged if each.run.failure is not None), None)
         if failed is not None:
-            results = [each.result for each in judged]
+            results = [each.run.result() for each in judged]
             text = _text(_lines(self.problem, routine, failed, results, self._explained(routine)))
             raise AssertionError(text) from failed.raised
 
@@ -98,7 +98,7 @@ class JudgeProblem:
         key = _sameness(routine)
         if key not in self._found:
             try:
-                self._found[key] = explained(self.data, routine)
+                self._found[key] = explain_routine(self.data, routine)
             except Exception:  # what is known of the failure is worth more than what could be
                 self._found[key] = None
         return self._found[key]
@@ -155,11 +155,12 @@ def _lines(
     yield f"{problem.id}: {name} fails {groups}{lost:,} of {cases}"
     if several:
         yield f"  fails  {', '.join(f'{each.name} {each.passed}/{each.cases}' for each in wrong)}"
-    first = Result(problem=problem.id, submission=name, verdict=failed.result.verdict, failure=failed.failure)
+    run = failed.run
+    first = Result(problem=problem.id, submission=name, verdict=run.verdict, failure=run.failure)
     told = tell(problem, found or first)
     yield from ("", *told.lines)
     if not told.mistake:
-        yield from _hints(problem, failed.group)
+        yield from _hints(problem, run.group)
 
 
 def _hints(problem: Problem, group: Group) -> Iterator[str]:

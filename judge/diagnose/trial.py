@@ -99,7 +99,7 @@ class Guard:
         self._clock = clock
         self._end = clock() + wall
         self._left = cpu
-        self._began = time.thread_time()
+        self._began = time.process_time()
 
     def used(self, usage: Usage) -> None:
         """Book what the submission has used."""
@@ -108,7 +108,7 @@ class Guard:
     @property
     def over(self) -> bool:
         """Whether either is up."""
-        return time.thread_time() - self._began >= self._left or self._clock() >= self._end
+        return time.process_time() - self._began >= self._left or self._clock() >= self._end
 
 
 class Trial:

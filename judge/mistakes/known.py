@@ -82,8 +82,7 @@ class KnownAnswers:
         def judge(program: Program) -> Behaviour:
             from judge.run.execute import judge_submission
 
-            source, file = program.source, program.file
-            return judge_submission(data.problem, data, source, file, settings=settings).behaviour
+            return judge_submission(data, program.source, program.file, settings).behaviour
 
         computer = Computer(data)
         trusted = ((key, computer.behaviour(each)) for key, each in missing.items() if each.trusted)

@@ -17,7 +17,7 @@ from msgspec.structs import replace
 from judge.data.fresh import Fresh, Series
 from judge.data.model import ProblemData
 from judge.problem import Problem, Verdict
-from judge.run.alone import Machine
+from judge.run.alone import MeasureLock
 from judge.run.budget import Budget
 from judge.run.execute import opened, uncompiled
 from judge.run.group import GroupRun
@@ -64,13 +64,13 @@ def stress(
     *,
     seconds: float,
     on_cases: OnCases | None = None,
-    turnstile: Machine | None = None,
+    lock: MeasureLock | None = None,
     clock: Callable[[], float] = time.monotonic,
 ) -> Stressed:
     """Judge the submission in `box` on the problem's fresh cases for so many seconds; Ctrl-C ends it early.
 
-    `data` answers for the problem's exact answers; its own cases are not judged. Who waits at the `turnstile`
-    to measure gets in between two handfuls of series.
+    `data` answers for the problem's exact answers; its own cases are not judged. Who waits at the `lock` to
+    measure gets in between two handfuls of series.
 
     Raises:
         ProblemError: a builder, the promise or the reference fails.
@@ -80,11 +80,11 @@ def stress(
     if isinstance(runner, Failure):
         return Stressed(uncompiled(data.problem, name, runner, box), fresh.seed, 0.0)
     run = _Run(data, fresh, box, runner, clock, clock() + seconds)
-    turnstile = turnstile or Machine()
+    lock = lock or MeasureLock()
     begun, interrupted = clock(), False
     try:
         while not run.over:
-            with turnstile.judging():
+            with lock.judging():
                 run.some()
             if on_cases:
                 on_cases(run.cases, clock() - begun)

@@ -152,7 +152,7 @@ def verify_problem(
             told = f"not judged here: {lacking}"
             reports.append(SolutionReport(each.file, each.kind, each.name, None, unjudged=told))
             continue
-        judged = judge_submission(problem, pinned, each.source, each.path.name, settings=settings)
+        judged = judge_submission(pinned, each.source, each.path.name, settings)
         result, report = judged.result, _solution_report(each, judged)
         reports.append(report)
         if not report.ok and not (partial and result.verdict is Verdict.AC):
@@ -325,7 +325,7 @@ def _on_other_seeds(
     for number, data in enumerate(others, start=1):
         if solution.kind is Kind.SLOW:
             return
-        judged = judge_submission(problem, data, solution.source, solution.path.name, settings=untimed)
+        judged = judge_submission(data, solution.source, solution.path.name, untimed)
         if not solution.kind.allows(judged.result.verdict):
             report = _solution_report(solution, judged)
             fault = _verdict_fault(report, judged.result, problem)

@@ -27,7 +27,7 @@ from judge.batch.roster import read_students
 from judge.data.given import read_case
 from judge.diagnose.regression import with_case
 from judge.errors import JudgeError
-from judge.judging.trying import try_case
+from judge.judging.cases import try_case
 from judge.languages import scan
 from judge.languages.model import language_of_file, languages
 from judge.languages.signature import Signature

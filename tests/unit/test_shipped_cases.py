@@ -18,7 +18,7 @@ from judge.problem import Verdict
 from judge.problem.find import find_problem
 from judge.problem.load import load_problem
 from judge.problem.module import load_module
-from judge.run.execute import run_submission
+from judge.run.execute import judge_submission
 
 
 @pytest.fixture(scope="module", params=["segment", "exact-count"])
@@ -128,4 +128,4 @@ WIDTH = "1e-10 * max(r, abs(fx), abs(fy))"
 def test_any_threshold_in_the_gap_is_right_and_none_outside_of_it(width, verdict):
     assert WIDTH in SILHOUETTE
     problem, source = find_problem("silhouette"), SILHOUETTE.replace(WIDTH, WIDTH.replace("1e-10", width))
-    assert run_submission(problem, load_data(problem), source.encode(), "mine.py").verdict is verdict
+    assert judge_submission(load_data(problem), source.encode(), "mine.py").result.verdict is verdict

@@ -21,7 +21,7 @@ from judge.cli.submissions import read_submissions
 from judge.cli.target import OutFile
 from judge.cli.watching import Kata, WatchedFile
 from judge.cli.wish import Wish
-from judge.judging.job import RunOptions
+from judge.judging.api import RunOptions
 from judge.kata.events import Answer, Help, now
 from judge.kata.interview import Held, plan, usual_kata
 from judge.kata.quiz.cards import Card

@@ -17,7 +17,7 @@ from judge.cli.options import Common, command, opt, takes
 from judge.data.load import load_data
 from judge.data.model import ProblemData
 from judge.errors import ProblemError, UsageError, unwritable
-from judge.judging.isolation import kept_level
+from judge.judging.containment import kept_level
 from judge.kata.begin import begin_kata
 from judge.kata.check import deck_faults, kata_faults
 from judge.languages.boxes import AnyBoxes
