@@ -21,8 +21,7 @@ from typing import Any
 
 from msgspec import Struct
 
-from judge.data.load import load_data
-from judge.data.model import ProblemData
+from judge.data.load import ProblemData, load_data
 from judge.errors import UsageError
 from judge.judging.routine import Held, Routine, explained, held, routine_name
 from judge.mistakes.told import told_mistakes

@@ -17,7 +17,7 @@ from pathlib import Path
 from typing import Any
 
 from judge.atomic import replace_file
-from judge.data.model import GroupData
+from judge.data.load import GroupData
 from judge.errors import ProblemError
 from judge.problem import Problem
 from judge.reading import read_ordinary

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from msgspec.structs import replace
 
-from judge.data.model import ProblemData
+from judge.data.load import ProblemData
 from judge.errors import told
 from judge.run.reference import Reference
 from judge.run.result import NOTHING, Behaviour, Failure, Result

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from msgspec.structs import replace
 
-from judge.data.model import ProblemData
+from judge.data.load import ProblemData
 from judge.errors import told
 from judge.problem import Verdict
 from judge.run.result import Behaviour, Result

@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 from msgspec.structs import replace
 
-from judge.data.model import GroupData, ProblemData
+from judge.data.load import GroupData, ProblemData
 from judge.problem import Case, Group, Verdict
 from judge.run.function import FunctionRunner
 from judge.run.group import GroupRun

@@ -14,8 +14,7 @@ from pathlib import Path
 
 from msgspec.structs import replace
 
-from judge.data.load import load_data
-from judge.data.model import ProblemData
+from judge.data.load import ProblemData, load_data
 from judge.errors import JudgeError, UsageError, shortage, told
 from judge.judging.containment import Containment
 from judge.judging.diagnosis import diagnosed

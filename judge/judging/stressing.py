@@ -7,9 +7,8 @@ from collections.abc import Sequence
 from msgspec import Struct
 from msgspec.structs import replace
 
-from judge.data.fresh import Fresh
-from judge.data.load import load_data
-from judge.data.model import ProblemData
+from judge.data.build import Fresh
+from judge.data.load import ProblemData, load_data
 from judge.judging.diagnosis import diagnosed
 from judge.judging.naming import NAMED, Naming
 from judge.judging.session import Session
@@ -90,11 +89,11 @@ def _shrunk(
     series = broken.series
     failed = diagnosed(
         replace(stressed.result, failure=broken.failure),
-        ProblemData(session.problem, (series.data,), module=fresh.module),
+        ProblemData(session.problem, (series,), module=fresh.module),
         runner,
         box,
         session.containment.open_box,
-        choices=lambda _group, _builder, number, _case: fresh.choices_of(series, number),
+        choices=lambda _group, _builder, number, _case: series.choices[number],
     )
     result = replace(
         stressed.result,

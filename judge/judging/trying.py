@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 
 from msgspec.structs import replace
 
-from judge.data.build import target_of
-from judge.data.model import GroupData, ProblemData
-from judge.data.validate import Validator
+from judge.data.build import target_of, validate
+from judge.data.load import GroupData, ProblemData
 from judge.errors import UsageError
 from judge.judging.session import Session
 from judge.problem import Case, Group, Problem, Tolerance, Verdict
+from judge.problem.declare import InvalidCase
 from judge.problem.module import load_module
 from judge.run.execute import opened
 from judge.run.group import group_limits
@@ -35,14 +36,15 @@ def try_case(problem: Problem, case: Case, group: str = "") -> Tried:
         ProblemError: the problem's own code fails on it.
     """
     module = load_module(problem)
-    proof = Validator(problem, module.solve).proof(case)
-    if proof.fault:
-        what = proof.fault.replace("The ", "the ", 1) if proof.fault.startswith("The ") else proof.fault
-        raise UsageError(f"Not a valid input: {what}", remedy=f"see judge show {problem.id}")
+    try:
+        exact = validate(problem, module, case)
+    except InvalidCase as fault:
+        what = re.sub("^The ", "the ", str(fault))
+        raise UsageError(f"Not a valid input: {what}", remedy=f"see judge show {problem.id}") from None
     alone = replace(problem.group(group) or _usual(problem), count=1, points=100)
-    target = target_of(problem, proof.answer, alone.tolerance)
+    target = target_of(problem, exact, alone.tolerance)
     data = ProblemData(problem, (GroupData(alone, [case], [target]),), module=module)
-    return Tried(problem, case, alone, proof.answer, target, data)
+    return Tried(problem, case, alone, exact, target, data)
 
 
 def ask(session: Session, tried: Tried, source: bytes, name: str) -> Said:

@@ -17,8 +17,7 @@ from shlex import quote
 from msgspec import Struct
 
 from judge.atomic import new_file
-from judge.data import load_data
-from judge.data.model import ProblemData
+from judge.data.load import ProblemData, load_data
 from judge.data.pins import pins_file, pins_of, write_pins
 from judge.errors import UsageError, unwritable
 from judge.mistakes.computed import Computer, Program

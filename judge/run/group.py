@@ -17,7 +17,7 @@ from judge.sandbox.boundary import Limits, Stop, Usage
 from judge.values import Accepted
 
 if TYPE_CHECKING:
-    from judge.data.model import GroupData, ProblemData
+    from judge.data.load import GroupData, ProblemData
     from judge.problem import Tolerance
     from judge.run.runner import Runner
     from judge.values import Exact, Outline, Raw, Rejection

@@ -16,7 +16,7 @@ from pathlib import Path
 import platformdirs
 import pytest
 
-from judge.data import load_data
+from judge.data.load import load_data
 from judge.data.pins import hash_of
 from judge.folders import cache_folder, user_data
 from judge.kept import KeptFile
@@ -177,7 +177,7 @@ def test_many_writers_and_readers_at_once(folder):
 def test_a_warm_start_imports_nothing_of_the_exact_side(folder):
     program = (
         "import sys\n"
-        "from judge.data import load_data\n"
+        "from judge.data.load import load_data\n"
         "from judge.problem.find import find_problem\n"
         "load_data(find_problem('crossings'))\n"
         "print(*sys.modules)"

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import pytest
 
-from judge.data.given import line_of, read_case
+from judge.data.parse import line_of, read_case
 from judge.errors import UsageError
 from judge.problem.find import find_problem
 

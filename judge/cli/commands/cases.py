@@ -18,7 +18,7 @@ from judge.cli.options import Common, command, opt, takes
 from judge.cli.resolve import kata_meant, problem_of_file, shown, usual_file
 from judge.cli.submissions import read_submissions
 from judge.cli.target import OutFile, svg_target
-from judge.data.given import example_of, line_of, read_case
+from judge.data.parse import example_of, line_of, read_case
 from judge.diagnose.regression import MARK, with_case
 from judge.diagnose.replay import decode, problem_name
 from judge.errors import HistoryError, UsageError

@@ -14,8 +14,7 @@ from msgspec.structs import replace
 
 from judge.atomic import replace_file
 from judge.cli.options import Common, command, opt, takes
-from judge.data.load import load_data
-from judge.data.model import ProblemData
+from judge.data.load import ProblemData, load_data
 from judge.errors import ProblemError, UsageError, unwritable
 from judge.judging.isolation import kept_level
 from judge.kata.begin import begin_kata
