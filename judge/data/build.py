@@ -58,16 +58,14 @@ def build(
     """Every group's data. Raises ProblemError, also where a worked example contradicts `solve`."""
     examples = _solved_examples(problem, module)
     total = sum(group.count for group in problem.groups)
-    done = 0
-    built = []
+    built: list[GroupData] = []
     for declared in problem.groups:
         group = reseeded(declared, seed)
         made = examples if group.name == EXAMPLES else draw_cases(problem, module, group)
-        _check_size(problem, group, [each.case for each in made])
         built.append(_aimed(problem, group, made))
-        done += len(made)
+        _check_size(problem, built[-1])
         if progress is not None:
-            progress(done, total)
+            progress(sum(len(each.cases) for each in built), total)
     return built
 
 
@@ -176,14 +174,14 @@ def target_of(problem: Problem, answer: Exact, tolerance: Tolerance) -> Target:
         return check.target(problem.answer, answer, tolerance)
 
 
-def _check_size(problem: Problem, group: Group, cases: list[Case]) -> None:
+def _check_size(problem: Problem, data: GroupData) -> None:
     """Hold a group's cases, as a function receives them, against the limit on its input."""
-    sent = len(marshal.dumps([tuple(arguments) for arguments in problem.calls(cases)]))
+    sent = len(marshal.dumps([*map(tuple, problem.calls(data.cases))]))
     most = problem.limits.input_bytes
     if sent > most:
         raise ProblemError(
-            f"group {group.name!r} has {sent / 2**20:.1f} MB of cases; input_mb is {most / 2**20:g}",
-            where=group_place(problem, group.name),
+            f"group {data.group.name!r} has {sent / 2**20:.1f} MB of cases; input_mb is {most / 2**20:g}",
+            where=group_place(problem, data.group.name),
             remedy="raise input_mb in [limits], or make fewer or smaller cases",
         )
 
