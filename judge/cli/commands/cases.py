@@ -21,7 +21,7 @@ from judge.cli.target import OutFile, svg_target
 from judge.data.parse import example_of, line_of, read_case
 from judge.diagnose.regression import MARK, with_case
 from judge.diagnose.replay import decode, problem_name
-from judge.errors import HistoryError, UsageError
+from judge.errors import StoreError, UsageError
 from judge.judging.job import RunOptions
 from judge.judging.session import Session
 from judge.judging.trying import ask as ask_file
@@ -338,7 +338,7 @@ class _Hacking(Struct, frozen=True):
         try:
             with history_at(self.common.db) as history:
                 history.keep(Hack(self.problem.id, puzzle.mistake, case, outcome))
-        except HistoryError as fault:  # what came of it is worth more
+        except StoreError as fault:  # what came of it is worth more
             note(f"this is not kept: {fault}")
 
     def _hacks(self) -> list[Hack]:
