@@ -24,7 +24,7 @@ from urllib.parse import quote_from_bytes
 from msgspec import Struct
 
 from judge.errors import JudgeError, StoreError
-from judge.reading import read_ordinary
+from judge.files import read_ordinary
 
 _PATIENCE = 5.0  # seconds to wait for another process that writes
 _MAGIC = b"SQLite format 3\0"

@@ -16,11 +16,10 @@ from collections.abc import Collection, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from judge.atomic import replace_file
 from judge.data.load import GroupData
 from judge.errors import ProblemError
+from judge.files import read_ordinary, replace_file
 from judge.problem import Problem
-from judge.reading import read_ordinary
 
 Kills = Mapping[str, Collection[str]]  # by the group's name: the mistakes that it rejects
 _REMEDY = "write it with: judge verify {} --pin"

@@ -6,7 +6,7 @@ from contextlib import suppress
 from pathlib import Path
 
 from judge.errors import JudgeError, ShortageError
-from judge.folders import cache_folder
+from judge.files import cache_folder
 from judge.judging.isolation import kept_level
 from judge.languages.boxes import AnyBoxes
 from judge.languages.signature import signature_of

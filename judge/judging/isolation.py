@@ -7,7 +7,7 @@ from datetime import date
 
 from judge import __version__
 from judge.digest import digest_of
-from judge.folders import cache_folder
+from judge.files import cache_folder
 from judge.kept import KeptFile
 from judge.sandbox import LEVELS
 

@@ -7,13 +7,13 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from judge.errors import JudgeError, UsageError
+from judge.files import read_ordinary
 from judge.judging.job import Job, RunOptions, version_of
 from judge.judging.session import Session
 from judge.languages import file_name, is_program
 from judge.problem import Problem
 from judge.problem.find import find_problem
 from judge.problem.load import load_problem
-from judge.reading import read_ordinary
 from judge.run.result import Result
 
 _NAMELESS = file_name("submission")

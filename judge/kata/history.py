@@ -25,11 +25,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from judge.errors import StoreError, UsageError
-from judge.folders import user_data
+from judge.files import read_ordinary, user_data
 from judge.kata.events import DAMAGE, TABLES, Event, Kind, Run, Started, columns, from_row, to_row
 from judge.problem import Verdict
 from judge.problem.solutions import is_solution
-from judge.reading import read_ordinary
 from judge.run.result import Result
 
 if TYPE_CHECKING:

@@ -18,7 +18,7 @@ from typing import Any
 
 from judge.data.cache import data_key, kept_stem
 from judge.data.load import ProblemData
-from judge.folders import cache_folder
+from judge.files import cache_folder
 from judge.kept import KeptFile
 from judge.mistakes.agreement import kind_of
 from judge.mistakes.computed import Computer, Program

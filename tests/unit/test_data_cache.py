@@ -18,7 +18,7 @@ import pytest
 
 from judge.data.load import load_data
 from judge.data.pins import hash_of
-from judge.folders import cache_folder, user_data
+from judge.files import cache_folder, user_data
 from judge.kept import KeptFile
 from judge.problem.load import load_problem
 
@@ -222,6 +222,6 @@ def test_the_persons_folders_are_as_platformdirs_has_them(system, home, monkeypa
         monkeypatch.delenv(name, raising=False)
     for name, value in home.items():
         monkeypatch.setenv(name, value)
-    monkeypatch.setattr("judge.folders.sys.platform", system)
+    monkeypatch.setattr("judge.files.sys.platform", system)
     assert cache_folder() == platformdirs.user_cache_path("circle-line-judge", appauthor=False)
     assert user_data() == platformdirs.user_data_path("circle-line-judge", appauthor=False)

@@ -9,7 +9,7 @@ import pytest
 
 from judge.batch import folder as class_folder
 from judge.batch.folder import read_class
-from judge.reading import LedOutError, read_inside, real_within
+from judge.files import LedOutError, read_inside, real_within
 
 PACK = Path(__file__).parents[1] / "fixtures" / "pack" / "problems"
 OWN, OTHERS = "def middle(a, b):\n    return a\n", "def middle(a, b):\n    return (a + b) / 2\n"

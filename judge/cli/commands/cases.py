@@ -22,6 +22,7 @@ from judge.data.parse import example_of, line_of, read_case
 from judge.diagnose.regression import MARK, with_case
 from judge.diagnose.replay import decode, problem_name
 from judge.errors import StoreError, UsageError
+from judge.files import read_ordinary_text
 from judge.judging.job import RunOptions
 from judge.judging.session import Session
 from judge.judging.trying import ask as ask_file
@@ -34,7 +35,6 @@ from judge.problem import Case, Problem, Verdict
 from judge.problem.find import find_problem
 from judge.problem.model import case_of
 from judge.problem.module import load_module
-from judge.reading import read_ordinary_text
 from judge.report.published_cases import (
     CaseLine,
     CaseTried,
