@@ -44,7 +44,7 @@ _FORM = 2  # of marshal: every version of Python writes it alike, bit by bit
 
 
 class Made(NamedTuple):
-    """A valid case with its exact answer: which attempt at it this was, and the choices that were made."""
+    """A valid case with its exact answer: which attempt at it this was, and the choices of a small one."""
 
     case: Case
     exact: Exact
@@ -130,7 +130,7 @@ def new_case(
         elif last is not None and exact == last.exact and attempt < _CONTENT:
             vain["with the answer of the case before"] += 1
         else:
-            return Made(case, exact, attempt, tuple(draw.choices))
+            return Made(case, exact, attempt, () if group.size else tuple(draw.choices))
     reason, times = vain.most_common(1)[0]
     raise ProblemError(
         f"group {group.name!r}: its draw gives no case {len(before) + 1} of {group.count} in {_ATTEMPTS} "
@@ -238,10 +238,9 @@ def shape_fault(problem: Problem, case: Any) -> str | None:
     """What keeps it from being a tuple of values of the parameters' types, their numbers finite, or None."""
     if type(case) is not tuple or len(case) != len(problem.parameters):
         return f"a case must be a tuple of {len(problem.parameters)} arguments"
-    for parameter, value in zip(problem.parameters, case, strict=True):
-        if fault := parameters.fault(parameter.type, parameter.name, value):
-            return fault
-    return None
+    pairs = zip(problem.parameters, case, strict=True)
+    faults = (parameters.fault(each.type, each.name, value) for each, value in pairs)
+    return next(filter(None, faults), None)
 
 
 def bounds_fault(problem: Problem, case: Case) -> str | None:

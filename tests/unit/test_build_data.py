@@ -10,8 +10,9 @@ from pathlib import Path
 
 import pytest
 from broken_problems import FAULTS, broken
+from msgspec.structs import replace
 
-from judge.data.build import validate
+from judge.data.build import choices_of, draw_cases, validate
 from judge.data.load import load_data, reseeded
 from judge.data.pins import differences, hash_of, pins_of, read_pins, write_pins
 from judge.errors import ExitCode, ProblemError
@@ -125,6 +126,41 @@ def test_an_invalid_case_is_named(case, fault):
     with pytest.raises(InvalidCase) as refused:
         validate(Problem, Module(solve), case)
     assert str(refused.value) == fault
+
+
+def drawing(*options, count):
+    """A problem of one number, a group whose cases are drawn from these, and what problem.py would define."""
+    problem = load_problem(SOUND)
+    (c,) = problem.parameters
+    group = replace(problem.groups[1], count=count)
+    problem = replace(problem, parameters=(replace(c, type=parse("number")),), groups=(group,))
+    return problem, Module(lambda c: 7, {group.name: lambda draw: (draw.choice(options),)}), group
+
+
+def test_an_int_and_the_float_that_equals_it_are_one_case_of_a_group_and_two_to_look_for():
+    problem, module, group = drawing(1, 1.0, 2, count=2)
+    (one, *_), (two, *_) = draw_cases(problem, module, group)
+    assert {*one, *two} == {1, 2}
+    with pytest.raises(ProblemError, match="1000 attempts, 1000 of them already in the group"):
+        draw_cases(problem, module, replace(group, count=3))
+    draw = module.draws[group.name]
+    assert choices_of(group, draw, 0, (1,)) == (0,)
+    assert choices_of(group, draw, 0, (1.0,)) == (1,)
+    assert choices_of(group, draw, 0, (3,)) is None
+
+
+@pytest.mark.parametrize(
+    ("value", "told"),
+    [
+        (10, "draws a case out of bounds: c has 10, outside -9 to 9"),
+        ("1", "its draw gives no case: c has '1'"),
+    ],
+)
+def test_solve_never_sees_what_is_no_case(value, told):
+    problem, module, group = drawing(value, count=1)
+    unsolved = Module(lambda c: pytest.fail("it was asked"), module.draws)
+    with pytest.raises(ProblemError, match=told):
+        draw_cases(problem, unsolved, group)
 
 
 def test_two_problems_of_one_name_keep_their_own_code(copy):
