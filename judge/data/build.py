@@ -250,11 +250,10 @@ def bounds_fault(problem: Problem, case: Case) -> str | None:
         if found := parameters.outside(parameter.type, value, low, high):
             number, low, high = found
             return f"{parameter.name} has {number!r}, outside {_text(low)} to {_text(high)}"
-        if smallest:
-            for number in parameters.reals(parameter.type, value):
-                if number and -smallest < number < smallest:
-                    least = float(parameter.smallest)
-                    return f"{parameter.name} has {number!r}, nearer to 0 than {least:g} but not 0"
+        for number in parameters.reals(parameter.type, value) if smallest else ():
+            if 0 < abs(number) < smallest:
+                least = float(parameter.smallest)
+                return f"{parameter.name} has {number!r}, nearer to 0 than {least:g} but not 0"
     return None
 
 

@@ -40,8 +40,6 @@ class GroupData(Struct, frozen=True):
 class ProblemData:
     """All groups' data of one problem; `notes` are sentences for the person about how they came to be."""
 
-    __slots__ = ("_module", "groups", "notes", "problem")
-
     def __init__(
         self,
         problem: Problem,
@@ -49,9 +47,7 @@ class ProblemData:
         notes: tuple[str, ...] = (),
         module: Module | None = None,
     ) -> None:
-        self.problem = problem
-        self.groups = groups
-        self.notes = notes
+        self.problem, self.groups, self.notes = problem, groups, notes
         self._module = module
 
     def exact(self, case: Case, group: Group) -> tuple[Exact, Tolerance]:
