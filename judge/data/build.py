@@ -22,7 +22,6 @@ from itertools import count
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from msgspec import Struct
-from msgspec.structs import replace
 
 from judge.data.draw import Draw, Pick, Rejected, quick, seeded
 from judge.data.load import GroupData, Progress, reseeded
@@ -165,6 +164,7 @@ def _aimed(problem: Problem, group: Group, made: Sequence[Made]) -> GroupData:
         [each.case for each in made],
         [target_of(problem, each.exact, group.tolerance) for each in made],
         tuple(each.attempt for each in made),
+        tuple(None if group.neighbours else each.choices for each in made),
     )
 
 
@@ -314,9 +314,7 @@ class Fresh(Struct, frozen=True):
         with blaming(self.problem, what, lambda: group_place(self.problem, group.name)):
             for _ in range(FRESH):
                 made.append(new_case(self.problem, self.module, group, lambda _: pick, made))
-            data = _aimed(self.problem, group, made)
-        chosen = tuple(None if group.neighbours else each.choices for each in made)
-        return replace(data, choices=chosen)
+            return _aimed(self.problem, group, made)
 
 
 def _is_fresh(group: Group) -> bool:

@@ -26,8 +26,8 @@ _DEEPEST = 12  # lists in lists that are read as tuples at once
 class GroupData(Struct, frozen=True):
     """A group's cases and, for each, what an answer is held against.
 
-    `attempts` are those that made the cases (see build.py), where these were built just now; `choices` are
-    what each fresh case was drawn from, None for one that was not drawn alone.
+    Where they were built just now, `attempts` are those that made the cases (see build.py), and `choices` what
+    each was drawn from, None where it was not drawn alone.
     """
 
     group: Group

@@ -99,18 +99,15 @@ def _python(problem: Problem, text: str) -> Case:
     names = [parameter.name for parameter in problem.parameters]
     given = len(call.args)
     if given > len(names) or (given < len(names) and not call.keywords):
-        several = "s" if len(names) > 1 else ""
-        raise _unreadable(
-            problem, f"{len(names)} argument{several} expected ({call_of(problem)}), {given} given"
-        )
+        what = f"{len(names)} argument{'s' * (len(names) > 1)} expected ({call_of(problem)}), {given} given"
+        raise _unreadable(problem, what)
     found: dict[str, Any] = {}
     keywords = [(each.arg or "**", each.value) for each in call.keywords]
     for name, node in [*zip(names, call.args, strict=False), *keywords]:
         if name not in names:
             meant = nearest(name, names)
-            raise _unreadable(
-                problem, f"there is no parameter {name}{f'; did you mean {meant}?' if meant else ''}"
-            )
+            hint = f"; did you mean {meant}?" if meant else ""
+            raise _unreadable(problem, f"there is no parameter {name}{hint}")
         if name in found:
             raise _unreadable(problem, f"{name} is given twice")
         try:
