@@ -1,8 +1,25 @@
 """A judge and kata kit for circle-line geometry.
 
-    import judge
+>>> import judge
+>>> problem = judge.find_problem("count")
+>>> options = judge.RunOptions(groups=("examples",), timed=False, diagnosed=False, named=False)
+>>> source = "def line_count(cx, cy, r, A, B): return 2"
+>>> result = judge.judge(problem, source, name="mine.py", options=options)  # a judge.Result
+>>> result.verdict.value, result.failure.case, result.failure.got
+('WA', 2, '2')
 
-    result = judge.judge("count", pathlib.Path("mine.py"))
+For many submissions, a session builds the data once; a job is a submission that can be sent elsewhere:
+
+>>> job = judge.Job.of(problem, source.encode(), "mine.py", options)
+>>> with judge.Session(problem, options) as session:
+...     session.judge(job.source, job.name).verdict.value
+'WA'
+
+What a person is told in one line is a JudgeError: a UsageError, a ProblemError or a ShortageError.
+
+>>> judge.find_problem("cuont")
+Traceback (most recent call last):
+judge.errors.UsageError: no problem is called 'cuont'; did you mean 'count'?
 
 Nothing of it is imported before it is asked for; judge/manual/testing.md has more examples. Imports
 point one way: cli → batch → judging → report → kata → geometry → mistakes → diagnose → run → data →

@@ -24,8 +24,8 @@ from urllib.parse import urlsplit
 import msgspec
 
 from judge.errors import JudgeError, UsageError
+from judge.files import read_ordinary
 from judge.judging.pool import ATTEMPTS, Finished, Lost, Outcome, attempt, lost_for
-from judge.reading import read_ordinary
 from judge.sandbox.boundary import LEVELS
 
 T = TypeVar("T")

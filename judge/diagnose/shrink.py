@@ -20,8 +20,8 @@ from typing import Any
 from msgspec.structs import replace
 
 from judge.data.build import choices_of
-from judge.data.draw import Draw, SeededDraw
-from judge.data.model import GroupData, ProblemData
+from judge.data.draw import Draw, seeded
+from judge.data.load import GroupData, ProblemData
 from judge.diagnose.polish import polished, rounded
 from judge.diagnose.replay import LONGEST, encode
 from judge.diagnose.simple import ladder
@@ -158,7 +158,7 @@ class _Search:
             if self._trial.budget.spent:
                 break
             cases = [
-                rung.case(SeededDraw(f"{rung}/{number}"), self._problem)
+                rung.case(Draw(seeded(f"{rung}/{number}")), self._problem)
                 for rung, count in step
                 for number in range(count)
             ]

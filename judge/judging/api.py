@@ -11,13 +11,13 @@ from msgspec import Struct
 
 from judge.digest import digest_of
 from judge.errors import JudgeError, UsageError
+from judge.files import read_ordinary
 from judge.languages import file_name, is_program
 from judge.problem import Problem
 from judge.problem.find import find_problem
 from judge.problem.keys import all_code_files, content_key, own_files
 from judge.problem.load import load_problem
 from judge.problem.model import chosen_groups
-from judge.reading import read_ordinary
 from judge.run.result import Result
 
 _NAMELESS = file_name("submission")

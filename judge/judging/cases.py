@@ -8,16 +8,15 @@ from collections.abc import Sequence
 
 from msgspec.structs import replace
 
-from judge.data.build import target_of
-from judge.data.fresh import Fresh
-from judge.data.model import GroupData, ProblemData
-from judge.data.validate import Validator
+from judge.data.build import Fresh, target_of, validate
+from judge.data.load import GroupData, ProblemData
 from judge.errors import UsageError
 from judge.judging.api import RunOptions
 from judge.judging.session import NAMED, Bars, Session, silent
 from judge.languages import file_name
 from judge.mistakes.puzzles import Puzzle
 from judge.problem import Case, Group, Problem, Verdict
+from judge.problem.declare import InvalidCase
 from judge.problem.model import case_of
 from judge.problem.module import load_module
 from judge.problem.solutions import accepted_source
@@ -45,14 +44,15 @@ def try_case(problem: Problem, case: Case, group: str = "") -> Tried:
         ProblemError: the problem's own code fails on it.
     """
     module = load_module(problem)
-    proof = Validator(problem, module.solve).proof(case)
-    if proof.fault:
-        what = re.sub("^The ", "the ", proof.fault)
-        raise UsageError(f"Not a valid input: {what}", remedy=f"see judge show {problem.id}")
+    try:
+        exact = validate(problem, module, case)
+    except InvalidCase as fault:
+        what = re.sub("^The ", "the ", str(fault))
+        raise UsageError(f"Not a valid input: {what}", remedy=f"see judge show {problem.id}") from None
     judged_by = problem.group(group) or _usual(problem)
-    target = target_of(problem, proof.answer, judged_by.tolerance)
+    target = target_of(problem, exact, judged_by.tolerance)
     data = ProblemData(problem, (GroupData(judged_by, [case], [target]),), module=module)
-    return Tried(problem, case, judged_by, proof.answer, target, data)
+    return Tried(problem, case, judged_by, exact, target, data)
 
 
 def _usual(problem: Problem) -> Group:
@@ -182,9 +182,9 @@ def judge_fresh(
                     series = broken.series
                     failed = session.diagnosed(
                         Judged(replace(result, failure=broken.failure), runner, {}),
-                        ProblemData(problem, (series.data,), module=module),
+                        ProblemData(problem, (series,), module=module),
                         box,
-                        lambda _group, _builder, number, _case: fresh.choices_of(series, number),
+                        lambda _group, _builder, number, _case: series.choices[number],
                     )
                     result = replace(result, counterexample=failed.counterexample, notes=failed.notes)
                 if options.named and result.verdict in NAMED:

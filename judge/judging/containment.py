@@ -11,7 +11,7 @@ from pathlib import Path
 from judge import __version__
 from judge.digest import digest_of
 from judge.errors import JudgeError
-from judge.folders import cache_folder
+from judge.files import cache_folder
 from judge.kept import KeptFile
 from judge.problem import Problem
 from judge.problem.find import problem_roots

@@ -19,7 +19,7 @@ from typing import Any, NamedTuple
 
 from msgspec.structs import replace
 
-from judge.data.model import ProblemData
+from judge.data.load import ProblemData
 from judge.problem import Verdict
 from judge.run.function import FunctionRunner
 from judge.run.group import GroupRun, group_limits, one_case

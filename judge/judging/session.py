@@ -31,7 +31,7 @@ from judge.sandbox import Boxes, room
 from judge.sandbox.boundary import Box, BoxFactory
 
 if TYPE_CHECKING:
-    from judge.data.model import ProblemData
+    from judge.data.load import ProblemData
     from judge.diagnose.shrink import Choices
     from judge.mistakes.namer import Namer
     from judge.run.execute import Judged

@@ -17,8 +17,8 @@ from itertools import chain
 from typing import Any
 
 from judge.data.cache import data_key, kept_stem
-from judge.data.model import ProblemData
-from judge.folders import cache_folder
+from judge.data.load import ProblemData
+from judge.files import cache_folder
 from judge.kept import KeptFile
 from judge.mistakes.agreement import kind_of
 from judge.mistakes.computed import Computer, Program

@@ -9,7 +9,7 @@ from typing import Any
 from rich.console import Group, RenderableType
 from rich.text import Text
 
-from judge.data.given import line_of
+from judge.data.parse import line_of
 from judge.drawing.braille import LEAST_ROWS, to_braille
 from judge.drawing.shapes import Picture, Role
 from judge.errors import told

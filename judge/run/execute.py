@@ -23,7 +23,7 @@ from judge.run.timing import BESIDE, Decision, disturbed
 from judge.sandbox import Box, SourceFault, Usage
 
 if TYPE_CHECKING:
-    from judge.data.model import GroupData, ProblemData
+    from judge.data.load import GroupData, ProblemData
 
 _LONG_WAIT_SECONDS = 2.0
 _WAITED = "waited {:.0f} s for other judges of yours on this machine: times are measured alone"

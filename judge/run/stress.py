@@ -14,8 +14,8 @@ from itertools import islice
 from msgspec import Struct
 from msgspec.structs import replace
 
-from judge.data.fresh import Fresh, Series
-from judge.data.model import ProblemData
+from judge.data.build import Fresh
+from judge.data.load import GroupData, ProblemData
 from judge.problem import Problem, Verdict
 from judge.run.alone import MeasureLock
 from judge.run.budget import Budget
@@ -35,7 +35,7 @@ OnCases = Callable[[int, float], None]  # cases so far, seconds so far
 class Broken(Struct, frozen=True):
     """What broke: the series, and the failure with its case counted from 1 there."""
 
-    series: Series
+    series: GroupData
     failure: Failure
 
 
@@ -149,15 +149,15 @@ class _Run:
         self._usage = Usage()
         self._totals = {group.name: _Total(group.name) for group in fresh.groups}
         self._failure: Failure | None = None
-        self._series: Iterator[Series] = fresh.series()
+        self._series: Iterator[GroupData] = fresh.series()
         self._at_once = 1
-        self._now: Sequence[tuple[Series, GroupRun]] = ()
+        self._now: Sequence[tuple[GroupData, GroupRun]] = ()
 
     def some(self) -> None:
         """Judge the next few series."""
         begun = self._clock()
         self._now = [
-            (series, GroupRun(self._data, series.data, self._runner))
+            (series, GroupRun(self._data, series, self._runner))
             for series in islice(self._series, self._at_once)
         ]
         run_groups(
@@ -181,7 +181,7 @@ class _Run:
         for series, run in now:
             if not run.ended and run.failure is None:
                 continue
-            total = self._totals[series.data.group.name]
+            total = self._totals[series.group.name]
             if run.failure and self.broken is None:
                 self.broken = Broken(series, run.failure)
                 place = run.failure.case
@@ -196,7 +196,7 @@ class _Run:
 
     def stressed(self, name: str, seconds: float, *, interrupted: bool) -> Stressed:
         """What it has come to."""
-        failing = self._totals[self.broken.series.data.group.name] if self.broken else None
+        failing = self._totals[self.broken.series.group.name] if self.broken else None
         result = Result(
             problem=self._data.problem.id,
             submission=name,

@@ -127,7 +127,8 @@ def exact_ends(real: Real, tolerance: Tolerance) -> tuple[Surd, Surd]:
     Raises ProblemError where an `extent` is asked of an irrational unit: the sum of two different roots is no
     Surd, and no problem needs it.
     """
-    from judge.exact import Surd, root_sign
+    from judge.exact import Surd
+    from judge.exact.signs import root_sign
     from judge.exact.surd import make
 
     x, unit = Surd.of(real.x), Surd.of(real.unit)

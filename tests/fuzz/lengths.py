@@ -24,7 +24,7 @@ from msgspec.structs import replace
 
 from judge.batch.normal import normal_form
 from judge.batch.roster import read_students
-from judge.data.given import read_case
+from judge.data.parse import read_case
 from judge.diagnose.regression import with_case
 from judge.errors import JudgeError
 from judge.judging.cases import try_case

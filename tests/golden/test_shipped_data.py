@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from sampling import daily
 
-from judge.data import load_data
+from judge.data.load import load_data
 from judge.data.pins import differences, pins_of, read_pins
 from judge.languages import language_of
 from judge.problem import Verdict

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from sampling import daily
 
-from judge.data import load_data
+from judge.data.load import load_data
 from judge.problem import Verdict
 from judge.problem.find import find_problem
 from judge.run import Settings, judge_submission

@@ -20,7 +20,7 @@ from typing import NamedTuple
 from msgspec.structs import replace
 from mutants import Mutant, mutants
 
-from judge.data import ProblemData, load_data
+from judge.data.load import ProblemData, load_data
 from judge.languages import language_of
 from judge.problem import Verdict
 from judge.problem.load import load_problem

@@ -14,9 +14,7 @@ from sandboxed import call, limits
 
 from judge.cli.app import app
 from judge.cli.emit import schema_of
-from judge.data import load_data
-from judge.data.load import _from_plain
-from judge.data.model import ProblemData
+from judge.data.load import ProblemData, _from_plain, load_data
 from judge.errors import ProblemError
 from judge.problem import Verdict
 from judge.problem.load import load_problem

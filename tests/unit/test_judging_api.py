@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import doctest
 import pickle
 import re
 import shutil
@@ -31,6 +32,11 @@ def _own_cache(tmp_path_factory, monkeypatch):
 @pytest.fixture
 def problem():
     return find_problem("middle")
+
+
+def test_the_example_of_the_package_is_true():
+    ended = doctest.testmod(judge)
+    assert (ended.failed, ended.attempted > 5) == (0, True)
 
 
 @pytest.mark.parametrize(

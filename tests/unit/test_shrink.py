@@ -13,8 +13,7 @@ import pytest
 from mistaken import mistaken
 from msgspec.structs import replace
 
-from judge.data.load import load_data
-from judge.data.model import ProblemData
+from judge.data.load import ProblemData, load_data
 from judge.diagnose.replay import decode
 from judge.diagnose.shrink import shrink
 from judge.diagnose.simplicity import measure, numbers_of

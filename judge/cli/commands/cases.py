@@ -18,10 +18,11 @@ from judge.cli.options import Common, command, opt, takes
 from judge.cli.resolve import kata_meant, problem_of_file, shown, usual_file
 from judge.cli.submissions import read_submissions
 from judge.cli.target import OutFile, svg_target
-from judge.data.given import example_of, line_of, read_case
+from judge.data.parse import example_of, line_of, read_case
 from judge.diagnose.regression import MARK, with_case
 from judge.diagnose.replay import decode, problem_name
-from judge.errors import HistoryError, UsageError
+from judge.errors import StoreError, UsageError
+from judge.files import read_ordinary_text
 from judge.judging.api import RunOptions
 from judge.judging.cases import ask as ask_file
 from judge.judging.cases import hack as attack
@@ -35,7 +36,6 @@ from judge.problem import Case, Problem, Verdict
 from judge.problem.find import find_problem
 from judge.problem.model import case_of
 from judge.problem.module import load_module
-from judge.reading import read_ordinary_text
 from judge.report.published_cases import (
     CaseLine,
     CaseTried,
@@ -336,7 +336,7 @@ class _Hacking(Struct, frozen=True):
         try:
             with history_at(self.common.db) as history:
                 history.keep(Hack(self.problem.id, puzzle.mistake, case, outcome))
-        except HistoryError as fault:  # what came of it is worth more
+        except StoreError as fault:  # what came of it is worth more
             note(f"this is not kept: {fault}")
 
     def _hacks(self) -> list[Hack]:

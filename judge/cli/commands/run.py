@@ -239,7 +239,7 @@ def _not_judged(name: str, why: str, problem: str, several: int, ask: RunAsk, so
 def _fresh(task: Task, ask: RunAsk, common: Common) -> Judged:
     """One submission on new cases for so long."""
     from judge.cli.picture import Drawing
-    from judge.data.model import ProblemData
+    from judge.data.load import ProblemData
     from judge.judging.cases import judge_fresh
     from judge.judging.session import Session
     from judge.report.screen import Notes

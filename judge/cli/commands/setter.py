@@ -12,11 +12,10 @@ import click
 from msgspec import Struct
 from msgspec.structs import replace
 
-from judge.atomic import replace_file
 from judge.cli.options import Common, command, opt, takes
-from judge.data.load import load_data
-from judge.data.model import ProblemData
+from judge.data.load import ProblemData, load_data
 from judge.errors import ProblemError, UsageError, unwritable
+from judge.files import replace_file
 from judge.judging.containment import kept_level
 from judge.kata.begin import begin_kata
 from judge.kata.check import deck_faults, kata_faults
