@@ -26,8 +26,8 @@ _DEEPEST = 12  # lists in lists that are read as tuples at once
 class GroupData(Struct, frozen=True):
     """A group's cases and, for each, what an answer is held against.
 
-    Where they were built just now, `attempts` are those that made the cases (see build.py), and `choices`
-    what each was drawn from, None where it was not drawn alone.
+    `attempts` are those that made the cases (see build.py), and `choices` what each was drawn from, None
+    where it was not drawn alone; both are empty where the cases come from the cache.
     """
 
     group: Group
