@@ -186,7 +186,7 @@ def judge_fresh(
                         box,
                         lambda _group, _builder, number, _case: fresh.choices_of(series, number),
                     )
-                    result = replace(result, counterexample=failed.counterexample, notes=failed.notes)
+                    result = replace(failed, failure=result.failure)
                 if options.named and result.verdict in NAMED:
                     result = _named(session, result, source)
             except KeyboardInterrupt:  # what broke is known, and worth more than the rest
