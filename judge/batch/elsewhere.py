@@ -24,7 +24,7 @@ from urllib.parse import urlsplit
 import msgspec
 
 from judge.errors import JudgeError, UsageError
-from judge.judging.pool import ATTEMPTS, Finished, Lost, Outcome, attempt, lost_for
+from judge.judging.pool import ATTEMPTS, Finished, Lost, Outcome, attempt
 from judge.reading import read_ordinary
 from judge.sandbox.boundary import LEVELS
 
@@ -179,7 +179,7 @@ class Elsewhere:
             raise self._lost() from lost
         except Exception as other:  # there or at the scheduler is no judge, or one that cannot read the task
             return None, UsageError(_cannot(other))
-        return result, lost_for(fault) if isinstance(fault, str) else fault
+        return result, fault
 
     def _fit(self) -> set[str]:
         """The workers that are there and can judge."""
