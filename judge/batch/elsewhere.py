@@ -25,7 +25,7 @@ import msgspec
 
 from judge.errors import JudgeError, UsageError
 from judge.files import read_ordinary
-from judge.judging.pool import ATTEMPTS, Finished, Lost, Outcome, attempt, lost_for
+from judge.judging.pool import ATTEMPTS, Finished, Lost, Outcome, attempt
 from judge.sandbox.boundary import LEVELS
 
 T = TypeVar("T")
@@ -179,7 +179,7 @@ class Elsewhere:
             raise self._lost() from lost
         except Exception as other:  # there or at the scheduler is no judge, or one that cannot read the task
             return None, UsageError(_cannot(other))
-        return result, lost_for(fault) if isinstance(fault, str) else fault
+        return result, fault
 
     def _fit(self) -> set[str]:
         """The workers that are there and can judge."""

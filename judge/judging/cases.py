@@ -186,16 +186,11 @@ def judge_fresh(
                         box,
                         lambda _group, _builder, number, _case: series.choices[number],
                     )
-                    result = replace(result, counterexample=failed.counterexample, notes=failed.notes)
+                    result = replace(failed, failure=result.failure)
                 if options.named and result.verdict in NAMED:
-                    result = _named(session, result, source)
+                    pinned = judge_submission(session.data, source, name, session.untimed)
+                    named = session.named(pinned.result, pinned.behaviour, source)
+                    result = replace(result, pitfall=named.pitfall).noting(*named.notes)
             except KeyboardInterrupt:  # what broke is known, and worth more than the rest
                 stressed = replace(stressed, interrupted=True)
         return replace(stressed, result=result.noting(*session.notes(box.isolation)))
-
-
-def _named(session: Session, result: Result, source: bytes) -> Result:
-    """With the mistake's name, which the wrong answers to the session's own cases tell, if there are any."""
-    pinned = judge_submission(session.data, source, result.submission, session.untimed)
-    named = session.named(pinned.result, pinned.behaviour, source)
-    return replace(result, pitfall=named.pitfall).noting(*named.notes)

@@ -38,13 +38,12 @@ def every_hidden_folder() -> tuple[Path, ...]:
 
 def keep_level(level: str) -> str | None:
     """Keep it, in place of what was found before; a note for the person if that fails."""
-    return _file("level").write({"level": level})
+    return _file("level").write(level)
 
 
 def kept_level() -> str | None:
     """The level found by this version of the judge for this user, on this machine with this kernel."""
-    found = _file("level").read()
-    level = found.get("level") if isinstance(found, dict) else None
+    level = _file("level").read()
     return level if level in LEVELS else None
 
 

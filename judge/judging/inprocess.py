@@ -117,7 +117,6 @@ class InProcess:
             stop, detail = Stop.EXCEPTION, _told(fault)
         finally:
             sys.stdin = before
-            out.detach()  # or what was printed is closed with it
         return ProgramResult(stop, printed.getvalue(), b"", detail, Usage())
 
     def _executed(self, module: str) -> dict[str, Any]:

@@ -31,6 +31,7 @@ Finished: TypeAlias = Generator[tuple[int, R], None, None]  # an item's place an
 Outcome: TypeAlias = tuple[Any, JudgeError | str | None]  # a result, or a fault; see `attempt`
 
 ATTEMPTS = 3  # at an item, whose workers die
+_LOST = f"it was lost {ATTEMPTS} times: "
 _SPAWN = multiprocessing.get_context("spawn")  # a fork would copy open boxes
 
 
@@ -62,15 +63,17 @@ def in_order(executor: Executor, work: Callable[[T], R], items: Sequence[T], los
 
 
 def attempt(work: Callable[[T], R], item: T) -> Outcome:
-    """The item's result, or what was raised: a JudgeError as it is, any other fault in words."""
+    """The item's result, or what was raised: a JudgeError as it is, of any other fault what is told if it was
+    the last attempt.
+    """
     try:
         return work(item), None
     except JudgeError as fault:
         return None, fault
     except Exception as fault:
-        return None, told(fault)
+        return None, _LOST + told(fault)
     except SystemExit as fault:  # it would end the worker
-        return None, repr(fault)
+        return None, _LOST + repr(fault)
 
 
 def _settled(outcome: Outcome, item: T, lost: Lost[T, R]) -> R:
@@ -78,12 +81,7 @@ def _settled(outcome: Outcome, item: T, lost: Lost[T, R]) -> R:
     result, fault = outcome
     if isinstance(fault, JudgeError):
         raise fault
-    return result if fault is None else lost(item, lost_for(fault))
-
-
-def lost_for(why: str) -> str:
-    """Why an item is given up, after so many attempts of which the last one ended so."""
-    return f"it was lost {ATTEMPTS} times: {why}"
+    return result if fault is None else lost(item, fault)
 
 
 class Here(Struct, frozen=True):
@@ -204,7 +202,7 @@ class _Worker:
             found: Outcome = self._outcomes.recv()
         except (EOFError, OSError):
             self.end()
-            return None, "its worker died"
+            return None, f"{_LOST}its worker died"
         return found
 
     def end(self) -> None:

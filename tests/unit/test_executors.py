@@ -124,6 +124,21 @@ def test_who_takes_the_last_result_and_no_more_leaves_no_worker_behind(tmp_path)
     assert multiprocessing.active_children() == []
 
 
+def test_ctrl_c_waits_while_a_worker_is_started(tmp_path, monkeypatch):
+    started, start = [], pool.SpawnProcess.start
+
+    def interrupted(process):
+        os.kill(os.getpid(), signal.SIGINT)
+        start(process)
+        started.append(process.pid)
+
+    monkeypatch.setattr(pool.SpawnProcess, "start", interrupted)
+    with pytest.raises(KeyboardInterrupt):
+        list(Processes(1).run(work, items(tmp_path, "well"), lost))
+    assert len(started) == 1
+    assert multiprocessing.active_children() == []
+
+
 _PARENT = """
 import sys
 from executed import work
