@@ -14,7 +14,8 @@ from judge.values.answers import within
 
 if TYPE_CHECKING:
     from judge.problem.module import Module
-    from judge.values import Exact, Target
+    from judge.values.answers import Exact
+    from judge.values.types import Target
 
 Progress = Callable[[int, int], None]  # cases done, cases in all
 

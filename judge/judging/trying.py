@@ -22,7 +22,9 @@ from judge.run.result import Failure, GroupResult, Result
 from judge.run.runner import Runner
 from judge.run.tried import Said, Tried
 from judge.sandbox.boundary import Reply, Stop, Usage
-from judge.values import Exact, Rejection, show, wire
+from judge.values import show, wire
+from judge.values.answers import Exact
+from judge.values.check import Rejection
 
 _SHOWN = 400  # characters of an answer
 

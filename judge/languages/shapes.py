@@ -9,9 +9,17 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from typing import NamedTuple
 
-from judge.values.atoms import IntType, RealType, WordType
-from judge.values.base import LONGEST, Type
-from judge.values.types import ArrayType, ListType, OptionalType, TupleType
+from judge.values.types import (
+    LONGEST,
+    ArrayType,
+    IntType,
+    ListType,
+    OptionalType,
+    RealType,
+    TupleType,
+    Type,
+    WordType,
+)
 
 _SHORT = {"Point": "Pt", "Point3": "Pt3", "IntPoint": "IntPt"}  # as the files of many challenges call them
 _ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth")

@@ -27,7 +27,7 @@ from judge.mistakes.vetoes import Vetoes
 from judge.problem import Verdict
 from judge.run.result import Behaviour, Pitfall, Result
 from judge.run.settings import Settings
-from judge.values import Outline
+from judge.values.outline import Outline
 
 _SENTENCE = re.compile(r".*?(?:[.!?](?=\s)|$)", re.DOTALL)  # the first one of a text
 NAMED = (Verdict.WA, Verdict.RTE)  # the others do not come from wrong answers

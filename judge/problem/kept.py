@@ -23,7 +23,9 @@ from judge.folders import cache_folder
 from judge.kept import KeptFile
 from judge.problem.keys import code_key, content_key, own_files
 from judge.problem.model import Problem, tupled
-from judge.values import Type, TypeFault, Words, parse
+from judge.values.answers import Words
+from judge.values.grammar import TypeFault, parse
+from judge.values.types import Type
 
 _CODE = ("exact", "values", "data", "problem", "geometry")  # the packages that groups depend on
 _NO_FOLDER = Path()

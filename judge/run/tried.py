@@ -9,7 +9,9 @@ from msgspec import Struct
 from judge.data.model import ProblemData
 from judge.problem import Case, Group, Problem, Verdict
 from judge.run.result import Hurdle, Mode
-from judge.values import Exact, Target, show
+from judge.values import show
+from judge.values.answers import Exact
+from judge.values.types import Target
 
 
 class Tried(Struct, frozen=True):

@@ -4,7 +4,6 @@ An exact answer is a tree of None, ints, words (str), tuples for fixed parts, an
 elements. Its leaves and wrappers:
 
     Real(x, unit)      a number x, and the size that a tolerance's `extent` counts in
-    Run(items)         neighbouring elements of a list, in any order
     AnyOf(answers)     any of these
     Judged(why_not)    whatever a function of the problem accepts
 """
@@ -37,16 +36,6 @@ class Real(Struct, frozen=True):
 
     x: Surd | Fraction | int
     unit: Surd | Fraction | int = 0
-
-
-class Run(Struct, frozen=True):
-    """Elements of the list around it that may come in any order, such as those of a tie.
-
-    The elements of a run differ in their ints or words: each given one is held against the first wanted one
-    left that accepts it.
-    """
-
-    items: Sequence[Exact]
 
 
 class AnyOf(Struct, frozen=True):

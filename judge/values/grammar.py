@@ -20,9 +20,17 @@ from typing import Any
 
 from judge.errors import nearest
 from judge.values.answers import NO_WORDS, Words
-from judge.values.atoms import IntType, RealType, WordType
-from judge.values.base import COORDINATES, Type
-from judge.values.types import ArrayType, ListType, OptionalType, TupleType
+from judge.values.types import (
+    COORDINATES,
+    ArrayType,
+    IntType,
+    ListType,
+    OptionalType,
+    RealType,
+    TupleType,
+    Type,
+    WordType,
+)
 
 _MOST_TEXT = 2_000  # characters of a type's text
 _TOKEN = re.compile(r"\s*(?:([A-Za-z_][A-Za-z0-9_-]*)|(\d+)|(\.\.|[()\[\]{},;?|]))")
@@ -55,9 +63,9 @@ _FOREIGN = {
 }
 
 
-def _vector(name: str, size: int, alias: str) -> Callable[[_Parser], Type]:
-    def made(parser: _Parser) -> Type:
-        parts = [parser.named(name) for _ in range(size)]
+def _vector(atom: Callable[[], Type], size: int, alias: str) -> Callable[[], Type]:
+    def made() -> Type:
+        parts = [atom() for _ in range(size)]
         for part in parts:  # which are made for it
             part.noun = "a coordinate"
         return TupleType(parts, COORDINATES[:size], alias)
@@ -66,11 +74,11 @@ def _vector(name: str, size: int, alias: str) -> Callable[[_Parser], Type]:
 
 
 VECTORS = {
-    "vec2": _vector("real", 2, "Point"),
-    "vec3": _vector("real", 3, "Point3"),
-    "point": _vector("real", 2, "Point"),
-    "point3": _vector("real", 3, "Point3"),
-    "integer-point": _vector("int", 2, "IntPoint"),
+    "vec2": _vector(RealType, 2, "Point"),
+    "vec3": _vector(RealType, 3, "Point3"),
+    "point": _vector(RealType, 2, "Point"),
+    "point3": _vector(RealType, 3, "Point3"),
+    "integer-point": _vector(IntType, 2, "IntPoint"),
 }
 
 
@@ -89,8 +97,8 @@ def parse(text: str, folder: Path | None = None, words: Words = NO_WORDS) -> Typ
         raise TypeFault(f"a text of {len(text):,} characters is no type", "write a shorter one")
     found = _Parser(text, folder).whole()
     found.text = text.strip()
-    found.folder = folder
-    return found.worded(words)
+    found.folder, found.words = folder, words
+    return found
 
 
 def names(folder: Path | None) -> list[str]:
@@ -153,7 +161,7 @@ class _Parser:
         elif token == "[":
             found = self._list()
         elif token[0].isalpha() or token[0] == "_":
-            found = self.named(token, self._arguments())
+            found = self._named(token, self._arguments())
         else:
             raise self._fault(f"none begins with {token!r}")
         self._depth -= 1
@@ -201,23 +209,16 @@ class _Parser:
             raise self._fault(str(why)) from None
         return made
 
-    def named(self, name: str, arguments: list[str] | None = None) -> Type:
+    def _named(self, name: str, arguments: list[str]) -> Type:
         """The type of that name."""
-        found: Any = VECTORS.get(name)
-        if found is not None:
-            type_ = found(self)
-        else:
-            found = ALIASES.get(name) or ATOMS.get(name) or _found(name, self._folder)
-            if found is None:
-                raise self._unknown(name)
-            if isinstance(found, str):
-                type_ = _Parser(found, self._folder, self._depth).whole()
-            else:
-                type_ = self._made(found, *(arguments or []))
-                arguments = []
+        found = ALIASES.get(name) or (VECTORS | ATOMS).get(name) or _found(name, self._folder)
+        if found is None:
+            raise self._unknown(name)
+        if not isinstance(found, str):
+            return self._made(found, *arguments)
         if arguments:
             raise self._fault(f"{name} takes nothing in parentheses")
-        return type_  # type: ignore[no-any-return]
+        return _Parser(found, self._folder, self._depth).whole()
 
     def _unknown(self, name: str) -> TypeFault:
         own = names(self._folder)

@@ -1,23 +1,453 @@
-"""Types made of others: tuples, lists, and what may be None."""
+"""The types of answers and of parameters: atoms (ints, reals, words), and what is made of others.
+
+A new atom is a file of a pack that derives from `Atom`.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import re
+from collections.abc import Callable, Iterable, Sequence
 from functools import cached_property
-from typing import Any
+from itertools import repeat
+from math import isfinite, ulp
+from pathlib import Path
+from typing import Any, NamedTuple
 
-from judge.values.atoms import IntType, RealType
-from judge.values.base import (
-    COORDINATES,
-    LONGEST,
-    MANY_LENGTHS,
-    NOTHING,
-    Place,
-    Quick,
-    Target,
-    Type,
+from judge.values.answers import NO_WORDS, Exact, Real, Tolerance, Words, accepted_doubles
+from judge.values.wire import (
+    LONGEST_WORD,
+    Bounds,
+    Errors,
+    Fault,
+    Raw,
+    Tokens,
+    Unreadable,
+    Written,
+    accepts,
+    cut_digits,
+    errors,
+    fault,
+    items,
+    near,
+    number,
+    quoted,
+    show,
+    word,
 )
-from judge.values.wire import Raw, items
+
+Number = int | float
+Value = Any  # an answer that was read, or a parameter's
+Target = Any
+Leaf = Callable[[], tuple[Real, Tolerance]]  # an exact number and its tolerance
+Quick = Callable[[Raw, Target], float | None]
+
+NOTHING = -1.0  # where nothing is measured in ulps
+COORDINATES = ("x", "y", "z")
+LONGEST = 20_000  # items of all levels, where the type sets no bound above that
+MANY_LENGTHS = 1000  # of a list without a bound
+_FLOAT = re.compile(r"-?[0-9]{1,400}(\.[0-9]{1,400})?(e[+-]?[0-9]{1,3})?", re.ASCII)
+_INTEGER = re.compile(r"-?(0|[1-9][0-9]{0,999})", re.ASCII)
+
+
+class Place(NamedTuple):
+    """Where in an answer something is: the part `at` of so many of a composite, which is at `outer`.
+
+    Without a composite it is a step of the exact answer alone: into one of several that are right.
+    """
+
+    outer: Place | None = None
+    at: int = 0
+    composite: Composite | None = None
+    of: int = 0
+
+    def steps(self) -> tuple[int, ...]:
+        """The indices that lead there in the exact answer."""
+        return () if self.outer is None else (*self.outer.steps(), self.at)
+
+    def words(self, *, short: bool = False) -> list[str]:
+        """The names of the part, of that around it, and so on; a `short` one leaves out an only point."""
+        if self.outer is None:
+            return []
+        around = self.outer.words(short=short)
+        alone = short and self.of == 1 and not around and self.composite and self.composite.one == "point"
+        return around if self.composite is None or alone else [self.composite.word(self.at), *around]
+
+    def name(self, *, short: bool = False) -> str:
+        """The place in words, "y of point 2"; empty for the whole answer."""
+        return " of ".join(self.words(short=short))
+
+    def told(self) -> str:
+        """The place of a number, short; a coordinate of no point comes last: "part 2 of item 3: x"."""
+        first, *rest = self.words(short=True) or [""]
+        if first in COORDINATES and rest and not rest[0].startswith("point"):
+            return f"{' of '.join(rest)}: {first}"
+        return " of ".join([first, *rest])
+
+    def prefix(self) -> str:
+        """How a sentence about the whole of this place begins: "part 2 of item 3: ", nothing for the root."""
+        name = self.name()
+        return f"{name}: " if name else ""
+
+
+ROOT = Place()
+
+
+class Mismatch(NamedTuple):
+    """Why an answer of the right form is wrong, where, and the errors of the number that decided."""
+
+    message: str
+    where: str = ""
+    errors: Errors | tuple[None, None, None] = (None, None, None)
+
+
+class Unfit(Exception):  # noqa: N818 - it never reaches a person but as its text
+    """An exact answer that is none of its type; its text says why."""
+
+
+class Type:
+    """A type of answers and of parameters. Types are equal if they are written alike; they never change."""
+
+    text = ""  # as problem.toml has it
+    words: Words = NO_WORDS  # of the problem, on the type of its whole answer
+    folder: Path | None = None  # a pack's own types, without which the text may mean nothing
+
+    is_parameter = True  # whether simple values are known, which the search for simple cases needs
+    is_plain = True  # whether a submission receives a parameter's value as it is kept here
+    settled = True  # whether an example shows the right answer, and not one of many that differ widely
+    measured = False  # whether it holds real numbers, which have a tolerance
+    optional = False  # whether the first token of a value may be `none`
+    width: int | None = 1  # tokens on a line; None where that varies
+    most = 1  # items of all levels in the longest answer, where the type bounds them
+    lengths = 1  # that the longest of its lists may have, as many as are told apart
+    noun = "a value"  # what is meant, "a number"
+    plural = "values"  # "a list of numbers"
+    one, several = "item", "items"  # what one and several of them in a list are called
+    annotation = "object"  # in a stub
+
+    def __str__(self) -> str:
+        return self.text
+
+    def __repr__(self) -> str:
+        return f"parse({self.text!r})"
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Type) and self.__reduce__() == other.__reduce__()
+
+    def __hash__(self) -> int:
+        return hash(self.__reduce__())
+
+    def __reduce__(self) -> tuple[Callable[..., Type], tuple[str, Path | None, Words]]:
+        from judge.values.grammar import parse
+
+        return parse, (self.text, self.folder, self.words)
+
+    @property
+    def items(self) -> int:
+        """How many items an answer is read with, right or wrong."""
+        return max(LONGEST, self.most)
+
+    def worded(self, words: Words) -> Type:
+        """The same type with a problem's own words."""
+        parse, (text, folder, _) = self.__reduce__()
+        return parse(text, folder, words)
+
+    @cached_property
+    def quick(self) -> Quick:
+        """Accepts the usual right answer and says how far off it is in ulps; None where one must look closer.
+
+        NOTHING where there is nothing to be off. May raise TypeError or ValueError instead of None.
+        """
+        return lambda _raw, _target: None
+
+    def _made_of(self, *parts: Type) -> None:
+        if any(isinstance(part, ArrayType) for part in parts) and not self.optional:
+            raise ValueError("an array is a whole parameter")
+        self.measured = any(part.measured for part in parts)
+        self.lengths = max(part.lengths for part in parts)
+        for name in ("is_parameter", "is_plain", "settled"):
+            setattr(self, name, all(getattr(part, name) for part in parts))
+
+
+# -- atoms -------------------------------------------------------------------------------------------------
+
+
+class Atom(Type):
+    """Values of one piece, right if they equal the wanted one: target, exact answer and value are the same.
+
+    A type of this kind says which values there are (`why_not`), how one arrives as JSON (`value_of`, `sent`)
+    and how it is written as a token (`text_of`, `value_from`).
+    """
+
+    samples: Sequence[Any] = ()  # a few values, the simplest first; without any, no parameter is of this type
+
+    @property
+    def is_parameter(self) -> bool:  # type: ignore[override]
+        """Whether there are samples."""
+        return bool(self.samples)
+
+    def why_not(self, value: Any) -> str | None:
+        """Why a value is none of this type, "'up' where left or right is meant"; None where it is one."""
+        raise NotImplementedError
+
+    def value_of(self, raw: Raw) -> Any:
+        """The value of what a submission sent, or of a worked example's literal; raises ValueError."""
+        raise NotImplementedError
+
+    def sent(self, value: Any) -> Raw:
+        """The JSON in which a submission's value arrives: what `value_of` reads."""
+        return value
+
+    def text_of(self, value: Any) -> str:
+        """The value as a token, without blanks."""
+        return str(value)
+
+    def value_from(self, token: str) -> Any:
+        """The value of a token; raises ValueError."""
+        raise NotImplementedError
+
+    def aim(self, exact: Exact, tolerance: Tolerance) -> Target:
+        """What answers are held against; raises Unfit."""
+        wrong = self.why_not(exact)
+        if wrong:
+            raise Unfit(wrong)
+        return exact
+
+    def best(self, target: Target) -> Value:
+        """The value that a perfect answer has."""
+        return target
+
+    def read(self, raw: Raw, place: Place, noun: str) -> Value:
+        """The value that `raw` stands for; raises Unreadable. `noun` is what the whole answer may be."""
+        try:
+            return self.value_of(raw)
+        except ValueError:
+            name = place.name()
+            meant = f"{self.noun} is meant{f' for {name}' if name else ''}"
+            raise Unreadable(fault(raw).where(meant)) from None
+
+    def off(self, value: Value, target: Target, leaf: Leaf) -> float | None:
+        """How many ulps the value is off, NOTHING where that is not measured; None where it is wrong."""
+        return NOTHING if value == target else None
+
+    def why(self, value: Value, target: Target, words: Words, place: Place) -> Mismatch:
+        """Why a value that is wrong is so."""
+        message = f"{self.shown(target)} wanted, {self.shown(value)} given"
+        return Mismatch(place.prefix() + message, place.name())
+
+    def take(self, tokens: Tokens, meant: str) -> Raw:
+        """The answer that the next token holds, as JSON; raises Unreadable."""
+        token = tokens.next()
+        try:
+            return self.sent(self.value_from(token))
+        except ValueError:
+            raise Unreadable(f"{quoted(token)} where {meant} is meant") from None
+
+    def shown(self, value: Value) -> str:
+        """A value as a person would write it in Python."""
+        return repr(value)
+
+    def fault(self, name: str, value: Any) -> str | None:
+        """What is wrong with a parameter's value, for a person, or None."""
+        wrong = self.why_not(value)
+        return f"{name} has {wrong}" if wrong else None
+
+
+class NumberType(Atom):
+    """Ints and reals; as a parameter they have a bound from below in any case, unless that is None."""
+
+    is_parameter = True
+
+    def __init__(self, *, least: int | None = None) -> None:
+        self.least = least
+
+    def shown(self, value: Value) -> str:
+        """In full, unless it is absurdly long."""
+        return show(value)
+
+    def fault(self, name: str, value: Any) -> str | None:
+        """Exactly an int or a float: a bool would not come back from the cache as it went in."""
+        if type(value) is int:
+            return None
+        return f"{name} has {value!r}, a {type(value).__name__}, where a number is meant"
+
+
+class IntType(NumberType):
+    """`int`: no bool, and no float that is whole."""
+
+    text, noun, plural, annotation = "int", "an int", "ints", "int"
+
+    @cached_property
+    def quick(self) -> Quick:
+        """Whether they are equal."""
+        return lambda raw, target: NOTHING if type(raw) is int and raw == target else None
+
+    def why_not(self, value: Any) -> str | None:
+        """Exactly an int."""
+        return None if type(value) is int else f"{value!r} where an int is meant"
+
+    def read(self, raw: Raw, place: Place, noun: str) -> Value:
+        """An int of any size."""
+        given, name = number(raw), place.name()
+        if isinstance(given, Fault):
+            raise Unreadable(given.where(f"{name or self.noun} is meant"))
+        if not isinstance(given, int):
+            kind, more = "float" if isinstance(given, float) else "number", " as an int" if name else ""
+            raise Unreadable(f"the {kind} {show(raw)} where {name or self.noun} is meant{more}")
+        return given
+
+    def take(self, tokens: Tokens, meant: str) -> Raw:
+        """A plain integer."""
+        return tokens.integer(meant)
+
+    def fault(self, name: str, value: Any) -> str | None:
+        """Exactly an int."""
+        if type(value) is float:
+            return f"{name} has the float {value!r} where an int is meant"
+        return super().fault(name, value)
+
+    def value_from(self, token: str) -> Any:
+        """An int as `repr` writes it."""
+        if not _INTEGER.fullmatch(token):
+            raise ValueError(f"no int: {token[:40]!r}")
+        return int(token)
+
+
+class RealType(NumberType):
+    """`real`: an int or a float among others, held against (lo, hi, nearest); `double`: floats alone."""
+
+    text, noun, plural, annotation, measured = "real", "a number", "numbers", "float", True
+
+    def __init__(self, *, least: int | None = None, double: bool = False) -> None:
+        super().__init__(least=least)
+        self.double = double
+
+    def aim(self, exact: Exact, tolerance: Tolerance) -> Target:
+        """The least and the greatest double that is accepted, and the nearest one."""
+        if type(exact) is not Real:
+            raise Unfit(f"{exact!r} where a Real is meant")
+        if isinstance(exact.x, float) or isinstance(exact.unit, float):  # rounded already, most likely
+            raise Unfit(f"{exact!r} holds a float; write Fraction(x) where a double is the exact number")
+        return accepted_doubles(exact, tolerance)
+
+    def best(self, target: Bounds) -> Value:
+        """The nearest double."""
+        return target[2]
+
+    @cached_property
+    def quick(self) -> Quick:
+        """Two comparisons, and the error."""
+
+        def quick(raw: Raw, target: Target) -> float | None:
+            lo, hi, nearest = target
+            if type(raw) is not float:
+                if type(raw) is not Written or not lo < raw.approx < hi:
+                    return None
+                raw = raw.approx
+            if not lo <= raw <= hi:
+                return None
+            return abs(raw - nearest) / ulp(nearest) if nearest else 0.0
+
+        return quick
+
+    def read(self, raw: Raw, place: Place, noun: str) -> Value:
+        """An int, a float, a Fraction or a Written."""
+        given = number(raw)
+        if isinstance(given, Fault):
+            is_point = place.name()[:1] in COORDINATES and given.type.startswith("complex")
+            remedy = "return a point as (x, y)" if is_point else ""
+            raise Unreadable(given.where(f"{place.name() or noun} is meant", remedy))
+        return given
+
+    def off(self, value: Value, target: Bounds, leaf: Leaf) -> float | None:
+        """Its error, as its double has it; 0 where x is 0, which has no scale."""
+        if not accepts(value, target, leaf):
+            return None
+        nearest = target[2]
+        return abs(near(value) - nearest) / ulp(nearest) if nearest else 0.0
+
+    def why(self, value: Value, target: Bounds, words: Words, place: Place) -> Mismatch:
+        """How far off it is."""
+        nearest = target[2]
+        found = absolute, relative, ulps = errors(value, nearest)
+        where = place.name(short=True) or words.answer or "the answer"
+        share = "" if relative is None else f", relative error {relative:.2g} ({ulps:.3g} ulps)"
+        how = cut_digits(value, nearest)
+        message = f"{place.told() or where} is off by {absolute:.2g}{share}{how and f'; {how}'}"
+        return Mismatch(message, where, found)
+
+    def take(self, tokens: Tokens, meant: str) -> Raw:
+        """A decimal."""
+        return tokens.number(meant)
+
+    def fault(self, name: str, value: Any) -> str | None:
+        """An int or a finite float."""
+        if type(value) is float:
+            return None if isfinite(value) else f"{name} has {value!r}, which is not finite"
+        if self.double and type(value) is int:
+            return f"{name} has the int {value!r} where a float is meant"
+        return super().fault(name, value)
+
+    def value_from(self, token: str) -> Any:
+        """An int, or else a float."""
+        if _INTEGER.fullmatch(token) and not self.double:
+            return int(token)
+        if not _FLOAT.fullmatch(token):
+            raise ValueError(f"no number: {token[:40]!r}")
+        return float(token)
+
+
+class WordType(Atom):
+    """`word(a|b|…)`: one of a few words, a str of ASCII letters, digits, hyphens and underscores."""
+
+    annotation, plural = "str", "words"
+
+    def __init__(self, *words: str) -> None:
+        if len(words) < 2 or len(set(words)) < len(words) or "none" in words:
+            raise ValueError("a word is one of two or more, all of them different and none of them none")
+        if max(map(len, words)) > LONGEST_WORD:
+            raise ValueError(f"a word has at most {LONGEST_WORD} characters")
+        self.text, self.samples = f"word({'|'.join(words)})", words
+        self.noun = f"{', '.join(words[:-1])} or {words[-1]}"
+
+    @cached_property
+    def quick(self) -> Quick:
+        """Whether it is sent as that word."""
+        return lambda raw, target: NOTHING if type(raw) is dict and raw == {"word": target} else None
+
+    def why_not(self, value: Any) -> str | None:
+        """One of the choice."""
+        known = type(value) is str and value in self.samples
+        return None if known else f"{value!r} where {self.noun} is meant"
+
+    def value_of(self, raw: Raw) -> Any:
+        """Any word: a wrong one is a wrong answer."""
+        given = word(raw)
+        if given is None:
+            raise ValueError("no word")
+        return given
+
+    def why(self, value: Value, target: Target, words: Words, place: Place) -> Mismatch:
+        """A word that is no choice at all is told as that."""
+        wrong = self.why_not(value)
+        if wrong:
+            return Mismatch(place.prefix() + wrong, place.name())
+        return super().why(value, target, words, place)
+
+    def take(self, tokens: Tokens, meant: str) -> Raw:
+        """Any word of the usual length."""
+        token = tokens.next()
+        if len(token) > LONGEST_WORD:
+            raise Unreadable(f"{quoted(token)} where {self.noun} is meant")
+        return {"word": token}
+
+    def value_from(self, token: str) -> Any:
+        """One of the choice."""
+        if token not in self.samples:
+            raise ValueError(f"none of the words: {token[:40]!r}")
+        return token
+
+
+# -- types made of others ----------------------------------------------------------------------------------
 
 
 class OptionalType(Type):
@@ -26,26 +456,19 @@ class OptionalType(Type):
     optional = True
 
     def __init__(self, inner: Type) -> None:
-        if inner.optional or (isinstance(inner, TupleType) and inner.begins_optional):
+        if inner.optional:
             raise ValueError("as text it does not say whether all of it is none or only its first part")
+        self._made_of(inner)
         self.inner = inner
         self.text, self.noun = f"{inner.text}?", f"{inner.noun} or None"
-        self.measured, self.settled, self.is_answer = inner.measured, inner.settled, inner.is_answer
-        self.is_parameter, self.is_plain = inner.is_parameter, inner.is_plain
+        self.annotation = f"{inner.annotation} | None"
         self.width = 1 if inner.width == 1 else None
-        self.depth, self.most, self.lengths = inner.depth, inner.most, inner.lengths
-        self.plural, self.one, self.several = inner.plural, inner.one, inner.several
-        self.variable, self.annotation = inner.variable, f"{inner.annotation} | None"
-        self.rounded = f"None if {{0}} is None else {inner.rounded}" if inner.rounded else ""
+        self.most, self.plural, self.one, self.several = inner.most, inner.plural, inner.one, inner.several
 
     @cached_property
     def quick(self) -> Quick:
         """Whether both are None, or the inner answer."""
         inner = self.inner.quick
-        if isinstance(self.inner, IntType):  # asked most often
-            return lambda raw, target: (
-                NOTHING if raw == target and (raw is None or type(raw) is int) else None
-            )
 
         def quick(raw: Raw, target: Target) -> float | None:
             if raw is None or target is None:
@@ -53,10 +476,6 @@ class OptionalType(Type):
             return inner(raw, target)
 
         return quick
-
-    def aliases(self) -> Mapping[str, str]:
-        """Those of the inner type."""
-        return self.inner.aliases()
 
 
 class Composite(Type):
@@ -68,13 +487,44 @@ class Composite(Type):
         """The types of the parts of a value that has so many."""
         raise NotImplementedError
 
-    def down(self, place: Place, at: int, count: int) -> Place:
-        """The place of the part `at` of so many."""
+    def word(self, at: int) -> str:
+        """What the part `at` is called."""
         raise NotImplementedError
 
     def wrong_count(self, count: int, place: Place) -> str | None:
         """Why an answer cannot have so many parts."""
         raise NotImplementedError
+
+    @property
+    def quicks(self) -> Iterable[Quick]:
+        """What accepts each part, one for each or for ever the same."""
+        raise NotImplementedError
+
+    @cached_property
+    def quick(self) -> Quick:
+        """All parts, one after the other; of several right answers to a part the first that accepts it."""
+        quicks = self.quicks
+
+        def quick(raw: Raw, target: Target) -> float | None:
+            if type(raw) is dict:  # many numbers, sent as bytes; or what is no list at all
+                found = items(raw)
+                raw = None if found is None else list(found)
+            if type(raw) is not list or type(target) is dict or len(raw) != len(target):
+                return None
+            worst = NOTHING
+            for part, given, wanted in zip(quicks, raw, target):  # noqa: B905  # the lengths are equal
+                if type(wanted) is dict:
+                    ways = (part(given, each) for each in wanted.get("any", ()))
+                    off = next((each for each in ways if each is not None), None)
+                else:
+                    off = part(given, wanted)
+                if off is None:
+                    return None
+                if off > worst:
+                    worst = off
+            return worst
+
+        return quick
 
 
 class TupleType(Composite):
@@ -89,39 +539,29 @@ class TupleType(Composite):
     def __init__(self, parts: Sequence[Type], names: Sequence[str] = (), alias: str = "") -> None:
         if len(parts) < 2:
             raise ValueError("a tuple has two parts or more")
+        self._made_of(*parts)
         self.fixed = tuple(parts)
         self.names = tuple(names) or tuple(f"part {place}" for place in range(1, len(parts) + 1))
         self.is_vector = self.names == COORDINATES[: len(parts)]
         self.text = f"({', '.join(part.text for part in parts)})"
-        self.measured = any(part.measured for part in parts)
-        self.settled, self.is_answer, self.is_parameter, self.is_plain = (
-            all(getattr(part, name) for part in parts)
-            for name in ("settled", "is_answer", "is_parameter", "is_plain")
-        )
-        self.is_parameter = self.is_parameter and self.is_answer
-        self.begins_optional = parts[0].optional or getattr(parts[0], "begins_optional", False)
+        self.optional = parts[0].optional
         widths = [part.width for part in parts]
         self.width = None if None in widths else sum(filter(None, widths))
-        self.depth = 1 + max(part.depth for part in parts)
-        self.most = sum(part.most + (part.depth > 0) for part in parts)
-        self.lengths = max(part.lengths for part in parts)
-        self._alias, self._spelled = alias, f"tuple[{', '.join(part.annotation for part in parts)}]"
-        self.annotation = alias or self._spelled
-        self.noun = f"a {self._spelled}"  # as the file to begin with spells it
+        self.most = sum(part.most + isinstance(lasting(part), Composite) for part in parts)
+        self.spelled = f"tuple[{', '.join(part.annotation for part in parts)}]"
+        self.alias, self.annotation = alias, alias or self.spelled
+        self.noun = f"a {self.spelled}"  # as the file to begin with spells it
         if self.is_vector:
             self.noun, self.plural = f"({', '.join(self.names)})", "points"
             self.one, self.several = "point", "points"
-        if self.measured:
-            rounded = (part.rounded.format(f"{{0}}[{at}]") or f"{{0}}[{at}]" for at, part in enumerate(parts))
-            self.rounded = f"({', '.join(rounded)})"
 
     def parts(self, count: int) -> Sequence[Type]:
         """The same always."""
         return self.fixed
 
-    def down(self, place: Place, at: int, count: int) -> Place:
-        """By its name."""
-        return Place(place, at, self.names[at])
+    def word(self, at: int) -> str:
+        """Its name."""
+        return self.names[at]
 
     def wrong_count(self, count: int, place: Place) -> str | None:
         """As many as there are."""
@@ -130,29 +570,10 @@ class TupleType(Composite):
         what = f"{count} {'coordinate' if self.is_vector else 'part'}{'' if count == 1 else 's'}"
         return f"{place.name() or 'the answer'} has {what} where {self.noun} is meant"
 
-    @cached_property
-    def quick(self) -> Quick:
-        """All parts."""
-        count, parts = len(self.fixed), [part.quick for part in self.fixed]
-
-        def quick(raw: Raw, target: Target) -> float | None:
-            if type(raw) is not list or len(raw) != count or type(target) is dict:
-                return None
-            worst = NOTHING
-            for part, given, wanted in zip(parts, raw, target):  # noqa: B905  # the lengths are equal
-                off = part(given, wanted)
-                if off is None:
-                    return None
-                if off > worst:
-                    worst = off
-            return worst
-
-        return quick
-
-    def aliases(self) -> Mapping[str, str]:
-        """Its own, and those of the parts."""
-        inner = {name: meant for part in self.fixed for name, meant in part.aliases().items()}
-        return inner | ({self._alias: self._spelled} if self._alias else {})
+    @property
+    def quicks(self) -> Iterable[Quick]:
+        """One for each."""
+        return [part.quick for part in self.fixed]
 
 
 class ListType(Composite):
@@ -160,40 +581,29 @@ class ListType(Composite):
 
     kind = list
     width = None
-    is_plain = False
     plural = "lists"
 
     def __init__(self, item: Type, low: int = 0, high: int | None = None) -> None:
         if high is not None and not low <= high:
             raise ValueError("the bounds leave no length: low is above high")
+        self._made_of(item)
+        self.is_plain = False
         self.item, self.low, self.high = item, low, high
         bounds = "" if high is None and not low else f"; {low}" if low == high else f"; {low}..{high}"
         self.text = f"[{item.text}{bounds}]"
-        self.measured, self.settled, self.is_answer = item.measured, item.settled, item.is_answer
-        self.is_parameter = item.is_parameter and item.is_answer
-        self.depth = 1 + item.depth
-        self.most = LONGEST if high is None else high * (item.most + (item.depth > 0))
+        each = item.most + isinstance(lasting(item), Composite)
+        self.most = LONGEST if high is None else high * each
         self.lengths = max(item.lengths, MANY_LENGTHS if high is None else high - low + 1)
         self.one, self.several = item.one, item.several
-        self.noun, self.variable = f"a list of {item.plural}", item.several
-        self.annotation = f"list[{item.annotation}]"
-        if item.rounded:
-            self.rounded = f"[{item.rounded.format('item')} for item in {{0}}]"
-            if isinstance(item, TupleType) and item.is_vector:
-                names = item.names
-                parts = (
-                    part.rounded.format(name) or name for part, name in zip(item.fixed, names, strict=True)
-                )
-                self.rounded = f"[({', '.join(parts)}) for {', '.join(names)} in {{0}}]"
+        self.noun, self.annotation = f"a list of {item.plural}", f"list[{item.annotation}]"
 
     def parts(self, count: int) -> Sequence[Type]:
         """The same type for all."""
         return [self.item] * count
 
-    def down(self, place: Place, at: int, count: int) -> Place:
-        """By its number."""
-        alone = count == 1 and self.one == "point" and not place.name()
-        return Place(place, at, f"{self.one} {at + 1}", alone=alone)
+    def word(self, at: int) -> str:
+        """Its number."""
+        return f"{self.one} {at + 1}"
 
     def bounds(self) -> str:
         """How many items there may be, in words."""
@@ -207,56 +617,26 @@ class ListType(Composite):
         """No more than the bound."""
         if self.high is None or count <= self.high:
             return None
-        meant = f"where {self.bounds() if self.low == self.high else f'at most {self.high}'} are meant"
-        return f"{place.prefix()}{count} {self.several} given {meant}"
+        meant = self.high if self.low == self.high else f"at most {self.high}"
+        return f"{place.prefix()}{count} {self.several} given where {meant} are meant"
 
-    @cached_property
-    def quick(self) -> Quick:
-        """All items, one after the other."""
-        item = self.item.quick
-
-        def quick(raw: Raw, target: Target) -> float | None:
-            if type(raw) is dict:  # many numbers, sent as bytes; or what is no list at all
-                found = items(raw)
-                raw = None if found is None else list(found)
-            if type(raw) is not list or type(target) is dict or len(raw) != len(target):
-                return None
-            worst = NOTHING
-            for given, wanted in zip(raw, target):  # noqa: B905  # the lengths are equal
-                off = item(given, wanted) if type(wanted) is not dict else _any(item, given, wanted)
-                if off is None:
-                    return None
-                if off > worst:
-                    worst = off
-            return worst
-
-        return quick
-
-    def aliases(self) -> Mapping[str, str]:
-        """Those of the items."""
-        return self.item.aliases()
-
-
-def _any(item: Quick, given: Raw, wanted: Target) -> float | None:
-    """The first of several targets that accepts an item; a run is none of them."""
-    return next((off for each in wanted.get("any", ()) if (off := item(given, each)) is not None), None)
+    @property
+    def quicks(self) -> Iterable[Quick]:
+        """One for all."""
+        return repeat(self.item.quick)
 
 
 class ArrayType(ListType):
     """`array(f64; most)`: a parameter's doubles, which a submission receives as an `array.array`."""
-
-    is_answer = False
 
     def __init__(self, code: str, most: str = "") -> None:
         if code != "f64":
             raise ValueError("an array holds f64")
         if most and not (most.isdecimal() and len(most) < 10):
             raise ValueError(f"{most} is no length of an array")
-        super().__init__(RealType(double=True), 0, int(most) if most else 10_000_000)
+        super().__init__(RealType(double=True), 0, int(most or 10_000_000))
         self.text = f"array({code}; {most})" if most else f"array({code})"
         self.noun, self.plural, self.annotation = "an array of numbers", "arrays", "array[float]"
-        self.is_answer = False
-        self.is_parameter = True
 
 
 def lasting(type_: Type) -> Type:

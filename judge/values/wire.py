@@ -231,8 +231,8 @@ def show(raw: Raw, depth: int = 3) -> str:
         # A list of two numbers is a point, however it was written.
         point = len(raw) == 2 and not any(type(item) in (list, tuple) for item in raw)
         return f"({', '.join(parts)})" if point else f"[{', '.join(parts)}]"
-    if raw is None or kind is float:
-        return repr(raw)
+    if raw is None or kind is float or kind is str:
+        return repr(raw[:_SHOWN] if kind is str else raw)
     if kind is dict and len(raw) == 1:
         text = word(raw)
         if text is not None:

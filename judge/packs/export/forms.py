@@ -11,10 +11,8 @@ from typing import Any
 
 from judge.exact import Surd
 from judge.problem import Parameter, Problem, Tolerance
-from judge.values import AnyOf, Exact, Judged, Run, Type
-from judge.values.answers import exact_ends
-from judge.values.atoms import IntType, RealType, WordType
-from judge.values.types import ArrayType, ListType, OptionalType, TupleType
+from judge.values.answers import AnyOf, Exact, Judged, exact_ends
+from judge.values.types import ArrayType, IntType, ListType, OptionalType, RealType, TupleType, Type, WordType
 
 Form = list[Any]
 
@@ -52,16 +50,10 @@ def accepted_form(type_: Type, exact: Exact, tolerance: Tolerance) -> Any:
     if isinstance(type_, TupleType):
         return [accepted_form(part, each, tolerance) for part, each in zip(type_.fixed, exact, strict=True)]
     if isinstance(type_, ListType):
-        return [_item(type_.item, each, tolerance) for each in exact]
+        return [accepted_form(type_.item, each, tolerance) for each in exact]
     if isinstance(type_, RealType):
         return _ends(*exact_ends(exact, tolerance))
     return exact
-
-
-def _item(type_: Type, exact: Exact, tolerance: Tolerance) -> Any:
-    if isinstance(exact, Run):
-        return {"run": [accepted_form(type_, each, tolerance) for each in exact.items]}
-    return accepted_form(type_, exact, tolerance)
 
 
 def _ends(low: Surd, high: Surd) -> list[int]:
