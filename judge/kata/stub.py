@@ -245,7 +245,7 @@ def _doctest(problem: Problem, example: Example) -> list[str]:
         told = f"{call} may return {wanted!r}".replace("\0", " ")
         return _wrapped(told, _WIDTH - len(_INDENT))
     if problem.answer.measured:
-        call, wanted = f"rounded({call})", eval(_rounded(problem.answer, repr(wanted)), {})
+        call, wanted = f"rounded({call})", eval(_rounded(problem.answer, "wanted"), {"wanted": wanted})
     call = f"print({call})" if wanted is None else call
     rows = [call] if len(call) <= room + len(_INDENT) else _wrapped(call, room + len(_INDENT), _INDENT)
     lines = [f"{'...' if at else '>>>'} {row}".replace("\0", " ") for at, row in enumerate(rows)]
