@@ -204,12 +204,12 @@ def _rounded(type_: Type, what: str) -> str:
     if isinstance(type_, OptionalType):
         return f"None if {what} is None else {_rounded(inner, what)}"
     if isinstance(type_, TupleType):
-        parts = (_rounded(part, f"{what}[{at}]") for at, part in enumerate(type_.fixed))
+        parts = (_rounded(part, f"{what}[{at}]") for at, part in enumerate(type_.made_of))
         return f"({', '.join(parts)})"
     if isinstance(type_, ListType):
         item = type_.item
         if isinstance(item, TupleType) and item.is_vector:
-            parts = (_rounded(part, name) for part, name in zip(item.fixed, item.names, strict=True))
+            parts = (_rounded(part, name) for part, name in zip(item.made_of, item.names, strict=True))
             return f"[({', '.join(parts)}) for {', '.join(item.names)} in {what}]"
         return f"[{_rounded(item, 'item')} for item in {what}]"
     return f"round({what}, {_DECIMALS}) + 0.0"

@@ -65,7 +65,7 @@ def shape_of(type_: Type, *, big: bool = False) -> Shape:
         item = shape_of(type_.item, big=big)
         return Shape("list", (item,), most=type_.high, packed=type_.most > LONGEST and not item.parts)
     if isinstance(type_, TupleType):
-        parts = tuple(shape_of(part, big=big) for part in type_.fixed)
+        parts = tuple(shape_of(part, big=big) for part in type_.made_of)
         return Shape("tuple", parts, _fields(type_), _name(type_, parts))
     raise Unsupported(type_.text)
 
@@ -91,7 +91,7 @@ def _tuples(shape: Shape) -> Iterator[Shape]:
 
 def _fields(type_: TupleType) -> tuple[str, ...]:
     named = all(name.isidentifier() for name in type_.names)
-    return type_.names if named else _ORDINALS[: len(type_.fixed)]
+    return type_.names if named else _ORDINALS[: len(type_.made_of)]
 
 
 def _name(type_: TupleType, parts: Iterable[Shape]) -> str:

@@ -98,8 +98,8 @@ def _target(type_: Type, exact: Exact, tolerance: Tolerance) -> Target:
     if type(exact) not in (list, tuple):
         raise Unfit(f"{exact!r} where a {type_.kind.__name__} is meant")
     count = len(exact)
-    if isinstance(type_, TupleType) and count != len(type_.fixed):
-        raise Unfit(f"{count} parts where {len(type_.fixed)} are meant")
+    if isinstance(type_, TupleType) and count != len(type_.made_of):
+        raise Unfit(f"{count} parts where {len(type_.made_of)} are meant")
     if isinstance(type_, ListType) and not type_.low <= count <= (inf if type_.high is None else type_.high):
         raise Unfit(f"{count} {type_.one if count == 1 else type_.several} where {type_.bounds()} are meant")
     return tuple(
@@ -307,7 +307,7 @@ def is_one_item(type_: Composite, found: Sequence[Raw]) -> bool:
     """Whether one item is given where a list of them is meant: (x, y) for [(x, y)]."""
     if not isinstance(type_, ListType) or not isinstance(type_.item, TupleType):
         return False
-    return len(type_.item.fixed) == len(found) and all(
+    return len(type_.item.made_of) == len(found) and all(
         type(each) in (int, float) or (type(each) is dict and items(each) is None) for each in found
     )
 
@@ -404,7 +404,7 @@ def _hint(type_: Type, words: Words = NO_WORDS) -> str:
     if isinstance(type_, OptionalType):
         return f"{_hint(type_.inner, words)} or none"
     if isinstance(type_, TupleType):
-        return " ".join(type_.names) if type_.is_vector else ", ".join(map(_hint, type_.fixed))
+        return " ".join(type_.names) if type_.is_vector else ", ".join(map(_hint, type_.made_of))
     if isinstance(type_, ListType):
         if isinstance(type_.item, TupleType) and type_.item.is_vector:
             return f"k {' '.join(f'{name}1' for name in type_.item.names)} …"

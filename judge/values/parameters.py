@@ -16,12 +16,10 @@ from judge.values.types import (
     ArrayType,
     Atom,
     Composite,
-    IntType,
     ListType,
     Number,
     NumberType,
     OptionalType,
-    RealType,
     TupleType,
     Type,
     Value,
@@ -51,10 +49,10 @@ def fault(type_: Type, name: str, value: Any) -> str | None:
     if isinstance(type_, Atom):
         return type_.fault(name, value)
     if isinstance(type_, TupleType):
-        if type(value) is not tuple or len(value) != len(type_.fixed):
+        if type(value) is not tuple or len(value) != len(type_.made_of):
             meant = f"a tuple {type_.text}"
-            if all(isinstance(part, NumberType) for part in type_.fixed):
-                meant = "a pair of numbers" if len(type_.fixed) == 2 else f"{len(type_.fixed)} numbers"
+            if all(isinstance(part, NumberType) for part in type_.made_of):
+                meant = "a pair of numbers" if len(type_.made_of) == 2 else f"{len(type_.made_of)} numbers"
             return f"{name} must be {meant}, not {value!r}"
     elif isinstance(type_, ListType):
         if type(value) is not tuple:
@@ -170,9 +168,7 @@ def simple(type_: Type, draw: Draws, number: Callable[[bool], Number], *, positi
         return simple(type_.inner, draw, number, positive=positive) if draw.integer(0, 1) else None
     if isinstance(type_, NumberType):
         found = number(positive or (type_.least is not None and type_.least >= 0))
-        if isinstance(type_, IntType):
-            return int(found)
-        return float(found) if isinstance(type_, RealType) and type_.double else found
+        return found if type(found) in type_.kinds else type_.kinds[0](found)
     if isinstance(type_, Atom):
         return type_.samples[draw.integer(0, len(type_.samples) - 1)]
     assert isinstance(type_, Composite)

@@ -71,7 +71,7 @@ def shown(type_: Type, raw: Raw) -> str:
     if isinstance(type_, OptionalType):
         return "None" if raw is None else shown(type_.inner, raw)
     found = items(raw) if isinstance(type_, Composite) else None
-    if found is None or (isinstance(type_, TupleType) and len(found) != len(type_.fixed)):
+    if found is None or (isinstance(type_, TupleType) and len(found) != len(type_.made_of)):
         return show(raw)
     assert isinstance(type_, Composite)
     if is_one_item(type_, found):

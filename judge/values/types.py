@@ -6,10 +6,10 @@ A new atom is a file of a pack that derives from `Atom`.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from functools import cached_property
 from itertools import repeat
-from math import isfinite, ulp
+from math import ulp
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -127,9 +127,6 @@ class Type:
     def __str__(self) -> str:
         return self.text
 
-    def __repr__(self) -> str:
-        return f"parse({self.text!r})"
-
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Type) and self.__reduce__() == other.__reduce__()
 
@@ -159,7 +156,7 @@ class Type:
         """
         return lambda _raw, _target: None
 
-    def _made_of(self, *parts: Type) -> None:
+    def _made(self, *parts: Type) -> None:
         if any(isinstance(part, ArrayType) for part in parts) and not self.optional:
             raise ValueError("an array is a whole parameter")
         self.measured = any(part.measured for part in parts)
@@ -230,8 +227,8 @@ class Atom(Type):
         return NOTHING if value == target else None
 
     def why(self, value: Value, target: Target, words: Words, place: Place) -> Mismatch:
-        """Why a value that is wrong is so."""
-        message = f"{self.shown(target)} wanted, {self.shown(value)} given"
+        """Why a value that is wrong is so: it may even be none of this type."""
+        message = self.why_not(value) or f"{self.shown(target)} wanted, {self.shown(value)} given"
         return Mismatch(place.prefix() + message, place.name())
 
     def take(self, tokens: Tokens, meant: str) -> Raw:
@@ -256,6 +253,7 @@ class NumberType(Atom):
     """Ints and reals; as a parameter they have a bound from below in any case, unless that is None."""
 
     is_parameter = True
+    kinds: tuple[type[int | float], ...]  # of a parameter's value
 
     def __init__(self, *, least: int | None = None) -> None:
         self.least = least
@@ -266,15 +264,27 @@ class NumberType(Atom):
 
     def fault(self, name: str, value: Any) -> str | None:
         """Exactly an int or a float: a bool would not come back from the cache as it went in."""
-        if type(value) is int:
-            return None
-        return f"{name} has {value!r}, a {type(value).__name__}, where a number is meant"
+        kind = type(value)
+        if kind not in (int, float):
+            return f"{name} has {value!r}, a {kind.__name__}, where a number is meant"
+        if kind not in self.kinds:
+            meant = "an int" if kind is float else "a float"
+            return f"{name} has the {kind.__name__} {value!r} where {meant} is meant"
+        return None if value - value == 0 else f"{name} has {value!r}, which is not finite"
+
+    def value_from(self, token: str) -> Any:
+        """An int as `repr` writes it, or else a float."""
+        if int in self.kinds and _INTEGER.fullmatch(token):
+            return int(token)
+        if float in self.kinds and _FLOAT.fullmatch(token):
+            return float(token)
+        raise ValueError(f"no number: {token[:40]!r}")
 
 
 class IntType(NumberType):
     """`int`: no bool, and no float that is whole."""
 
-    text, noun, plural, annotation = "int", "an int", "ints", "int"
+    text, noun, plural, annotation, kinds = "int", "an int", "ints", "int", (int,)
 
     @cached_property
     def quick(self) -> Quick:
@@ -299,18 +309,6 @@ class IntType(NumberType):
         """A plain integer."""
         return tokens.integer(meant)
 
-    def fault(self, name: str, value: Any) -> str | None:
-        """Exactly an int."""
-        if type(value) is float:
-            return f"{name} has the float {value!r} where an int is meant"
-        return super().fault(name, value)
-
-    def value_from(self, token: str) -> Any:
-        """An int as `repr` writes it."""
-        if not _INTEGER.fullmatch(token):
-            raise ValueError(f"no int: {token[:40]!r}")
-        return int(token)
-
 
 class RealType(NumberType):
     """`real`: an int or a float among others, held against (lo, hi, nearest); `double`: floats alone."""
@@ -319,7 +317,7 @@ class RealType(NumberType):
 
     def __init__(self, *, least: int | None = None, double: bool = False) -> None:
         super().__init__(least=least)
-        self.double = double
+        self.kinds = (float,) if double else (int, float)
 
     def aim(self, exact: Exact, tolerance: Tolerance) -> Target:
         """The least and the greatest double that is accepted, and the nearest one."""
@@ -379,22 +377,6 @@ class RealType(NumberType):
         """A decimal."""
         return tokens.number(meant)
 
-    def fault(self, name: str, value: Any) -> str | None:
-        """An int or a finite float."""
-        if type(value) is float:
-            return None if isfinite(value) else f"{name} has {value!r}, which is not finite"
-        if self.double and type(value) is int:
-            return f"{name} has the int {value!r} where a float is meant"
-        return super().fault(name, value)
-
-    def value_from(self, token: str) -> Any:
-        """An int, or else a float."""
-        if _INTEGER.fullmatch(token) and not self.double:
-            return int(token)
-        if not _FLOAT.fullmatch(token):
-            raise ValueError(f"no number: {token[:40]!r}")
-        return float(token)
-
 
 class WordType(Atom):
     """`word(a|b|…)`: one of a few words, a str of ASCII letters, digits, hyphens and underscores."""
@@ -426,13 +408,6 @@ class WordType(Atom):
             raise ValueError("no word")
         return given
 
-    def why(self, value: Value, target: Target, words: Words, place: Place) -> Mismatch:
-        """A word that is no choice at all is told as that."""
-        wrong = self.why_not(value)
-        if wrong:
-            return Mismatch(place.prefix() + wrong, place.name())
-        return super().why(value, target, words, place)
-
     def take(self, tokens: Tokens, meant: str) -> Raw:
         """Any word of the usual length."""
         token = tokens.next()
@@ -458,7 +433,7 @@ class OptionalType(Type):
     def __init__(self, inner: Type) -> None:
         if inner.optional:
             raise ValueError("as text it does not say whether all of it is none or only its first part")
-        self._made_of(inner)
+        self._made(inner)
         self.inner = inner
         self.text, self.noun = f"{inner.text}?", f"{inner.noun} or None"
         self.annotation = f"{inner.annotation} | None"
@@ -479,31 +454,31 @@ class OptionalType(Type):
 
 
 class Composite(Type):
-    """A type of several parts: how many a value has is asked of `wrong_count`, what they are of `parts`."""
+    """A type of several parts: those of a tuple are `made_of` one type each, those of a list all of the one.
+
+    How many parts a value has is asked of `wrong_count`.
+    """
 
     kind: type[tuple[Any, ...]] | type[list[Any]]  # of an answer that was read
+    made_of: tuple[Type, ...]
 
     def parts(self, count: int) -> Sequence[Type]:
         """The types of the parts of a value that has so many."""
-        raise NotImplementedError
+        return self.made_of * count if self.kind is list else self.made_of
 
     def word(self, at: int) -> str:
         """What the part `at` is called."""
-        raise NotImplementedError
+        return f"{self.one} {at + 1}"
 
     def wrong_count(self, count: int, place: Place) -> str | None:
         """Why an answer cannot have so many parts."""
         raise NotImplementedError
 
-    @property
-    def quicks(self) -> Iterable[Quick]:
-        """What accepts each part, one for each or for ever the same."""
-        raise NotImplementedError
-
     @cached_property
     def quick(self) -> Quick:
         """All parts, one after the other; of several right answers to a part the first that accepts it."""
-        quicks = self.quicks
+        each = [part.quick for part in self.made_of]
+        quicks = repeat(each[0]) if self.kind is list else each
 
         def quick(raw: Raw, target: Target) -> float | None:
             if type(raw) is dict:  # many numbers, sent as bytes; or what is no list at all
@@ -514,8 +489,8 @@ class Composite(Type):
             worst = NOTHING
             for part, given, wanted in zip(quicks, raw, target):  # noqa: B905  # the lengths are equal
                 if type(wanted) is dict:
-                    ways = (part(given, each) for each in wanted.get("any", ()))
-                    off = next((each for each in ways if each is not None), None)
+                    ways = (part(given, one) for one in wanted.get("any", ()))
+                    off = next((one for one in ways if one is not None), None)
                 else:
                     off = part(given, wanted)
                 if off is None:
@@ -539,8 +514,8 @@ class TupleType(Composite):
     def __init__(self, parts: Sequence[Type], names: Sequence[str] = (), alias: str = "") -> None:
         if len(parts) < 2:
             raise ValueError("a tuple has two parts or more")
-        self._made_of(*parts)
-        self.fixed = tuple(parts)
+        self._made(*parts)
+        self.made_of = tuple(parts)
         self.names = tuple(names) or tuple(f"part {place}" for place in range(1, len(parts) + 1))
         self.is_vector = self.names == COORDINATES[: len(parts)]
         self.text = f"({', '.join(part.text for part in parts)})"
@@ -555,25 +530,16 @@ class TupleType(Composite):
             self.noun, self.plural = f"({', '.join(self.names)})", "points"
             self.one, self.several = "point", "points"
 
-    def parts(self, count: int) -> Sequence[Type]:
-        """The same always."""
-        return self.fixed
-
     def word(self, at: int) -> str:
         """Its name."""
         return self.names[at]
 
     def wrong_count(self, count: int, place: Place) -> str | None:
         """As many as there are."""
-        if count == len(self.fixed):
+        if count == len(self.made_of):
             return None
         what = f"{count} {'coordinate' if self.is_vector else 'part'}{'' if count == 1 else 's'}"
         return f"{place.name() or 'the answer'} has {what} where {self.noun} is meant"
-
-    @property
-    def quicks(self) -> Iterable[Quick]:
-        """One for each."""
-        return [part.quick for part in self.fixed]
 
 
 class ListType(Composite):
@@ -586,9 +552,9 @@ class ListType(Composite):
     def __init__(self, item: Type, low: int = 0, high: int | None = None) -> None:
         if high is not None and not low <= high:
             raise ValueError("the bounds leave no length: low is above high")
-        self._made_of(item)
+        self._made(item)
         self.is_plain = False
-        self.item, self.low, self.high = item, low, high
+        self.made_of, self.item, self.low, self.high = (item,), item, low, high
         bounds = "" if high is None and not low else f"; {low}" if low == high else f"; {low}..{high}"
         self.text = f"[{item.text}{bounds}]"
         each = item.most + isinstance(lasting(item), Composite)
@@ -596,14 +562,6 @@ class ListType(Composite):
         self.lengths = max(item.lengths, MANY_LENGTHS if high is None else high - low + 1)
         self.one, self.several = item.one, item.several
         self.noun, self.annotation = f"a list of {item.plural}", f"list[{item.annotation}]"
-
-    def parts(self, count: int) -> Sequence[Type]:
-        """The same type for all."""
-        return [self.item] * count
-
-    def word(self, at: int) -> str:
-        """Its number."""
-        return f"{self.one} {at + 1}"
 
     def bounds(self) -> str:
         """How many items there may be, in words."""
@@ -619,11 +577,6 @@ class ListType(Composite):
             return None
         meant = self.high if self.low == self.high else f"at most {self.high}"
         return f"{place.prefix()}{count} {self.several} given where {meant} are meant"
-
-    @property
-    def quicks(self) -> Iterable[Quick]:
-        """One for all."""
-        return repeat(self.item.quick)
 
 
 class ArrayType(ListType):
@@ -646,4 +599,4 @@ def lasting(type_: Type) -> Type:
 
 def is_pair(type_: Type) -> bool:
     """Whether values are points or vectors in the plane."""
-    return isinstance(type_, TupleType) and type_.is_vector and len(type_.fixed) == 2
+    return isinstance(type_, TupleType) and type_.is_vector and len(type_.made_of) == 2

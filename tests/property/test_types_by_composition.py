@@ -148,7 +148,7 @@ def leaves(type_: Any, target: Any, given: Any, words: tuple[str, ...] = ()) -> 
     elif name in ("TupleType", "ListType"):
         for at, (one, each) in enumerate(zip(target, given, strict=True)):
             if name == "TupleType":
-                part, word = type_.fixed[at], type_.names[at]
+                part, word = type_.made_of[at], type_.names[at]
             else:
                 part, word = type_.item, f"{type_.one} {at + 1}"
             for place, bounds_of, changed in leaves(part, one, each, (word, *words)):

@@ -31,7 +31,7 @@ def answer_form(type_: Type) -> Form:
     if kind is WordType:
         return ["word"]
     if isinstance(type_, TupleType):
-        return ["tuple", [answer_form(part) for part in type_.fixed]]
+        return ["tuple", [answer_form(part) for part in type_.made_of]]
     if isinstance(type_, OptionalType):
         return ["optional", answer_form(type_.inner)]
     if isinstance(type_, ListType):
@@ -48,7 +48,7 @@ def accepted_form(type_: Type, exact: Exact, tolerance: Tolerance) -> Any:
     if isinstance(type_, OptionalType):
         return None if exact is None else accepted_form(type_.inner, exact, tolerance)
     if isinstance(type_, TupleType):
-        return [accepted_form(part, each, tolerance) for part, each in zip(type_.fixed, exact, strict=True)]
+        return [accepted_form(part, each, tolerance) for part, each in zip(type_.made_of, exact, strict=True)]
     if isinstance(type_, ListType):
         return [accepted_form(type_.item, each, tolerance) for each in exact]
     if isinstance(type_, RealType):
@@ -82,7 +82,7 @@ def _within(type_: Type, parameter: Parameter) -> Form:
     if isinstance(type_, WordType):
         return ["word", list(type_.samples)]
     if isinstance(type_, TupleType):
-        return ["tuple", [_within(part, parameter) for part in type_.fixed]]
+        return ["tuple", [_within(part, parameter) for part in type_.made_of]]
     if isinstance(type_, OptionalType):
         return ["optional", _within(type_.inner, parameter)]
     if isinstance(type_, ListType) and not isinstance(type_, ArrayType):
