@@ -73,7 +73,7 @@ class Runner(Protocol):
 
     @property
     def decide(self) -> Callable[[Any, Target, ExactOf], Outcome]:
-        """What holds a reply's answer against a target; see `judge.values.Type.check`."""
+        """What holds a reply's answer against a target; see `judge.values.check`."""
         ...
 
     def wanted(self, target: Target) -> str:

@@ -348,10 +348,10 @@ def check_line(type_: Type, text: str, target: Target, exact: ExactOf) -> Outcom
 def read_line(type_: Type, text: str) -> tuple[Raw] | str:
     """The answer that a line holds, in a tuple of one, or why it holds none."""
     try:
-        words = Tokens(text, meant(type_))
-        raw = words.next() if type_.width == 1 and words.left > 1 else _take(type_, words, whole=True)
-        if words.left:
-            raise Unreadable(f"{quoted(words.ahead)} after the answer: one line holds {words.meant}")
+        line = Tokens(text, meant(type_))
+        raw = line.next() if type_.width == 1 and line.words[1:] else _take(type_, line, whole=True)
+        if line.words:
+            raise Unreadable(f"{quoted(line.ahead)} after the answer: one line holds {line.meant}")
     except Unreadable as why:
         return str(why)
     return (raw,)
@@ -362,40 +362,40 @@ def meant(type_: Type) -> str:
     return type_.words.meant or _hint(type_, type_.words)
 
 
-def _take(type_: Type, words: Tokens, *, whole: bool = False) -> Raw:
+def _take(type_: Type, line: Tokens, *, whole: bool = False) -> Raw:
     """The answer that the next tokens hold; raises Unreadable. `whole` says that it is all of the line."""
     if isinstance(type_, OptionalType):
-        ahead = words.ahead
+        ahead = line.ahead
         if ahead == "none":
-            words.next()
+            line.next()
             return None
         if ahead.lower() in {"none", "null"}:
-            what = words.meant if whole and type_.width == 1 else _hint(type_)
+            what = line.meant if whole and type_.width == 1 else _hint(type_)
             raise Unreadable(f"{quoted(ahead)} where {what} is meant: write none in lower case")
-        return _take(type_.inner, words, whole=whole)
+        return _take(type_.inner, line, whole=whole)
     if isinstance(type_, Atom):
-        return type_.take(words, words.meant if whole else type_.noun)
+        return type_.take(line, line.meant if whole else type_.noun)
     assert isinstance(type_, Composite)
-    count = _count(type_, words, whole=whole) if isinstance(type_, ListType) else 0
-    return [_take(part, words) for part in type_.parts(count)]
+    count = _count(type_, line, whole=whole) if isinstance(type_, ListType) else 0
+    return [_take(part, line) for part in type_.parts(count)]
 
 
-def _count(type_: ListType, words: Tokens, *, whole: bool) -> int:
+def _count(type_: ListType, line: Tokens, *, whole: bool) -> int:
     """The length of the list that follows."""
-    if words.ahead.lower() == "none":
-        raise Unreadable(f'"{words.ahead}" where {_hint(type_)} is meant: no {type_.several} are 0')
-    count = words.integer(f"the number of {type_.several} k")
+    if line.ahead.lower() == "none":
+        raise Unreadable(f'"{line.ahead}" where {_hint(type_)} is meant: no {type_.several} are 0')
+    count = line.integer(f"the number of {type_.several} k")
     if not type_.low <= count <= (inf if type_.high is None else type_.high):
         given = str(count) if len(str(count)) <= 20 else f"{str(count)[:20]}…"
         bounds = f"{type_.low} or more" if type_.high is None else f"{type_.low} to {type_.high}"
         bounds = str(type_.low) if type_.low == type_.high else bounds
         raise Unreadable(f"k = {given} where {bounds} {type_.several} are meant")
     width = type_.item.width
-    if width is not None and whole and words.left != count * width:
+    if width is not None and whole and len(line.words) != count * width:
         noun = "coordinates" if type_.one == "point" else "more"
-        raise Unreadable(f"k = {count} needs {count * width} {noun}, {words.left} given")
-    if count > words.left:
-        raise Unreadable(f"the line ends too early: it holds {words.meant}")
+        raise Unreadable(f"k = {count} needs {count * width} {noun}, {len(line.words)} given")
+    if count > len(line.words):
+        raise Unreadable(f"the line ends too early: it holds {line.meant}")
     return count
 
 

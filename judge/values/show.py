@@ -103,8 +103,9 @@ def accepted(type_: Type, target: Target) -> Any:
     """What is accepted, as JSON: for each real number the least and the greatest double."""
     if type(target) is dict:
         ((name, inner),) = target.items()
-        several = [accepted(type_, each) for each in (inner if name == "any" else [inner])]
-        return {name: several if name == "any" else several[0]}
+        if name == "any":
+            return {name: [accepted(type_, each) for each in inner]}
+        return {name: accepted(type_, inner)}
     if isinstance(type_, OptionalType):
         return None if target is None else accepted(type_.inner, target)
     if isinstance(type_, Composite):

@@ -89,7 +89,7 @@ def decimal(text: str) -> Written | Fault:
     if match is None:
         return Fault(quoted(text), _why_no_decimal(text))
     power = match[4]
-    if power and (len(power) > 6 or abs(int(power)) > MOST_EXPONENT):
+    if power and abs(int(power)) > MOST_EXPONENT:
         return Fault(quoted(text), f"its exponent is beyond ±{MOST_EXPONENT}")
     return Written(text, float(text))
 
@@ -316,7 +316,9 @@ def cut_digits(given: Given, nearest: float) -> str:
 
 
 class Tokens:
-    """A line's tokens, read strictly, one after the other. `meant` says what the whole line holds.
+    """A line's tokens, read strictly, one after the other: `words` are those left, the next one last.
+
+    `meant` says what the whole line holds.
 
     Raises Unreadable for what is not plain ASCII text.
     """
@@ -327,26 +329,21 @@ class Tokens:
         if foreign:
             name = "a NUL" if foreign[0] == "\0" else f"the character {foreign[0]!a}"
             raise Unreadable(f"{name} in the output: answers are plain ASCII text")
-        self._words = line.split()[::-1]
+        self.words = line.split()[::-1]
         self.meant = meant
-        if not self._words:
+        if not self.words:
             raise Unreadable(f"an empty line where {meant} is meant")
-
-    @property
-    def left(self) -> int:
-        """How many tokens are left."""
-        return len(self._words)
 
     @property
     def ahead(self) -> str:
         """The next token, which stays; empty at the end."""
-        return self._words[-1] if self._words else ""
+        return self.words[-1] if self.words else ""
 
     def next(self) -> str:
         """Take a token; raises Unreadable at the end of the line."""
-        if not self._words:
+        if not self.words:
             raise Unreadable(f"the line ends too early: it holds {self.meant}")
-        return self._words.pop()
+        return self.words.pop()
 
     def integer(self, meant: str) -> int:
         """Take an integer."""
