@@ -23,9 +23,8 @@ from judge.problem import Case, Example, Group, Problem, Tolerance
 from judge.problem.model import EXAMPLES, group_place
 from judge.problem.module import Module, blaming
 from judge.values import check
-from judge.values.answers import Exact
+from judge.values.answers import Exact, Target
 from judge.values.check import Rejection
-from judge.values.types import Target
 
 _ATTEMPTS = 1_000  # for one case
 

@@ -22,7 +22,7 @@ from judge.errors import UsageError
 from judge.problem import Case, Group, Problem
 from judge.problem.model import EXAMPLES, group_place
 from judge.problem.module import Module, blaming
-from judge.values.types import Target
+from judge.values.answers import Target
 
 BUILT = 32  # cases of a series: no more than a pinned group has
 

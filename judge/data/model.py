@@ -14,8 +14,7 @@ from judge.values.answers import within
 
 if TYPE_CHECKING:
     from judge.problem.module import Module
-    from judge.values.answers import Exact
-    from judge.values.types import Target
+    from judge.values.answers import Exact, Target
 
 Progress = Callable[[int, int], None]  # cases done, cases in all
 

@@ -15,7 +15,7 @@ from judge.diagnose.replay import encode
 from judge.languages import language_of
 from judge.run.tried import Tried
 from judge.values import parameters, show
-from judge.values.types import Target
+from judge.values.answers import Target
 
 MARK = b"# Written by `judge "  # how the file begins, those of earlier versions too
 _HEAD = '''# Written by `judge try --pytest`, which adds more cases at the end.

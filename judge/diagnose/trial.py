@@ -24,10 +24,9 @@ from judge.run.replies import VERDICTS, Breakdown
 from judge.run.runner import Runner
 from judge.sandbox.boundary import Box, Limits, Stop, Usage
 from judge.values import outline
-from judge.values.answers import Exact, within
+from judge.values.answers import Exact, Target, within
 from judge.values.check import Rejection
 from judge.values.outline import Outline
-from judge.values.types import Target
 from judge.values.wire import Raw
 
 Clock = Callable[[], float]

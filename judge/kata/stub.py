@@ -22,7 +22,8 @@ from judge.languages import language_of
 from judge.problem import Example, Problem
 from judge.reading import read_ordinary
 from judge.values import parameters
-from judge.values.types import Composite, ListType, OptionalType, TupleType, Type, lasting
+from judge.values.atoms import Type
+from judge.values.types import Composite, ListType, OptionalType, TupleType, lasting
 
 if TYPE_CHECKING:
     from judge.languages.model import Language

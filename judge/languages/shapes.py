@@ -9,17 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from typing import NamedTuple
 
-from judge.values.types import (
-    LONGEST,
-    ArrayType,
-    IntType,
-    ListType,
-    OptionalType,
-    RealType,
-    TupleType,
-    Type,
-    WordType,
-)
+from judge.values.atoms import LONGEST, IntType, RealType, Type, WordType
+from judge.values.types import ArrayType, ListType, OptionalType, TupleType
 
 _SHORT = {"Point": "Pt", "Point3": "Pt3", "IntPoint": "IntPt"}  # as the files of many challenges call them
 _ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth")

@@ -21,8 +21,8 @@ from collections.abc import Sequence
 from enum import IntEnum
 
 from judge.values import outline
+from judge.values.atoms import Type
 from judge.values.outline import CLOSE, SAME, Outline, Usual, largest
-from judge.values.types import Type
 
 _ENDED = "ended"
 _SAME_POWERS = 1.5  # powers of ten between two errors of digits that pass for the same

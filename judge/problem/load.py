@@ -23,8 +23,9 @@ from judge.problem.names import is_name
 from judge.problem.statement import read_statement
 from judge.problem.tables import TomlFile, meant, refusal
 from judge.values.answers import Tolerance, Words
+from judge.values.atoms import Type
 from judge.values.grammar import TypeFault, parse
-from judge.values.types import ArrayType, Type, lasting
+from judge.values.types import ArrayType, lasting
 
 _MOST_DIGITS = 4_000  # of a number's exponent: Python reads and writes no integer above 4,300 digits
 _PLAIN = "use a plain Python name"
@@ -97,7 +98,7 @@ def _read(folder: Path, solutions: Path) -> Problem:
         tier=head.tier,
         summary=head.summary,
         entry=head.entry,
-        answer=head.answer.worded(head.words),
+        answer=parse(head.answer.text, own, head.words),
         parameters=tuple(_parameter(file, name, row) for name, row in head.parameters.items()),
         limits=head.limits,
         groups=(),

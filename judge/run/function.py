@@ -13,9 +13,9 @@ from judge.run.replies import Replies
 from judge.run.result import NOTHING, Behaviour, Failure, Mode
 from judge.sandbox.boundary import Box, CallsResult, Limits, Stop
 from judge.values import check, outline, show
+from judge.values.answers import Target
 from judge.values.check import ExactOf, Outcome
 from judge.values.outline import Outline
-from judge.values.types import Target
 from judge.values.wire import Raw
 
 

@@ -20,10 +20,11 @@ from judge.problem.model import Parameter, tupled
 from judge.run.replies import VERDICTS, Breakdown, Replies
 from judge.run.result import NOTHING, Behaviour, Failure, Mode
 from judge.sandbox.boundary import Box, Limits, ProgramResult, Reply, Stop
-from judge.values import check, outline, parameters, show
+from judge.values import check, outline, parameters, reading, show
+from judge.values.answers import Target
 from judge.values.check import ExactOf, Outcome
 from judge.values.outline import UNREADABLE, Outline
-from judge.values.types import Target, is_pair
+from judge.values.types import is_pair
 from judge.values.wire import Raw
 
 SHOWN = 80  # characters of a line that is quoted
@@ -86,7 +87,7 @@ class ProgramRunner(Struct, frozen=True):
 
     def raw(self, answer: Any) -> Raw:
         """What the line holds; None, too, where it holds no answer."""
-        read = check.read_line(self.problem.answer, answer)
+        read = reading.read_line(self.problem.answer, answer)
         return None if isinstance(read, str) else read[0]
 
     def reference(self, rule: TimeRule) -> str | None:

@@ -10,8 +10,7 @@ from judge.data.model import ProblemData
 from judge.problem import Case, Group, Problem, Verdict
 from judge.run.result import Hurdle, Mode
 from judge.values import show
-from judge.values.answers import Exact
-from judge.values.types import Target
+from judge.values.answers import Exact, Target
 
 
 class Tried(Struct, frozen=True):

@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from judge.exact import Surd
 
 Exact = Any  # such a tree
+Target = Any  # what answers are held against, made of an exact one (judge.values.check)
 _LARGEST = float_info.max
 
 

@@ -20,17 +20,8 @@ from typing import Any, TypeVar
 
 from judge.errors import nearest
 from judge.values.answers import NO_WORDS, Words
-from judge.values.types import (
-    COORDINATES,
-    ArrayType,
-    IntType,
-    ListType,
-    OptionalType,
-    RealType,
-    TupleType,
-    Type,
-    WordType,
-)
+from judge.values.atoms import COORDINATES, IntType, RealType, Type, WordType
+from judge.values.types import ArrayType, ListType, OptionalType, TupleType
 
 _MOST_TEXT = 2_000  # characters of a type's text
 _TOKEN = re.compile(r"[A-Za-z_][\w-]*|\d+|\.\.|\S", re.ASCII)

@@ -23,22 +23,12 @@ from typing import Any
 from msgspec import Struct
 
 from judge.digest import digest_of
-from judge.values.check import ExactOf, is_right, read, read_line
+from judge.values.answers import Target
+from judge.values.atoms import LONGEST, Atom, IntType, NumberType, RealType, Type, Value
+from judge.values.check import ExactOf, is_right
+from judge.values.reading import read, read_line
 from judge.values.show import best
-from judge.values.types import (
-    LONGEST,
-    Atom,
-    Composite,
-    IntType,
-    ListType,
-    NumberType,
-    RealType,
-    Target,
-    TupleType,
-    Type,
-    Value,
-    lasting,
-)
+from judge.values.types import Composite, ListType, TupleType, lasting
 from judge.values.wire import Fault, Raw, Unreadable, items, near, number, word
 
 Outline = tuple[str, tuple[float, ...]]

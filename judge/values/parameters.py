@@ -11,20 +11,8 @@ from fractions import Fraction
 from itertools import chain, repeat
 from typing import Any, Protocol
 
-from judge.values.types import (
-    LONGEST,
-    ArrayType,
-    Atom,
-    Composite,
-    ListType,
-    Number,
-    NumberType,
-    OptionalType,
-    TupleType,
-    Type,
-    Value,
-    lasting,
-)
+from judge.values.atoms import LONGEST, Atom, Number, NumberType, Type, Value
+from judge.values.types import ArrayType, Composite, ListType, OptionalType, TupleType, lasting
 
 
 class Draws(Protocol):

@@ -2,25 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from itertools import islice
 from typing import Any
 
-from judge.values.answers import AnyOf, Exact, Judged, Real
+from judge.values.answers import AnyOf, Exact, Judged, Real, Target
+from judge.values.atoms import Atom, IntType, RealType, Type, Value
 from judge.values.parameters import tokens
-from judge.values.types import (
-    Atom,
-    Composite,
-    IntType,
-    ListType,
-    OptionalType,
-    RealType,
-    Target,
-    TupleType,
-    Type,
-    Value,
-    lasting,
-)
+from judge.values.types import Composite, ListType, OptionalType, TupleType, lasting
 from judge.values.wire import Raw, items, show
 
 _ANSWERS = 3  # of several that are right, which are shown
@@ -66,8 +55,6 @@ def wanted(type_: Type, target: Target) -> str:
 
 def shown(type_: Type, raw: Raw) -> str:
     """An answer, as JSON or read, as a person would write it, bounded whatever its shape."""
-    from judge.values.check import is_one_item
-
     if isinstance(type_, OptionalType):
         return "None" if raw is None else shown(type_.inner, raw)
     found = items(raw) if isinstance(type_, Composite) else None
@@ -77,6 +64,15 @@ def shown(type_: Type, raw: Raw) -> str:
     if is_one_item(type_, found):
         return show(raw)
     return _bracketed(type_, map(shown, type_.parts(len(found)), found), len(found))
+
+
+def is_one_item(type_: Composite, found: Sequence[Raw]) -> bool:
+    """Whether one item is given where a list of them is meant: (x, y) for [(x, y)]."""
+    if not isinstance(type_, ListType) or not isinstance(type_.item, TupleType):
+        return False
+    return len(type_.item.made_of) == len(found) and all(
+        type(each) in (int, float) or (type(each) is dict and items(each) is None) for each in found
+    )
 
 
 def _bracketed(type_: Composite, parts: Iterator[str], count: int) -> str:

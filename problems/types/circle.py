@@ -1,6 +1,7 @@
 """`circle`: (x, y, r), the centre and the radius, which is not negative."""
 
-from judge.values.types import RealType, TupleType
+from judge.values.atoms import RealType
+from judge.values.types import TupleType
 
 
 def TYPE() -> TupleType:  # noqa: N802 - what the grammar looks for

@@ -1,6 +1,7 @@
 """`enclosure`: (lo, hi), two numbers around the exact one; problem.py says whether they are close enough."""
 
-from judge.values.types import RealType, TupleType
+from judge.values.atoms import RealType
+from judge.values.types import TupleType
 
 
 def TYPE() -> TupleType:  # noqa: N802 - what the grammar looks for

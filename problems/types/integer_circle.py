@@ -1,6 +1,7 @@
 """`integer-circle`: (x, y, r) in integers; the radius is not negative."""
 
-from judge.values.types import IntType, TupleType
+from judge.values.atoms import IntType
+from judge.values.types import TupleType
 
 
 def TYPE() -> TupleType:  # noqa: N802 - what the grammar looks for

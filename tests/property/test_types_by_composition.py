@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 
 from judge.exact import Surd
 from judge.sandbox.encode import encode
-from judge.values import check, outline, show
+from judge.values import check, outline, reading, show
 from judge.values import parameters as own
 from judge.values.answers import Real, Tolerance
 from judge.values.check import Accepted, Rejection
@@ -133,7 +133,7 @@ def test_the_exact_answer_is_accepted_in_every_form_and_read_as_it_is_written(an
     assert isinstance(check.check_line(type_, line, target, lambda: (exact, TOLERANCE)), Accepted)
     json.dumps([show.exact_text(exact), show.accepted(type_, target)])
     assert outline.outline(type_, perfect) == outline.right(type_, target)
-    read = check.read_line(type_, line)
+    read = reading.read_line(type_, line)
     assert not isinstance(read, str)
     assert outline.outline(type_, read[0]) == outline.right(type_, target)
 

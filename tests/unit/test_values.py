@@ -11,7 +11,7 @@ import pytest
 
 from judge.errors import ProblemError
 from judge.exact import Surd
-from judge.values import check, parameters, show
+from judge.values import check, parameters, reading, show
 from judge.values.answers import AnyOf, Real, Tolerance, Words, vector
 from judge.values.check import Accepted, Rejection, is_right
 from judge.values.grammar import TypeFault, parse
@@ -159,7 +159,7 @@ def test_a_problem_has_its_own_words():
     assert (off.where, off.message[:10]) == ("t", "t is off b")
     order = judged("[int]", [1, 2], [2, 1], words)
     assert order.message == "the right items in the wrong order: they come upwards"
-    assert check.read_line(parse("int?", words=Words(meant="0 or 1")), "x") == (
+    assert reading.read_line(parse("int?", words=Words(meant="0 or 1")), "x") == (
         '"x" where 0 or 1 is meant: write a plain integer'
     )
 
@@ -178,7 +178,7 @@ def test_a_problem_has_its_own_words():
     ],
 )
 def test_lines_that_hold_no_answer(text, line, message):
-    answer = check.read_line(parse(text), line)
+    answer = reading.read_line(parse(text), line)
     assert isinstance(answer, str)
     assert message in answer
 

@@ -12,7 +12,8 @@ from typing import Any
 from judge.exact import Surd
 from judge.problem import Parameter, Problem, Tolerance
 from judge.values.answers import AnyOf, Exact, Judged, exact_ends
-from judge.values.types import ArrayType, IntType, ListType, OptionalType, RealType, TupleType, Type, WordType
+from judge.values.atoms import IntType, RealType, Type, WordType
+from judge.values.types import ArrayType, ListType, OptionalType, TupleType
 
 Form = list[Any]
 
