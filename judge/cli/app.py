@@ -129,7 +129,7 @@ def _epilog(name: str) -> str:
 def _unknown(name: str) -> str:
     """That there is no such command, and what was most likely meant."""
     if os.path.isfile(name):  # noqa: PTH113 - of any name
-        from judge.report.names import shown_command  # only for the one who is told
+        from judge.report.words import shown_command  # only for the one who is told
 
         return f"There is no command {name}. To judge that file: {shown_command('judge', 'run', file=name)}"
     near = LIKE.get(name) or nearest(name, COMMANDS) or nearest(name, OLD)
@@ -198,10 +198,9 @@ def _without_debug(words: list[str]) -> tuple[list[str], bool]:
 
 
 def _complain(message: str) -> None:
-    from judge.report.layout import Style
     from judge.report.screen import note
 
-    note(message, Style.BAD)
+    note(message, bad=True)
 
 
 def _note(message: str) -> None:

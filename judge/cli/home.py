@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 
 def home(common: Common) -> Home:
-    """Where a person stands, and what to do now. Raises HistoryError."""
+    """Where a person stands, and what to do now. Raises StoreError."""
     problems, _ = sound_problems(common.problems)
     with history_at(common.db, reading=True) as history:
         runs = [run for run in history.runs() if run.counts]

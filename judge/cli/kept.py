@@ -40,7 +40,7 @@ def _tell(history: History) -> None:
         what = "1 damaged row is" if len(found) == 1 else f"{len(found)} damaged rows are"
         note(f"{what} left out of the history")
     if history.set_aside is not None:
-        from judge.report.names import shown_name  # only for the one who is told
+        from judge.report.words import shown_name  # only for the one who is told
 
         name = shown_name(str(history.set_aside))
         note(f"the history was damaged: it is kept as {name}, and a new one is begun")

@@ -3,7 +3,8 @@
     judge run                  the file last started or judged in this folder
     judge run count            count.py in this folder, or another file here that was judged as count
     judge run count a.py b.py  these files, as count
-    judge run a.py homework    each file says its kata: by its function, its first line, or its name
+    judge run a.py homework    each file says its kata: by its function, its first line, its name, or
+                               its folder in solutions/
 
 The first word is a kata where there is one of that name, even where a file is called so; `./count` is the
 file. Nothing points to the current kata: it is read from the history, so looking never moves it.
@@ -13,12 +14,13 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
+from itertools import pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
-from judge.errors import HistoryError, JudgeError, UsageError
+from judge.errors import JudgeError, StoreError, UsageError
 from judge.languages import file_name, is_program
 from judge.problem import Problem
 from judge.problem.find import find_problem, near_problem_folders, problem_folders, shipped_problems
@@ -77,7 +79,7 @@ def current(folder: Path, history: History) -> Started | None:
 
 
 def here(db: Path | None) -> Started:
-    """The current file of this folder. Raises UsageError, which says where the last one is; HistoryError."""
+    """The current file of this folder. Raises UsageError, which says where the last one is; StoreError."""
     from judge.cli.kept import history_at
 
     folder = this_folder()
@@ -141,7 +143,7 @@ def _places(db: Path | None) -> list[Started]:
     try:
         with History.open(db, reading=True) as history:
             return history.places()
-    except HistoryError:
+    except StoreError:
         return []
 
 
@@ -225,22 +227,26 @@ def problem_of_file(
         ProblemError: the one that fits is broken.
     """
     from judge.problem.fit import fitting_problems, meant_problem, signs  # only where no kata is named
-    from judge.report.names import shown_command
+    from judge.report.words import shown_command
 
     found = signs(submission.source, submission.name)
     fitting = fitting_problems(found, folders)
     if len(fitting) == 1:
         return fitting[0]
-    path = str(Path(submission.name).absolute())
-    if known := next((each for each in _places(db) if each.path == path), None):
+    path = Path(submission.name).absolute()
+    for above, name in pairwise(path.parent.parts):
+        meant = above == "solutions" and (not fitting or name in [each.id for each in fitting])
+        if meant and is_problem(name, folders):
+            return find_problem(name, folders)
+    if known := next((each for each in _places(db) if each.path == str(path)), None):
         return problem_of(known, folders)
     if fitting:
         names = [problem.id for problem in fitting]
         chosen = shown_command("judge", command, names[0], file=submission.name)
         what = f"this file fits {' and '.join(names)}"
         raise UsageError(what, where=submission.name, remedy=f"'{chosen}' takes the first")
-    if meant := meant_problem(found, folders):
-        name, entry, problem = meant
+    if near := meant_problem(found, folders):
+        name, entry, problem = near
         what = f"this file defines {name}; did you mean {entry}, of {problem}?"
         chosen = shown_command("judge", command, problem, file=submission.name)
         raise UsageError(what, where=submission.name, remedy=f"rename it, or write '{chosen}'")

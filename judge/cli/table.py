@@ -202,4 +202,7 @@ GONE: Mapping[str, str] = {
 }
 
 # words that people try -> the command that they mean, where no name is near
-LIKE: Mapping[str, str] = {"submit": "run", "test": "run", "check": "run", "judge": "run"}
+LIKE: Mapping[str, str] = {
+    **dict.fromkeys(("submit", "test", "check", "judge"), "run"),
+    "reset": "start --reset",
+}

@@ -21,13 +21,13 @@ from judge.cli.picture import Drawing
 from judge.cli.watching import Kata, WatchedFile, await_event, handled, take_up
 from judge.cli.wish import Wish
 from judge.errors import JudgeError
-from judge.judging.job import RunOptions
+from judge.judging.api import RunOptions
 from judge.kata.saves import Saves
 from judge.kata.stub import make_stub, write_stub
 from judge.languages import file_name, language_of
 from judge.problem import Problem
 from judge.problem.find import sound_problems
-from judge.report.layout import Style, line
+from judge.report.parts import FAINT, GOOD, WARNING
 from judge.report.picture import has_room
 from judge.report.result import Shown, accepted, magnified, result, verdict_line
 from judge.report.screen import Screen, drawn, out
@@ -225,7 +225,7 @@ class _Loop:
         problems, solved = self._katas()
         following = next_kata(problem.id, problems, common.problems, solved)
         if following is None:
-            self._say("All other katas are solved.", Style.GOOD)
+            self._say("All other katas are solved.", GOOD)
             return None
         kata = Kata(following, self._kata.path.with_name(file_name(following.id.replace("-", "_"))))
         if not kata.path.exists():
@@ -278,7 +278,7 @@ class _Loop:
         with tempfile.NamedTemporaryFile("w", suffix=".html", delete=False, encoding="utf-8") as file:
             file.write(page)
         click.launch(file.name)
-        return lambda screen: note_text(f"Opened {file.name}", screen, Style.FAINT)
+        return lambda screen: note_text(f"Opened {file.name}", screen, FAINT)
 
     def report(self) -> View:
         """What judging came to."""
@@ -305,7 +305,7 @@ class _Loop:
         self._asked = key
         self._say(text)
 
-    def _say(self, text: str, style: Style = Style.WARNING) -> None:
+    def _say(self, text: str, style: str = WARNING) -> None:
         self._show(lambda screen: note_text(text, screen, style))
 
     def _show(self, view: View) -> None:
@@ -315,7 +315,7 @@ class _Loop:
     def _draw(self) -> None:
         """All of it at once; the verdict is last, above the keys."""
         screen = out()
-        parts = [screen.text(line(row) for row in self._notes.splitlines()), self._view(screen)]
+        parts = [self._notes, self._view(screen)]
         if self._view != self._report and (end := self._end(screen)):
             parts += ["" if parts[-1].endswith("\n\n") else "\n", end]
         failed = not isinstance(self._found, str) and self._found.result.failure is not None

@@ -17,7 +17,7 @@ from judge.cli.judging import Sitting
 from judge.cli.resolve import folder_to_keep, shown
 from judge.cli.submissions import read_submissions
 from judge.cli.wish import Wish
-from judge.errors import HistoryError, JudgeError, UsageError
+from judge.errors import JudgeError, StoreError, UsageError
 from judge.kata.saves import SavedMark, mark, settled
 from judge.problem import Problem
 from judge.report.screen import note
@@ -48,7 +48,7 @@ def take_up(kata: Kata, db: Path | None) -> None:
     try:
         with history_at(db) as history:
             history.keep(Started(kata.problem.id, str(kata.path), folder_to_keep(kata.problem)))
-    except HistoryError as fault:
+    except StoreError as fault:
         note(f"not kept in the history: {fault}")
 
 

@@ -13,8 +13,7 @@ from fractions import Fraction
 from typing import Any
 
 from judge.drawing.shapes import Role
-from judge.exact.dyadic import integers
-from judge.exact.surd import Surd
+from judge.exact.surd import Surd, integers
 from judge.geometry.quadratic import TANGENT
 from judge.geometry.sure import Words
 from judge.values.answers import AnyOf, Real

@@ -25,7 +25,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from msgspec import Struct
 
-from judge.errors import HistoryError, ProblemError
+from judge.errors import ProblemError, StoreError
 from judge.kata.checklist import Checklist, Row, Section, read_checklist
 from judge.kata.events import Answer, Hack, Run
 from judge.kata.hacks import broken
@@ -194,7 +194,7 @@ def read_progress(
     """How a person stands by a history, and the faults of decks, which are left out.
 
     `problems` are all that can be found. Raises ProblemError where a file of skills or questions is broken,
-    HistoryError.
+    StoreError.
     """
     from judge.kata.quiz.cards import read_decks
 
@@ -270,7 +270,7 @@ def _tries(problem: Problem, runs: Iterable[Run]) -> list[_Tried]:
             if run.solved:
                 recorded = [level.value for level in KataLevel]
             elif not today.issuperset(run.passed + run.failed):
-                with contextlib.suppress(HistoryError):
+                with contextlib.suppress(StoreError):
                     recorded = run.levels
             found.append(_Tried(run, frozenset(run.passed), frozenset(run.failed), recorded))
     return found

@@ -5,8 +5,9 @@ sitting the kata or card comes again in a number of days from a ladder: solved a
 with failed runs or hints ("hard") goes down a step; not solved, or given up, goes back to one day. The first
 answer of a sitting counts: a card that is asked again minutes later is still in mind.
 
-A run that passed no test group is no attempt: the file was not written yet. A run of a source that was
-accepted before counts for nothing: judging the old file again shows no memory. Nothing of this is stored.
+A run that ended with an error and passed no test group is no attempt: the file was not written yet. A run of
+a source that was accepted before counts for nothing: judging the old file again shows no memory. Nothing of
+this is stored.
 """
 
 from __future__ import annotations
@@ -19,6 +20,7 @@ from typing import TypeVar
 from msgspec import Struct
 
 from judge.kata.events import Answer, Help, Rating, Run
+from judge.problem import Verdict
 
 LADDER = (1, 3, 8, 21, 60, 180)  # days until it comes again
 _SITTING = timedelta(hours=8)  # without an event: then the next one has to be remembered
@@ -55,7 +57,8 @@ def reviews(runs: Iterable[Run], helps: Iterable[Help]) -> list[Review]:
         events[help_.problem].append(help_)
     known: set[tuple[str, str]] = set()
     for run in runs:
-        if run.counts and run.passed and (run.problem, run.source_hash) not in known:
+        tried = run.passed or run.verdict not in (Verdict.CE, Verdict.RTE)
+        if run.counts and tried and (run.problem, run.source_hash) not in known:
             events[run.problem].append(run)
         if run.whole:  # a model solution too, which may be copied
             known.add((run.problem, run.source_hash))

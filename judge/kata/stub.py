@@ -15,12 +15,11 @@ from itertools import count
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from judge.atomic import new_file, replace_file
 from judge.errors import ProblemError, UsageError
+from judge.files import new_file, read_ordinary, replace_file
 from judge.languages import file_name as program_name
 from judge.languages import language_of
 from judge.problem import Example, Problem
-from judge.reading import read_ordinary
 from judge.values import parameters
 from judge.values.atoms import Type
 from judge.values.types import Composite, ListType, OptionalType, TupleType, lasting

@@ -17,8 +17,8 @@ from itertools import chain
 from typing import Any
 
 from judge.data.cache import data_key, kept_stem
-from judge.data.model import ProblemData
-from judge.folders import cache_folder
+from judge.data.load import ProblemData
+from judge.files import cache_folder
 from judge.kept import KeptFile
 from judge.mistakes.agreement import kind_of
 from judge.mistakes.computed import Computer, Program
@@ -82,8 +82,7 @@ class KnownAnswers:
         def judge(program: Program) -> Behaviour:
             from judge.run.execute import judge_submission
 
-            source, file = program.source, program.file
-            return judge_submission(data.problem, data, source, file, settings=settings).behaviour
+            return judge_submission(data, program.source, program.file, settings).behaviour
 
         computer = Computer(data)
         trusted = ((key, computer.behaviour(each)) for key, each in missing.items() if each.trusted)

@@ -19,7 +19,7 @@ from msgspec.structs import replace
 
 from judge.digest import digest_of
 from judge.errors import ProblemError
-from judge.folders import cache_folder
+from judge.files import cache_folder
 from judge.kept import KeptFile
 from judge.problem.keys import code_key, content_key, own_files
 from judge.problem.model import Problem, tupled

@@ -13,8 +13,8 @@ from msgspec import Struct
 
 from judge.errors import ExitCode
 from judge.problem.model import Verdict
+from judge.report.formats import csv_text
 from judge.report.published import Published
-from judge.report.sheet import csv_text
 
 BOM = "\ufeff"
 _HEAD = ("student", "name", "group")

@@ -11,16 +11,16 @@ declare are used. Times are CPU seconds.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+import csv
+import io
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from xml.etree import ElementTree as Xml
 
 from judge.problem.model import Verdict
-from judge.report.layout import printable
-from judge.report.names import shown_name
-from judge.report.places import annotated_place
-from judge.report.tell import Told, level_share, tell
-from judge.report.values import counted
+from judge.report.tell import Told, annotated_place, level_share, tell
+from judge.report.words import counted, printable, shown_name
 from judge.run.result import Failure, GroupResult, Result
 
 
@@ -176,3 +176,19 @@ def _rejected(
 
 def _time(seconds: float) -> str:
     return f"{seconds:.3f}"  # Surefire takes three decimals and no exponent
+
+
+_FORMULA = re.compile(r"""(^|[;,"'|\t])(\s*)(?=[=+\-@＝＋－＠])""")
+
+
+def csv_text(rows: Iterable[Iterable[object]], end: str = "\r\n") -> str:
+    """The rows, each with that end; what is no text is written as it is."""
+    written = io.StringIO()
+    writer = csv.writer(written, quoting=csv.QUOTE_ALL, lineterminator=end)
+    writer.writerows([cell(each) if isinstance(each, str) else each for each in row] for row in rows)
+    return written.getvalue()
+
+
+def cell(text: str) -> str:
+    """Text as a cell that no spreadsheet calculates; control characters are written out."""
+    return _FORMULA.sub(r"\1\2'", printable(text))

@@ -7,13 +7,13 @@ from collections.abc import Sequence
 from rich.console import Group, RenderableType
 from rich.text import Text
 
-from judge.data.given import call_of
+from judge.data.parse import call_of
 from judge.kata.hacks import HackState
 from judge.report.parts import BAD, FAINT, GOOD, STRONG, commands, facts, indented, joined, table, text
 from judge.report.published_cases import HackStanding, HackTurn
 from judge.report.screen import Screen
 from judge.report.trying import fitted
-from judge.report.values import counted
+from judge.report.words import counted
 
 _STATES = {
     HackState.BROKEN: text("broken", GOOD),

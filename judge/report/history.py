@@ -8,11 +8,10 @@ from datetime import date, datetime
 from rich.console import Group, RenderableType
 from rich.text import Text
 
-from judge.errors import HistoryError
+from judge.errors import StoreError
 from judge.kata.events import Run
 from judge.kata.stub import usual_name
-from judge.problem.model import Verdict
-from judge.report.names import shown_name
+from judge.problem.model import FULL_SCORE, Verdict
 from judge.report.parts import (
     BAD,
     FAINT,
@@ -29,7 +28,7 @@ from judge.report.published_practice import Restored, RunList, RunsCompared, Run
 from judge.report.result import Shown, result
 from judge.report.screen import Screen
 from judge.report.tell import tell
-from judge.report.values import counted, score_text, times
+from judge.report.words import counted, shown_name, times
 
 _DIFFERENT = {"+": GOOD, "-": BAD, "@": FAINT}  # how a line of a diff is shown, by its first character
 
@@ -77,7 +76,8 @@ def _row(run: Run, year: int, *, usual: bool) -> tuple[Text, ...]:
 def _result(run: Run) -> str:
     """The verdict with the multiple of the reference's time, or with the points."""
     if not run.whole:
-        return f"{run.verdict.value} {score_text(run.score, accepted=run.verdict is Verdict.AC)}"
+        full = run.score == FULL_SCORE and run.verdict is not Verdict.AC  # those that fail are worth none
+        return f"{run.verdict.value} {'extra fails' if full else run.score}"
     return f"{run.verdict.value} {times(run.ratio)} ×" if run.ratio is not None else run.verdict.value
 
 
@@ -85,7 +85,7 @@ def _remark(run: Run) -> str:
     """The level that it passed without the other, and its mistake, first failed group, or its only groups."""
     try:
         passed: Sequence[str] = () if run.whole else run.levels
-    except HistoryError:  # of a damaged result the other columns are still true
+    except StoreError:  # of a damaged result the other columns are still true
         passed = ()
     partial = run.verdict is Verdict.AC and not run.whole
     left_out = f"only {', '.join(run.passed)}" if partial else ""

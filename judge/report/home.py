@@ -7,11 +7,10 @@ from collections.abc import Iterable
 from rich.console import Group, RenderableType
 from rich.text import Text
 
-from judge.report.names import shown_command, shown_name
 from judge.report.parts import FAINT, STRONG, Cell, bar, commands, indented, joined, table, text
 from judge.report.published_start import Begun, Home, Now
 from judge.report.screen import Screen
-from judge.report.values import counted
+from judge.report.words import counted, shown_command, shown_name
 
 _WHAT = (
     "You write one Python function. Each time you save the file, judge tests it on hundreds of cases. If it"

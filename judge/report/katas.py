@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Iterator, Sequence
+from decimal import Decimal
+from fractions import Fraction
 
 from rich.console import Group as Together
 from rich.console import RenderableType
@@ -14,7 +17,7 @@ from judge.report.parts import BAD, FAINT, GOOD, STRONG, bar, commands, facts, i
 from judge.report.published import KataList, KataRow, KataShown
 from judge.report.screen import Screen
 from judge.report.statement import prose
-from judge.report.values import bound, counted, size
+from judge.report.words import counted
 from judge.values.answers import Words
 
 
@@ -108,7 +111,7 @@ def _allowed(problem: Problem) -> Iterator[tuple[str, str]]:
     if smallest := _smallest(problem.parameters):
         yield "numbers", smallest
     limits = problem.limits
-    allowed = f"{limits.cpu_seconds:g} s of CPU time, {size(limits.memory_bytes)} for each group"
+    allowed = f"{limits.cpu_seconds:g} s of CPU time, {limits.memory_mb:,.0f} MB for each group"
     yield "limits", allowed
     for group in problem.groups:
         own = [f"{group.limits.cpu_seconds:g} s of CPU time"] if group.limits else []
@@ -194,3 +197,23 @@ def tolerance(value: Tolerance, words: Words) -> str:
     parts += [f"{bound(value.ulps)} ulp"] if value.ulps else []
     said = " + ".join(parts) or "exact"
     return f"{said}; where the exact number is 0, {bound(value.zero)} of {unit}" if value.zero else said
+
+
+def bound(value: Fraction) -> str:
+    """A bound or a width, shortest of its exact forms: `1000`, `2^30`, `-10^100`, `1e-12`, `1/3`."""
+    if value.denominator == 1:
+        return _whole(value.numerator)
+    short = re.sub("e-0+", "e-", f"{float(value):g}")
+    return short if Fraction(short) == value else str(value)
+
+
+def _whole(value: int) -> str:
+    sign, magnitude = ("-" if value < 0 else ""), abs(value)
+    if magnitude < 100_000:
+        return str(value)
+    if magnitude & (magnitude - 1) == 0:
+        return f"{sign}2^{magnitude.bit_length() - 1}"
+    number = Decimal(magnitude)  # whose text, unlike an int's, may have any length
+    if magnitude == 10 ** number.adjusted():
+        return f"{sign}10^{number.adjusted()}"
+    return f"{sign}{number:,}" if number.adjusted() < 15 else f"{sign}{number}"

@@ -6,15 +6,15 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from string import ascii_lowercase
 
+from rich.cells import cell_len
 from rich.console import Group, RenderableType
 from rich.text import Text
 
 from judge.problem import Verdict
 from judge.report.cohort import EQUAL_CAUTION, Cohort, Counted, ProblemView
-from judge.report.layout import cells, printable
 from judge.report.parts import BAD, FAINT, GOOD, STRONG, WARNING, Cell, indented, joined, table, text
-from judge.report.screen import Screen
-from judge.report.values import counted
+from judge.report.screen import Screen, fitted
+from judge.report.words import counted
 
 _SHOWN, _NAMES, _FAULTS = 5, 8, 20  # mistakes and groups, names in a row, files, where not all are shown
 _GAP, _NAME = 2, 18  # columns between two, and of a student's name at most
@@ -71,7 +71,7 @@ def _blocks(
     found: Cohort, letters: dict[tuple[str, str], str], width: int | None
 ) -> Iterator[RenderableType]:
     """The columns beside the names, as many at a time as there is room for."""
-    names = [_name(each.id) + ("" if each.known else _UNKNOWN) for each in found.people]
+    names = [fitted(each.id, _NAME) + ("" if each.known else _UNKNOWN) for each in found.people]
     columns: list[tuple[str, list[Text]]] = [
         (problem, [_mark(found.marks.get((each.id, problem)), letters) for each in found.people])
         for problem in found.problems
@@ -86,7 +86,7 @@ def _blocks(
     if not names:
         return
     while columns:
-        fit, used = 0, max(map(cells, names))
+        fit, used = 0, max(map(cell_len, names))
         while fit < len(columns):
             title, column = columns[fit]
             used += _GAP + max(len(title), *(each.cell_len for each in column))
@@ -162,18 +162,10 @@ def _kata(view: ProblemView, people: int, *, whole: bool) -> Iterator[Renderable
 def _names(students: Sequence[str], *, whole: bool) -> str:
     shown = students if whole else students[:_NAMES]
     more = len(students) - len(shown)
-    return ", ".join([*map(_name, shown), *([f"and {more:,} more"] if more else [])])
+    return ", ".join([*(fitted(each, _NAME) for each in shown), *([f"and {more:,} more"] if more else [])])
 
 
 def _cut(found: Sequence[str], *, whole: bool) -> tuple[Sequence[str], str]:
     """What is shown of a list, and how much is left out."""
     shown = found if whole else found[:_SHOWN]
     return shown, f"and {len(found) - len(shown):,} more" if len(shown) < len(found) else ""
-
-
-def _name(student: str) -> str:
-    """A name that leaves room for others."""
-    name = printable(student)
-    while cells(name) > _NAME:
-        name = name.removesuffix("…")[:-1] + "…"
-    return name

@@ -15,7 +15,6 @@ from judge.kata.review import Review
 from judge.languages import file_name
 from judge.problem.model import FULL_SCORE, KataLevel
 from judge.report.history import day
-from judge.report.names import shown_name
 from judge.report.parts import (
     BAD,
     FAINT,
@@ -41,7 +40,7 @@ from judge.report.published_progress import (
     Unfinished,
 )
 from judge.report.screen import Screen
-from judge.report.values import counted
+from judge.report.words import counted, shown_name
 
 _STYLES = {State.OPEN: FAINT, State.SHOWN: GOOD, State.LOST: BAD}
 _MARKS = {State.OPEN: "", State.SHOWN: "✓", State.LOST: "lost"}

@@ -9,9 +9,8 @@ from judge.drawing.svg import style
 from judge.errors import JudgeError
 from judge.problem.find import find_problem
 from judge.report.html.case import Cases, Drawing
-from judge.report.layout import printable
-from judge.report.names import shown_name
 from judge.report.tell import tell
+from judge.report.words import printable, shown_name
 from judge.run.result import Result
 
 _SIDE = 260  # pixels of a drawing

@@ -15,8 +15,8 @@ from rich.table import Table
 from rich.text import Text
 
 from judge.problem import Verdict
-from judge.report.layout import printable
 from judge.report.screen import ENDLESS
+from judge.report.words import printable
 
 Cell = str | Text
 

@@ -1,8 +1,7 @@
-"""The failing case drawn on a terminal, or how the time grows."""
+"""Pictures: the failing case on a terminal, how the time grows, the figure of a statement."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from judge.drawing import Picture
@@ -10,20 +9,20 @@ from judge.drawing.braille import COLUMNS, ROWS, to_braille
 from judge.drawing.braille import LEAST_ROWS as LEAST_ROWS
 from judge.drawing.chart import Axis, Chart, Series, chart_braille
 from judge.drawing.shapes import Role
-from judge.report.layout import Line, Span, Style, line
+from judge.problem import Problem
+from judge.problem.declare import Shown
 from judge.report.screen import Screen, is_terminal
-from judge.report.values import seconds
+from judge.report.words import seconds
 from judge.run.result import Growth
 
 if TYPE_CHECKING:
     from rich.text import Text
 
-_RICH = {Style.GOOD: "green", Style.BAD: "red", Style.STRONG: "bold", Style.FAINT: "dim"}
-_STYLES = {
-    Role.WANTED: Style.GOOD,
-    Role.GOT: Style.BAD,
-    Role.CASE: Style.STRONG,
-    Role.BEYOND: Style.FAINT,
+_COLOURS: dict[Role | None, str] = {
+    Role.WANTED: "green",
+    Role.GOT: "red",
+    Role.CASE: "bold",
+    Role.BEYOND: "dim",
 }
 
 
@@ -56,28 +55,35 @@ def growth_chart(growth: Growth) -> Chart | None:
     return Chart(title, series, Axis("n", log=True), Axis("CPU time", seconds, log=True), about)
 
 
-def picture_lines(
-    picture: Picture | Chart, rows: int | None = None, *, answered: bool = True
-) -> Iterator[Line]:
+def picture_rows(picture: Picture | Chart, rows: int = ROWS, *, answered: bool = True) -> list[Text]:
     """The drawing in about so many rows, coloured by what is expected and what was given."""
-    rows = ROWS if rows is None else rows
+    from rich.text import Text
+
     if isinstance(picture, Chart):
         drawn = chart_braille(picture, rows)
     else:
         drawn = to_braille(picture, rows, answered=answered)
-    for row in drawn:
-        yield line(*(Span(piece.text, _style(piece.role)) for piece in row))
+    return [Text.assemble(*((each.text, _COLOURS.get(each.role, "")) for each in row)) for row in drawn]
 
 
-def _style(role: Role | None) -> Style:
-    return _STYLES.get(role, Style.PLAIN) if role else Style.PLAIN
+FIGURE = "figure.svg"
 
 
-def picture_rows(picture: Picture | Chart, rows: int) -> list[Text]:
-    """The same for a view."""
-    from rich.text import Text
+def figure(problem: Problem) -> str | None:
+    """The SVG; None where the problem draws none of its examples."""
+    from judge.drawing.svg import panel_svg
+    from judge.problem.module import load_module
+    from judge.values import show
 
-    return [
-        Text.assemble(*((span.text, _RICH.get(span.style, "")) for span in row))
-        for row in picture_lines(picture, rows)
-    ]
+    module = load_module(problem)
+    draw = module.hooks.picture
+    if draw is None:
+        return None
+    names = [parameter.name for parameter in problem.parameters]
+    for example in problem.examples:
+        values = dict(zip(names, example.case, strict=True))
+        exact = module.solve(*example.case)
+        picture = draw(Shown(problem, values, exact, str(show.exact_text(exact)), None, heading="example"))
+        if picture is not None:
+            return panel_svg(picture.whole, "figure", picture.description, alone=True) + "\n"
+    return None

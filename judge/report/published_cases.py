@@ -7,7 +7,7 @@ from typing import Any
 
 from msgspec import Struct
 
-from judge.data.given import line_of
+from judge.data.parse import line_of
 from judge.diagnose.replay import encode
 from judge.errors import ExitCode
 from judge.kata.hacks import HackState

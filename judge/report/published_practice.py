@@ -41,7 +41,7 @@ _COLUMNS = RunRow.__struct_fields__[1:]  # without the schema
 
 
 def run_row(run: Run) -> RunRow:
-    """The row of a run. Raises HistoryError where its result is damaged."""
+    """The row of a run. Raises StoreError where its result is damaged."""
     return RunRow(**{name: getattr(run, name) for name in _COLUMNS})
 
 
@@ -63,7 +63,7 @@ class RunList(Struct, frozen=True):
         """The CSV, where that is wanted."""
         if not self.csv:
             return ""
-        from judge.report.sheet import csv_text  # only who asks for it waits for it
+        from judge.report.formats import csv_text  # only who asks for it waits for it
 
         rows = [[_cell(getattr(row, name)) for name in _COLUMNS[:-1]] for row in self.published]
         return csv_text([RunRow.__struct_encode_fields__[1:-1], *rows], "\n")

@@ -8,8 +8,6 @@ from typing import TYPE_CHECKING
 from rich.console import Group, RenderableType
 from rich.text import Text
 
-from judge.report.layout import Style
-from judge.report.names import shown_name
 from judge.report.parts import (
     BAD,
     FAINT,
@@ -25,7 +23,7 @@ from judge.report.parts import (
 )
 from judge.report.published_quiz import CardList, Interviewed, Quizzed
 from judge.report.screen import Screen, drawn
-from judge.report.values import counted
+from judge.report.words import counted, shown_name
 
 if TYPE_CHECKING:
     from judge.kata.events import Rating
@@ -37,7 +35,6 @@ RATE = "How well? 1 again, 2 hard, 3 good, 4 easy: "
 SAVE = "Save the file. Enter judges it, q goes on: "
 _PANEL = 31  # columns of a picture of one panel
 _AROUND = 2  # rows for the prompt and one above
-_STYLES = {Style.GOOD: GOOD, Style.BAD: BAD, Style.STRONG: STRONG, Style.FAINT: FAINT, Style.PLAIN: ""}
 
 
 def question(asked: Question, place: str, screen: Screen) -> RenderableType:
@@ -59,13 +56,12 @@ def _prose(said: Cell) -> RenderableType:
 
 
 def _picture(asked: Question, screen: Screen, taken: int) -> Iterator[RenderableType]:
-    from judge.report.picture import LEAST_ROWS, has_room, picture_lines
+    from judge.report.picture import LEAST_ROWS, has_room, picture_rows
     from judge.report.terminal import height
 
     if asked.picture is not None and has_room(screen, _PANEL):
         rows = max(height(screen) - taken - _AROUND, LEAST_ROWS)
-        for row in picture_lines(asked.picture, rows, answered=False):
-            yield indented(joined(*(text(span.text, _STYLES.get(span.style, "")) for span in row)))
+        yield from map(indented, picture_rows(asked.picture, rows, answered=False))
 
 
 def prompt(asks: str, screen: Screen) -> str:

@@ -10,7 +10,6 @@ from rich.table import Table
 from rich.text import Text
 
 from judge.problem import Verdict
-from judge.report.names import shown_name
 from judge.report.parts import (
     BAD,
     FAINT,
@@ -29,7 +28,7 @@ from judge.report.parts import (
 from judge.report.published_start import Standing
 from judge.report.screen import Screen, drawn
 from judge.report.tell import Told
-from judge.report.values import counted, times
+from judge.report.words import counted, shown_name, times
 from judge.run.result import GroupResult, Result
 
 Drawing = Callable[[int], Sequence[Text]]  # the picture of the failing case in about so many rows

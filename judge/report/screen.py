@@ -1,4 +1,4 @@
-"""Writing laid-out lines to a terminal or into a pipe."""
+"""What a person reads: a stream, what it can take, and writing to it."""
 
 from __future__ import annotations
 
@@ -6,28 +6,18 @@ import os
 import re
 import sys
 from collections.abc import Iterable, Mapping
-from pathlib import Path
 from typing import IO, TYPE_CHECKING
 
 from msgspec import Struct
 
-from judge.report.layout import Line, Link, Span, Style, line, printable, wrap
+from judge.report.words import printable
 
 if TYPE_CHECKING:
     from rich.console import RenderableType
     from rich.segment import Segment
 
 # Only the sixteen colours of the person's own theme, so that light and dark backgrounds both serve.
-_CODES = {
-    Style.PLAIN: "",
-    Style.STRONG: "\x1b[1m",
-    Style.FAINT: "\x1b[2m",
-    Style.GOOD: "\x1b[32m",
-    Style.BAD: "\x1b[31m",
-    Style.WARNING: "\x1b[33m",
-}
-_RESET = "\x1b[0m"
-_LINK = "\x1b]8;;{}\x1b\\"  # OSC 8: what follows is a link to this address, up to one without an address
+_BAD, _WARNING, _RESET = "\x1b[31m", "\x1b[33m", "\x1b[0m"
 _COMMAND = re.compile(r"^([^\S\n]*)::", re.MULTILINE)
 _LEAST_WIDTH = 20
 _SENTENCE = 1200  # characters of the judge's own sentences that are shown
@@ -36,14 +26,11 @@ ENDLESS = 10_000  # columns of a pipe, where nothing is wrapped
 
 
 class Screen(Struct, frozen=True):
-    """Where a person reads: a stream, whether it takes colour, its width (None: nothing to wrap for), and
-    whether it can be clicked on.
-    """
+    """Where a person reads: a stream, whether it takes colour, and its width (None: nothing to wrap for)."""
 
     stream: IO[str]
     colour: bool
     width: int | None
-    links: bool = False
 
     @classmethod
     def of(cls, stream: IO[str], environment: Mapping[str, str] | None = None) -> Screen:
@@ -53,8 +40,7 @@ class Screen(Struct, frozen=True):
         settings = os.environ if environment is None else environment
         terminal = is_terminal(stream)
         colour = terminal and not settings.get("NO_COLOR") and settings.get("TERM") != "dumb"
-        links = colour and settings.get("TERM") != "linux"  # old consoles of it show the address
-        return cls(stream, colour, _width(stream, terminal, settings.get("COLUMNS", "")), links)
+        return cls(stream, colour, _width(stream, terminal, settings.get("COLUMNS", "")))
 
     @property
     def rows(self) -> int | None:
@@ -66,14 +52,6 @@ class Screen(Struct, frozen=True):
         except (OSError, ValueError):
             return _USUAL_ROWS
 
-    def show(self, lines: Iterable[Line]) -> None:
-        """Write the lines."""
-        self.write(self.text(lines))
-
-    def text(self, lines: Iterable[Line]) -> str:
-        """The lines as they are written there, colours and all."""
-        return "".join(f"{self._render(spans)}\n" for spans in lines)
-
     def write(self, text: str) -> None:
         """Write text that is laid out already; what the stream cannot encode is written out, and so is what
         would be a command to a CI server that reads it.
@@ -81,17 +59,6 @@ class Screen(Struct, frozen=True):
         encoding = getattr(self.stream, "encoding", None) or "utf-8"
         self.stream.write(_no_command(text).encode(encoding, "backslashreplace").decode(encoding))
         self.stream.flush()
-
-    def _render(self, spans: Line) -> str:
-        parts = []
-        for span in spans:
-            text = printable(span.text)
-            if self.links and span.link and text.strip() and (target := _address(span.link)):
-                end = len(text.rstrip(" "))  # the filling of a column is no part of it
-                text = f"{_LINK.format(target)}{text[:end]}{_LINK.format('')}{text[end:]}"
-            code = _CODES[span.style] if self.colour and text.strip() else ""
-            parts.append(f"{code}{text}{_RESET}" if code else text)
-        return "".join(parts)
 
 
 def show(what: RenderableType, screen: Screen) -> None:
@@ -149,6 +116,14 @@ def _row(segments: Iterable[Segment], screen: Screen) -> str:
     )
 
 
+def fitted(content: str, columns: int) -> str:
+    """The text, control characters written out, in so many columns: the end of a longer one is left out."""
+    from rich.cells import cell_len, set_cell_size
+
+    shown = printable(content)
+    return shown if cell_len(shown) <= columns else f"{set_cell_size(shown, columns - 1)}…"
+
+
 def is_terminal(stream: IO[str]) -> bool:
     """Whether a person is looking at `stream`; a closed one is nobody's."""
     try:
@@ -167,7 +142,7 @@ def err() -> Screen:
     return Screen.of(sys.stderr)
 
 
-def note(text: str, style: Style = Style.WARNING) -> None:
+def note(text: str, *, bad: bool = False) -> None:
     """Say a sentence of the judge's own on standard error, beside what the command writes.
 
     What it quotes may be of any length: of a sentence that is too long the middle is left out. Where that
@@ -175,11 +150,14 @@ def note(text: str, style: Style = Style.WARNING) -> None:
     """
     if len(text) > _SENTENCE:
         text = f"{text[: _SENTENCE * 2 // 3]} … {text[-_SENTENCE // 3 :]}"
-    screen = err()
-    room = screen.width - 7 if screen.width and is_terminal(screen.stream) else None
-    first, *rest = wrap(text, room)
+    screen, rows = err(), [printable(row) for row in text.splitlines()]
+    if screen.width and is_terminal(screen.stream):
+        from textwrap import wrap
+
+        rows = [part for row in rows for part in wrap(row, max(screen.width - 7, 20))]
+    label = f"{_BAD if bad else _WARNING}judge:{_RESET}" if screen.colour else "judge:"
     try:
-        screen.show([line(Span("judge:", style), f" {first}"), *(line(f"       {row}") for row in rest)])
+        screen.write(f"{label} {f'{chr(10)}       '.join(rows)}\n")
     except OSError:
         hush(sys.stderr)
 
@@ -223,12 +201,3 @@ def _width(stream: IO[str], terminal: bool, columns: str) -> int | None:
     except (OSError, ValueError):  # a stream that only says it is a terminal
         found = 0
     return max(found, _LEAST_WIDTH) if found else _USUAL_WIDTH
-
-
-def _address(link: Link) -> str:
-    """The link as an address, with this machine's name so that nobody opens a file of their own for it."""
-    try:
-        path = Path(link.path).absolute().as_uri().removeprefix("file://")
-    except OSError:  # the current folder is gone
-        return ""
-    return f"file://{os.uname().nodename}{path}" + (f"#{link.line}" if link.line else "")

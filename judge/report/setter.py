@@ -9,7 +9,6 @@ from shlex import quote
 from rich.console import Group, RenderableType
 from rich.text import Text
 
-from judge.report.names import shown_name
 from judge.report.parts import (
     BAD,
     FAINT,
@@ -33,7 +32,7 @@ from judge.report.published_setter import (
     VerifySummary,
 )
 from judge.report.screen import Screen
-from judge.report.values import counted
+from judge.report.words import counted, shown_name
 
 _NAMED = 3  # files that are named beside a reason
 

@@ -7,13 +7,11 @@ from collections.abc import Iterator
 from rich.console import Group, RenderableType
 from rich.text import Text
 
-from judge.report.layout import printable
-from judge.report.names import shown_name
 from judge.report.parts import FAINT, GOOD, STRONG, commands, joined, table, text
 from judge.report.published_practice import HintShown, SolutionShown
 from judge.report.screen import Screen, is_terminal
 from judge.report.statement import prose
-from judge.report.values import seconds, times
+from judge.report.words import printable, seconds, shown_name, times
 from judge.run.result import Taken
 
 

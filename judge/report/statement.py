@@ -26,7 +26,7 @@ def prose(text: str, screen: Screen) -> RenderableType:
     from rich.text import Text
     from rich.theme import Theme
 
-    from judge.report.layout import printable
+    from judge.report.words import printable
 
     text = _FIGURE.sub("", text)
     if not is_terminal(screen.stream):

@@ -5,17 +5,22 @@ Nothing here writes, knows a terminal or reads the history.
 
 from __future__ import annotations
 
+import os
 import re
+import shlex
+import sys
 from collections.abc import Iterator, Sequence
+from pathlib import Path
 
 from msgspec import Struct
 
+from judge.errors import nearest
+from judge.languages import file_name
 from judge.problem import Problem, Verdict
 from judge.problem.model import KataLevel
-from judge.report.obstacle import obstacle_text
-from judge.report.places import fault_place
-from judge.report.values import argument, counted, seconds, times
-from judge.run.result import Failure, GroupResult, LevelResult, Mode, Obstacle, Pitfall, Result
+from judge.report.words import argument, counted, seconds, times
+from judge.run.result import Failure, GroupResult, Hurdle, LevelResult, Mode, Obstacle, Pitfall, Result
+from judge.sandbox.boundary import IMPORTING
 
 _PLACE = re.compile(r" \(line (\d{1,9})\)")
 _SPENT = re.compile(r"used more than (\S+ s) of CPU time")
@@ -274,3 +279,88 @@ def level_share(result: LevelResult) -> str:
 
 def _level(level: KataLevel) -> str:
     return level.value.capitalize()
+
+
+# As judge.run.execute writes a compiler's complaint, whose quotation of the line follows it …
+_COMPLAINT = re.compile(r"\(line (\d{1,9})(?:, column (\d{1,9}))?\)")
+# … and judge.sandbox.inside.child an exception, which may have such words in its own text before,
+# or the place where a call stood that did not end.
+_RAISED = re.compile(r".*\(line (\d{1,9})\)(?:$|, after |, when |; its input|; it was run as a program)")
+
+
+class FilePlace(Struct, frozen=True):
+    """A line of a file, and a column where it is known; both from 1, 0 for unknown."""
+
+    line: int
+    column: int = 0
+
+
+def fault_place(result: Result) -> FilePlace | None:
+    """Where a submission does not compile, raised its exception or stood when its time was up.
+
+    Its failure's message says so.
+    """
+    message = result.failure.message if result.failure else ""
+    if result.verdict is Verdict.CE:
+        found = _COMPLAINT.search(message)
+        return FilePlace(int(found[1]), int(found[2] or 0)) if found else None
+    found = _RAISED.match(message) if result.verdict in (Verdict.RTE, Verdict.TLE) else None
+    return FilePlace(int(found[1])) if found else None
+
+
+def annotated_place(result: Result, source: bytes, entry: str) -> FilePlace:
+    """Where to show a person the result: at the fault, else at the entry function, else at the top.
+
+    A line that the file does not have, which an exception's text may claim, is not believed.
+    """
+    place = fault_place(result)
+    if place is not None and place.line <= source.count(b"\n") + 1:
+        return place
+    name = re.escape(entry.encode())
+    # Not by parsing: the file is nobody's yet, and a compiler can be made to crash.
+    defined = re.search(rb"^(?:async[ \t]+)?(?:def[ \t]+%s\b|%s[ \t]*(?::.*)?=)" % (name, name), source, re.M)
+    return FilePlace(source.count(b"\n", 0, defined.start()) + 1 if defined and entry else 1)
+
+
+_ONE_FILE = "a submission is one file"
+_KNOWN = ("numpy", "scipy", "sympy", "mpmath", "shapely")  # of the modules that Python does not bring
+
+
+def obstacle_text(result: Result, hurdle: Hurdle, problem: Problem) -> str:
+    """The obstacle and the remedy in a sentence or two."""
+    entry = problem.entry
+    call = f"{entry}({', '.join(parameter.name for parameter in problem.parameters)})"
+    match hurdle.kind:
+        case Obstacle.STUB:
+            line = f" (line {hurdle.line})" if hurdle.line else ""
+            return f"Write the body of {entry}{line}, then save."
+        case Obstacle.ARITY:
+            count = len(problem.parameters)
+            return f"{entry} takes {hurdle.takes} arguments and is called with {count}: {call}"
+        case Obstacle.MODULE:
+            return _missing_module(result, hurdle.name)
+        case Obstacle.IMPORT:
+            message = result.failure.message.removesuffix(IMPORTING) if result.failure else ""
+            more = ", or use 'judge run --mode program'" if message.startswith("EOFError") else ""
+            return f"{message} ends the import; put what only you need below if __name__ == '__main__':{more}"
+        case Obstacle.NESTED:
+            return f"{entry} stands in a class or another function: move it out, to the left margin"
+        case Obstacle.MISNAMED:
+            return f"there is no {entry}; is {hurdle.name} meant to be it? Rename it: def {call}"
+        case Obstacle.NO_ENTRY:
+            return (
+                f"there is no {entry}: write def {call}, which returns the answer; "
+                "a print at the top level answers nothing"
+            )
+
+
+def _missing_module(result: Result, name: str) -> str:
+    top = name.partition(".")[0]
+    beside = Path(result.submission).parent / top
+    if any(os.path.lexists(path) for path in (beside, beside.with_name(file_name(top)))):
+        return f"{top} cannot be imported: {_ONE_FILE}; move what it needs of {top} into it"
+    meant = None if top in _KNOWN else nearest(top, [*_KNOWN, *sys.stdlib_module_names])
+    if meant:
+        return f"there is no module {top}; did you mean {meant}? {_ONE_FILE.capitalize()}"
+    install = shlex.join([sys.executable, "-m", "pip", "install", top])
+    return f"there is no module {top} where the judge runs, and {_ONE_FILE}. To add it: {install}"

@@ -9,20 +9,19 @@ from typing import Any
 from rich.console import Group, RenderableType
 from rich.text import Text
 
-from judge.data.given import line_of
+from judge.data.parse import line_of
 from judge.drawing.braille import LEAST_ROWS, to_braille
 from judge.drawing.shapes import Picture, Role
 from judge.errors import told
 from judge.problem import Verdict
 from judge.problem.declare import Shown
-from judge.report.names import shown_name
-from judge.report.obstacle import obstacle_text
 from judge.report.parts import BAD, FAINT, GOOD, STRONG, Cell, facts, indented, joined, text, verdict
 from judge.report.picture import has_room
 from judge.report.published_cases import CaseTried, PageWritten
 from judge.report.screen import Screen, drawn, note
-from judge.report.values import arguments
-from judge.run.result import Failure, Result
+from judge.report.tell import obstacle_text
+from judge.report.words import arguments, shown_name
+from judge.run.result import Failure, Obstacle, Result
 from judge.run.tried import Said, Tried
 from judge.values import show
 
@@ -96,8 +95,8 @@ def _facts(tried: Tried, said: Said | None, brief: bool) -> Iterator[tuple[Cell,
             verdict=said.verdict,
             failure=Failure(said.message),
         )
-        line = f"line {said.hurdle.line}: " if said.hurdle.line else ""
-        yield "why", f"{line}{obstacle_text(result, said.hurdle, problem)}"
+        line = said.hurdle.line if said.hurdle.kind is not Obstacle.STUB else 0  # whose sentence has it
+        yield "why", f"{f'line {line}: ' if line else ''}{obstacle_text(result, said.hurdle, problem)}"
     elif said.message:
         yield "why", said.message
     yield from zip(("printed", *[""] * 9), said.printed.splitlines(), strict=False)

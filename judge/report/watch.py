@@ -7,12 +7,10 @@ from rich.text import Text
 
 from judge.kata.sets import PracticeSet
 from judge.problem import Problem
-from judge.report.layout import Span, Style, hanging, line
-from judge.report.names import shown_name
-from judge.report.parts import FAINT, STRONG, bar, text
+from judge.report.parts import FAINT, STRONG, WARNING, bar, text
 from judge.report.screen import Screen, drawn
 from judge.report.statement import prose
-from judge.report.values import counted
+from judge.report.words import counted, shown_name
 
 _KEYS = {
     "n": "next",
@@ -57,27 +55,26 @@ def _task(statement: str) -> str:
     return statement.partition("\n")[2].partition("\n## ")[0].strip() + "\n"
 
 
-def note_text(said: str, screen: Screen, style: Style = Style.WARNING) -> str:
+def note_text(said: str, screen: Screen, style: str = WARNING) -> str:
     """A sentence of the judge's own."""
-    return screen.text(hanging(Span(""), Span(said, style), screen.width, indent=0, column=0))
+    return drawn(text(said, style), screen)
 
 
 def waiting_text(file: str, seconds: float, screen: Screen) -> str:
     """What is being judged, and for how long, on one line without its end."""
     width = (screen.width or 80) - 1
     said = f"judging {shown_name(file)}  {seconds:.1f} s"
-    return screen.text([line(Span(said[-width:], Style.FAINT))]).rstrip("\n")
+    return drawn(text(said[-width:], FAINT), screen).rstrip("\n")
 
 
 def keys_text(screen: Screen, *, failed: bool) -> str:
     """The keys on one line, without its end: what they do where there is room for it."""
     width = screen.width or 80
     shown = {key: about for key, about in _KEYS.items() if failed or key not in _OF_A_CASE}
-    full = [(Span(key, Style.STRONG), f" {about}") for key, about in shown.items()]
-    short = [(Span(key, Style.STRONG), f" {about.split()[0]}") for key, about in shown.items()]
-    bare = [(Span(key, Style.STRONG), "") for key in shown]
-    for keys, gap in ((full, "   "), (full, "  "), (short, " "), (bare, " ")):
-        spans = [part for key, about in keys for part in (gap, key, about)][1:]
-        if sum(len(part if isinstance(part, str) else part.text) for part in spans) < width:
+    short = {key: about.split()[0] for key, about in shown.items()}
+    for keys, gap in ((shown, "   "), (shown, "  "), (short, " "), (dict.fromkeys(shown, ""), " ")):
+        parts = [Text.assemble((key, STRONG), f" {about}" if about else "") for key, about in keys.items()]
+        line = Text(gap).join(parts)
+        if line.cell_len < width:
             break
-    return screen.text([line(*spans)]).rstrip("\n")
+    return drawn(line, screen).rstrip("\n")

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from msgspec.structs import replace
 
+from judge.data.load import GroupData, ProblemData
 from judge.problem import Case, Group, Problem, Verdict
 from judge.run.replies import VERDICTS, Replies
 from judge.run.result import Answers, Failure, GroupResult, short_answer
@@ -17,7 +18,6 @@ from judge.sandbox.boundary import Limits, Stop, Usage
 from judge.values.check import Accepted
 
 if TYPE_CHECKING:
-    from judge.data.model import GroupData, ProblemData
     from judge.problem import Tolerance
     from judge.run.runner import Runner
     from judge.values.answers import Exact
@@ -169,6 +169,13 @@ class GroupRun:
     def answers(self) -> Answers:
         """What was answered wrongly so far."""
         return Answers(self.reached, self.wrong)
+
+
+def one_case(data: ProblemData, group: str, case: int) -> ProblemData:
+    """The data with nothing but one case, counted from 0, of the group of that name."""
+    (own,) = (each for each in data.groups if each.group.name == group)
+    own = replace(own, cases=[own.cases[case]], targets=[own.targets[case]])
+    return ProblemData(data.problem, (own,))
 
 
 def failure_of(outcome: Rejection, given: Raw) -> Failure:

@@ -6,7 +6,7 @@ from typing import Any
 
 from msgspec import Struct
 
-from judge.data.model import ProblemData
+from judge.data.load import ProblemData
 from judge.problem import Case, Group, Problem, Verdict
 from judge.run.result import Hurdle, Mode
 from judge.values import show

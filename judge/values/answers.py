@@ -120,7 +120,7 @@ def exact_ends(real: Real, tolerance: Tolerance) -> tuple[Surd, Surd]:
     from judge.exact import Surd
 
     x, unit = Surd.of(real.x), Surd.of(real.unit)
-    slack = tolerance.ulps * x.ulp() if tolerance.ulps else 0
+    slack = tolerance.ulps * Fraction(2) ** x.ulp_exponent() if tolerance.ulps else 0
     side = x.sign()
     if side == 0:
         reach = unit * max(tolerance.extent, tolerance.zero) + slack

@@ -198,9 +198,8 @@ class Atom(Type):
         try:
             return self.value_of(raw)
         except ValueError:
-            name = place.name()
-            meant = f"{self.noun} is meant{f' for {name}' if name else ''}"
-            raise Unreadable(fault(raw).where(meant)) from None
+            name = f" for {place.name()}" if place.name() else ""
+            raise Unreadable(fault(raw).where(f"{self.noun} is meant{name}")) from None
 
     def off(self, value: Value, target: Target, leaf: Leaf) -> float | None:
         """How many ulps the value is off, NOTHING where that is not measured; None where it is wrong."""
@@ -248,7 +247,8 @@ class NumberType(Atom):
         if kind not in (int, float):
             return f"{name} has {value!r}, a {kind.__name__}, where a number is meant"
         if kind not in self.kinds:
-            return f"{name} has the {kind.__name__} {value!r} where a{'n int' if kind is float else ' float'} is meant"
+            meant = "an int" if kind is float else "a float"
+            return f"{name} has the {kind.__name__} {value!r} where {meant} is meant"
         return None if value - value == 0 else f"{name} has {value!r}, which is not finite"
 
     def value_from(self, token: str) -> Any:

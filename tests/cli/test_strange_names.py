@@ -11,8 +11,8 @@ import pytest
 from cli_support import FLOOR, MEAN
 from sampling import daily
 
-from judge.report.names import shown_command, shown_name
 from judge.report.screen import Screen
+from judge.report.words import shown_command, shown_name
 
 pytestmark = pytest.mark.slow
 

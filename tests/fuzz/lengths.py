@@ -24,10 +24,10 @@ from msgspec.structs import replace
 
 from judge.batch.normal import normal_form
 from judge.batch.roster import read_students
-from judge.data.given import read_case
+from judge.data.parse import read_case
 from judge.diagnose.regression import with_case
 from judge.errors import JudgeError
-from judge.judging.trying import try_case
+from judge.judging.cases import try_case
 from judge.languages import scan
 from judge.languages.model import language_of_file, languages
 from judge.languages.signature import Signature
@@ -38,7 +38,7 @@ from judge.problem.find import find_problem
 from judge.problem.fit import fitting_problems, meant_problem, signs
 from judge.problem.tables import key_lines
 from judge.problem.toml import toml_of
-from judge.report import formats, layout, places
+from judge.report import formats, tell
 from judge.run import hurdle, printed, program
 from judge.run.result import judge_fault
 from judge.run.tried import Tried
@@ -175,7 +175,7 @@ def _failed(text: str) -> None:
     """An exception's message, wherever it is looked at."""
     result = judge_fault("count", "a.py", text)
     for verdict in (Verdict.CE, Verdict.RTE):
-        places.fault_place(replace(result, verdict=verdict))
+        tell.fault_place(replace(result, verdict=verdict))
     program._CHOKED.match(text)
     hurdle._failed_import(text, called=True)
     formats.annotation(result, b"", "line_count", {})
@@ -184,7 +184,7 @@ def _failed(text: str) -> None:
 
 
 def _annotated(text: str) -> None:
-    places.annotated_place(judge_fault("count", "a.py", ""), text.encode(), "line_count")
+    tell.annotated_place(judge_fault("count", "a.py", ""), text.encode(), "line_count")
     names = [(word, 1) for word in dict.fromkeys(text.split())][:10_000]
     program.missing_entry("line_count", names, f"{text} stdin".encode())
 
@@ -250,7 +250,6 @@ def _readers() -> dict[str, Callable[[str], None]]:
         "answers": _answers,
         "case": _case,
         "students": _students,
-        "wrapped": partial(layout.wrap, width=80),
         "type": _type,
         "regression": _regression,
         "toml lines": key_lines,

@@ -35,7 +35,7 @@ MODULES = (
     "run/budget",
     "run/timing",
     "run/growth",
-    "data/validate",
+    "data/build",
     "mistakes/likeness",
     "diagnose/simplicity",
     "kata/history",

@@ -5,9 +5,9 @@ from __future__ import annotations
 from fractions import Fraction
 from pathlib import Path
 
-from judge.data.model import GroupData, ProblemData
+from judge.data.load import GroupData, ProblemData
 from judge.problem import Group, GroupLimits, Parameter, Problem, Tier, Tolerance
-from judge.run import run_submission
+from judge.run import judge_submission
 from judge.values.answers import Words
 from judge.values.grammar import parse
 
@@ -65,4 +65,4 @@ def make_parameter_data(values):
 def judged(source, data=None, **options):
     data = data or make_data("one")
     source = source.encode() if isinstance(source, str) else source
-    return run_submission(data.problem, data, source, "my.py", **options)
+    return judge_submission(data, source, "my.py", **options).result

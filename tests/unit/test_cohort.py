@@ -8,15 +8,15 @@ import io
 import msgspec
 import pytest
 from classes import class_of, row, small_class
+from rich.cells import cell_len
 
 from judge.batch.cohort import cohort_of, counting
 from judge.batch.model import Done, Row, Student
 from judge.errors import ExitCode
 from judge.report.cohort import gradebook, is_gradebook
+from judge.report.formats import cell
 from judge.report.klass import klass
-from judge.report.layout import cells
 from judge.report.screen import Screen, drawn
-from judge.report.sheet import cell
 
 
 def scored(student, problem, verdict="WA", score=40, where=("lab1", "full"), at=1.0, copied="", **done):
@@ -45,7 +45,7 @@ def test_thirty_students_and_twenty_problems_fit_any_screen(width):
     rows = [scored(each.id, problem, "AC", 100) for each in students for problem in problems]
     cohort = cohort_of(students, problems, rows)
     lines = shown(cohort, width).partition("judged with")[0].splitlines()
-    assert max(map(cells, lines)) <= width
+    assert max(map(cell_len, lines)) <= width
     assert sum(line.count("AC 100") for line in lines) == 600
     assert all(sum(f"{at:02}" in line for line in lines) for at in range(20))
     assert sum("20 of 20  2000" in line for line in lines) == 30
@@ -91,7 +91,7 @@ def test_it_fits_the_screen_and_nothing_in_it_steers(width, stream):
     assert r"dee\x1b[31m王" in said
     assert "forgotten-abs" in said
     if width:
-        assert max(map(cells, said.splitlines())) <= width
+        assert max(map(cell_len, said.splitlines())) <= width
     assert all(row == row.rstrip() for row in said.splitlines())
 
 

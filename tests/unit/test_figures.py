@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from judge.problem.find import find_problem
-from judge.report.figure import FIGURE, figure
+from judge.report.picture import FIGURE, figure
 
 FOLDER = Path(__file__).parents[2] / "problems"
 DRAWN = sorted(

@@ -11,7 +11,7 @@ import pytest
 
 from judge.problem import Verdict
 from judge.report.formats import annotation, editor_lines
-from judge.report.places import FilePlace, annotated_place, fault_place
+from judge.report.tell import FilePlace, annotated_place, fault_place
 from judge.run import Failure, GroupResult, Result
 
 COMMAND = re.compile(r"::(error|notice) ([^:]*)::(.*)")

@@ -29,7 +29,7 @@ MOST_PARAMETERS = 6
 ROOMS = [
     *("cli", "batch", "judging", "report", "kata", "geometry", "packs", "mistakes", "diagnose"),
     *("run", "data", "problem", "drawing", "manual", "languages", "values", "exact", "database", "kept"),
-    *("atomic", "digest", "reading", "folders", "errors"),
+    *("digest", "files", "errors"),
 ]
 
 

@@ -21,10 +21,10 @@ from judge.problem.find import find_problem
 from judge.problem.model import LEVELS
 from judge.report.cohort import ClassLine, ClassRow, Cohort, gradebook, is_gradebook
 from judge.report.screen import note
-from judge.report.values import counted
+from judge.report.words import counted
 
 if TYPE_CHECKING:
-    from judge.judging.executors import Executor
+    from judge.judging.pool import Executor
 
 
 class ClassAsk(Struct, frozen=True):
@@ -123,8 +123,7 @@ def _executor(ask: ClassAsk, isolation: str | None) -> AbstractContextManager[Ex
         from judge.batch.elsewhere import Elsewhere
 
         return Elsewhere(ask.where, isolation, note)
-    from judge.judging.executors import Here
-    from judge.judging.processes import Processes
+    from judge.judging.pool import Here, Processes
 
     return nullcontext(Processes(ask.jobs) if ask.jobs > 1 else Here())
 

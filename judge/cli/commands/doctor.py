@@ -12,15 +12,14 @@ from msgspec import Struct
 from judge import __version__
 from judge.cli.options import Common, command, opt, takes
 from judge.errors import UsageError
-from judge.folders import cache_folder
-from judge.judging.containment import every_hidden_folder
-from judge.judging.isolation import keep_level
+from judge.files import cache_folder
+from judge.judging.containment import every_hidden_folder, keep_level
 from judge.languages.find import Found
 from judge.languages.find import found as found_of
 from judge.languages.model import languages
-from judge.report.progress import progress
 from judge.report.published_setter import AttackRow, Attacks, Doctor, LanguageRow, LevelRow
 from judge.report.screen import note
+from judge.report.wait import progress
 from judge.sandbox import Boxes, levels
 
 if TYPE_CHECKING:

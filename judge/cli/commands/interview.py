@@ -21,7 +21,7 @@ from judge.cli.submissions import read_submissions
 from judge.cli.target import OutFile
 from judge.cli.watching import Kata, WatchedFile
 from judge.cli.wish import Wish
-from judge.judging.job import RunOptions
+from judge.judging.api import RunOptions
 from judge.kata.events import Answer, Help, now
 from judge.kata.interview import Held, plan, usual_kata
 from judge.kata.quiz.cards import Card
@@ -34,9 +34,9 @@ from judge.languages import file_name
 from judge.problem.find import find_problem
 from judge.report import quiz
 from judge.report.judged import Judged, judged
-from judge.report.progress import progress
 from judge.report.published_quiz import Interviewed, interviewed
 from judge.report.screen import Screen, drawn, err, is_terminal, note, out, show
+from judge.report.wait import progress
 
 _LAST = 0.1  # of the time, kept for the cards after the kata
 _LOOK = 0.5  # seconds between two looks at the file

@@ -12,11 +12,10 @@ from msgspec import Struct
 from judge.cli.kept import history_at
 from judge.cli.options import Common, command, opt, takes
 from judge.cli.resolve import current, this_folder
-from judge.errors import HistoryError, ProblemError, UsageError, nearest
+from judge.errors import ProblemError, StoreError, UsageError, nearest
 from judge.kata.sets import USUAL, sound_sets
 from judge.problem import Problem
 from judge.problem.find import find_problem, sound_problems
-from judge.report.layout import Style
 from judge.report.published import KataInFull, KataList, KataRow, KataShown, SetRow, kata_row
 from judge.report.screen import note
 
@@ -53,7 +52,7 @@ def listed(name: str | None, ask: ListAsk, common: Common) -> KataList:
     rows, at = _rows(problems, common.db)
     sets, broken = _sets(problems, common.problems)
     for fault in (*faults, *broken):
-        note(str(fault), Style.BAD)
+        note(str(fault), bad=True)
     names = [each.name for each in sets]
     if name is not None and name not in names:
         meant = nearest(name, names)
@@ -69,7 +68,7 @@ def _rows(problems: Sequence[Problem], db: Path | None) -> tuple[tuple[KataRow, 
     try:
         with history_at(db, reading=True) as history:
             runs, taken_up = history.runs(), current(this_folder(), history)
-    except HistoryError as fault:
+    except StoreError as fault:
         note(str(fault))
         runs, taken_up = [], None
     rows = (row_of(each, [run for run in runs if run.counts and run.problem == each.id]) for each in problems)

@@ -26,7 +26,6 @@ from judge.kata.review import card_reviews, reviews
 from judge.kata.sets import USUAL, PracticeSet, find_set, sound_sets
 from judge.problem import Problem
 from judge.problem.find import problem_folders, sound_problems
-from judge.report.layout import Style
 from judge.report.published_progress import (
     CardsDue,
     DueShown,
@@ -81,11 +80,11 @@ def progress(name: str, ask: ProgressAsk, common: Common) -> Struct:
             return _due(history, common.problems)
         chosen = find_set(name, common.problems)
         for fault in chosen.faults:
-            note(str(fault), Style.BAD)
+            note(str(fault), bad=True)
         problems, _ = sound_problems(common.problems)
         found, faults = read_progress(history, problems, common.problems)
         for fault in (*unknown_skills(chosen.problems, common.problems), *faults):
-            note(str(fault), Style.BAD)
+            note(str(fault), bad=True)
         if ask.question is not None:
             row = find_row(ask.question, read_checklist(common.problems).rows).id
             (one,) = (each for _, rows in found.sections for each in rows if each.row == row)

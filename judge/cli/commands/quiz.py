@@ -22,9 +22,9 @@ from judge.kata.quiz.questions import Sources
 from judge.kata.review import card_reviews
 from judge.kata.sets import FIRST, USUAL
 from judge.problem.find import find_problem, problem_folders
-from judge.report.progress import progress
 from judge.report.published_quiz import CardList, CardRow, Quizzed, quizzed
 from judge.report.screen import err, out
+from judge.report.wait import progress
 
 if TYPE_CHECKING:
     from judge.kata.events import Run

@@ -12,12 +12,11 @@ import click
 from msgspec import Struct
 from msgspec.structs import replace
 
-from judge.atomic import replace_file
 from judge.cli.options import Common, command, opt, takes
-from judge.data.load import load_data
-from judge.data.model import ProblemData
+from judge.data.load import ProblemData, load_data
 from judge.errors import ProblemError, UsageError, unwritable
-from judge.judging.isolation import kept_level
+from judge.files import replace_file
+from judge.judging.containment import kept_level
 from judge.kata.begin import begin_kata
 from judge.kata.check import deck_faults, kata_faults
 from judge.languages.boxes import AnyBoxes
@@ -31,7 +30,6 @@ from judge.packs.export.statement import latex
 from judge.problem import Problem
 from judge.problem.find import find_problem, folders_within, problem_folders
 from judge.problem.model import chosen_groups
-from judge.report.progress import Stage, progress, stages
 from judge.report.published_setter import (
     DecksVerified,
     Exported,
@@ -43,7 +41,8 @@ from judge.report.published_setter import (
     verified,
 )
 from judge.report.screen import note
-from judge.report.values import counted
+from judge.report.wait import Stage, progress, stages
+from judge.report.words import counted
 from judge.run.edges import edges_of
 from judge.run.verify import Fault, VerifyReport, fresh_data, verify_problem
 from judge.sandbox import Boxes
@@ -192,7 +191,7 @@ def _data(problem: Problem, seeds: int, advance: Stage | None) -> list[ProblemDa
 
 def _draw_figure(problem: Problem) -> None:
     """Write figure.svg beside the statement, where there is something to draw."""
-    from judge.report.figure import FIGURE, figure
+    from judge.report.picture import FIGURE, figure
 
     drawn = figure(problem)
     if drawn is not None:

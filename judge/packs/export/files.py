@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Iterator
 
-from judge.data.model import GroupData, ProblemData
+from judge.data.load import GroupData, ProblemData
 from judge.problem import Problem
 from judge.run.program import render_group
 from judge.values import show

@@ -8,7 +8,7 @@ from math import ceil
 
 from msgspec import Struct
 
-from judge.data.model import ProblemData
+from judge.data.load import ProblemData
 from judge.packs.export.cases import Test
 from judge.packs.export.metadata import memory
 from judge.problem import Verdict

@@ -20,8 +20,7 @@ from typing import TYPE_CHECKING, Any
 
 from judge import __version__
 from judge.drawing.svg import style
-from judge.report.layout import printable
-from judge.report.values import times
+from judge.report.words import printable, times
 
 if TYPE_CHECKING:
     from jinja2 import Environment

@@ -14,13 +14,13 @@ from msgspec.structs import replace
 
 from judge.drawing.chart import Axis, Chart, Series, chart_svg
 from judge.drawing.shapes import Role
-from judge.errors import HistoryError
+from judge.errors import StoreError
 from judge.kata.events import Run
 from judge.kata.progress import SkillProgress, State
 from judge.problem import Problem, Verdict
 from judge.report.html import day, page
 from judge.report.html.case import Case, Cases
-from judge.report.values import counted
+from judge.report.words import counted
 
 MARK = "circle-line-judge report"  # in the head of every such page, also of older ones
 _MOST_RUNS = 300  # of one kata in its table
@@ -180,7 +180,7 @@ def _failed(anchor: str, runs: Sequence[Run], cases: Cases) -> Iterator[Failed]:
         run = same[0]
         try:
             result = run.result
-        except HistoryError:  # the row is damaged: its columns are told all the same
+        except StoreError:  # the row is damaged: its columns are told all the same
             result = None
         case = cases.tell(run.problem, run.verdict, run.mistake or "", result, f"{anchor}-case-{at}")
         overcome = next((each.when for each in runs if each.id > run.id and each.solved), None)

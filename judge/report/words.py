@@ -1,16 +1,27 @@
-"""Numbers and arguments as a person reads them."""
+"""Words for a person: numbers, arguments, durations, names of files; nothing in them steers a terminal."""
 
 from __future__ import annotations
 
-import re
+import os
+import shlex
 from collections.abc import Mapping
-from decimal import Decimal
-from fractions import Fraction
 from typing import Any
 
-from judge.problem.model import FULL_SCORE
-
 _ITEMS = 40  # of a list that are shown
+
+
+def printable(text: str) -> str:
+    r"""`text` with everything a terminal would obey, or hide, written out, such as `\x1b`.
+
+    A submission's name, message or answer must not steer the terminal it is shown on: no escape sequences,
+    no other control characters, no marks that reorder text.
+    """
+    if text.isprintable():
+        return text
+    return "".join(
+        character if character.isprintable() else character.encode("unicode_escape").decode("ascii")
+        for character in text
+    )
 
 
 def arguments(values: Mapping[str, Any]) -> str:
@@ -47,11 +58,6 @@ def counted(number: int, noun: str) -> str:
     return f"{number:,} {noun}" if number == 1 else f"{number:,} {noun}s"
 
 
-def score_text(score: int, *, accepted: bool) -> str:
-    """The points of a run, or that with all of them it fails groups that are worth none."""
-    return str(score) if accepted or score < FULL_SCORE else "extra fails"
-
-
 def seconds(duration: float) -> str:
     """A duration in the unit that suits it."""
     if duration < 0.0095:
@@ -66,26 +72,30 @@ def times(factor: float) -> str:
     return f"{factor:.1f}" if factor >= 0.995 else f"{factor:.2f}"
 
 
-def size(amount: int) -> str:
-    """A number of bytes in megabytes (of 2**20), as limits are given."""
-    return f"{amount / 2**20:,.0f} MB"
+def shown_name(name: str) -> str:
+    r"""The name of a file on one line, begun by `./` unless by a letter, a digit, `_`, `.` or `/`.
+
+    `-x.py` would be an option where somebody copies it, and `::error::x.py` at the start of a line is a
+    command to GitHub. A line break in a name is written out, `\n`, as are all control characters.
+    """
+    return printable(_anchored(name))
 
 
-def bound(value: Fraction) -> str:
-    """A bound or a width, shortest of its exact forms: `1000`, `2^30`, `-10^100`, `1e-12`, `1/3`."""
-    if value.denominator == 1:
-        return _whole(value.numerator)
-    short = re.sub("e-0+", "e-", f"{float(value):g}")
-    return short if Fraction(short) == value else str(value)
+def shown_command(*words: str, file: str) -> str:
+    """A command on one line that a shell takes as it stands; `file` is its last word."""
+    return f"{shlex.join(words)} {_word(_anchored(file))}"
 
 
-def _whole(value: int) -> str:
-    sign, magnitude = ("-" if value < 0 else ""), abs(value)
-    if magnitude < 100_000:
-        return str(value)
-    if magnitude & (magnitude - 1) == 0:
-        return f"{sign}2^{magnitude.bit_length() - 1}"
-    number = Decimal(magnitude)  # whose text, unlike an int's, may have any length
-    if magnitude == 10 ** number.adjusted():
-        return f"{sign}10^{number.adjusted()}"
-    return f"{sign}{number:,}" if number.adjusted() < 15 else f"{sign}{number}"
+def _anchored(name: str) -> str:
+    return name if name[:1].isalnum() or name[:1] in ("_", ".", "/", "") else f"./{name}"
+
+
+def _word(name: str) -> str:
+    r"""A name as one word of a shell; what cannot be printed as bash, zsh and ksh read it: `$'a\x0ab.py'`."""
+    if name.isprintable() and "##[" not in name:  # of which the screen writes a part out
+        return shlex.quote(name)
+    parts = (
+        chr(byte) if 32 <= byte < 127 and byte not in b"'\\#" else f"\\x{byte:02x}"
+        for byte in os.fsencode(name)
+    )
+    return f"$'{''.join(parts)}'"

@@ -1,4 +1,4 @@
-"""A progress bar on standard error, for a person who waits: none for work that is over at once."""
+"""What a person who waits is told on standard error: a bar or a line; nothing for work that is soon over."""
 
 from __future__ import annotations
 
@@ -6,11 +6,11 @@ import os
 import sys
 import time
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from typing import TYPE_CHECKING
 
-from judge.report.layout import printable
-from judge.report.screen import is_terminal
+from judge.report.screen import Screen, err, fitted, is_terminal, note
+from judge.report.words import printable
 
 if TYPE_CHECKING:
     from rich.progress import Progress, TaskID
@@ -19,7 +19,8 @@ Advance = Callable[[int, int], None]
 Stage = Callable[[str, int, int], None]
 
 _PATIENCE = 0.5  # seconds before a bar appears
-_EACH = 0.1  # seconds between two drawings of it
+_EACH = 0.1  # seconds between two drawings of it on a terminal
+_SELDOM = 30.0  # … and between two lines of a log
 
 
 class _Bar:
@@ -103,3 +104,50 @@ def _rich_progress() -> Progress:
         redirect_stdout=False,
         redirect_stderr=False,
     )
+
+
+class Live:
+    """A context manager; `show` what is to be said now, `hide` it before anything else is written.
+
+    On a terminal it is one line and leaves nothing behind. Elsewhere, into a file or a pipe, it is a line
+    every half minute, without control characters; `silent` says nothing at all.
+    """
+
+    def __init__(self, *, silent: bool = False, clock: Callable[[], float] = time.monotonic) -> None:
+        self._silent = silent
+        self._clock = clock
+        self._shown = False
+        self._terminal = is_terminal(sys.stderr) and os.environ.get("TERM") != "dumb"
+        self._last = -_EACH if self._terminal else clock()
+
+    def __enter__(self) -> Live:
+        return self
+
+    def __exit__(self, *exc: object) -> None:
+        self.hide()
+
+    def show(self, text: Callable[[], str]) -> None:
+        """Say this, unless something was said just now; `text` is asked only where it is said."""
+        now = self._clock()
+        if self._silent or now - self._last < (_EACH if self._terminal else _SELDOM):
+            return
+        self._last = now
+        if not self._terminal:
+            note(text())
+            return
+        screen = err()
+        room = (screen.width or 80) - 1  # a line that is full goes on in the next one
+        _write(screen, f"\r\x1b[K{fitted(text(), room)}")
+        self._shown = True
+
+    def hide(self) -> None:
+        """Take it off the screen."""
+        if self._shown:
+            _write(err(), "\r\x1b[K")
+            self._shown = False
+            self._last = -_EACH  # it is to be back soon
+
+
+def _write(screen: Screen, text: str) -> None:
+    with suppress(OSError):  # nobody looks any more
+        screen.write(text)
