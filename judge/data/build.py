@@ -33,7 +33,7 @@ from judge.problem.module import Module, blaming
 from judge.values import check, parameters
 
 if TYPE_CHECKING:
-    from judge.values import Exact, Target
+    from judge.values.answers import Exact, Target
 
 FRESH = 32  # cases of a series: no more than a pinned group has
 _ATTEMPTS = 1_000  # for one case

@@ -17,7 +17,7 @@ from judge.values.answers import within
 
 if TYPE_CHECKING:
     from judge.problem.module import Module
-    from judge.values import Exact, Target
+    from judge.values.answers import Exact, Target
 
 Progress = Callable[[int, int], None]  # cases done, cases in all
 _DEEPEST = 12  # lists in lists that are read as tuples at once

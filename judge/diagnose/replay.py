@@ -22,7 +22,7 @@ from judge.problem.module import Module
 from judge.values import parameters
 
 if TYPE_CHECKING:
-    from judge.values import Exact
+    from judge.values.answers import Exact
 
 _ID = re.compile(r"([\w-]+):([\w-]+):([vc])([^:\s]*):([0-9a-f]{6})", re.ASCII)
 LONGEST = 16_000  # characters of an id: a case of the longest integers has fewer

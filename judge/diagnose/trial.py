@@ -23,8 +23,11 @@ from judge.run.printed import message_of, text_of
 from judge.run.replies import VERDICTS, Breakdown
 from judge.run.runner import Runner
 from judge.sandbox.boundary import Box, Limits, Stop, Usage
-from judge.values import Exact, Outline, Raw, Rejection, Target, outline
-from judge.values.answers import within
+from judge.values import outline
+from judge.values.answers import Exact, Target, within
+from judge.values.check import Rejection
+from judge.values.outline import Outline
+from judge.values.wire import Raw
 
 Clock = Callable[[], float]
 

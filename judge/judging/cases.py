@@ -30,7 +30,9 @@ from judge.run.runner import Runner
 from judge.run.stress import OnCases, Stressed, stress
 from judge.run.tried import Hacked, Said, Tried
 from judge.sandbox.boundary import Stop, Usage
-from judge.values import Raw, Rejection, show, wire
+from judge.values import show, wire
+from judge.values.check import Rejection
+from judge.values.wire import Raw
 
 _SHOWN = 400  # characters of an answer
 _NAME = file_name("program")  # what a wrong program is called in a message

@@ -28,7 +28,7 @@ from judge.problem import Problem
 from judge.problem.keys import code_key, content_key
 from judge.run.result import Behaviour
 from judge.run.settings import Settings
-from judge.values import Outline, Usual
+from judge.values.outline import Outline, Usual
 
 FORMAT = 3  # raise it when the form of the file changes
 

@@ -26,7 +26,7 @@ from judge.mistakes.same import Cases, Joint, Same, as_match, twins, wrong_answe
 from judge.mistakes.vetoes import Vetoes
 from judge.run.result import Behaviour, Pitfall, Result
 from judge.run.settings import Settings
-from judge.values import Outline
+from judge.values.outline import Outline
 
 _SENTENCE = re.compile(r".*?(?:[.!?](?=\s)|$)", re.DOTALL)  # the first one of a text
 

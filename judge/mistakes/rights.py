@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from judge.data.load import ProblemData
-from judge.values import Outline, outline
+from judge.values import outline
+from judge.values.outline import Outline
 
 
 def right_outlines(data: ProblemData) -> dict[str, Sequence[Outline]]:

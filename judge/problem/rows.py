@@ -29,7 +29,7 @@ from judge.problem.model import (
 )
 from judge.problem.module import load_module
 from judge.problem.names import is_name
-from judge.values import Tolerance
+from judge.values.answers import Tolerance
 
 _MOST_CASES = 1_000_000
 _MOST_SIZE = 10**9

@@ -188,7 +188,7 @@ def _case(tried: Tried) -> CaseRow:
         tried.group.name,
         problem.named(tried.case),
         line_of(problem, tried.case),
-        show.exact_text(problem.answer, tried.exact),
+        show.exact_text(tried.exact),
         tried.expected,
         show.accepted(problem.answer, tried.target),
     )

@@ -15,12 +15,15 @@ from judge.problem import Case, Group, Problem, Verdict
 from judge.run.replies import VERDICTS, Replies
 from judge.run.result import Answers, Failure, GroupResult, short_answer
 from judge.sandbox.boundary import Limits, Stop, Usage
-from judge.values import Accepted
+from judge.values.check import Accepted
 
 if TYPE_CHECKING:
     from judge.problem import Tolerance
     from judge.run.runner import Runner
-    from judge.values import Exact, Outline, Raw, Rejection
+    from judge.values.answers import Exact
+    from judge.values.check import Rejection
+    from judge.values.outline import Outline
+    from judge.values.wire import Raw
 
 _ALL_BUT = 0.95  # of a limit, whatever the clocks say of the last milliseconds
 _EXCEPTION = re.compile(r"[A-Za-z_.]{1,40}")  # the type's name, with which the detail of an exception begins

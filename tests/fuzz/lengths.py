@@ -45,7 +45,7 @@ from judge.run.tried import Tried
 from judge.sandbox import calls, ends
 from judge.sandbox import compile as compiling
 from judge.sandbox.recipe import Sources
-from judge.values import lines
+from judge.values import reading
 from judge.values.grammar import TypeFault, parse
 
 SIZES = (1_000, 4_000, 16_000, 64_000, 256_000)  # characters
@@ -205,7 +205,7 @@ def _printed(text: str) -> None:
 def _answers(text: str) -> None:
     for form in ("real", "int", "[point; 0..2]", "word(left|right)", "[int]", "real?"):
         type_ = parse(form)
-        lines.read_line(type_, text)
+        reading.read_line(type_, text)
 
 
 def _case(text: str) -> None:

@@ -14,7 +14,7 @@ from judge.exact import Surd
 from judge.problem.declare import InvalidCase
 from judge.problem.load import load_problem
 from judge.problem.module import load_module
-from judge.values import Real
+from judge.values.answers import Real
 
 PROBLEMS = Path(__file__).parents[2] / "problems"
 CASES = 20_000 if os.environ.get("NIGHTLY") else 2_000  # of other seeds than the pinned one

@@ -15,8 +15,10 @@ from hypothesis import strategies as st
 from judge.errors import ProblemError
 from judge.exact import Surd
 from judge.geometry import Line
-from judge.values import Accepted, Real, Rejection, Tolerance, check, lines, parse
-from judge.values.answers import accepted_doubles, exact_ends
+from judge.values import check
+from judge.values.answers import Real, Tolerance, accepted_doubles, exact_ends
+from judge.values.check import Accepted, Rejection
+from judge.values.grammar import parse
 
 POINTS = Tolerance(extent=Fraction(1, 10**9), ulps=Fraction(4))
 RELATIVE = Tolerance(relative=Fraction(1, 10**9), zero=Fraction(1, 10**12))
@@ -37,7 +39,7 @@ def accepts(answer, tolerance, raw) -> bool:
 
 
 def accepts_text(answer, tolerance, line) -> bool:
-    outcome = lines.check_line(REAL, line, check.target(REAL, answer, tolerance), ask(answer, tolerance))
+    outcome = check.check_line(REAL, line, check.target(REAL, answer, tolerance), ask(answer, tolerance))
     return isinstance(outcome, Accepted)
 
 

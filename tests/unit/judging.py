@@ -8,7 +8,8 @@ from pathlib import Path
 from judge.data.load import GroupData, ProblemData
 from judge.problem import Group, GroupLimits, Parameter, Problem, Tier, Tolerance
 from judge.run import judge_submission
-from judge.values import Words, parse
+from judge.values.answers import Words
+from judge.values.grammar import parse
 
 LIMITS = GroupLimits(cpu_seconds=2.0, wall_seconds=10.0, memory_mb=256, output_mb=1)
 CASES = [(1, (0, 0)), (0, (0.5, 0.5)), (2, (-1, 1)), (0, (0, 0))]

@@ -20,7 +20,7 @@ from judge.problem import Parameter
 from judge.problem.declare import InvalidCase
 from judge.problem.load import load_problem
 from judge.problem.module import Module, load_module
-from judge.values import parse
+from judge.values.grammar import parse
 
 SOUND = Path(__file__).parent.parent / "fixtures" / "problems" / "root-count"
 

@@ -19,7 +19,7 @@ from judge.problem.find import find_problem
 from judge.problem.load import load_problem
 from judge.problem.module import load_module
 from judge.run.execute import judge_submission
-from judge.values import parse
+from judge.values.grammar import parse
 
 
 @pytest.fixture(scope="module", params=["segment", "exact-count"])
