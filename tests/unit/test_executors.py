@@ -128,7 +128,7 @@ def test_ctrl_c_waits_while_a_worker_is_started(tmp_path, monkeypatch):
     started, start = [], pool.SpawnProcess.start
 
     def interrupted(process):
-        os.kill(os.getpid(), signal.SIGINT)
+        signal.pthread_kill(threading.get_ident(), signal.SIGINT)  # no other thread of a test's may take it
         start(process)
         started.append(process.pid)
 
