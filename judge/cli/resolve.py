@@ -29,8 +29,8 @@ from judge.problem.names import is_name
 if TYPE_CHECKING:
     from judge.cli.options import Common
     from judge.cli.submissions import Submission, Unjudged
-    from judge.kata.events import Started
-    from judge.kata.history import History
+    from judge.practice.events import Started
+    from judge.practice.history import History
 
 
 class Task(Struct, frozen=True):
@@ -138,7 +138,7 @@ def _within(place: Started, folder: Path) -> bool:
 
 def _places(db: Path | None) -> list[Started]:
     """All files that were started or judged; none where the history fails: whoever needs it says so."""
-    from judge.kata.history import History
+    from judge.practice.history import History
 
     try:
         with History.open(db, reading=True) as history:

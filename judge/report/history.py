@@ -9,8 +9,8 @@ from rich.console import Group, RenderableType
 from rich.text import Text
 
 from judge.errors import StoreError
-from judge.kata.events import Run
-from judge.kata.stub import usual_name
+from judge.practice.events import Run
+from judge.practice.stub import usual_name
 from judge.problem.model import FULL_SCORE, Verdict
 from judge.report.parts import (
     BAD,

@@ -10,8 +10,8 @@ from msgspec import Struct
 from judge.data.parse import line_of
 from judge.diagnose.replay import encode
 from judge.errors import ExitCode
-from judge.kata.hacks import HackState
 from judge.mistakes.puzzles import Puzzle
+from judge.practice.hacks import HackState
 from judge.problem import Problem, Verdict
 from judge.report.published import Published
 from judge.run.tried import Said, Tried

@@ -6,7 +6,7 @@ from datetime import datetime
 
 from msgspec import Struct
 
-from judge.kata.events import Run
+from judge.practice.events import Run
 from judge.problem import Verdict
 from judge.report.published import Published
 from judge.run.result import Mode, Result, Taken

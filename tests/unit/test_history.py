@@ -22,8 +22,8 @@ from sampling import nightly
 
 from judge import database
 from judge.errors import StoreError, UsageError
-from judge.kata.events import Answer, Hack, Help, Outcome, Rating, Run, Started
-from judge.kata.history import APPLICATION, STEPS, History, run_of
+from judge.practice.events import Answer, Hack, Help, Outcome, Rating, Run, Started
+from judge.practice.history import APPLICATION, STEPS, History, run_of
 from judge.problem import Verdict
 from judge.run.result import Mode, judge_fault
 
@@ -72,8 +72,8 @@ PRELUDE = """
 import sys, time
 from pathlib import Path
 from past_runs import keep, past_result
-from judge.kata.events import Help
-from judge.kata.history import History
+from judge.practice.events import Help
+from judge.practice.history import History
 """
 
 

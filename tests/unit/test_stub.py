@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from judge.kata.stub import make_stub
+from judge.practice.stub import make_stub
 from judge.problem.find import all_problems
 from judge.problem.load import load_problem
 

@@ -28,10 +28,10 @@ from judge.judging.cases import ask as ask_file
 from judge.judging.cases import hack as attack
 from judge.judging.cases import smallest, try_case
 from judge.judging.session import Session
-from judge.kata.events import Hack, Outcome
-from judge.kata.hacks import hack_states, was_shown
 from judge.languages import is_program
 from judge.mistakes.puzzles import Puzzle, puzzle_called, read_puzzles
+from judge.practice.events import Hack, Outcome
+from judge.practice.hacks import hack_states, was_shown
 from judge.problem import Case, Problem, Verdict
 from judge.problem.find import find_problem
 from judge.problem.model import case_of

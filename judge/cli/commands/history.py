@@ -17,8 +17,8 @@ from judge.cli.resolve import shown
 from judge.cli.target import check_place
 from judge.errors import UsageError, unwritable
 from judge.files import new_file, read_ordinary, replace_file
-from judge.kata.events import Run
-from judge.kata.history import History
+from judge.practice.events import Run
+from judge.practice.history import History
 from judge.problem.find import find_problem
 from judge.report.published_practice import GroupChange, Restored, RunList, RunRow, RunsCompared, RunShown
 

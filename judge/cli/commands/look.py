@@ -13,14 +13,14 @@ from judge.cli.kept import history_at
 from judge.cli.options import Common, command, opt, takes
 from judge.cli.resolve import current, this_folder
 from judge.errors import ProblemError, StoreError, UsageError, nearest
-from judge.kata.sets import USUAL, sound_sets
+from judge.practice.sets import USUAL, sound_sets
 from judge.problem import Problem
 from judge.problem.find import find_problem, sound_problems
 from judge.report.published import KataInFull, KataList, KataRow, KataShown, SetRow, kata_row
 from judge.report.screen import note
 
 if TYPE_CHECKING:
-    from judge.kata.events import Run
+    from judge.practice.events import Run
 
 _OTHERS = "others"  # the set of the katas that are in none
 

@@ -17,8 +17,6 @@ from judge.data.load import ProblemData, load_data
 from judge.errors import ProblemError, UsageError, unwritable
 from judge.files import replace_file
 from judge.judging.containment import kept_level
-from judge.kata.begin import begin_kata
-from judge.kata.check import deck_faults, kata_faults
 from judge.languages.boxes import AnyBoxes
 from judge.languages.signature import signature_of
 from judge.mistakes.verified import ChoicesReport, verify_choices
@@ -27,6 +25,8 @@ from judge.packs.export.forms import why_left_out
 from judge.packs.export.job import Export, Order, check_places, export
 from judge.packs.export.metadata import Version, short_name, short_names
 from judge.packs.export.statement import latex
+from judge.practice.begin import begin_kata
+from judge.practice.check import deck_faults, kata_faults
 from judge.problem import Problem
 from judge.problem.find import find_problem, folders_within, problem_folders
 from judge.problem.model import chosen_groups

@@ -14,14 +14,14 @@ from judge.cli.kept import history_at
 from judge.cli.options import Common, command, opt, takes
 from judge.cli.resolve import kata_meant
 from judge.errors import UsageError
-from judge.kata.events import Help
-from judge.kata.model import approaches, chosen_approach
 from judge.languages import language_of
+from judge.practice.events import Help
+from judge.practice.model import approaches, chosen_approach
 from judge.problem import Problem
 from judge.report.published_practice import ApproachRow, HintShown, SolutionShown, Yours
 
 if TYPE_CHECKING:
-    from judge.kata.events import Run
+    from judge.practice.events import Run
     from judge.run.result import Taken
 
 _ROUNDS = 3

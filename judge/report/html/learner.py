@@ -15,8 +15,8 @@ from msgspec.structs import replace
 from judge.drawing.chart import Axis, Chart, Series, chart_svg
 from judge.drawing.shapes import Role
 from judge.errors import StoreError
-from judge.kata.events import Run
-from judge.kata.progress import SkillProgress, State
+from judge.practice.events import Run
+from judge.practice.progress import SkillProgress, State
 from judge.problem import Problem, Verdict
 from judge.report.html import day, page
 from judge.report.html.case import Case, Cases

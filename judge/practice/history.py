@@ -26,7 +26,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 from judge.errors import StoreError, UsageError
 from judge.files import read_ordinary, user_data
-from judge.kata.events import DAMAGE, TABLES, Event, Kind, Run, Started, columns, from_row, to_row
+from judge.practice.events import DAMAGE, TABLES, Event, Kind, Run, Started, columns, from_row, to_row
 from judge.problem import Verdict
 from judge.problem.solutions import is_solution
 from judge.run.result import Result

@@ -26,15 +26,15 @@ from typing import TYPE_CHECKING, NamedTuple
 from msgspec import Struct
 
 from judge.errors import ProblemError, StoreError
-from judge.kata.checklist import Checklist, Row, Section, read_checklist
-from judge.kata.events import Answer, Hack, Run
-from judge.kata.hacks import broken
+from judge.practice.checklist import Checklist, Row, Section, read_checklist
+from judge.practice.events import Answer, Hack, Run
+from judge.practice.hacks import broken
 from judge.problem import Problem
 from judge.problem.model import KataLevel
 
 if TYPE_CHECKING:
-    from judge.kata.history import History
-    from judge.kata.quiz.cards import Card
+    from judge.practice.history import History
+    from judge.practice.quiz.cards import Card
 
 
 class State(Enum):
@@ -196,7 +196,7 @@ def read_progress(
     `problems` are all that can be found. Raises ProblemError where a file of skills or questions is broken,
     StoreError.
     """
-    from judge.kata.quiz.cards import read_decks
+    from judge.practice.quiz.cards import read_decks
 
     decks, faults = read_decks(extra)
     cards = [card for deck in decks for card in deck.cards]

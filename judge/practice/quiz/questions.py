@@ -22,8 +22,8 @@ from typing import TYPE_CHECKING, Any, TypeVar
 from msgspec import Struct
 
 from judge.errors import ProblemError
-from judge.kata.quiz.cards import LETTERS, Card, Choice, Count, Drawn, Number, Spot
-from judge.kata.quiz.typed import NONE, NUMBER, count, letters_of, listed, number, option, sequence
+from judge.practice.quiz.cards import LETTERS, Card, Choice, Count, Drawn, Number, Spot
+from judge.practice.quiz.typed import NONE, NUMBER, count, letters_of, listed, number, option, sequence
 from judge.problem import Problem
 from judge.problem.find import find_problem
 
