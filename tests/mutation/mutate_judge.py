@@ -38,7 +38,7 @@ MODULES = (
     "data/build",
     "mistakes/likeness",
     "diagnose/simplicity",
-    "kata/history",
+    "practice/history",
     "sandbox/linux/seccomp",
 )
 EACH = 5
