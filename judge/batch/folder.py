@@ -32,8 +32,7 @@ from judge.judging.sources import (
     within_limit,
 )
 from judge.languages import SUFFIX, is_program, language_of
-from judge.problem.find import problem_folders
-from judge.problem.fit import fitting_problems, id_of, signs
+from judge.problem.find import fitting_problems, id_of, problem_folders, signs
 from judge.reading import LedOutError, read_inside, real_within
 
 _DEEPEST = 20  # levels of folders

@@ -3,19 +3,17 @@
 from __future__ import annotations
 
 import sys
-from functools import cache
 
 import msgspec
 from msgspec.structs import replace
 
 from judge import __version__
 from judge.batch.model import Standard
-from judge.digest import digest_of
+from judge.cache import code_key, content_key, digest
 from judge.judging.containment import Containment
 from judge.judging.job import RunOptions, judged_by
 from judge.languages import file_name
 from judge.problem import Problem
-from judge.problem.keys import all_code_files, content_key
 
 _EMPTY = file_name("empty")
 _SIGNS = 12  # of a hash; they tell versions apart, and nobody would forge one
@@ -30,13 +28,13 @@ _WORDS = {
 
 def standard_of(problem: Problem, options: RunOptions, isolation: str) -> Standard:
     """By what this process judges the problem at that level of isolation. Raises ProblemError."""
-    data = content_key("standard/", judged_by(problem))[:_SIGNS]
+    data = content_key(judged_by(problem))[:_SIGNS]
     return Standard(_own_version(), data, _python(), isolation, terms_digest(options))
 
 
 def terms_digest(options: RunOptions) -> str:
     """The digest of the options that decide a verdict; the isolation is a part of its own."""
-    return digest_of(msgspec.json.encode(replace(options, isolation=None)))[:_SIGNS]
+    return digest(msgspec.json.encode(replace(options, isolation=None)))[:_SIGNS]
 
 
 def level_here(problem: Problem, options: RunOptions) -> tuple[str, tuple[str, ...]]:
@@ -58,9 +56,8 @@ def differing(one: Standard, other: Standard) -> str:
     return ", ".join(f"{_WORDS[part]} ({before} → {now})" for part, (before, now) in apart.items())
 
 
-@cache
 def _own_version() -> str:
-    return f"{__version__}+{content_key('judge/', all_code_files())[:_SIGNS]}"
+    return f"{__version__}+{code_key()[:_SIGNS]}"
 
 
 def _python() -> str:

@@ -8,9 +8,10 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from judge.errors import ProblemError
-from judge.problem import Case, Number, Problem
+from judge.problem import Case, Problem
 from judge.problem.declare import InvalidCase
 from judge.values import parameters
+from judge.values.base import Number
 
 if TYPE_CHECKING:
     from judge.values.answers import Exact

@@ -6,41 +6,37 @@ import os
 from datetime import date
 
 from judge import __version__
-from judge.digest import digest_of
-from judge.folders import cache_folder
-from judge.kept import KeptFile
+from judge.cache import CacheFolder, digest
 from judge.sandbox import LEVELS
 
 
 def keep_level(level: str) -> str | None:
     """Keep it, in place of what was found before; a note for the person if that fails."""
-    return _file().write({"level": level})
+    return CacheFolder().write(*_place("level"), level, "levels of isolation")
 
 
 def kept_level() -> str | None:
     """The level found by this version of the judge for this user, on this machine with this kernel."""
-    found = _file().read()
-    level = found.get("level") if isinstance(found, dict) else None
+    level = CacheFolder().read(*_place("level"), str)
     return level if level in LEVELS else None
 
 
 def first_today() -> bool:
     """Whether this is asked for the first time today; where nothing can be kept, it is every time."""
-    file = _file("asked")
-    today = date.today().isoformat()
-    if file.read() == today:
+    today, place = date.today().isoformat(), _place("asked")
+    if CacheFolder().read(*place, str) == today:
         return False
-    file.write(today)
+    CacheFolder().write(*place, today)
     return True
 
 
-def _file(what: str = "level") -> KeptFile:
-    """The machine and the user are in its stem, so that a cache that machines share keeps a level of each."""
+def _place(what: str) -> tuple[str, str]:
+    """Its name and key. A cache that machines share keeps one of each machine and user."""
     system = os.uname()
     place = _digest(system.nodename, str(os.geteuid()))[:8]
     key = _digest(__version__, system.sysname, system.release, system.version, system.machine)
-    return KeptFile(cache_folder, "isolation", f"{what}-{place}-", key, "levels of isolation")
+    return f"isolation/{what}-{place}", key
 
 
 def _digest(*parts: str) -> str:
-    return digest_of("\0".join(parts).encode())[:32]
+    return digest("\0".join(parts).encode())

@@ -6,9 +6,9 @@ from pathlib import Path
 
 from msgspec import Struct
 
-from judge.digest import digest_of
+from judge.cache import code_key, content_key, digest
 from judge.problem import Problem
-from judge.problem.keys import all_code_files, content_key, own_files
+from judge.problem.load import own_files
 from judge.problem.model import chosen_groups
 
 
@@ -74,17 +74,17 @@ class Job(Struct, frozen=True):
     def digest(self) -> str:
         """The digest, in hex, of all that the outcome depends on: not of where the problem lies."""
         options = self.options
-        plain = (self.problem, self.version, self.name, digest_of(self.source))
+        plain = (self.problem, self.version, self.name, digest(self.source))
         asked = [getattr(options, name) for name in options.__struct_fields__]
-        return digest_of(repr((plain, asked)).encode())
+        return digest(repr((plain, asked)).encode())
 
 
 def version_of(problem: Problem) -> str:
     """The hash of the judge's own code and of all that it judges by in the problem's two folders."""
-    return content_key("job/", [*judged_by(problem), *all_code_files()])
+    return digest(content_key(judged_by(problem)).encode(), code_key().encode())
 
 
-def judged_by(problem: Problem) -> list[Path]:
+def judged_by(problem: Problem) -> list[str]:
     """The files of the problem's two folders that it is judged by."""
-    solutions = sorted(path for path in problem.solutions.glob("*/*") if path.is_file())
+    solutions = sorted(str(path) for path in problem.solutions.glob("*/*") if path.is_file())
     return [*own_files(problem.folder), *solutions]

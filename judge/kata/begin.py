@@ -26,7 +26,7 @@ from judge.mistakes.makers import read_makers
 from judge.problem import Problem
 from judge.problem.find import near_problem_folders
 from judge.problem.load import load_problem
-from judge.problem.names import is_name
+from judge.problem.model import is_name
 from judge.run.verify import ENOUGH
 
 _TEMPLATE = Path(__file__).resolve().parent.parent / "manual" / "new-kata.md"

@@ -19,7 +19,7 @@ from msgspec import Struct
 from judge.errors import ProblemError, UsageError
 from judge.problem import Problem, Tier
 from judge.problem.find import find_problem, problem_roots, sound_problems
-from judge.problem.tables import TomlFile, key_place, meant
+from judge.problem.toml import TomlFile, key_place, meant
 
 USUAL = "path"  # the set that stands for all of them in order
 

@@ -1,7 +1,8 @@
-"""What a problem is: the values read from `problems/<id>/problem.toml`, checked once and never changed."""
+"""What a problem is: read from its folder once, checked, and never changed."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping, Sequence
 from enum import Enum
 from fractions import Fraction
@@ -12,15 +13,23 @@ from msgspec import Meta, Struct
 
 from judge.errors import UsageError, nearest
 from judge.values import parameters
-from judge.values.answers import Tolerance as Tolerance
-from judge.values.base import Number as Number
+from judge.values.answers import Tolerance
 from judge.values.base import Type
 
-Point = tuple[Number, Number]
 Argument = Any  # a number, a word, None, or a tuple of such: what the parameter's type says
 Case = tuple[Argument, ...]  # the arguments of one call, in the order of the problem's parameters
 
-EXAMPLES = "examples"  # the builder whose cases are the statement's worked examples
+EXAMPLES = "examples"  # the group of the statement's worked examples
+FULL_SCORE = 100  # what the points of a problem's groups sum to
+MOST_INPUT_MB = 72  # what a container's memory has room for beside the answers
+_MEGABYTE = 2**20
+Bound = Annotated[float, Meta(ge=1e-3, le=1e6)]
+_NAME = re.compile(r"[a-z][a-z0-9]*(-[a-z0-9]+)*")
+
+
+def is_name(text: str) -> bool:
+    """Whether a problem, a group or a set may be called so: small letters, digits and single hyphens."""
+    return _NAME.fullmatch(text) is not None
 
 
 def case_of(arguments: Mapping[str, Any]) -> Case:
@@ -33,13 +42,8 @@ def tupled(value: Any) -> Any:
     return tuple(map(tupled, value)) if isinstance(value, tuple | list) else value
 
 
-_MEGABYTE = 2**20
-MOST_INPUT_MB = 72  # what a container's memory has room for beside the answers
-Bound = Annotated[float, Meta(ge=1e-3, le=1e6)]
-
-
 class KataLevel(Enum):
-    """What a test group belongs to, the easier first; the value is its name in problem.toml and in JSON."""
+    """What a test group belongs to, the easier first; the value is its name in JSON."""
 
     INTERVIEW = "interview"
     PRODUCTION = "production"
@@ -61,9 +65,6 @@ def levels_among(found: Iterable[KataLevel | None]) -> tuple[KataLevel, ...]:
     return tuple(level for level in KataLevel if level in there)
 
 
-FULL_SCORE = 100  # what the points of a problem's groups sum to
-
-
 class Verdict(Enum):
     """The outcome of a test group or of a whole submission; the value is its name in JSON."""
 
@@ -79,18 +80,18 @@ class Verdict(Enum):
     @property
     def meaning(self) -> str:
         """The verdict in words."""
-        return _MEANING[self]
+        return _MEANING[self.value]
 
 
 _MEANING = {
-    Verdict.AC: "accepted",
-    Verdict.WA: "wrong answer",
-    Verdict.TLE: "time limit exceeded",
-    Verdict.MLE: "memory limit exceeded",
-    Verdict.OLE: "output limit exceeded",
-    Verdict.RTE: "run-time error",
-    Verdict.CE: "does not compile",
-    Verdict.JE: "could not be judged",
+    "AC": "accepted",
+    "WA": "wrong answer",
+    "TLE": "time limit exceeded",
+    "MLE": "memory limit exceeded",
+    "OLE": "output limit exceeded",
+    "RTE": "run-time error",
+    "CE": "does not compile",
+    "JE": "could not be judged",
 }
 
 
@@ -167,7 +168,7 @@ class GrowthRule(Struct, frozen=True):
     slope: float
 
 
-class Group(Struct, frozen=True):
+class Group(Struct, frozen=True, omit_defaults=True):
     """A test group: `count` cases of one draw, named after what they probe."""
 
     name: str
@@ -208,8 +209,11 @@ class Example(Struct, frozen=True):
     line: int  # in statement.md, from 1
 
 
-class Problem(Struct, frozen=True):
-    """One problem, whole; `folder` holds problem.toml, problem.py, statement.md and pins.json."""
+class Problem(Struct, frozen=True, omit_defaults=True):
+    """One problem, whole; `folder` holds problem.toml, problem.py, statement.md and pins.json.
+
+    `key` is the hash of all that it was made from.
+    """
 
     id: str
     title: str
@@ -230,6 +234,7 @@ class Problem(Struct, frozen=True):
     skills: tuple[ShownSkill, ...] = ()
     growth: GrowthRule | None = None
     source: Source = Source()
+    key: str = ""
 
     @property
     def levels(self) -> tuple[KataLevel, ...]:

@@ -32,7 +32,7 @@ from judge.problem import Problem, Verdict
 from judge.problem.model import group_place
 from judge.problem.module import load_module
 from judge.problem.solutions import Kind, Solution, read_solutions
-from judge.problem.tables import KeyPath, key_place, meant
+from judge.problem.toml import KeyPath, key_place, meant
 from judge.run.execute import Judged, judge_submission
 from judge.run.matrix import Matrix, kill_matrix
 from judge.run.reference import check_needs

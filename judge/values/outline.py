@@ -22,7 +22,7 @@ from typing import Any
 
 from msgspec import Struct
 
-from judge.digest import digest_of
+from judge.cache import digest
 from judge.values.atoms import IntType, RealType
 from judge.values.base import LONGEST, Atom, Target, Type, Value
 from judge.values.check import Ask, ExactOf, off, quick_off, read
@@ -84,7 +84,7 @@ def short(form: str) -> str:
     """A form, cut where it is long, but so that different ones stay different."""
     if len(form) <= 2 * _LONGEST:
         return form
-    return f"{form[:_LONGEST]}… {digest_of(form.encode(errors='replace'))[:8]}"
+    return f"{form[:_LONGEST]}… {digest(form.encode(errors='replace'))[:8]}"
 
 
 def _parts(type_: Composite, value: Value, *, target: bool) -> Iterator[tuple[Type, Value]]:

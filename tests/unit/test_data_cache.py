@@ -15,11 +15,11 @@ from pathlib import Path
 
 import platformdirs
 import pytest
+from judge.kept import KeptFile
 
 from judge.data import load_data
 from judge.data.pins import hash_of
 from judge.folders import cache_folder, user_data
-from judge.kept import KeptFile
 from judge.problem.load import load_problem
 
 ROOT = Path(__file__).parent.parent.parent

@@ -12,8 +12,8 @@ import tempfile
 from pathlib import Path
 
 import pytest
-
 from judge.kept import KeptFile
+
 from judge.languages.store import CacheStore
 from judge.sandbox.temporary import TemporaryFolder, sweep
 

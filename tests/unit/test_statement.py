@@ -211,7 +211,7 @@ def test_what_is_read_is_what_was_parsed(exact, monkeypatch):
     assert len(parsed) > 4
     for again in (False, True):
         if again:
-            monkeypatch.setattr(toml_file, "toml_of", lambda *_, **__: pytest.fail("it is parsed again"))
+            monkeypatch.setattr(toml_file, "parse_toml", lambda *_, **__: pytest.fail("it is parsed again"))
         for place, text in enumerate(texts):
             assert same(read_toml(Path(f"/{place}"), text, "it", exact=exact), parsed[place]), text
 
