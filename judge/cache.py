@@ -20,7 +20,6 @@ from typing import Any, Protocol, TypeVar
 
 import msgspec
 
-from judge.atomic import put_file
 from judge.errors import ProblemError
 from judge.folders import CACHE_VARIABLE, cache_folder
 from judge.reading import read_ordinary
@@ -66,6 +65,8 @@ class CacheFolder:
     def write(self, name: str, key: str, value: Any, what: str = "test data") -> str | None:
         """As `Store.write`."""
         import json  # only for who writes; it keeps integers of any size, and infinity
+
+        from judge.atomic import put_file
 
         body = value if isinstance(value, bytes) else json.dumps(value, separators=(",", ":")).encode()
         try:

@@ -15,7 +15,6 @@ for, for some seconds. Importing this module imports no SQLite; opening a histor
 from __future__ import annotations
 
 import contextlib
-import hashlib
 import json
 import os
 import zlib
@@ -273,6 +272,8 @@ class History:
 
 def run_of(result: Result, source: bytes, path: str) -> Run:
     """The run that judged that source to that result; `path` is that of `Run`."""
+    import hashlib  # not for who reads
+
     published = json.dumps(result.as_json(), separators=(",", ":")).encode()
     accepted = [group.name for group in result.groups if group.verdict is Verdict.AC]
     rejected = [group.name for group in result.groups if group.verdict is not Verdict.AC]

@@ -12,7 +12,6 @@ from typing import Annotated, Any
 from msgspec import Meta, Struct
 
 from judge.errors import UsageError, nearest
-from judge.values import parameters
 from judge.values.answers import Tolerance
 from judge.values.base import Type
 
@@ -256,6 +255,8 @@ class Problem(Struct, frozen=True, omit_defaults=True):
 
     def calls(self, cases: Sequence[Case]) -> Sequence[tuple[Any, ...]]:
         """The cases as a submission receives them: with lists and arrays, where a case has tuples."""
+        from judge.values import parameters
+
         taken = [parameter.type for parameter in self.parameters]
         if all(type_.is_plain for type_ in taken):
             return cases
@@ -263,6 +264,8 @@ class Problem(Struct, frozen=True, omit_defaults=True):
 
     def named(self, case: Case) -> dict[str, Any]:
         """A case's arguments by parameter name: tuples as such, lists and arrays as lists."""
+        from judge.values import parameters
+
         return {
             parameter.name: parameters.listed(parameter.type, value)
             for parameter, value in zip(self.parameters, case, strict=True)

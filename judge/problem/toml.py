@@ -62,7 +62,7 @@ def parse_toml(text: str, name: str, *, exact: bool = False) -> dict[str, Any]:
     import tomllib  # not for who reads the cache
 
     line = None
-    if endless := re.search(_ENDLESS, text):
+    if text.count(".") >= _MOST_PARTS and (endless := re.search(_ENDLESS, text)):
         what, line = f"a key of more than {_MOST_PARTS} parts", text.count("\n", 0, endless.start()) + 1
     else:
         try:
@@ -122,8 +122,9 @@ def told(why: msgspec.ValidationError, raw: Any, shape: Any) -> tuple[str, str, 
     if expected := _EXPECTED.match(said):
         kind, got, bound = expected.groups()
         kind = kind.removesuffix(" | null")
-        found = _KINDS.get(got, f"a {got}") if got else repr(given) if isinstance(given, str) else given
-        return f"{dotted} is {found}", f"give {_KINDS.get(kind, kind)}{bound}", path
+        shown = repr(given) if isinstance(given, str) else given
+        said = f"{dotted} is {_KINDS.get(got, f'a {got}')}" if got else f"{dotted} = {shown}"
+        return said, f"give {_KINDS.get(kind, kind)}{bound.removesuffix('.0')}", path
     quoted = said.split("`")[1] if "`" in said else ""
     known = _known(raw, path, shape)
     if said.startswith("Object contains unknown field"):

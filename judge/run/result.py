@@ -6,7 +6,7 @@ import json
 from collections.abc import Iterable, Mapping, Sequence
 from enum import Enum
 from types import MappingProxyType
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import msgspec
 from msgspec import Struct
@@ -15,7 +15,9 @@ from msgspec.structs import replace
 from judge.errors import ExitCode
 from judge.problem import Verdict
 from judge.problem.model import KataLevel
-from judge.values import Outline, Raw
+
+if TYPE_CHECKING:
+    from judge.values import Outline, Raw
 
 SCHEMA = 2
 _IMPORT_SECONDS = 0.02  # of CPU time, from which on an import is told of
