@@ -13,14 +13,17 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
+from typing import Generic, TypeVar
 
 from msgspec import Struct
 
 from judge.errors import ProblemError, UsageError
 from judge.problem import Problem, Tier
 from judge.problem.find import find_problem, problem_roots, sound_problems
+from judge.problem.model import Listed
 from judge.problem.toml import TomlFile, key_place, meant
 
+P = TypeVar("P", bound=Listed)
 USUAL = "path"  # the set that stands for all of them in order
 
 FIRST = "first-steps"  # the set that a newcomer begins with
@@ -28,7 +31,7 @@ FIRST = "first-steps"  # the set that a newcomer begins with
 _ORDER = [FIRST, *(tier.value for tier in Tier)]  # sets of these names come first; others after them, by name
 
 
-class PracticeSet(Struct, frozen=True):
+class PracticeSet(Struct, Generic[P], frozen=True):
     """Problems to practise, in order; `name` is the file's.
 
     `faults` are of problems that may belong to it: one that cannot be read, a name that no set has.
@@ -37,7 +40,7 @@ class PracticeSet(Struct, frozen=True):
     name: str
     title: str
     about: str
-    problems: tuple[Problem, ...]
+    problems: tuple[P, ...]
     faults: tuple[ProblemError, ...] = ()
 
 
@@ -47,7 +50,7 @@ class _SetTable(Struct, forbid_unknown_fields=True, frozen=True):
     problems: list[str] | None = None
 
 
-def find_set(name: str, extra: Sequence[Path] = ()) -> PracticeSet:
+def find_set(name: str, extra: Sequence[Path] = ()) -> PracticeSet[Problem]:
     """The set of that name; `extra` are folders of problems to look in first.
 
     Raises:
@@ -73,8 +76,8 @@ def find_set(name: str, extra: Sequence[Path] = ()) -> PracticeSet:
 
 
 def sound_sets(
-    problems: Iterable[Problem], extra: Sequence[Path] = ()
-) -> tuple[list[PracticeSet], list[ProblemError]]:
+    problems: Iterable[P], extra: Sequence[Path] = ()
+) -> tuple[list[PracticeSet[P]], list[ProblemError]]:
     """Every set of these problems, easiest first, and the fault of each that cannot be read."""
     found, faults = [], []
     by_name = {problem.id: problem for problem in problems}

@@ -31,14 +31,15 @@ from collections.abc import Callable, Iterable, Sequence
 from contextlib import suppress
 from functools import partial
 from pathlib import Path, PurePath
+from typing import TypeVar
 
 from msgspec import Struct
 
 from judge.errors import ProblemError, UsageError, nearest
 from judge.problem.load import Shelf, load_problem
-from judge.problem.model import Problem, Tier
+from judge.problem.model import Listed, Problem, Tier
 
-_TIERS = list(Tier)
+P = TypeVar("P", bound=Listed)
 _PACKAGE = Path(__file__).resolve().parent.parent
 _VARIABLE = "JUDGE_PROBLEMS"
 _ENTRY_POINTS = "judge.problems"
@@ -80,22 +81,25 @@ def sound_problems(extra: Sequence[Path] = ()) -> tuple[list[Problem], list[Prob
 
     The order is that of the tiers, in a tier that of the problems' places, and then of their names.
     """
+    return listed_problems(extra, Problem)
+
+
+def listed_problems(extra: Sequence[Path], kind: type[P]) -> tuple[list[P], list[ProblemError]]:
+    """The same, as much of each problem as `kind` has."""
     problems, faults = [], []
     shelves: dict[Path, Shelf] = {}
     for folder in problem_folders(extra):
-        if folder.parent not in shelves:
-            shelves[folder.parent] = Shelf(folder.parent)
+        shelf = shelves[folder.parent] = shelves.get(folder.parent) or Shelf(folder.parent)
         try:
-            problems.append(shelves[folder.parent].problem(folder))
+            problems.append(shelf.problem(folder, kind))
         except ProblemError as fault:
             faults.append(fault)
     for shelf in shelves.values():
         shelf.keep()
-    return sorted(problems, key=_order), faults
-
-
-def _order(problem: Problem) -> tuple[int, bool, int, str]:
-    return _TIERS.index(problem.tier), problem.place is None, problem.place or 0, problem.id
+    tiers = list(Tier)
+    return sorted(
+        problems, key=lambda each: (tiers.index(each.tier), each.place is None, each.place or 0, each.id)
+    ), faults
 
 
 # -- folders -----------------------------------------------------------------------------------------------

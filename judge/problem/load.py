@@ -14,7 +14,7 @@ from decimal import Decimal
 from fractions import Fraction
 from functools import cache
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, TypeVar, cast
 
 import msgspec
 from msgspec import Meta, Struct
@@ -22,12 +22,23 @@ from msgspec.structs import replace
 
 from judge.cache import CacheFolder, code_files, code_key, content_key, digest, stamp
 from judge.errors import ProblemError
-from judge.problem.model import GroupLimits, Parameter, Problem, Source, Tier, TimeRule, is_name, tupled
+from judge.problem.model import (
+    GroupLimits,
+    Listed,
+    Parameter,
+    Problem,
+    Source,
+    Tier,
+    TimeRule,
+    is_name,
+    tupled,
+)
 from judge.values import Tolerance, Type, TypeFault, Words, parse
 
 if TYPE_CHECKING:
     from judge.problem.toml import TomlFile
 
+P = TypeVar("P", bound=Listed)
 _FORMAT = "1"  # raise it when the form of the file changes
 _ROOMS = ("exact", "values", "problem", "data", "geometry")  # what groups and data depend on
 _OWN = (".toml", ".md", ".py", "pins.json")
@@ -43,7 +54,7 @@ def load_problem(folder: Path, solutions: Path | None = None) -> Problem:
     from the cache, and nothing of it is run. Raises ProblemError.
     """
     shelf = Shelf(folder.parent)
-    problem = shelf.problem(folder)
+    problem = shelf.problem(folder, Problem)
     shelf.keep()
     return problem if solutions is None else replace(problem, solutions=solutions)
 
@@ -56,8 +67,8 @@ class Shelf:
         self._kept = CacheFolder().read(self._name, _FORMAT, dict[str, tuple[str, str, msgspec.Raw]]) or {}
         self._changed = False
 
-    def problem(self, folder: Path) -> Problem:
-        """The problem of a folder in it. Raises ProblemError."""
+    def problem(self, folder: Path, kind: type[P]) -> P:
+        """The problem of a folder in it, as much of it as `kind` has. Raises ProblemError."""
         name = folder.name
         if not is_name(name):
             raise ProblemError(f"{name!r} is no name for a problem", where=str(folder), remedy=_NAME)
@@ -67,13 +78,14 @@ class Shelf:
             was, key = key, problem_key(folder)
             if key != was:
                 plain = msgspec.Raw()
-        problem = _decoded(plain, folder)
+        problem = _decoded(plain, folder, kind)
         if problem is None:
-            problem = replace(_read(folder), key=key)
+            whole = replace(_read(folder), key=key)
+            problem = cast("P", whole)
             if not key or problem_key(folder) != key:  # its files changed meanwhile
                 return replace(problem, key="")
             plain = msgspec.Raw(
-                msgspec.json.encode(replace(problem, folder=Path(), solutions=Path()), enc_hook=_encoded)
+                msgspec.json.encode(replace(whole, folder=Path(), solutions=Path()), enc_hook=_encoded)
             )
         if self._kept.get(name, ())[:2] != (now, key):
             self._kept[name] = now, key, plain
@@ -120,7 +132,7 @@ def _code_stamp() -> str:
     return stamp(code_files(*_ROOMS))
 
 
-def _decoded(plain: msgspec.Raw, folder: Path) -> Problem | None:
+def _decoded(plain: msgspec.Raw, folder: Path, kind: type[P]) -> P | None:
     """The problem that was kept, in its folder; None where it is none."""
 
     def made(wanted: Any, value: Any) -> Any:
@@ -132,9 +144,11 @@ def _decoded(plain: msgspec.Raw, folder: Path) -> Problem | None:
 
     types = folder.parent / "types"
     try:
-        problem = msgspec.json.decode(plain, type=Problem, dec_hook=made)
+        problem = msgspec.json.decode(plain, type=kind, dec_hook=made)
     except (ValueError, TypeFault, TypeError, KeyError):  # msgspec's are ValueErrors
         return None
+    if not isinstance(problem, Problem):
+        return problem
     examples = tuple(replace(each, case=tupled(each.case)) for each in problem.examples)
     return replace(problem, solutions=_solutions(folder), examples=examples)
 
@@ -204,28 +218,17 @@ def _read(folder: Path) -> Problem:
 
     head = file.read(Head, hook)
     _check(file, head)
-    problem = Problem(
-        id=folder.name,
-        title=head.title,
-        tier=head.tier,
-        summary=head.summary,
-        entry=head.entry,
-        answer=head.answer.worded(head.words),
-        parameters=tuple(
-            _parameter(file, name, file.read(Row, hook, "parameters", name)) for name in head.parameters
-        ),
-        limits=head.limits,
-        groups=(),
-        folder=folder,
-        solutions=_solutions(folder),
-        time=head.time,
-        sets=head.sets,
-        place=head.place,
-        source=head.source,
+    parameters = tuple(
+        _parameter(file, name, file.read(Row, hook, "parameters", name)) for name in head.parameters
     )
+    shared = set(Problem.__struct_fields__) & set(Head.__struct_fields__)
+    own: dict[str, Any] = {key: getattr(head, key) for key in shared}
+    own |= {"answer": head.answer.worded(head.words), "parameters": parameters}
+    where: dict[str, Any] = {"id": folder.name, "folder": folder, "solutions": _solutions(folder)}
+    problem = Problem(**own, **where, groups=(), slope=head.growth)
     statement, examples = read_statement(problem, file.raw)
     problem = replace(problem, statement=statement, examples=examples)
-    return with_groups(problem, head.tolerance if head.answer.measured else Tolerance(), head.growth)
+    return with_groups(problem, head.tolerance if head.answer.measured else Tolerance())
 
 
 def made(wanted: Any, value: Any, types: Path) -> Any:

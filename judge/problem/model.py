@@ -167,22 +167,30 @@ class GrowthRule(Struct, frozen=True):
     slope: float
 
 
-class Group(Struct, frozen=True, omit_defaults=True):
-    """A test group: `count` cases of one draw, named after what they probe."""
+class ListedGroup(
+    Struct, frozen=True, kw_only=True, omit_defaults=True, rename={"count": "cases", "neighbours": "turns"}
+):
+    """What a list of problems says of a test group."""
 
     name: str
-    about: str  # one sentence for a person: what the group probes
-    count: int
-    points: int
-    tolerance: Tolerance
+    count: Annotated[int, Meta(ge=1, le=1_000_000)]
+    points: Annotated[int, Meta(ge=0, le=FULL_SCORE)]
+    level: KataLevel | None = None  # None where the problem's groups have none
+
+
+class Group(ListedGroup, frozen=True, kw_only=True):
+    """A test group: `count` cases of one draw, named after what they probe."""
+
+    about: Annotated[str, Meta(min_length=1)]  # one sentence for a person: what the group probes
+    tolerance: Tolerance = Tolerance()
     seed: int | str  # with which the seed text of each case begins
+    skills: tuple[Annotated[str, Meta(min_length=1)], ...] = ()  # what a run shows that passes it
     kills: tuple[str, ...] = ()  # the mistakes it catches
     line: int = 0  # of problem.py, where it is declared
-    size: int | None = None  # n, where its cases are big
-    time_limit: float | None = None  # its own, as `TimeRule.limit`
+    size: Annotated[int, Meta(ge=1, le=10**9)] | None = None  # n, where its cases are big
+    time_limit: Annotated[float, Meta(ge=1, le=1e6)] | None = None  # its own, as `TimeRule.limit`
     limits: GroupLimits | None = None  # its own
     neighbours: bool = False  # whether a case differs from the one before in one parameter only
-    level: KataLevel | None = None  # None where the problem's groups have none
 
 
 class ShownSkill(Struct, frozen=True):
@@ -208,17 +216,34 @@ class Example(Struct, frozen=True):
     line: int  # in statement.md, from 1
 
 
-class Problem(Struct, frozen=True, omit_defaults=True):
-    """One problem, whole; `folder` holds problem.toml, problem.py, statement.md and pins.json.
-
-    `key` is the hash of all that it was made from.
-    """
+class Listed(Struct, frozen=True, kw_only=True, omit_defaults=True):
+    """What a list of problems says of one: as much as is read of each from the cache."""
 
     id: str
     title: str
     tier: Tier
     summary: str
     entry: str
+    groups: tuple[ListedGroup, ...]
+    sets: tuple[str, ...] = ()  # the practice sets that it is in
+    place: int | None = None  # in its tier's order; without one it comes last
+
+    @property
+    def levels(self) -> tuple[KataLevel, ...]:
+        """The levels of its groups, the easier first; none where the groups are of one kind."""
+        return levels_among(group.level for group in self.groups)
+
+    def of_level(self, level: KataLevel) -> tuple[ListedGroup, ...]:
+        """Its groups of that level."""
+        return tuple(group for group in self.groups if group.level is level)
+
+
+class Problem(Listed, frozen=True, kw_only=True):
+    """One problem, whole; `folder` holds problem.toml, problem.py, statement.md and pins.json.
+
+    `key` is the hash of all that it was made from.
+    """
+
     answer: Type
     parameters: tuple[Parameter, ...]
     limits: GroupLimits
@@ -228,21 +253,26 @@ class Problem(Struct, frozen=True, omit_defaults=True):
     time: TimeRule | None = None  # where there is none, only `limits` bound the time
     examples: tuple[Example, ...] = ()
     statement: str = ""  # with its placeholders filled in
-    sets: tuple[str, ...] = ()  # the practice sets that it is in
-    place: int | None = None  # in its tier's order; without one it comes last
-    skills: tuple[ShownSkill, ...] = ()
-    growth: GrowthRule | None = None
+    slope: float | None = None  # of growth
     source: Source = Source()
     key: str = ""
 
     @property
-    def levels(self) -> tuple[KataLevel, ...]:
-        """The levels of its groups, the easier first; none where the groups are of one kind."""
-        return levels_among(group.level for group in self.groups)
+    def skills(self) -> tuple[ShownSkill, ...]:
+        """What it teaches, in the order of its groups."""
+        names = dict.fromkeys(skill for group in self.groups for skill in group.skills)
+        return tuple(
+            ShownSkill(name, tuple(group.name for group in self.groups if name in group.skills))
+            for name in names
+        )
 
-    def of_level(self, level: KataLevel) -> tuple[Group, ...]:
-        """Its groups of that level."""
-        return tuple(group for group in self.groups if group.level is level)
+    @property
+    def growth(self) -> GrowthRule | None:
+        """How CPU time may grow over the groups whose cases are big."""
+        if self.slope is None:
+            return None
+        sizes = {group.name: group.size for group in self.groups if group.size}
+        return GrowthRule(tuple(sorted(sizes, key=sizes.__getitem__)), self.slope)
 
     @property
     def has_hints(self) -> bool:

@@ -11,14 +11,13 @@ from __future__ import annotations
 import inspect
 import sys
 import traceback
-from collections import defaultdict
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from types import ModuleType
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Any
 
 import msgspec
-from msgspec import Meta, Struct
+from msgspec import Struct
 from msgspec.structs import replace
 
 from judge.errors import JudgeError, ProblemError
@@ -29,10 +28,8 @@ from judge.problem.model import (
     FULL_SCORE,
     Case,
     Group,
-    GrowthRule,
     KataLevel,
     Problem,
-    ShownSkill,
     is_name,
 )
 from judge.problem.toml import read_text, told
@@ -159,29 +156,6 @@ def _solver(module: ModuleType, problem: Problem) -> Callable[..., Exact]:
 
 # -- rows --------------------------------------------------------------------------------------------------
 
-_Seconds = Annotated[float, Meta(gt=0, le=1e6)]
-_Text = Annotated[str, Meta(min_length=1)]
-
-
-class _Limits(Struct, frozen=True, forbid_unknown_fields=True):
-    cpu_seconds: _Seconds | None = None
-    wall_seconds: _Seconds | None = None
-
-
-class _Row(Struct, frozen=True, forbid_unknown_fields=True):
-    """What `group(…)` is given."""
-
-    name: str
-    about: _Text
-    cases: Annotated[int, Meta(ge=1, le=1_000_000)]
-    points: Annotated[int, Meta(ge=0, le=FULL_SCORE)] | None
-    skills: tuple[_Text, ...]
-    tolerance: Tolerance | None
-    limits: _Limits | None
-    time_limit: Annotated[float, Meta(ge=1, le=1e6)] | None
-    size: Annotated[int, Meta(ge=1, le=10**9)] | None
-    turns: bool
-
 
 def _rows(module: ModuleType, problem: Problem) -> Iterator[tuple[KataLevel | None, Declared]]:
     lists: dict[str, KataLevel | None] = {level.name: level for level in KataLevel}
@@ -197,42 +171,21 @@ def _rows(module: ModuleType, problem: Problem) -> Iterator[tuple[KataLevel | No
         yield from ((lists.get(name), row) for row in rows)
 
 
-def with_groups(problem: Problem, tolerance: Tolerance | None, slope: float | None) -> Problem:
-    """The problem with its groups, their skills and the rule of growth; its problem.py is run for that.
+def with_groups(problem: Problem, tolerance: Tolerance | None) -> Problem:
+    """The problem with its groups; its problem.py is run for that. Raises ProblemError.
 
-    `tolerance` is that of a group which has none of its own, `slope` that of growth. Raises ProblemError.
+    `tolerance` is that of a group which has none of its own.
     """
     rows = load_module(problem).rows
     levels = {level for level, _ in rows}
+    groups: dict[str, Group] = {}
     points: dict[str, int | None] = {EXAMPLES: None}
-    skills: defaultdict[str, list[str]] = defaultdict(list)
-    groups = []
     for level, declared in rows:
-        row = _checked(problem, declared, [*points])
-        limits = problem.limits
-        if row.limits is not None:
-            cpu = row.limits.cpu_seconds or limits.cpu_seconds
-            wall = row.limits.wall_seconds or limits.wall_seconds * cpu / limits.cpu_seconds
-            limits = replace(limits, cpu_seconds=cpu, wall_seconds=wall)
-        groups.append(
-            Group(
-                name=row.name,
-                about=row.about,
-                count=row.cases,
-                points=0,
-                tolerance=_tolerance(problem, declared, row.tolerance, tolerance),
-                seed=problem.id,
-                line=declared.line,
-                size=row.size,
-                time_limit=row.time_limit,
-                limits=limits if row.limits else None,
-                neighbours=row.turns,
-                level=level,
-            )
-        )
-        points[row.name] = row.points
-        for skill in row.skills:
-            skills[skill].append(row.name)
+        group = _checked(problem, declared, level, tolerance)
+        if group.name in points:
+            remedy = "the examples come by themselves" if group.name == EXAMPLES else "rename or remove one"
+            raise _fault(problem, f"there are two groups {group.name!r}", remedy, group.line)
+        groups[group.name], points[group.name] = group, declared.row["points"]
     if len(levels) == 1 and None not in levels:
         what = f"every group is in {' and '.join(level.name for level in levels if level)}"
         remedy = "declare groups of both, or all of them in GROUPS"
@@ -245,64 +198,53 @@ def with_groups(problem: Problem, tolerance: Tolerance | None, slope: float | No
         about="The worked examples of the statement.",
         count=len(problem.examples),
         points=0,
-        tolerance=tolerance or next((group.tolerance for group in groups), Tolerance()),
+        tolerance=tolerance or next((each.tolerance for each in groups.values()), Tolerance()),
         seed=problem.id,
         level=None if levels == {None} else KataLevel.INTERVIEW,
     )
     shares, kills = _shares(problem, points), _pinned_kills(problem)
-    return replace(
-        problem,
-        groups=tuple(
-            replace(each, points=shares[each.name], kills=kills.get(each.name, ()))
-            for each in (examples, *groups)
-        ),
-        skills=tuple(ShownSkill(skill, tuple(names)) for skill, names in skills.items()),
-        growth=None if slope is None else _growth(problem, groups, slope),
+    found = tuple(
+        replace(each, points=shares[each.name], kills=kills.get(each.name, ()))
+        for each in (examples, *groups.values())
     )
+    if problem.slope is not None and len({each.size for each in found} - {None}) < 2:
+        raise _fault(problem, "growth needs groups of two different sizes", "add a group with size = …")
+    return replace(problem, groups=found)
 
 
-def _checked(problem: Problem, declared: Declared, before: Sequence[str]) -> _Row:
-    """A row, if it is sound; `before` are the names of the groups before it."""
-    raw = declared.row
-    name: Any = raw["name"]
+def _checked(problem: Problem, declared: Declared, level: KataLevel | None, usual: Tolerance | None) -> Group:
+    """The group of a row, without its share of the points."""
+    name: Any = declared.row["name"]
     draw: Any = declared.draw
+    raw = {key: value for key, value in declared.row.items() if value is not None}
+    raw |= {"points": raw.get("points", 0), "seed": problem.id, "line": declared.line}
+    if isinstance(limits := raw.get("limits"), Mapping):
+        usually, wall = problem.limits, {}
+        if isinstance(cpu := limits.get("cpu_seconds"), int | float):
+            wall = {"wall_seconds": usually.wall_seconds * cpu / usually.cpu_seconds}
+        raw["limits"] = {**msgspec.to_builtins(usually), **wall, **limits}
     what = f"group {name!r}"
-    if not isinstance(name, str) or not is_name(name):
-        what, remedy = f"{name!r} is no name for a group", "use small letters, digits and single hyphens"
-    elif name in before:
-        remedy = "the examples come by themselves" if name == EXAMPLES else "rename or remove one"
-        what = f"there are two groups {name!r}"
+    fault: Sequence[str] | None = None
+    try:
+        group = msgspec.convert(raw, Group, dec_hook=lambda kind, value: made(kind, value, problem.folder))
+    except msgspec.ValidationError as why:
+        said, remedy, _ = told(why, raw, Group)
+        raise _fault(problem, f"{what}: {said}", remedy, declared.line) from None
+    own = raw.get("tolerance")
+    tolerance = usual if own is None else group.tolerance
+    if not is_name(name):
+        fault = f"{name!r} is no name for a group", "use small letters, digits and single hyphens"
     elif not callable(draw):
-        what, remedy = f"{what} draws from {draw!r}", "give a function that takes a draw"
-    else:
-        try:
-            row = msgspec.convert(raw, _Row, dec_hook=lambda kind, value: made(kind, value, problem.folder))
-        except msgspec.ValidationError as why:
-            said, remedy, _ = told(why, raw, _Row)
-            raise _fault(problem, f"{what}: {said}", remedy, declared.line) from None
-        if row.size is not None and row.turns:
-            what, remedy = f"the cases of {name!r} are big and cannot take turns", "remove turns"
-        elif row.time_limit is not None and problem.time is None:
-            what, remedy = (
-                f"{name!r} is timed beside a reference solution",
-                "add a [time] table that names one",
-            )
-        elif len(set(row.skills)) < len(row.skills):
-            what, remedy = f"{name!r} shows a skill twice", "remove one"
-        else:
-            return row
-    raise _fault(problem, what, remedy, declared.line)
-
-
-def _tolerance(problem: Problem, row: Declared, own: Tolerance | None, usual: Tolerance | None) -> Tolerance:
-    """The tolerance of a row's group, whose own it may be."""
-    found = own or usual
-    if found is None:
-        what = f"group {row.row['name']!r} has no tolerance"
-        raise _fault(problem, what, "add tolerance = { … } to problem.toml", row.line)
-    if own is not None and (fault := tolerance_fault(own, problem.answer)):
-        raise _fault(problem, fault[0], fault[1], row.line)
-    return found
+        fault = f"{what} draws from {draw!r}", "give a function that takes a draw"
+    elif group.size is not None and group.neighbours:
+        fault = f"the cases of {name!r} are big and cannot take turns", "remove turns"
+    elif group.time_limit is not None and problem.time is None:
+        fault = f"{name!r} is timed beside a reference solution", "add a [time] table that names one"
+    elif tolerance is None:
+        fault = f"{what} has no tolerance", "add tolerance = { … } to problem.toml"
+    elif own is None or not (fault := tolerance_fault(tolerance, problem.answer)):
+        return replace(group, tolerance=tolerance, level=level)
+    raise _fault(problem, fault[0], fault[1], declared.line)
 
 
 def _shares(problem: Problem, given: Mapping[str, int | None]) -> dict[str, int]:
@@ -315,14 +257,6 @@ def _shares(problem: Problem, given: Mapping[str, int | None]) -> dict[str, int]
     each, rest = divmod(left, len(free))
     shared = {name: each + (at < rest) for at, name in enumerate(free)}
     return {name: shared[name] if points is None else points for name, points in given.items()}
-
-
-def _growth(problem: Problem, groups: Sequence[Group], slope: float) -> GrowthRule:
-    """The rule of growth: over the groups whose cases are big, the smallest first."""
-    sizes = {group.name: group.size for group in groups if group.size}
-    if len(set(sizes.values())) < 2:
-        raise _fault(problem, "growth needs groups of two different sizes", "add a group with size = …")
-    return GrowthRule(tuple(sorted(sizes, key=sizes.__getitem__)), slope)
 
 
 class _Pin(Struct):

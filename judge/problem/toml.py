@@ -126,7 +126,7 @@ def told(why: msgspec.ValidationError, raw: Any, shape: Any) -> tuple[str, str, 
         said = f"{dotted} is {_KINDS.get(got, f'a {got}')}" if got else f"{dotted} = {shown}"
         return said, f"give {_KINDS.get(kind, kind)}{bound.removesuffix('.0')}", path
     quoted = said.split("`")[1] if "`" in said else ""
-    known = _known(raw, path, shape)
+    known = _known(shape, path, given)
     if said.startswith("Object contains unknown field"):
         return f"unknown key {quoted!r}", meant(quoted, known, "the keys are"), (*path, quoted)
     if said.startswith("Object missing required field"):
@@ -148,28 +148,29 @@ def meant(name: str, names: Sequence[str], introduction: str = "there are") -> s
     return f"did you mean {near!r}?" if near else f"{introduction} {', '.join(names) or 'none'}"
 
 
-def _known(raw: Any, path: KeyPath, shape: Any) -> list[str]:
-    """The keys of the table at `path`, or the words that may stand there."""
-    from msgspec import inspect  # slow to import, and only for who mistyped something
+def _known(shape: Any, path: KeyPath, given: Any) -> list[str]:
+    """The keys of the table at `path`, which is `given`, or the words that may stand there."""
+    from msgspec import inspect  # only for who mistyped something
 
-    kind: Any = inspect.type_info(shape)
-    for place, part in enumerate((*path, None)):
-        if isinstance(kind, inspect.UnionType):  # of several forms of a table, that which it says it has
-            kinds: list[Any] = [each for each in kind.types if not isinstance(each, inspect.NoneType)]
-            field, given = getattr(kinds[0], "tag_field", None), _at(raw, path[:place])
-            if field and part == field:
-                return [each.tag for each in kinds]
-            said = given.get(field) if field and isinstance(given, dict) else None
-            kind = next((each for each in kinds if said and each.tag == said), kinds[0])
-        if part is None:
-            break
-        if isinstance(kind, inspect.StructType):
-            kind = next(each.type for each in kind.fields if each.encode_name == part)
+    kinds: list[Any] = [inspect.type_info(shape)]
+    for part in path:
+        flat = [each for kind in kinds for each in getattr(kind, "types", (kind,))]
+        if any(part == getattr(kind, "tag_field", None) for kind in flat):
+            return [kind.tag for kind in flat if getattr(kind, "tag", None)]
+        if isinstance(part, int):
+            kinds = [kind.item_type for kind in flat if hasattr(kind, "item_type")]
         else:
-            kind = kind.item_type
-    if isinstance(kind, inspect.EnumType):
-        return [member.value for member in kind.cls]
-    return [each.encode_name for each in kind.fields]
+            fields = [field for kind in flat for field in getattr(kind, "fields", ())]
+            kinds = [field.type for field in fields if field.encode_name == part]
+    names: list[str] = []
+    flat = [each for kind in kinds for each in getattr(kind, "types", (kind,))]
+    for kind in flat:
+        if getattr(kind, "tag", None) not in (None, given.get(kind.tag_field)):
+            continue  # another form of the table
+        if isinstance(kind, inspect.EnumType):
+            names += [member.value for member in kind.cls]
+        names += [field.encode_name for field in getattr(kind, "fields", ())]
+    return list(dict.fromkeys(names))
 
 
 def _at(raw: Any, path: KeyPath) -> Any:
