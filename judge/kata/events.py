@@ -13,16 +13,18 @@ import zlib
 from collections.abc import Callable, Mapping
 from datetime import UTC, datetime, timedelta
 from enum import Enum, IntEnum
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import msgspec
 from msgspec import Struct, field
 
 from judge.errors import HistoryError
 from judge.problem import Verdict
-from judge.problem.model import FULL_SCORE
+from judge.problem.model import FULL_SCORE, Mode
 from judge.problem.solutions import is_solution
-from judge.run.result import Mode, Result, read_result
+
+if TYPE_CHECKING:
+    from judge.run.result import Result
 
 DAMAGE = (ValueError, TypeError, OverflowError, AttributeError, zlib.error, RecursionError)
 _START, _TICK = datetime(1970, 1, 1, tzinfo=UTC), timedelta(microseconds=1)
@@ -64,6 +66,8 @@ class Run(Event, frozen=True, rename={"source_hash": "source", "packed": "result
     @property
     def result(self) -> Result:
         """What it came to, as far as its judge kept that. Raises HistoryError where it is damaged."""
+        from judge.run.result import read_result  # not for who only counts runs
+
         try:
             plain = json.loads(zlib.decompress(self.packed), parse_float=_finite, parse_constant=_finite)
             return read_result(plain)

@@ -29,12 +29,12 @@ from judge.kata.events import DAMAGE, TABLES, Event, Kind, Run, Started, columns
 from judge.problem import Verdict
 from judge.problem.solutions import is_solution
 from judge.reading import read_ordinary
-from judge.run.result import Result
 
 if TYPE_CHECKING:
     import sqlite3
 
     from judge import database
+    from judge.run.result import Result
 
 VARIABLE = "JUDGE_DB"
 APPLICATION = 0x4A554447  # "JUDG": tells this file from any other program's database

@@ -190,14 +190,15 @@ def _installed_roots() -> list[Path]:
 
 def _may_be_installed() -> bool:
     """Whether an installed distribution speaks of packs; seen without importlib.metadata, which is slow."""
-    wanted = _ENTRY_POINTS.encode()
-    for place in map(Path, dict.fromkeys(sys.path)):
-        if place.is_file():  # a zip archive
+    for place in dict.fromkeys(sys.path):
+        if os.path.isfile(place):  # noqa: PTH113 - a zip archive
             return True
-        for told in place.glob("*-info/entry_points.txt"):
-            with suppress(OSError):
-                if wanted in told.read_bytes():
-                    return True
+        with suppress(OSError):
+            for name in os.listdir(place or "."):  # noqa: PTH208 - pathlib takes three times as long
+                if name.endswith("-info"):
+                    with suppress(OSError), open(f"{place or '.'}/{name}/entry_points.txt", "rb") as told:  # noqa: PTH123
+                        if _ENTRY_POINTS.encode() in told.read():
+                            return True
     return False
 
 

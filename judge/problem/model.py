@@ -94,6 +94,13 @@ _MEANING = {
 }
 
 
+class Mode(Enum):
+    """How a submission is run."""
+
+    FUNCTION = "function"  # its entry function is called
+    PROGRAM = "program"  # it reads stdin and writes stdout
+
+
 class Tier(Enum):
     """How far along the path a problem stands, easiest first."""
 

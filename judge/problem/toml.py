@@ -163,13 +163,14 @@ def _known(shape: Any, path: KeyPath, given: Any) -> list[str]:
             fields = [field for kind in flat for field in getattr(kind, "fields", ())]
             kinds = [field.type for field in fields if field.encode_name == part]
     names: list[str] = []
-    flat = [each for kind in kinds for each in getattr(kind, "types", (kind,))]
-    for kind in flat:
-        if getattr(kind, "tag", None) not in (None, given.get(kind.tag_field)):
-            continue  # another form of the table
+    for kind in [each for kind in kinds for each in getattr(kind, "types", (kind,))]:  # noqa: B020
         if isinstance(kind, inspect.EnumType):
             names += [member.value for member in kind.cls]
-        names += [field.encode_name for field in getattr(kind, "fields", ())]
+        elif getattr(kind, "tag", None) in (
+            None,
+            given.get(kind.tag_field),
+        ):  # else another form of the table
+            names += [field.encode_name for field in getattr(kind, "fields", ())]
     return list(dict.fromkeys(names))
 
 

@@ -11,11 +11,11 @@ from collections.abc import Iterator, Sequence
 from msgspec import Struct
 
 from judge.problem import Problem, Verdict
-from judge.problem.model import KataLevel
+from judge.problem.model import KataLevel, Mode
 from judge.report.obstacle import obstacle_text
 from judge.report.places import fault_place
 from judge.report.values import argument, counted, seconds, times
-from judge.run.result import Failure, GroupResult, LevelResult, Mode, Obstacle, Pitfall, Result
+from judge.run.result import Failure, GroupResult, LevelResult, Obstacle, Pitfall, Result
 
 _PLACE = re.compile(r" \(line (\d{1,9})\)")
 _SPENT = re.compile(r"used more than (\S+ s) of CPU time")

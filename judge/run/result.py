@@ -14,7 +14,7 @@ from msgspec.structs import replace
 
 from judge.errors import ExitCode
 from judge.problem import Verdict
-from judge.problem.model import KataLevel
+from judge.problem.model import KataLevel, Mode
 
 if TYPE_CHECKING:
     from judge.values import Outline, Raw
@@ -22,13 +22,6 @@ if TYPE_CHECKING:
 SCHEMA = 2
 _IMPORT_SECONDS = 0.02  # of CPU time, from which on an import is told of
 _LONGEST = 4_000  # characters of an answer that is kept
-
-
-class Mode(Enum):
-    """How a submission was run."""
-
-    FUNCTION = "function"  # its entry function was called
-    PROGRAM = "program"  # it read stdin and wrote stdout
 
 
 class Answers(NamedTuple):

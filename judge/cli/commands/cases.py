@@ -32,7 +32,7 @@ from judge.languages import is_program
 from judge.mistakes.puzzles import Puzzle, puzzle_called, read_puzzles
 from judge.problem import Case, Problem, Verdict
 from judge.problem.find import find_problem
-from judge.problem.model import case_of
+from judge.problem.model import Mode, case_of
 from judge.problem.module import load_module
 from judge.reading import read_ordinary_text
 from judge.report.published_cases import (
@@ -45,7 +45,6 @@ from judge.report.published_cases import (
     PageWritten,
 )
 from judge.report.screen import Notes, is_terminal, note
-from judge.run.result import Mode
 
 if TYPE_CHECKING:
     from judge.run.tried import Said, Tried
