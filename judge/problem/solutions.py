@@ -34,8 +34,8 @@ if TYPE_CHECKING:
 MISTAKES = "mistakes.py"  # beside the folders: right ways with their mistakes (judge.mistakes.routes)
 
 LONGEST = 65_536  # bytes of a stranger's program; a tree takes six hundred times as many
-_ENDLESS = re.compile(r"[^\x00-\x7f]{1000}")  # accents upon accents, which Python sorts in a name one by one
-_SENTENCE_END = re.compile(r"(?<=[.!?])\s+(?=[A-Z`\d])")
+_ENDLESS = r"[^\x00-\x7f]{1000}"  # accents upon accents, which Python sorts in a name one by one
+_SENTENCE_END = r"(?<=[.!?])\s+(?=[A-Z`\d])"
 
 
 class Kind(Enum):
@@ -83,7 +83,7 @@ class Solution(Struct, frozen=True):
     @property
     def sentence(self) -> str:
         """The first sentence of it: of a mistake, what is wrong."""
-        return _SENTENCE_END.split(self.advice, maxsplit=1)[0]
+        return re.split(_SENTENCE_END, self.advice, maxsplit=1)[0]
 
     @property
     def usual(self) -> bool:
@@ -206,7 +206,7 @@ def tree_of_stranger(source: bytes) -> ast.Module:
         text = source.decode("utf-8-sig")
     except UnicodeDecodeError:
         text = source.decode("latin-1")
-    if _ENDLESS.search(text):
+    if re.search(_ENDLESS, text):
         raise SyntaxError("a word in it is too long")
     return tree_of(text)
 

@@ -21,9 +21,9 @@ KeyPath = tuple[str | int, ...]  # ("parameters", "cx", "low")
 _MOST_PARTS = 100  # of a dotted key, each of which the parser copies
 _DOTTED = r"""(?:(?<![\w-])[\w-]++|"(?:[^"\\\n]|\\.){0,100}+"|'[^'\n]*+')[ \t]*+\.[ \t]*+"""
 _ENDLESS = f"(?:{_DOTTED}){{{_MOST_PARTS}}}"
-_REFUSED = re.compile(r"(.*?)(?: - at `\$(.*)`)?", re.DOTALL)
-_STEP = re.compile(r"\.([^.\[]+)|\[(\d+)\]")
-_EXPECTED = re.compile(r"Expected `([^`]+)`(?:, got `([^`]+)`)?(.*)")
+_REFUSED = r"(?s)(.*?)(?: - at `\$(.*)`)?"
+_STEP = r"\.([^.\[]+)|\[(\d+)\]"
+_EXPECTED = r"Expected `([^`]+)`(?:, got `([^`]+)`)?(.*)"
 _KINDS = {
     "bool": "true or false",
     "int": "a whole number",
@@ -33,9 +33,9 @@ _KINDS = {
     "array": "a list",
     "object": "a table",
 }
-_HEADER = re.compile(r"\s*(\[\[?)\s*([^\[\]]+?)\s*\]\]?\s*(#.*)?$")
+_HEADER = r"\s*(\[\[?)\s*([^\[\]]+?)\s*\]\]?\s*(#.*)?$"
 _NAME = r"(?:[A-Za-z0-9_-]++|\"[^\"]*+\"|'[^']*+')"
-_KEY = re.compile(rf"\s*+({_NAME}(?:\s*+\.\s*+{_NAME})*+)\s*+=")
+_KEY = rf"\s*+({_NAME}(?:\s*+\.\s*+{_NAME})*+)\s*+="
 
 
 def read_text(path: Path) -> str:
@@ -111,15 +111,15 @@ class TomlFile:
 
 def told(why: msgspec.ValidationError, raw: Any, shape: Any) -> tuple[str, str, KeyPath]:
     """What is wrong with what msgspec refused to make that shape of, what to do about it, and where it is."""
-    said, place = _REFUSED.fullmatch(str(why)).groups()  # type: ignore[union-attr]
-    path = tuple(key or int(number) for key, number in _STEP.findall(place or ""))
+    said, place = re.fullmatch(_REFUSED, str(why)).groups()  # type: ignore[union-attr]
+    path = tuple(key or int(number) for key, number in re.findall(_STEP, place or ""))
     name = str(next((part for part in reversed(path) if isinstance(part, str)), "the file"))
     dotted = ".".join(part for part in path if isinstance(part, str)) or "the file"
     given = _at(raw, path)
     what, nul, remedy = said.partition("\0")
     if nul:
         return what.replace("{key}", name), remedy, path
-    if expected := _EXPECTED.match(said):
+    if expected := re.match(_EXPECTED, said):
         kind, got, bound = expected.groups()
         kind = kind.removesuffix(" | null")
         shown = repr(given) if isinstance(given, str) else given
@@ -200,7 +200,7 @@ def key_lines(text: str) -> dict[KeyPath, int]:
     inside: str | None = None  # the quotes of the multi-line string we are in
     for number, line in enumerate(text.splitlines(), start=1):
         if inside is None:
-            if header := _HEADER.match(line):
+            if header := re.match(_HEADER, line):
                 table = ()
                 names = _parts(header[2])
                 for depth, name in enumerate(names, start=1):
@@ -210,7 +210,7 @@ def key_lines(text: str) -> dict[KeyPath, int]:
                     if sizes[table]:  # the name of an array of tables stands for its last one
                         table += (sizes[table] - 1,)
                 lines.setdefault(table, number)
-            elif key := _KEY.match(line):
+            elif key := re.match(_KEY, line):
                 lines.setdefault(table + _parts(key[1]), number)
         for quotes in re.findall(r"\"\"\"|'''", line):
             inside = quotes if inside is None else None if inside == quotes else inside
