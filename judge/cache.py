@@ -118,11 +118,14 @@ def content_key(paths: Iterable[str | Path]) -> str:
 
 
 def stamp(paths: Iterable[str]) -> str:
-    """What changes with every change of these files, none of which is read; "" where one changed just now.
+    """What changes with every change of these files, none of which is read.
 
-    Raises OSError.
+    "" where one changed just now, or is not there.
     """
-    found = [(path, os.stat(path)) for path in paths]  # noqa: PTH116 - of hundreds
+    try:
+        found = [(path, os.stat(path)) for path in paths]  # noqa: PTH116 - of hundreds
+    except OSError:
+        return ""
     if max((each.st_ctime for _, each in found), default=0.0) > time.time() - _YOUNG:
         return ""
     told = [(path, each.st_size, each.st_mtime_ns, each.st_ctime_ns, each.st_ino) for path, each in found]

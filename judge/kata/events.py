@@ -6,7 +6,6 @@ because a disk failed or another program changed it, is damaged: reading it rais
 
 from __future__ import annotations
 
-import json
 import math
 import os
 import zlib
@@ -66,7 +65,9 @@ class Run(Event, frozen=True, rename={"source_hash": "source", "packed": "result
     @property
     def result(self) -> Result:
         """What it came to, as far as its judge kept that. Raises HistoryError where it is damaged."""
-        from judge.run.result import read_result  # not for who only counts runs
+        import json  # neither is for who only counts runs
+
+        from judge.run.result import read_result
 
         try:
             plain = json.loads(zlib.decompress(self.packed), parse_float=_finite, parse_constant=_finite)

@@ -15,7 +15,6 @@ for, for some seconds. Importing this module imports no SQLite; opening a histor
 from __future__ import annotations
 
 import contextlib
-import json
 import os
 import zlib
 from collections.abc import Callable, Iterable
@@ -272,7 +271,8 @@ class History:
 
 def run_of(result: Result, source: bytes, path: str) -> Run:
     """The run that judged that source to that result; `path` is that of `Run`."""
-    import hashlib  # not for who reads
+    import hashlib  # neither is for who reads
+    import json
 
     published = json.dumps(result.as_json(), separators=(",", ":")).encode()
     accepted = [group.name for group in result.groups if group.verdict is Verdict.AC]

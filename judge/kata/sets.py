@@ -13,7 +13,6 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Generic, TypeVar
 
@@ -100,9 +99,8 @@ def sound_sets(
 def _tables(files: Mapping[str, Path]) -> tuple[dict[str, _SetTable], list[ProblemError]]:
     """What the files say, from the cache while none of them changes; and the fault of each that is broken."""
     paths = [os.fspath(path) for path in files.values()]
-    store, name, key = CacheFolder(), f"sets/{digest(os.fsencode('/'.join(paths)))[:16]}", ""
-    with suppress(OSError):
-        key = stamp(paths)
+    store, key = CacheFolder(), stamp(paths)
+    name = f"sets/{digest(os.fsencode('/'.join(paths)))[:16]}"
     found = store.read(name, key, dict[str, _SetTable]) if key else None
     if found is not None:
         return found, []

@@ -33,7 +33,8 @@ from judge.problem.model import (
     is_name,
     tupled,
 )
-from judge.values import Tolerance, Type, TypeFault, Words, parse
+from judge.values.answers import Tolerance, Words
+from judge.values.base import Type
 
 if TYPE_CHECKING:
     from judge.problem.toml import TomlFile
@@ -65,6 +66,7 @@ class Shelf:
     def __init__(self, root: Path) -> None:
         self._name = f"problems/{digest(os.fsencode(root))[:16]}"
         self._kept = CacheFolder().read(self._name, _FORMAT, dict[str, tuple[str, str, msgspec.Raw]]) or {}
+        self._shared = [_code_stamp(), stamp(_files(root / "types", (".py",)))]
         self._changed = False
 
     def problem(self, folder: Path, kind: type[P]) -> P:
@@ -73,13 +75,13 @@ class Shelf:
         if not is_name(name):
             raise ProblemError(f"{name!r} is no name for a problem", where=str(folder), remedy=_NAME)
         was, key, plain = self._kept.get(name, ("", "", msgspec.Raw()))
-        now = _stamp(folder)
-        if not now or now != was:
-            was, key = key, problem_key(folder)
-            if key != was:
-                plain = msgspec.Raw()
+        stamps = [*self._shared, stamp(_files(folder, _OWN))]
+        now = "".join(stamps) if all(stamps) else ""
+        if (not now or now != was) and problem_key(folder) != key:
+            plain = msgspec.Raw()
         problem = _decoded(plain, folder, kind)
         if problem is None:
+            key = problem_key(folder)
             whole = replace(_read(folder), key=key)
             problem = cast("P", whole)
             if not key or problem_key(folder) != key:  # its files changed meanwhile
@@ -119,14 +121,6 @@ def problem_key(folder: Path) -> str:
         return ""
 
 
-def _stamp(folder: Path) -> str:
-    try:
-        own, code = stamp(own_files(folder)), _code_stamp()
-    except OSError:
-        return ""
-    return own and code and own + code
-
-
 @cache
 def _code_stamp() -> str:
     return stamp(code_files(*_ROOMS))
@@ -145,7 +139,7 @@ def _decoded(plain: msgspec.Raw, folder: Path, kind: type[P]) -> P | None:
     types = folder.parent / "types"
     try:
         problem = msgspec.json.decode(plain, type=kind, dec_hook=made)
-    except (ValueError, TypeFault, TypeError, KeyError):  # msgspec's are ValueErrors
+    except (ValueError, TypeError, KeyError):  # msgspec's and TypeFault are ValueErrors
         return None
     if not isinstance(problem, Problem):
         return problem
@@ -158,6 +152,8 @@ _fraction = cache(Fraction)  # a problem has hundreds of them, most of them alik
 
 @cache
 def _type(text: str, folder: Path) -> Type:
+    from judge.values.grammar import parse  # not for who lists problems
+
     return parse(text, folder if folder.is_dir() else None)
 
 
@@ -234,6 +230,7 @@ def _read(folder: Path) -> Problem:
 def made(wanted: Any, value: Any, types: Path) -> Any:
     """A Fraction or a Type of what a setter writes, for `msgspec.convert`; a pack's types are in `types`."""
     from judge.problem.toml import refusal
+    from judge.values.grammar import TypeFault
 
     if wanted is Type:
         if not isinstance(value, str):

@@ -154,24 +154,26 @@ def _known(shape: Any, path: KeyPath, given: Any) -> list[str]:
 
     kinds: list[Any] = [inspect.type_info(shape)]
     for part in path:
-        flat = [each for kind in kinds for each in getattr(kind, "types", (kind,))]
-        if any(part == getattr(kind, "tag_field", None) for kind in flat):
-            return [kind.tag for kind in flat if getattr(kind, "tag", None)]
+        kinds = _forms(kinds)
+        tagged = [kind for kind in kinds if getattr(kind, "tag", None)]
+        if tagged and part == tagged[0].tag_field:
+            return [kind.tag for kind in tagged]
         if isinstance(part, int):
-            kinds = [kind.item_type for kind in flat if hasattr(kind, "item_type")]
+            kinds = [kind.item_type for kind in kinds if hasattr(kind, "item_type")]
         else:
-            fields = [field for kind in flat for field in getattr(kind, "fields", ())]
-            kinds = [field.type for field in fields if field.encode_name == part]
-    names: list[str] = []
-    for kind in [each for kind in kinds for each in getattr(kind, "types", (kind,))]:  # noqa: B020
-        if isinstance(kind, inspect.EnumType):
-            names += [member.value for member in kind.cls]
-        elif getattr(kind, "tag", None) in (
-            None,
-            given.get(kind.tag_field),
-        ):  # else another form of the table
-            names += [field.encode_name for field in getattr(kind, "fields", ())]
-    return list(dict.fromkeys(names))
+            kinds = [field.type for field in _fields(kinds) if field.encode_name == part]
+    kinds = _forms(kinds)
+    words = [member.value for kind in kinds if isinstance(kind, inspect.EnumType) for member in kind.cls]
+    own = [kind for kind in kinds if not getattr(kind, "tag", None) or given.get(kind.tag_field) == kind.tag]
+    return words + [field.encode_name for field in _fields(own)]
+
+
+def _forms(kinds: Sequence[Any]) -> list[Any]:
+    return [each for kind in kinds for each in getattr(kind, "types", (kind,))]
+
+
+def _fields(kinds: Sequence[Any]) -> list[Any]:
+    return [field for kind in kinds for field in getattr(kind, "fields", ())]
 
 
 def _at(raw: Any, path: KeyPath) -> Any:
