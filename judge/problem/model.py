@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from enum import Enum
 from fractions import Fraction
 from pathlib import Path
@@ -56,12 +56,6 @@ class KataLevel(Enum):
 
 
 LEVELS = tuple(level.value for level in KataLevel)
-
-
-def levels_among(found: Iterable[KataLevel | None]) -> tuple[KataLevel, ...]:
-    """The levels there are among these, the easier first."""
-    there = set(found)
-    return tuple(level for level in KataLevel if level in there)
 
 
 class Verdict(Enum):
@@ -238,7 +232,7 @@ class Listed(Struct, frozen=True, kw_only=True, omit_defaults=True):
     @property
     def levels(self) -> tuple[KataLevel, ...]:
         """The levels of its groups, the easier first; none where the groups are of one kind."""
-        return levels_among(group.level for group in self.groups)
+        return tuple(level for level in KataLevel if self.of_level(level))
 
     def of_level(self, level: KataLevel) -> tuple[ListedGroup, ...]:
         """Its groups of that level."""
@@ -330,18 +324,15 @@ def chosen_groups(problem: Problem, names: Sequence[str], level: str | None = No
             meant = nearest(name, known)
             remedy = f"did you mean {meant!r}?" if meant else f"it has {', '.join(known)}"
             raise UsageError(f"{problem.id} has no group {name!r}", remedy=remedy)
-    if level is not None:
-        _check_level(problem, level)
-    chosen = [group for group in problem.groups if not names or group.name in names]
-    found = tuple(group for group in chosen if level is None or (group.level and group.level.value == level))
-    if not found:
-        there = ", ".join(f"{group.name} is {group.level.value}" for group in chosen if group.level)
-        raise UsageError(f"no group that is named is of the {level} level", remedy=f"leave one out: {there}")
-    return found
-
-
-def _check_level(problem: Problem, level: str) -> None:
+    chosen = tuple(group for group in problem.groups if not names or group.name in names)
+    if level is None:
+        return chosen
     if level not in LEVELS:
         raise UsageError(f"there is no level {level!r}", remedy=f"use one of {', '.join(LEVELS)}")
     if not problem.levels:
         raise UsageError(f"{problem.id} has one level only", remedy="leave the level out")
+    found = tuple(group for group in chosen if group.level is KataLevel(level))
+    if not found:
+        there = ", ".join(f"{group.name} is {group.level.value}" for group in chosen if group.level)
+        raise UsageError(f"no group that is named is of the {level} level", remedy=f"leave one out: {there}")
+    return found

@@ -249,14 +249,14 @@ def _checked(problem: Problem, declared: Declared, level: KataLevel | None, usua
 
 def _shares(problem: Problem, given: Mapping[str, int | None]) -> dict[str, int]:
     """Each group's points."""
-    left = FULL_SCORE - sum(points for points in given.values() if points is not None)
+    shares = {name: points for name, points in given.items() if points is not None}
+    left = FULL_SCORE - sum(shares.values())
     if left < 0:
         remedy = f"make them sum to {FULL_SCORE} at most: what is left is shared"
         raise _fault(problem, f"the groups' points sum to {FULL_SCORE - left}", remedy)
-    free = [name for name, points in given.items() if points is None]
+    free = [name for name in given if name not in shares]
     each, rest = divmod(left, len(free))
-    shared = {name: each + (at < rest) for at, name in enumerate(free)}
-    return {name: shared[name] if points is None else points for name, points in given.items()}
+    return shares | {name: each + (at < rest) for at, name in enumerate(free)}
 
 
 class _Pin(Struct):

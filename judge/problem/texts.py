@@ -21,7 +21,7 @@ from collections.abc import Iterator, Mapping
 from decimal import Decimal
 from typing import Any, NoReturn
 
-from msgspec import Struct
+from msgspec import Struct, to_builtins
 
 from judge.errors import ProblemError, nearest
 from judge.problem.model import Case, Example, GroupLimits, Problem, tupled
@@ -73,23 +73,20 @@ def _filled(problem: Problem, file: str, words: Mapping[str, str]) -> list[str]:
 
 def _words(raw: Mapping[str, Any]) -> dict[str, str]:
     """What the placeholders of texts stand for: each number as the file writes it."""
-    words = {name: str(raw.get(name, "")) for name in ("entry", "title", "answer")}
-    usual = GroupLimits()
-    limits = {key: f"{getattr(usual, key):g}" for key in usual.__struct_fields__} | raw.get("limits", {})
-    words |= {f"limits.{key}": _written(value) for key, value in limits.items()}
+    bounds = {"low": -(2**30), "high": 2**30, "smallest": 0}
+    tables = {name: bounds | row for name, row in raw.get("parameters", {}).items()}
+    tables["limits"] = to_builtins(GroupLimits()) | raw.get("limits", {})
     if tolerance := raw.get("tolerance"):
-        every = dict.fromkeys(Tolerance.__struct_fields__, 0) | tolerance
-        words |= {f"tolerance.{key}": _written(value) for key, value in every.items()}
-    for name, row in raw.get("parameters", {}).items():
-        words[f"{name}.type"] = row.get("type", "")
-        for key, value in (("low", -(2**30)), ("high", 2**30), ("smallest", 0)):
-            words[f"{name}.{key}"] = _written(row.get(key, value))
-    return words
+        tables["tolerance"] = dict.fromkeys(Tolerance.__struct_fields__, 0) | tolerance
+    words = {name: str(raw.get(name, "")) for name in ("entry", "title", "answer")}
+    return words | {
+        f"{table}.{key}": _written(value) for table, row in tables.items() for key, value in row.items()
+    }
 
 
 def _written(number: Any) -> str:
     small = isinstance(number, Decimal) and 0 < abs(number) < Decimal("1e-4")  # 1e-6, as well as 1e-7
-    return (f"{number:e}" if small else str(number)).lower().replace("e+", "e")
+    return (f"{number:e}" if small else str(number)).replace("E", "e").replace("e+", "e")
 
 
 def _prompts(text: list[str]) -> Iterator[tuple[int, str, str]]:
