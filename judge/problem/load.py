@@ -1,6 +1,7 @@
 """A problem's folder - problem.toml, problem.py and statement.md - into one checked Problem, and its cache.
 
-    problems/<place>       {"<id>": [stamp, key, the problem], …}, one file for a folder of problems
+    problems/<place>          {"<id>": [stamp, key, its head], …}, one file for a folder of problems
+    problems/<place>-<id>     the problem, whole
 
 `stamp` is of the files' sizes and times: where it holds, none of them is read. Where it does not, the hash
 `key` of what they and the judge's code hold says whether the problem is read anew: only then problem.py runs.
@@ -40,7 +41,7 @@ if TYPE_CHECKING:
     from judge.problem.toml import TomlFile
 
 P = TypeVar("P", bound=Listed)
-_FORMAT = "1"  # raise it when the form of the file changes
+_FORMAT = "2"  # raise it when the form of the file changes
 _ROOMS = ("exact", "values", "problem", "data", "geometry")  # what groups and data depend on
 _OWN = (".toml", ".md", ".py", "pins.json")
 _MOST_DIGITS = 4_000  # of a number's exponent: Python reads and writes no integer above 4,300 digits
@@ -64,8 +65,9 @@ class Shelf:
     """The problems of one folder, from the cache as far as that holds. Call `keep` when all are asked for."""
 
     def __init__(self, root: Path) -> None:
+        self._store = CacheFolder()
         self._name = f"problems/{digest(os.fsencode(root))[:16]}"
-        self._kept = CacheFolder().read(self._name, _FORMAT, dict[str, tuple[str, str, msgspec.Raw]]) or {}
+        self._heads = self._store.read(self._name, _FORMAT, dict[str, tuple[str, str, msgspec.Raw]]) or {}
         self._shared = [_code_stamp(), stamp(_files(root / "types", (".py",)))]
         self._changed = False
 
@@ -74,30 +76,32 @@ class Shelf:
         name = folder.name
         if not is_name(name):
             raise ProblemError(f"{name!r} is no name for a problem", where=str(folder), remedy=_NAME)
-        was, key, plain = self._kept.get(name, ("", "", msgspec.Raw()))
+        was, key, head = self._heads.get(name, ("", "", msgspec.Raw()))
         stamps = [*self._shared, stamp(_files(folder, _OWN))]
         now = "".join(stamps) if all(stamps) else ""
-        if (not now or now != was) and problem_key(folder) != key:
-            plain = msgspec.Raw()
-        problem = _decoded(plain, folder, kind)
+        problem = None
+        if (now and now == was) or problem_key(folder) == key:
+            body = head if kind is Listed else self._store.read(f"{self._name}-{name}", key, bytes)
+            problem = _decoded(body or b"", folder, kind)
         if problem is None:
             key = problem_key(folder)
             whole = replace(_read(folder), key=key)
             problem = cast("P", whole)
             if not key or problem_key(folder) != key:  # its files changed meanwhile
                 return replace(problem, key="")
-            plain = msgspec.Raw(
-                msgspec.json.encode(replace(whole, folder=Path(), solutions=Path()), enc_hook=_encoded)
-            )
-        if self._kept.get(name, ())[:2] != (now, key):
-            self._kept[name] = now, key, plain
+            plain = msgspec.to_builtins(replace(whole, folder=Path(), solutions=Path()), enc_hook=_encoded)
+            head = msgspec.Raw(msgspec.json.encode(msgspec.convert(plain, Listed)))
+            self._store.write(f"{self._name}-{name}", key, msgspec.json.encode(plain))
+            was = "nothing sound"
+        if now != was:
+            self._heads[name] = now, key, head
             self._changed = True
         return problem
 
     def keep(self) -> None:
         """Write what changed to the cache."""
         if self._changed:
-            CacheFolder().write(self._name, _FORMAT, msgspec.json.encode(self._kept))
+            self._store.write(self._name, _FORMAT, msgspec.json.encode(self._heads))
 
 
 def own_files(folder: Path) -> list[str]:
@@ -126,7 +130,7 @@ def _code_stamp() -> str:
     return stamp(code_files(*_ROOMS))
 
 
-def _decoded(plain: msgspec.Raw, folder: Path, kind: type[P]) -> P | None:
+def _decoded(plain: bytes | msgspec.Raw, folder: Path, kind: type[P]) -> P | None:
     """The problem that was kept, in its folder; None where it is none."""
 
     def made(wanted: Any, value: Any) -> Any:
