@@ -19,8 +19,7 @@ from msgspec import Struct, field
 
 from judge.errors import HistoryError
 from judge.problem import Verdict
-from judge.problem.model import FULL_SCORE, Mode
-from judge.problem.solutions import is_solution
+from judge.problem.model import FULL_SCORE, Mode, is_solution
 
 if TYPE_CHECKING:
     from judge.run.result import Result

@@ -26,7 +26,7 @@ from judge.errors import HistoryError, UsageError
 from judge.folders import user_data
 from judge.kata.events import DAMAGE, TABLES, Event, Kind, Run, Started, columns, from_row, to_row
 from judge.problem import Verdict
-from judge.problem.solutions import is_solution
+from judge.problem.model import is_solution
 from judge.reading import read_ordinary
 
 if TYPE_CHECKING:

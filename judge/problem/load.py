@@ -10,7 +10,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from decimal import Decimal
 from fractions import Fraction
 from functools import cache
@@ -38,7 +38,7 @@ from judge.values.answers import Tolerance, Words
 from judge.values.base import Type
 
 if TYPE_CHECKING:
-    from judge.problem.toml import TomlFile
+    pass
 
 P = TypeVar("P", bound=Listed)
 _FORMAT = "2"  # raise it when the form of the file changes
@@ -217,13 +217,19 @@ def _read(folder: Path) -> Problem:
         return made(wanted, value, folder.parent / "types")
 
     head = file.read(Head, hook)
-    _check(file, head)
-    parameters = tuple(
-        _parameter(file, name, file.read(Row, hook, "parameters", name)) for name in head.parameters
-    )
+    for what, remedy, *path in _faults(head, file.raw):
+        raise file.fault(what, remedy, *path)
+    parameters = []
+    for name in head.parameters:
+        row = file.read(Row, hook, "parameters", name)
+        usual = Fraction(1, 10**30) if row.type.measured else Fraction(0)
+        smallest = usual if row.smallest is None else row.smallest
+        for what, remedy, *path in _parameter_faults(name, row, smallest):
+            raise file.fault(what, remedy, "parameters", name, *path)
+        parameters.append(Parameter(name, row.type, row.low, row.high, row.about, smallest))
     shared = set(Problem.__struct_fields__) & set(Head.__struct_fields__)
     own: dict[str, Any] = {key: getattr(head, key) for key in shared}
-    own |= {"answer": head.answer.worded(head.words), "parameters": parameters}
+    own |= {"answer": head.answer.worded(head.words), "parameters": tuple(parameters)}
     where: dict[str, Any] = {"id": folder.name, "folder": folder, "solutions": _solutions(folder)}
     problem = Problem(**own, **where, groups=(), slope=head.growth)
     statement, examples = read_statement(problem, file.raw)
@@ -255,33 +261,32 @@ def made(wanted: Any, value: Any, types: Path) -> Any:
     return Fraction(number)
 
 
-def _check(file: TomlFile, head: Head) -> None:
-    """What the shape alone does not say."""
+def _faults(head: Head, raw: Mapping[str, Any]) -> Iterator[Sequence[str]]:
+    """What the shape alone does not say: what is wrong, what to do about it, and the keys of the place."""
     if not _is_plain_name(head.entry):
-        raise file.fault(f"entry {head.entry!r} is no function's name", _PLAIN, "entry")
+        yield f"entry {head.entry!r} is no function's name", _PLAIN, "entry"
     if not head.answer.is_answer:
         what = f"no answer can be of the type {head.answer}"
-        raise file.fault(what, "an array is a parameter's; write a list, which may be one too", "answer")
+        yield what, "an array is a parameter's; write a list, which may be one too", "answer"
     if head.growth is not None and head.time is None:
         what = "growth is measured beside a reference solution, and there is none"
-        raise file.fault(what, "add a [time] table that names one", "growth")
+        yield what, "add a [time] table that names one", "growth"
     for at, name in enumerate(head.sets):
         if not is_name(name):
-            raise file.fault(f"{name!r} is no name for a practice set", _NAME, "sets", at)
+            yield f"{name!r} is no name for a practice set", _NAME, "sets"
         if name in head.sets[:at]:
-            raise file.fault(f"{name!r} is there twice in sets", "remove one", "sets", at)
+            yield f"{name!r} is there twice in sets", "remove one", "sets"
     if head.tolerance is not None and (fault := tolerance_fault(head.tolerance, head.answer)):
-        raise file.fault(*fault)
-    _check_time(file, head.time)
-    source = file.raw.get("source", {})
-    for key in source:
-        for text in (source[key],) if isinstance(source[key], str) else source[key]:
+        yield fault
+    if head.time is not None:
+        yield from _time_faults(head.time)
+    for key, value in raw.get("source", {}).items():
+        for text in (value,) if isinstance(value, str) else value:
             if not text.strip() or not text.isprintable():
                 what = f"{key} holds {text!r}, which is no line of text"
-                raise file.fault(what, "write it, or leave the key out", "source", key)
+                yield what, "write it, or leave the key out", "source", key
             if key == "authors" and ("," in text or "&" in text):
-                what = f"{text!r} is more than one name"
-                raise file.fault(what, "give each author's name by itself", "source", key)
+                yield f"{text!r} is more than one name", "give each author's name by itself", "source", key
 
 
 def tolerance_fault(tolerance: Tolerance, answer: Type) -> Sequence[str] | None:
@@ -298,46 +303,38 @@ def tolerance_fault(tolerance: Tolerance, answer: Type) -> Sequence[str] | None:
     return None
 
 
-def _check_time(file: TomlFile, time: TimeRule | None) -> None:
+def _time_faults(time: TimeRule) -> Iterator[Sequence[str]]:
     from judge.languages import described, file_name, is_described, is_program
     from judge.problem.toml import meant
 
-    if time is None:
-        return
     remedy = "name a file of the accepted solutions, such as " + file_name("quadratic")
     for key, name in (("function", time.function), ("program", time.program)):
         if name is not None and not (is_program(name) and Path(name).name == name):
-            raise file.fault(f"{name!r} is no solution's file", remedy, "time", key)
+            yield f"{name!r} is no solution's file", remedy, "time", key
     for name in time.needs:
         if not name.isidentifier():
-            raise file.fault(f"{name!r} is no module's name", "name modules such as numpy", "time", "needs")
+            yield f"{name!r} is no module's name", "name modules such as numpy", "time", "needs"
     for language, name in time.references.items():
         path = ("time", "references", language)
         if not is_described(language):
-            raise file.fault(f"there is no language {language!r}", meant(language, described()), *path)
+            yield f"there is no language {language!r}", meant(language, described()), *path
         if not name or Path(name).name != name:
-            raise file.fault(f"{name!r} is no solution's file", remedy, *path)
+            yield f"{name!r} is no solution's file", remedy, *path
 
 
-def _parameter(file: TomlFile, name: str, row: Row) -> Parameter:
-    def fault(what: str, remedy: str, *key: str) -> ProblemError:
-        return file.fault(what, remedy, "parameters", name, *key)
-
+def _parameter_faults(name: str, row: Row, smallest: Fraction) -> Iterator[Sequence[str]]:
     if not _is_plain_name(name):
-        raise fault(f"{name!r} is no parameter's name", _PLAIN)
+        yield f"{name!r} is no parameter's name", _PLAIN
     if row.low > row.high:
-        raise fault(f"the bounds of {name!r} leave nothing: low is above high", "swap them", "low")
+        yield f"the bounds of {name!r} leave nothing: low is above high", "swap them", "low"
     if not row.type.is_parameter:
-        raise fault(f"no parameter can be of the type {row.type}", "an array is a whole parameter", "type")
-    usual = Fraction(1, 10**30) if row.type.measured else Fraction(0)
-    smallest = usual if row.smallest is None else row.smallest
+        yield f"no parameter can be of the type {row.type}", "an array is a whole parameter", "type"
     if not 0 <= smallest <= 1:
         given = (Decimal(smallest.numerator) / smallest.denominator).normalize()  # no float may hold it
         what = f"the smallest number of {name!r} other than 0 is {given:.6g}"
-        raise fault(what, "give 0 to 1: an int other than 0 is never smaller than 1", "smallest")
+        yield what, "give 0 to 1: an int other than 0 is never smaller than 1", "smallest"
     if smallest and not row.type.measured:
-        raise fault(f"{name!r} holds no real numbers to be small", "remove smallest", "smallest")
-    return Parameter(name, row.type, row.low, row.high, row.about, smallest)
+        yield f"{name!r} holds no real numbers to be small", "remove smallest", "smallest"
 
 
 def _is_plain_name(name: str) -> bool:

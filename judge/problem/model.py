@@ -31,6 +31,11 @@ def is_name(text: str) -> bool:
     return _NAME.fullmatch(text) is not None
 
 
+def is_solution(path: str, problem: str) -> bool:
+    """Whether a path, with / between its parts, names a solution of the problem of that id."""
+    return path.split("/")[-4:-2] == ["solutions", problem]
+
+
 def case_of(arguments: Mapping[str, Any]) -> Case:
     """The case of arguments by parameter name, also where JSON has made lists of tuples."""
     return tuple(map(tupled, arguments.values()))

@@ -11,7 +11,7 @@ from __future__ import annotations
 import inspect
 import sys
 import traceback
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
@@ -224,27 +224,29 @@ def _checked(problem: Problem, declared: Declared, level: KataLevel | None, usua
             wall = {"wall_seconds": usually.wall_seconds * cpu / usually.cpu_seconds}
         raw["limits"] = {**msgspec.to_builtins(usually), **wall, **limits}
     what = f"group {name!r}"
-    fault: Sequence[str] | None = None
+
+    def fault(what: str, remedy: str) -> ProblemError:
+        return _fault(problem, what, remedy, declared.line)
+
     try:
         group = msgspec.convert(raw, Group, dec_hook=lambda kind, value: made(kind, value, problem.folder))
     except msgspec.ValidationError as why:
         said, remedy, _ = told(why, raw, Group)
-        raise _fault(problem, f"{what}: {said}", remedy, declared.line) from None
-    own = raw.get("tolerance")
-    tolerance = usual if own is None else group.tolerance
+        raise fault(f"{what}: {said}", remedy) from None
     if not is_name(name):
-        fault = f"{name!r} is no name for a group", "use small letters, digits and single hyphens"
-    elif not callable(draw):
-        fault = f"{what} draws from {draw!r}", "give a function that takes a draw"
-    elif group.size is not None and group.neighbours:
-        fault = f"the cases of {name!r} are big and cannot take turns", "remove turns"
-    elif group.time_limit is not None and problem.time is None:
-        fault = f"{name!r} is timed beside a reference solution", "add a [time] table that names one"
-    elif tolerance is None:
-        fault = f"{what} has no tolerance", "add tolerance = { … } to problem.toml"
-    elif own is None or not (fault := tolerance_fault(tolerance, problem.answer)):
-        return replace(group, tolerance=tolerance, level=level)
-    raise _fault(problem, fault[0], fault[1], declared.line)
+        raise fault(f"{name!r} is no name for a group", "use small letters, digits and single hyphens")
+    if not callable(draw):
+        raise fault(f"{what} draws from {draw!r}", "give a function that takes a draw")
+    if group.size is not None and group.neighbours:
+        raise fault(f"the cases of {name!r} are big and cannot take turns", "remove turns")
+    if group.time_limit is not None and problem.time is None:
+        raise fault(f"{name!r} is timed beside a reference solution", "add a [time] table that names one")
+    if "tolerance" in raw and (wrong := tolerance_fault(group.tolerance, problem.answer)):
+        raise fault(wrong[0], wrong[1])
+    tolerance = group.tolerance if "tolerance" in raw else usual
+    if tolerance is None:
+        raise fault(f"{what} has no tolerance", "add tolerance = { … } to problem.toml")
+    return replace(group, tolerance=tolerance, level=level)
 
 
 def _shares(problem: Problem, given: Mapping[str, int | None]) -> dict[str, int]:

@@ -145,11 +145,6 @@ def accepted_source(problem: Problem, file: str) -> bytes | None:
         return None
 
 
-def is_solution(path: str, problem: str) -> bool:
-    """Whether a path, with / between its parts, names a solution of the problem of that id."""
-    return path.split("/")[-4:-2] == ["solutions", problem]
-
-
 def _visible(folder: Path, faults: list[ProblemError]) -> list[Path]:
     """What a folder holds, in order, without what is hidden; `faults` gets one where it cannot be read."""
     try:

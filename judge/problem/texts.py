@@ -33,7 +33,6 @@ _BRIEF = 80  # characters of what is wrong: a message is one line, whatever stan
 # What reading a text as Python raises: MemoryError if nested deeply, TypeError for {[]} and its like.
 _UNREADABLE = (SyntaxError, ValueError, TypeError, RecursionError, MemoryError)
 _PLACEHOLDER = re.compile(r"\{\{\s*(.*?)\s*\}\}")
-_STEP = "## "
 
 
 def read_statement(problem: Problem, raw: Mapping[str, Any]) -> tuple[str, tuple[Example, ...]]:
@@ -174,31 +173,28 @@ def read_hints(problem: Problem) -> tuple[Hint, ...]:
     raw = TomlFile(problem.folder / "problem.toml", exact=True).raw
     lines = _filled(problem, HINTS, _words(raw))
 
-    def fault(at: int, what: str, remedy: str) -> ProblemError:
-        return ProblemError(what, where=f"{problem.id}/{HINTS}:{at + 1}", remedy=remedy)
+    def fault(what: str, remedy: str, line: int | None = None) -> ProblemError:
+        where = f"{problem.id}/{HINTS}"
+        return ProblemError(what, where=f"{where}:{line}" if line else where, remedy=remedy)
 
-    starts = list(_steps(lines))
-    for at, line in enumerate(lines[: starts[0] if starts else None]):
-        if line.strip() and not line.startswith("# "):
-            raise fault(at, "this text belongs to no step", "put a line '## Its title' above it")
-    if not starts:
-        remedy = "begin each with a line '## Its title'"
-        raise ProblemError("it has no step", where=f"{problem.id}/{HINTS}", remedy=remedy)
+    steps: list[tuple[int, str, list[str]]] = []
+    fenced = False  # in a code block, where a comment begins no step
+    for number, line in enumerate(lines, 1):
+        fenced ^= line.startswith("```")
+        if not fenced and f"{line} ".startswith("## "):
+            steps.append((number, line[3:].strip(), []))
+        elif steps:
+            steps[-1][2].append(line)
+        elif line.strip() and not line.startswith("# "):
+            raise fault("this text belongs to no step", "put a line '## Its title' above it", number)
+    if not steps:
+        raise fault("it has no step", "begin each with a line '## Its title'")
     hints: list[Hint] = []
-    for start, end in zip(starts, [*starts[1:], len(lines)], strict=True):
-        title, text = lines[start][len(_STEP) :].strip(), "\n".join(lines[start + 1 : end]).strip("\n")
+    for number, title, body in steps:
+        text = "\n".join(body).strip("\n")
         if not title:
-            raise fault(start, "the step has no title", "write '## Its title'")
+            raise fault("the step has no title", "write '## Its title'", number)
         if not text.strip():
-            raise fault(start, f"the step {title!r} says nothing", "write it, or remove it")
+            raise fault(f"the step {title!r} says nothing", "write it, or remove it", number)
         hints.append(Hint(len(hints) + 1, title, text))
     return tuple(hints)
-
-
-def _steps(lines: list[str]) -> Iterator[int]:
-    """Where steps begin; a comment in a code block is none."""
-    fenced = False
-    for at, line in enumerate(lines):
-        fenced ^= line.startswith("```")
-        if not fenced and f"{line} ".startswith(_STEP):
-            yield at
