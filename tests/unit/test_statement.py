@@ -79,6 +79,18 @@ def test_what_no_machine_could_read_or_keep_is_a_fault_of_the_file(key, value, s
 SOUND = Path(__file__).parent.parent / "fixtures" / "problems" / "root-count"
 
 
+def test_a_key_that_would_keep_the_parser_busy_is_a_fault_with_its_line(tmp_path):
+    folder = tmp_path / "problems" / "other"
+    shutil.copytree(SOUND, folder)
+    with (folder / "problem.toml").open("a") as file:
+        file.write(f"\n[{'a.' * 10_000}a]\n")
+    lines = (folder / "problem.toml").read_text().count("\n")
+    with pytest.raises(
+        ProblemError, match=rf"^other/problem.toml:{lines}: no TOML: a key of more than 100 parts; "
+    ):
+        load_problem(folder)
+
+
 @pytest.fixture
 def stating(tmp_path):
     """Loads the sound problem with another statement."""
