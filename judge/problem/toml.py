@@ -126,7 +126,9 @@ def told(why: msgspec.ValidationError, raw: Any, shape: Any) -> tuple[str, str, 
         said = f"{dotted} is {_KINDS.get(got, f'a {got}')}" if got else f"{dotted} = {shown}"
         return said, f"give {_KINDS.get(kind, kind)}{bound.removesuffix('.0')}", path
     quoted = said.split("`")[1] if "`" in said else ""
-    known = _known(shape, path, given)
+    from msgspec import inspect  # only for who mistyped something
+
+    known = _known(inspect.type_info(shape), path, given)
     if said.startswith("Object contains unknown field"):
         return f"unknown key {quoted!r}", meant(quoted, known, "the keys are"), (*path, quoted)
     if said.startswith("Object missing required field"):
@@ -148,32 +150,25 @@ def meant(name: str, names: Sequence[str], introduction: str = "there are") -> s
     return f"did you mean {near!r}?" if near else f"{introduction} {', '.join(names) or 'none'}"
 
 
-def _known(shape: Any, path: KeyPath, given: Any) -> list[str]:
-    """The keys of the table at `path`, which is `given`, or the words that may stand there."""
-    from msgspec import inspect  # only for who mistyped something
+def _known(kind: Any, path: KeyPath, given: Any) -> list[str]:
+    """The keys of the table at `path`, which is `given`, or the words that may stand there.
 
-    kinds: list[Any] = [inspect.type_info(shape)]
-    for part in path:
-        kinds = _forms(kinds)
-        tagged = [kind for kind in kinds if getattr(kind, "tag", None)]
-        if tagged and part == tagged[0].tag_field:
-            return [kind.tag for kind in tagged]
-        if isinstance(part, int):
-            kinds = [kind.item_type for kind in kinds if hasattr(kind, "item_type")]
-        else:
-            kinds = [field.type for field in _fields(kinds) if field.encode_name == part]
-    kinds = _forms(kinds)
-    words = [member.value for kind in kinds if isinstance(kind, inspect.EnumType) for member in kind.cls]
-    own = [kind for kind in kinds if not getattr(kind, "tag", None) or given.get(kind.tag_field) == kind.tag]
-    return words + [field.encode_name for field in _fields(own)]
-
-
-def _forms(kinds: Sequence[Any]) -> list[Any]:
-    return [each for kind in kinds for each in getattr(kind, "types", (kind,))]
-
-
-def _fields(kinds: Sequence[Any]) -> list[Any]:
-    return [field for kind in kinds for field in getattr(kind, "fields", ())]
+    `kind` is what `msgspec.inspect` says of the whole.
+    """
+    found: list[str] = []
+    for form in getattr(kind, "types", (kind,)):
+        fields = {field.encode_name: field.type for field in getattr(form, "fields", ())}
+        tag_field, tag = getattr(form, "tag_field", None), getattr(form, "tag", None)
+        if not path:
+            found += [member.value for member in getattr(form, "cls", ())] if not fields else []
+            found += fields if tag is None or given.get(tag_field) == tag else []
+        elif tag is not None and path[0] == tag_field:
+            found.append(tag)
+        elif isinstance(path[0], int):
+            found += _known(getattr(form, "item_type", None), path[1:], given)
+        elif path[0] in fields:
+            found += _known(fields[path[0]], path[1:], given)
+    return list(dict.fromkeys(found))
 
 
 def _at(raw: Any, path: KeyPath) -> Any:
