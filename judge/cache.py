@@ -80,6 +80,9 @@ class CacheFolder:
         return None
 
 
+DISK = CacheFolder()
+
+
 def _checksum(key: str, body: bytes) -> bytes:
     return digest(key.encode(), b"\n", body).encode()
 

@@ -11,7 +11,7 @@ from __future__ import annotations
 import os
 from typing import Any, Union
 
-from judge.cache import CacheFolder, digest
+from judge.cache import DISK, Store, digest
 from judge.data.model import GroupData, ProblemData, Progress, reseeded
 from judge.errors import ProblemError
 from judge.problem import Problem
@@ -34,15 +34,19 @@ _FORM = _form()
 
 
 def load_data(
-    problem: Problem, *, seed: int | None = None, progress: Progress | None = None, cache: bool = True
+    problem: Problem,
+    *,
+    seed: int | None = None,
+    progress: Progress | None = None,
+    store: Store | None = DISK,
 ) -> ProblemData:
     """Every group's cases and targets, in the order of the groups.
 
     With `seed`, each group's own seed is derived from it. `progress` hears how many cases are built.
-    Without `cache` they are built afresh and not kept. Raises ProblemError.
+    Without a `store` they are built afresh and not kept. Raises ProblemError.
     """
-    store, place = CacheFolder(), (data_name("data", problem, seed), data_key(problem, seed))
-    kept = _data(store.read(*place, _FORM), problem, seed) if cache else None
+    place = data_name("data", problem, seed), data_key(problem, seed)
+    kept = _data(store.read(*place, _FORM), problem, seed) if store else None
     if kept is not None:
         return kept
     # Only now: a warm start needs neither the exact numbers nor the builders.
@@ -53,7 +57,7 @@ def load_data(
     module = load_module(problem)
     groups = tuple(build(problem, module, seed, progress))
     note = None
-    if cache and problem.key and problem_key(problem.folder) == problem.key:  # its files are still these
+    if store and problem.key and problem_key(problem.folder) == problem.key:  # its files are still these
         plain = {
             data.group.name: [data.cases, data.targets] if data.group.size is None else as_seeds(data)
             for data in groups
@@ -65,7 +69,7 @@ def load_data(
 def is_kept(problem: Problem, seed: int | None) -> bool:
     """Whether the data are in the cache."""
     name, key = data_name("data", problem, seed), data_key(problem, seed)
-    return CacheFolder().read(name, key, dict[str, Any]) is not None
+    return DISK.read(name, key, dict[str, Any]) is not None
 
 
 def data_name(folder: str, problem: Problem, seed: int | None) -> str:

@@ -6,27 +6,27 @@ import os
 from datetime import date
 
 from judge import __version__
-from judge.cache import CacheFolder, digest
+from judge.cache import DISK, digest
 from judge.sandbox import LEVELS
 
 
 def keep_level(level: str) -> str | None:
     """Keep it, in place of what was found before; a note for the person if that fails."""
-    return CacheFolder().write(*_place("level"), level, "levels of isolation")
+    return DISK.write(*_place("level"), level, "levels of isolation")
 
 
 def kept_level() -> str | None:
     """The level found by this version of the judge for this user, on this machine with this kernel."""
-    level = CacheFolder().read(*_place("level"), str)
+    level = DISK.read(*_place("level"), str)
     return level if level in LEVELS else None
 
 
 def first_today() -> bool:
     """Whether this is asked for the first time today; where nothing can be kept, it is every time."""
     today, place = date.today().isoformat(), _place("asked")
-    if CacheFolder().read(*place, str) == today:
+    if DISK.read(*place, str) == today:
         return False
-    CacheFolder().write(*place, today)
+    DISK.write(*place, today)
     return True
 
 

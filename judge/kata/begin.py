@@ -64,7 +64,7 @@ def begin_kata(folder: Path, name: str | None = None) -> Begun:
             _write(homes[home] / rest, text, made)
         problem = load_problem(problems / name)
         made.append(pins_file(problem))
-        data = load_data(problem, cache=False)
+        data = load_data(problem, store=None)
         write_pins(problem, pins_of(data.groups, _kills(data)))
     except OSError as fault:
         _undo(made)

@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, Generic, TypeVar
 import msgspec
 from msgspec import Struct
 
-from judge.cache import CacheFolder, digest, stamp
+from judge.cache import DISK, digest, stamp
 from judge.errors import ProblemError, UsageError
 from judge.problem import Problem, Tier
 from judge.problem.find import find_problem, problem_roots, sound_problems
@@ -99,7 +99,7 @@ def sound_sets(
 def _tables(files: Mapping[str, Path]) -> tuple[dict[str, _SetTable], list[ProblemError]]:
     """What the files say, from the cache while none of them changes; and the fault of each that is broken."""
     paths = [os.fspath(path) for path in files.values()]
-    store, key = CacheFolder(), stamp(paths)
+    store, key = DISK, stamp(paths)
     name = f"sets/{digest(os.fsencode('/'.join(paths)))[:16]}"
     found = store.read(name, key, dict[str, _SetTable]) if key else None
     if found is not None:

@@ -14,7 +14,7 @@ from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
-from judge.cache import CacheFolder, digest
+from judge.cache import DISK, digest
 from judge.errors import JudgeError
 from judge.languages.model import Language
 
@@ -117,7 +117,7 @@ def toolchain(language: Language) -> Toolchain:
     key = _key(language, tools)
     if not language.probes and not language.prepared:
         return Toolchain(language, _with_places(language, tools), key)
-    store, name = CacheFolder(), f"languages/{language.id}"
+    store, name = DISK, f"languages/{language.id}"
     found = store.read(name, key, _Answers)
     if found is None or not found.holds():
         found = _Answers(_probed(language, tools), _prepared(language, tools))

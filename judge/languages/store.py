@@ -12,7 +12,7 @@ from collections.abc import Sequence
 
 import msgspec
 
-from judge.cache import CacheFolder, digest
+from judge.cache import DISK, CacheFolder, digest
 from judge.sandbox.boundary import Usage
 
 Files = Sequence[tuple[str, bytes]]
@@ -23,8 +23,8 @@ MOST_KEPT = 400  # compiled programs, the newest
 class CacheStore:
     """A `judge.sandbox.recipe.Store` in a folder of the cache."""
 
-    def __init__(self, folder: CacheFolder | None = None) -> None:
-        self._folder = folder or CacheFolder()
+    def __init__(self, folder: CacheFolder = DISK) -> None:
+        self._folder = folder
 
     def artifact(self, key: str) -> Files | None:
         """What was compiled under that key."""

@@ -24,7 +24,7 @@ from typing import Any
 import msgspec
 from msgspec import Struct
 
-from judge.cache import CacheFolder, digest
+from judge.cache import DISK, digest
 from judge.errors import ProblemError
 from judge.mistakes.features import FEATURES
 from judge.problem import Problem
@@ -60,7 +60,7 @@ def read_catalogue(problem: Problem) -> Catalogue:
         return {}
     where = f"{path.parent.name}/{FILE}"
     text = read_text(path)
-    store, place = CacheFolder(), (f"mistakes/words-{digest(os.fsencode(path))[:8]}", text)
+    store, place = DISK, (f"mistakes/words-{digest(os.fsencode(path))[:8]}", text)
     tables = store.read(*place, dict[str, Any])
     known = tables is not None
     if tables is None:

@@ -16,7 +16,7 @@ from functools import cached_property, partial
 from itertools import chain
 from typing import Any
 
-from judge.cache import CacheFolder, code_key
+from judge.cache import DISK, code_key
 from judge.data.load import data_key, data_name
 from judge.data.model import ProblemData
 from judge.mistakes.agreement import kind_of
@@ -42,7 +42,7 @@ class KnownAnswers:
         self._data = data
         self._settings = settings
         self._kinds: dict[tuple[str, int, Outline], str] = {}
-        self._store = CacheFolder()
+        self._store = DISK
         self._place = _place(data.problem, seed)
 
     @property
@@ -114,7 +114,7 @@ class KnownAnswers:
 
 def is_kept(problem: Problem, seed: int | None) -> bool:
     """Whether anything is kept of what the known mistakes answer."""
-    return CacheFolder().read(*_place(problem, seed), dict[str, Any]) is not None
+    return DISK.read(*_place(problem, seed), dict[str, Any]) is not None
 
 
 def _place(problem: Problem, seed: int | None) -> tuple[str, str]:

@@ -21,7 +21,7 @@ import msgspec
 from msgspec import Meta, Struct
 from msgspec.structs import replace
 
-from judge.cache import CacheFolder, code_files, code_key, content_key, digest, stamp
+from judge.cache import DISK, Store, code_files, code_key, content_key, digest, stamp
 from judge.errors import ProblemError
 from judge.problem.model import (
     GroupLimits,
@@ -64,8 +64,8 @@ def load_problem(folder: Path, solutions: Path | None = None) -> Problem:
 class Shelf:
     """The problems of one folder, from the cache as far as that holds. Call `keep` when all are asked for."""
 
-    def __init__(self, root: Path) -> None:
-        self._store = CacheFolder()
+    def __init__(self, root: Path, store: Store = DISK) -> None:
+        self._store = store
         self._name = f"problems/{digest(os.fsencode(root))[:16]}"
         self._heads = self._store.read(self._name, _FORMAT, dict[str, tuple[str, str, msgspec.Raw]]) or {}
         self._shared = [_code_stamp(), stamp(_files(root / "types", (".py",)))]

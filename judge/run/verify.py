@@ -185,7 +185,7 @@ def fresh_data(problem: Problem, progress: Progress | None = None, seed: int | N
     def told(done: int, total: int) -> None:
         tell("building data", done, total)
 
-    return load_data(problem, seed=seed, progress=told, cache=False)
+    return load_data(problem, seed=seed, progress=told, store=None)
 
 
 def _prove_data(problem: Problem, data: ProblemData) -> None:

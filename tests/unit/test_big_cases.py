@@ -36,12 +36,12 @@ def problem_of(name):
 
 @pytest.fixture(scope="module")
 def inversions():
-    return load_data(problem_of("inversions"), cache=False)
+    return load_data(problem_of("inversions"), store=None)
 
 
 @pytest.fixture(scope="module")
 def signs():
-    return load_data(problem_of("signs"), cache=False)
+    return load_data(problem_of("signs"), store=None)
 
 
 def judged(data, solution, problem=None):
@@ -92,7 +92,7 @@ def test_cases_beyond_the_limit_on_input_are_refused(tmp_path):
     with pytest.raises(
         ProblemError, match=r"group 'n-2000' has 0\.\d MB of cases; input_mb is 0\.0625"
     ) as caught:
-        load_data(load_problem(folder), cache=False)
+        load_data(load_problem(folder), store=None)
     assert caught.value.where == "inversions/problem.py:35"
 
 

@@ -84,7 +84,7 @@ def test_a_changed_file_builds_anew_and_drops_the_old_data(copy, folder, name):
 
 def test_a_seed_and_a_folder_have_files_of_their_own(copy, folder):
     problem = load_problem(SOUND)
-    assert built(problem, cache=False)[1]
+    assert built(problem, store=None)[1]
     assert not folder.exists()
     own = plain(built(problem)[0])
     assert built(problem, seed=5)[1]
@@ -154,7 +154,7 @@ def test_a_folder_that_cannot_be_written_costs_a_note_only(tmp_path, monkeypatch
 @pytest.mark.slow
 def test_many_writers_and_readers_at_once(folder):
     problem = load_problem(SOUND)
-    sound = plain(built(problem, cache=False)[0])
+    sound = plain(built(problem, store=None)[0])
     seen, start = [], threading.Barrier(8)
 
     def work():
