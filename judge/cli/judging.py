@@ -16,7 +16,7 @@ from judge.cli.submissions import Submission
 from judge.cli.wish import Wish
 from judge.judging.containment import Containment
 from judge.problem import Problem, Verdict
-from judge.problem.load import own_files
+from judge.problem.load import load_problem, own_files
 
 if TYPE_CHECKING:
     from judge.cli.picture import Drawing
@@ -83,6 +83,8 @@ class Sitting:
                 seen.append((path, mark.st_mtime_ns, mark.st_size))
         if seen != self._seen:
             self.close()
+            if self._seen:
+                self._problem = load_problem(self._problem.folder, self._problem.solutions)
             self._seen = seen
 
     def close(self) -> None:
