@@ -22,7 +22,7 @@ from typing import Any
 
 from msgspec import Struct
 
-from judge.digest import digest_of
+from judge.cache import digest
 from judge.values.answers import Target
 from judge.values.atoms import LONGEST, Atom, IntType, NumberType, RealType, Type, Value
 from judge.values.check import ExactOf, is_right
@@ -71,7 +71,7 @@ def _of(type_: Type, value: Value) -> Outline:
     numbers: list[float] = []
     form = _form(type_, value, numbers)
     if len(form) > 2 * _LONGEST:  # cut, but so that different ones stay different
-        form = f"{form[:_LONGEST]}… {digest_of(form.encode(errors='replace'))[:8]}"
+        form = f"{form[:_LONGEST]}… {digest(form.encode(errors='replace'))[:8]}"
     return form, tuple(numbers[:_MOST])
 
 
