@@ -330,9 +330,9 @@ class RealType(NumberType):
 
     def off(self, value: Value, target: Bounds, leaf: Leaf) -> float | None:
         """Its error, as its double has it; 0 where x is 0, which has no scale."""
-        if not accepts(value, target, leaf):
+        lo, hi, nearest = target
+        if not (lo <= value <= hi if type(value) is float else accepts(value, target, leaf)):
             return None
-        nearest = target[2]
         return abs(near(value) - nearest) / ulp(nearest) if nearest else 0.0
 
     def why(self, value: Value, target: Bounds, words: Words, place: Place) -> Mismatch:
