@@ -147,7 +147,12 @@ def _decoded(plain: bytes | msgspec.Raw, folder: Path, kind: type[P]) -> P | Non
         return None
     if not isinstance(problem, Problem):
         return problem
-    examples = tuple(replace(each, case=tupled(each.case)) for each in problem.examples)
+    from judge.values.parameters import listed
+
+    examples = tuple(
+        replace(each, case=tupled(each.case), wanted=listed(problem.answer, tupled(each.wanted)))
+        for each in problem.examples
+    )
     return replace(problem, solutions=_solutions(folder), examples=examples)
 
 

@@ -147,7 +147,7 @@ def _wanted(text: str, kind: Type, where: str) -> Any:
         else:
             fault = parameters.fault(kind, "it", tupled(answer))
             if not fault:
-                return answer
+                return parameters.listed(kind, tupled(answer))
             what = f"the example's answer {_brief(text)!r} is none: {fault}"
             remedy = "correct it, or the answer that problem.toml declares"
     raise ProblemError(what, where=where, remedy=remedy)

@@ -12,7 +12,7 @@ from msgspec.structs import replace
 
 import judge.cache
 import judge.problem.load as loading
-from judge.problem.find import sound_problems
+from judge.problem.find import find_problem, sound_problems
 from judge.problem.load import load_problem
 from judge.problem.model import Listed
 
@@ -104,3 +104,10 @@ def test_a_folder_that_cannot_be_written_costs_time_alone(kata, tmp_path, monkey
     assert load_problem(kata) == before
     assert sound_problems([kata.parent])[0][0].id
     assert load_problem(kata, tmp_path) == replace(before, solutions=tmp_path)
+
+
+@pytest.mark.parametrize("name", ["segment", "error-bound", "nearest"])
+def test_the_answer_of_an_example_keeps_its_form(name, tmp_path, monkeypatch):
+    monkeypatch.setenv("JUDGE_CACHE", str(tmp_path / "cache"))
+    first, again = ([each.wanted for each in find_problem(name).examples] for _ in range(2))
+    assert repr(first) == repr(again)
