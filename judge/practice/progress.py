@@ -10,31 +10,31 @@ A question is ticked by any one of these, whole; it is lost where one of them wa
     katas     each of them that is here was accepted
     skills    each of them that is here is shown
     cards     each card that names the question was remembered when it was last answered
-    broken    one of these mistakes was broken with a case of the person's own
+    broken    one of these mistakes was broken with a case of the person's own (`judge hack`)
+
+A wrong program is broken by a case that keeps the promise and that it answers wrongly; by the case that was
+shown to whoever gave it up, it is not.
 """
 
 from __future__ import annotations
 
 import contextlib
 from collections import Counter, defaultdict
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from datetime import datetime
 from enum import Enum
-from pathlib import Path
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
-from judge.errors import ProblemError, StoreError
-from judge.practice.checklist import Checklist, Row, Section, read_checklist
-from judge.practice.events import Answer, Hack, Run
-from judge.practice.hacks import broken
+from judge.errors import StoreError
+from judge.practice.events import Answer, Hack, Outcome, Run
+from judge.practice.syllabus import Checklist, Row, Section, Skill
 from judge.problem import Problem
 from judge.problem.model import KataLevel
 
 if TYPE_CHECKING:
-    from judge.practice.history import History
-    from judge.practice.quiz.cards import Card
+    from judge.practice.cards import Card
 
 
 class State(Enum):
@@ -46,16 +46,24 @@ class State(Enum):
 
 
 class Standing(Struct, frozen=True):
-    """One problem's runs in short.
+    """One problem's runs that say something of the person, oldest first; at least one."""
 
-    `attempts` are the runs up to the first that solved it, that one included, or all of them where none did.
-    `best` is the highest score.
-    """
+    runs: tuple[Run, ...]
 
-    attempts: int = 0
-    best: int = 0
-    passed: datetime | None = None  # first
-    last: datetime | None = None
+    @property
+    def best(self) -> int:
+        """The highest score."""
+        return max(run.score for run in self.runs)
+
+    @property
+    def passed(self) -> datetime | None:
+        """When it was first solved."""
+        return next((run.when for run in self.runs if run.solved), None)
+
+    @property
+    def mistakes(self) -> Counter[str]:
+        """The mistakes that were made, and how often."""
+        return Counter(name for run in self.runs for name in _mistakes(run))
 
 
 class Covered(Struct, frozen=True):
@@ -144,176 +152,97 @@ class Question(Struct, frozen=True):
 
 
 class Progress(Struct, frozen=True):
-    """How a person stands; `mistakes` are those made in each problem, and how often."""
+    """How a person stands: each problem that was tried, in order of the first run, and what that shows."""
 
     standings: Mapping[str, Standing]
     levels: tuple[Covered, ...]
     skills: tuple[SkillProgress, ...]
-    sections: tuple[tuple[Section, tuple[Question, ...]], ...] = ()
-    mistakes: Mapping[str, Counter[str]] = {}
 
     def within(self, problems: Collection[str]) -> Progress:
-        """The same of these problems alone; all questions stay."""
+        """The same of these problems alone."""
         needs = [(each, tuple(n for n in each.needs if n.problem in problems)) for each in self.skills]
         return Progress(
             {name: standing for name, standing in self.standings.items() if name in problems},
             tuple(level for level in self.levels if level.problem in problems),
             tuple(_skill(each.name, each.about, own) for each, own in needs if own),
-            self.sections,
-            {name: made for name, made in self.mistakes.items() if name in problems},
         )
 
-    def solved(self, problem: str) -> bool:
-        """Whether the person has solved the problem."""
-        return self.standings.get(problem, Standing()).passed is not None
+    @property
+    def solved(self) -> set[str]:
+        """The problems that the person has solved."""
+        return {name for name, standing in self.standings.items() if standing.passed}
 
-    def stars(self, problem: str) -> int:
-        """1 once the problem's interview level is passed, 2 with production."""
-        passed = [level.since is not None for level in self.levels if level.problem == problem]
-        return len(passed) if self.solved(problem) else sum(passed)
+    @property
+    def stars(self) -> Counter[str]:
+        """Of each problem: 1 once its interview level is passed, 2 with production."""
+        return Counter(level.problem for level in self.levels if level.since)
 
 
-def standings(runs: Iterable[Run]) -> dict[str, Standing]:
-    """The standing of every problem that the person tried; `runs` are in their order."""
-    found: dict[str, Standing] = {}
+def assess(problems: Sequence[Problem], runs: Iterable[Run], skills: Sequence[Skill] = ()) -> Progress:
+    """How a person stands after these runs, oldest first; `problems` and `skills` are all there are."""
+    tried: defaultdict[str, list[Run]] = defaultdict(list)
     for run in runs:
         if run.counts:
-            before = found.get(run.problem, Standing())
-            found[run.problem] = Standing(
-                before.attempts + (before.passed is None),
-                max(before.best, run.score),
-                before.passed or (run.when if run.solved else None),
-                run.when,
-            )
-    return found
-
-
-def read_progress(
-    history: History, problems: Sequence[Problem], extra: Sequence[Path]
-) -> tuple[Progress, list[ProblemError]]:
-    """How a person stands by a history, and the faults of decks, which are left out.
-
-    `problems` are all that can be found. Raises ProblemError where a file of skills or questions is broken,
-    StoreError.
-    """
-    from judge.practice.quiz.cards import read_decks
-
-    decks, faults = read_decks(extra)
-    cards = [card for deck in decks for card in deck.cards]
-    answers, hacks = history.events(Answer), history.events(Hack)
-    return assess(problems, history.runs(), read_checklist(extra), cards, answers, hacks), faults
-
-
-def assess(
-    problems: Sequence[Problem],
-    runs: Sequence[Run],
-    checklist: Checklist,
-    cards: Iterable[Card] = (),
-    answers: Iterable[Answer] = (),
-    hacks: Iterable[Hack] = (),
-) -> Progress:
-    """How a person stands after these runs, answers and attempts at wrong programs, which are in their order.
-
-    `problems` are all that can be found, `cards` likewise.
-    """
-    tries = {problem.id: _tries(problem, runs) for problem in problems}
+            tried[run.problem].append(run)
+    levels: list[Covered] = []
     needs: defaultdict[str, list[Covered]] = defaultdict(list)
     for problem in problems:
-        for shown in problem.skills:
+        own = tried.get(problem.id, [])
+        recorded = [_recorded(run, problem) for run in own]
+        for level in problem.levels:
+            groups = tuple(group.name for group in problem.of_level(level))
+            whole = [run.solved or level.value in names for run, names in zip(own, recorded, strict=True)]
+            levels.append(_covered(problem.id, groups, zip(own, whole, strict=True), level=level))
+        for shown in problem.skills if skills else ():
             kills = {name for group in problem.groups if group.name in shown.groups for name in group.kills}
-            needs[shown.name].append(_covered(problem.id, shown.groups, tries[problem.id], kills))
-    named = [each for each in checklist.skills if each.name in needs]
-    skills = tuple(_skill(each.name, each.about, tuple(needs[each.name])) for each in named)
-    made: defaultdict[str, Counter[str]] = defaultdict(Counter)
-    for run in runs:
-        if run.counts:
-            made[run.problem].update(_mistakes(run))
-    found = standings(runs)
-    katas = {
-        each.id: Evidence(Kind.KATA, each.id, f"judge start {each.id}", found.get(each.id, Standing()).passed)
-        for each in problems
-    }
-    skilled = {each.name: _of_skill(each) for each in skills}
-    carded = _of_cards((card for card in cards if not card.problem or card.problem in katas), answers)
-    attempts = tuple(hacks)
-
-    def question(row: Row, title: str) -> Question:
-        by = [katas[name] for name in row.katas if name in katas]
-        by += [skilled[name] for name in row.skills if name in skilled]
-        by += carded[row.id]
-        return _question(row, title, (*by, *_of_hacks(row, attempts, katas)))
-
-    sections = []
-    for part in checklist.sections:
-        its = tuple(question(row, part.title) for row in checklist.rows if row.section == part.id)
-        sections += [(part, its)] if its else []
-    levels = tuple(level for problem in problems for level in _levels(problem, tries[problem.id]))
-    return Progress(found, levels, skills, tuple(sections), made)
+            need = _covered(problem.id, shown.groups, ((run, False) for run in own), kills)
+            needs[shown.name].append(need)
+    return Progress(
+        {name: Standing(tuple(own)) for name, own in tried.items()},
+        tuple(levels),
+        tuple(
+            _skill(each.name, each.about, tuple(needs[each.name])) for each in skills if each.name in needs
+        ),
+    )
 
 
-class _Tried(NamedTuple):
-    """A run with its test groups as sets; `levels` are those that it passed as its own row records."""
-
-    run: Run
-    passed: frozenset[str]
-    failed: frozenset[str]
-    levels: Collection[str]
-
-
-def _tries(problem: Problem, runs: Iterable[Run]) -> list[_Tried]:
-    """The runs of the problem that say something of the person."""
-    today = {group.name for group in problem.groups}
-    found = []
-    for run in runs:
-        if run.problem == problem.id and run.counts and (run.passed or run.failed):
-            recorded: Collection[str] = ()
-            if run.solved:
-                recorded = [level.value for level in KataLevel]
-            elif not today.issuperset(run.passed + run.failed):
-                with contextlib.suppress(StoreError):
-                    recorded = run.levels
-            found.append(_Tried(run, frozenset(run.passed), frozenset(run.failed), recorded))
-    return found
-
-
-def _levels(problem: Problem, tries: Sequence[_Tried]) -> Iterator[Covered]:
-    """Each level of the problem, the easier first."""
-    for level in problem.levels:
-        groups = tuple(group.name for group in problem.of_level(level))
-        whole = frozenset(groups)
-        its = [
-            each._replace(passed=whole, failed=frozenset()) if level.value in each.levels else each
-            for each in tries
-        ]
-        yield _covered(problem.id, groups, its, (), level)
+def _recorded(run: Run, problem: Problem) -> Collection[str]:
+    """The levels that a run of groups which are no more passed, as its own row records."""
+    if not {group.name for group in problem.groups}.issuperset(run.passed + run.failed):
+        with contextlib.suppress(StoreError):
+            return run.levels
+    return ()
 
 
 def _covered(
     problem: str,
     groups: tuple[str, ...],
-    tries: Iterable[_Tried],
-    mistakes: Collection[str],
+    runs: Iterable[tuple[Run, bool]],
+    kills: Collection[str] = (),
     level: KataLevel | None = None,
 ) -> Covered:
-    wanted = frozenset(groups)
+    """How the groups stand after the problem's runs, each with whether it passed all of them whatever it says.
+
+    `kills` are the mistakes that the groups reject.
+    """
     since: datetime | None = None
-    failing: frozenset[str] = frozenset()
+    failing: tuple[str, ...] = ()
     best = attempts = 0
     made: Counter[str] = Counter()
-    for run, passed, failed, _ in tries:
-        passes, fails = wanted & passed, wanted & failed
+    for run, whole in runs:
+        passes = [group for group in groups if whole or group in run.passed]
+        fails = () if whole else tuple(group for group in groups if group in run.failed)
         if not passes and not fails:  # it was judged on other groups only
             continue
         attempts += since is None
         best = max(best, len(passes))
         if run.passed:  # a file that is begun anew passes nothing yet, and takes nothing away
             failing = fails
-        if since is None and passes == wanted:
+        if since is None and len(passes) == len(groups):
             since = run.when
         if fails:
-            made.update(name for name in _mistakes(run) if name in mistakes)
-    lost = tuple(group for group in groups if group in failing)
-    return Covered(problem, groups, level, best, since, lost, attempts, made)
+            made.update(name for name in _mistakes(run) if name in kills)
+    return Covered(problem, groups, level, best, since, failing, attempts, made)
 
 
 def _mistakes(run: Run) -> list[str]:
@@ -322,58 +251,142 @@ def _mistakes(run: Run) -> list[str]:
 
 
 def _skill(name: str, about: str, needs: tuple[Covered, ...]) -> SkillProgress:
-    since = min((need.since for need in needs if need.since is not None), default=None)
-    firsts = [need.attempts for need in needs if since and need.since == since]
-    lost = any(need.lost for need in needs)
+    met = [need for need in needs if need.since]
+    first = min(met, key=lambda need: need.since or datetime.max, default=None)
+    made = sum((Counter(need.mistakes) for need in needs), Counter[str]())
     return SkillProgress(
         name,
         about,
-        State.LOST if lost else State.SHOWN if since else State.OPEN,
-        since,
-        firsts[0] if firsts else sum(need.attempts for need in needs),
-        dict(sum((Counter(need.mistakes) for need in needs), Counter[str]()).most_common()),
+        State.LOST if any(need.lost for need in needs) else State.SHOWN if first else State.OPEN,
+        first.since if first else None,
+        first.attempts if first else sum(need.attempts for need in needs),
+        dict(made.most_common()),
         needs,
     )
 
 
-def _question(row: Row, section: str, by: tuple[Evidence, ...]) -> Question:
-    """The question: ticked by all of one kind, or by one mistake that was broken."""
-    dates = []
+# -- questions ---------------------------------------------------------------------------------------------
+
+
+def questions(
+    progress: Progress,
+    problems: Iterable[Problem],
+    checklist: Checklist,
+    cards: Iterable[Card] = (),
+    answers: Sequence[Answer] = (),
+    hacks: Iterable[Hack] = (),
+) -> list[tuple[Section, tuple[Question, ...]]]:
+    """The questions of each section; answers and attempts at wrong programs are oldest first."""
+    shows: defaultdict[tuple[Kind, str], list[Evidence]] = defaultdict(list)
+    for problem in problems:
+        standing = progress.standings.get(problem.id)
+        since = standing.passed if standing else None
+        shows[Kind.KATA, problem.id] = [Evidence(Kind.KATA, problem.id, f"judge start {problem.id}", since)]
+    for skill in progress.skills:
+        needs = skill.needs
+        kata = next((need.problem for need in needs if need.since is None or need.lost), needs[0].problem)
+        lost = skill.state is State.LOST
+        shows[Kind.SKILL, skill.name] = [
+            Evidence(Kind.SKILL, skill.name, f"judge start {kata}", skill.since, lost)
+        ]
+    last = {answer.card: answer for answer in answers}
+    first = {answer.card: answer.when for answer in reversed(answers) if answer.known}
+    for card in cards:
+        if not card.problem or (Kind.KATA, card.problem) in shows:
+            since = first.get(card.key)
+            lost = since is not None and not last[card.key].known
+            for row in card.rows:
+                drill = f"judge quiz --question {row}"
+                shows[Kind.CARD, row].append(Evidence(Kind.CARD, card.key, drill, since, lost))
+    done = broken(hacks)
+
+    def question(row: Row, section: str) -> Question:
+        keys = [(Kind.KATA, each) for each in row.katas] + [(Kind.SKILL, each) for each in row.skills]
+        by = [each for key in (*keys, (Kind.CARD, row.id)) for each in shows.get(key, ())]
+        for name in row.broken:
+            kata, mistake = name.split("/")
+            if (kata, mistake) in done or (Kind.KATA, kata) in shows:
+                drill = f"judge hack {kata} {mistake}"
+                by.append(Evidence(Kind.BROKEN, name, drill, done.get((kata, mistake))))
+        since, lost = _ticked(by), any(each.lost for each in by)
+        state = State.SHOWN if since else State.LOST if lost else State.OPEN
+        return Question(row.id, section, row.ask, state, since, tuple(by))
+
+    grouped = [
+        (part, tuple(question(row, part.title) for row in checklist.rows if row.section == part.id))
+        for part in checklist.sections
+    ]
+    return [(part, own) for part, own in grouped if own]
+
+
+def _ticked(by: Iterable[Evidence]) -> datetime | None:
+    """Since when: all of one kind tick it, or one mistake that was broken."""
+    dates: list[datetime] = []
     for kind in Kind:
         own = [None if each.lost else each.since for each in by if each.kind is kind]
-        there = [date for date in own if date is not None]
+        there = [date for date in own if date]
         if there and (kind is Kind.BROKEN or len(there) == len(own)):
             dates.append(min(there) if kind is Kind.BROKEN else max(there))
-    since = min(dates, default=None)
-    lost = any(each.lost for each in by)
-    state = State.SHOWN if since else State.LOST if lost else State.OPEN
-    return Question(row.id, section, row.ask, state, since, by)
+    return min(dates, default=None)
 
 
-def _of_skill(skill: SkillProgress) -> Evidence:
-    needs = skill.needs
-    drilled = next((need.problem for need in needs if need.since is None or need.lost), needs[0].problem)
-    return Evidence(Kind.SKILL, skill.name, f"judge start {drilled}", skill.since, skill.state is State.LOST)
+# -- wrong programs ----------------------------------------------------------------------------------------
 
 
-def _of_hacks(row: Row, hacks: Iterable[Hack], problems: Collection[str]) -> Iterator[Evidence]:
-    """What the wrong programs show that a question names, of katas that are here or were broken before."""
-    for name in row.broken:
-        problem, mistake = name.split("/")
-        when = broken(hack for hack in hacks if hack.problem == problem).get(mistake)
-        if when or problem in problems:
-            yield Evidence(Kind.BROKEN, name, f"judge hack {problem} {mistake}", when)
+class HackState(Enum):
+    """How a wrong program stands; the value is its name in JSON."""
+
+    OPEN = "open"
+    BROKEN = "broken"
+    GIVEN_UP = "given-up"
 
 
-def _of_cards(cards: Iterable[Card], answers: Iterable[Answer]) -> Mapping[str, list[Evidence]]:
-    """What cards show, by the id of each question that they practise."""
-    given: defaultdict[str, list[Answer]] = defaultdict(list)
-    for answer in answers:
-        given[answer.card].append(answer)
-    found: defaultdict[str, list[Evidence]] = defaultdict(list)
-    for card in cards:
-        known = next((answer.when for answer in given[card.key] if answer.known), None)
-        lost = known is not None and not given[card.key][-1].known
-        for row in card.rows:
-            found[row].append(Evidence(Kind.CARD, card.key, f"judge quiz --question {row}", known, lost))
+class HackShare(Struct, frozen=True):
+    """Of a problem's `programs` wrong ones, those that were broken: by mistake, when it was done first."""
+
+    problem: str
+    programs: int
+    broken: Mapping[str, datetime]
+
+
+def broken(hacks: Iterable[Hack]) -> dict[tuple[str, str], datetime]:
+    """The programs that were broken, by problem and mistake, and when first; the attempts are in order."""
+    found: dict[tuple[str, str], datetime] = {}
+    shown: set[tuple[str, str, str]] = set()
+    for hack in hacks:
+        case = hack.problem, hack.mistake, hack.case
+        if hack.outcome is Outcome.GIVEN_UP:
+            shown.add(case)
+        elif hack.outcome is Outcome.WON and case not in shown:
+            found.setdefault(case[:2], hack.when)
+    return found
+
+
+def was_shown(mistake: str, case: str, hacks: Iterable[Hack]) -> bool:
+    """Whether the case was shown to whoever gave up that mistake of one problem."""
+    return (mistake, case) in {
+        (hack.mistake, hack.case) for hack in hacks if hack.outcome is Outcome.GIVEN_UP
+    }
+
+
+def hack_states(mistakes: Iterable[str], hacks: Sequence[Hack]) -> dict[str, HackState]:
+    """How the program of each of one problem's mistakes stands."""
+    states = {hack.mistake: HackState.GIVEN_UP for hack in hacks if hack.outcome is Outcome.GIVEN_UP}
+    states |= {mistake: HackState.BROKEN for _, mistake in broken(hacks)}
+    return {name: states.get(name, HackState.OPEN) for name in mistakes}
+
+
+def hack_shares(problems: Iterable[Problem], hacks: Sequence[Hack]) -> list[HackShare]:
+    """The share of each of these problems that was tried; the mistakes of no other are read.
+
+    Raises ProblemError where the files that tell of a problem's mistakes are broken.
+    """
+    from judge.mistakes.puzzles import read_puzzles  # most people's history has no attempt
+
+    tried, done, found = {hack.problem for hack in hacks}, broken(hacks), []
+    for problem in problems:
+        if problem.id in tried:
+            known = {puzzle.mistake for puzzle in read_puzzles(problem)}
+            own = {name: when for (kata, name), when in done.items() if kata == problem.id and name in known}
+            found.append(HackShare(problem.id, len(known), own))
     return found

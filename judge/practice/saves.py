@@ -6,8 +6,7 @@ import threading
 import time
 from collections.abc import Callable
 from pathlib import Path
-
-from msgspec import Struct
+from typing import NamedTuple
 
 _STEP = 50  # milliseconds without a further change that end a burst of them
 _BURST = 400  # milliseconds that a burst may last
@@ -17,7 +16,7 @@ _PAUSES = 20  # of them at most
 _PATIENCE = 6  # pauses for a file that is being replaced
 
 
-class SavedMark(Struct, frozen=True):
+class SavedMark(NamedTuple):
     """What changes with every save."""
 
     file: int  # the inode: another one after a rename
@@ -40,8 +39,7 @@ def settled(path: Path) -> SavedMark | None:
     for pauses in range(1, _PAUSES + 1):
         time.sleep(_PAUSE)
         now = mark(path)
-        there = now is not None and now.size > 0
-        if now == before and (there or pauses >= _PATIENCE):
+        if now == before and ((now and now.size) or pauses >= _PATIENCE):
             break
         before = now
     return before
@@ -73,10 +71,9 @@ class Saves:
     def _watch(self) -> None:
         from watchfiles import watch
 
-        # A link is saved where it leads to.
-        places = {self._path.absolute(), self._path.resolve()}
-        names = {place.name for place in places}
         try:
+            places = {self._path.absolute(), self._path.resolve()}  # a link is saved where it leads to
+            names = {place.name for place in places}
             for _ in watch(
                 *{place.parent for place in places},
                 watch_filter=lambda _change, path: Path(path).name in names,

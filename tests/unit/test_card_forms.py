@@ -11,9 +11,18 @@ from math import sqrt
 import pytest
 
 from judge.errors import ProblemError
-from judge.practice.quiz.cards import FORMS, Card, WrongOption, all_cards
-from judge.practice.quiz.questions import Sources, ask
-from judge.practice.quiz.typed import MistypedError, count, number, option, sequence
+from judge.practice.cards import (
+    FORMS,
+    Card,
+    MistypedError,
+    WrongOption,
+    all_cards,
+    count,
+    number,
+    option,
+    sequence,
+)
+from judge.practice.questions import Sources, ask
 
 NUMBERS = re.compile(r"-?\d+")
 

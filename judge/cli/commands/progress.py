@@ -10,20 +10,25 @@ from typing import Annotated
 import click
 from msgspec import Struct
 
-from judge.cli.drilling import known_cards
 from judge.cli.kept import history_at
 from judge.cli.options import Common, command, opt, takes
 from judge.cli.resolve import shown
 from judge.cli.target import OutFile, moment
 from judge.errors import ProblemError, UsageError
 from judge.practice import events
-from judge.practice.checklist import find_row, read_checklist, unknown_skills
-from judge.practice.events import Answer, Hack, Help
-from judge.practice.hacks import hack_shares
-from judge.practice.history import History
-from judge.practice.progress import Progress, State, read_progress, standings
-from judge.practice.review import card_reviews, reviews
-from judge.practice.sets import USUAL, PracticeSet, find_set, sound_sets
+from judge.practice.cards import known_cards, read_decks
+from judge.practice.events import Answer, Hack, Help, Run
+from judge.practice.progress import Progress, State, assess, hack_shares, questions
+from judge.practice.review import reviews
+from judge.practice.syllabus import (
+    USUAL,
+    PracticeSet,
+    find_row,
+    find_set,
+    read_checklist,
+    sound_sets,
+    unknown_names,
+)
 from judge.problem import Problem
 from judge.problem.find import problem_folders, sound_problems
 from judge.report.published_progress import (
@@ -75,39 +80,46 @@ def progress(name: str, ask: ProgressAsk, common: Common) -> Struct:
         raise UsageError("--out, --name and --open go with --html", remedy="add --html")
     if ask.html:
         return _page(ask, common)
+    folders = common.problems
     with history_at(common.db, reading=True) as history:
-        if ask.due:
-            return _due(history, common.problems)
-        chosen = find_set(name, common.problems)
-        for fault in chosen.faults:
-            note(str(fault), bad=True)
-        problems, _ = sound_problems(common.problems)
-        found, faults = read_progress(history, problems, common.problems)
-        for fault in (*unknown_skills(chosen.problems, common.problems), *faults):
-            note(str(fault), bad=True)
-        if ask.question is not None:
-            row = find_row(ask.question, read_checklist(common.problems).rows).id
-            (one,) = (each for _, rows in found.sections for each in rows if each.row == row)
-            return QuestionShown(question=one)
-        shares = tuple(hack_shares(chosen.problems, history.events(Hack)))
-        due = _due(history, common.problems)
-    sets = sound_sets(problems, common.problems)[0] if chosen.name == USUAL else []
-    own = found.within([problem.id for problem in chosen.problems])
-    parts = [each for each in own.sections if chosen.name in (USUAL, *each[0].sets)] or own.sections
-    stars = Counter(found.stars(problem.id) for problem in chosen.problems)
+        runs, helps = history.runs(), history.events(Help)
+        answers, hacks = history.events(Answer), history.events(Hack)
+    problems, broken = sound_problems(folders)
+    checklist = read_checklist(folders)
+    found = assess(problems, runs, checklist.skills)
+    due = _due(found, runs, helps, answers, folders)
+    if ask.due:
+        return due
+    chosen = find_set(name, problems, folders)
+    cards, faults = read_decks(folders)
+    for fault in (*broken, *unknown_names(problems, folders), *faults):
+        note(str(fault), bad=True)
+    asked = questions(found, problems, checklist, cards, answers, hacks)
+    if ask.question is not None:
+        row = find_row(ask.question, checklist.rows).id
+        (one,) = (each for _, rows in asked for each in rows if each.row == row)
+        return QuestionShown(question=one)
+    sets = sound_sets(problems, folders)[0] if chosen.name == USUAL else []
+    own, ids = (
+        found.within([problem.id for problem in chosen.problems]),
+        [each.id for each in chosen.problems],
+    )
+    stars = list(own.stars.values())
+    parts = [each for each in asked if chosen.name in (USUAL, *each[0].sets)] or asked
+    mistakes = sum((each.mistakes for each in own.standings.values()), Counter[str]())
     told = ProgressShown(
         set=chosen.name,
         title=chosen.title,
-        katas=tuple(problem.id for problem in chosen.problems),
-        solved=tuple(problem.id for problem in chosen.problems if found.solved(problem.id)),
-        one_star=stars[1],
-        two_stars=stars[2],
+        katas=tuple(ids),
+        solved=tuple(name for name in ids if name in own.solved),
+        one_star=stars.count(1),
+        two_stars=stars.count(2),
         sets=tuple(_share(each, found) for each in sets if each.problems and each.name != USUAL),
         skills=own.skills,
         levels=own.levels,
-        mistakes=dict(sum(own.mistakes.values(), Counter[str]()).most_common()),
+        mistakes=dict(mistakes.most_common()),
         rows=tuple(row for _, rows in parts for row in rows),
-        hacks=shares,
+        hacks=tuple(hack_shares(chosen.problems, hacks)),
         next=_next(chosen.problems, found),
     )
     return ProgressPage(told, due, ask.whole)
@@ -115,14 +127,14 @@ def progress(name: str, ask: ProgressAsk, common: Common) -> Struct:
 
 def _share(part: PracticeSet, progress: Progress) -> SetShare:
     own = progress.within([problem.id for problem in part.problems])
-    stars = Counter(own.stars(problem.id) for problem in part.problems)
+    stars = list(own.stars.values())
     return SetShare(
         name=part.name,
         katas=len(part.problems),
-        solved=sum(own.solved(problem.id) for problem in part.problems),
+        solved=len(own.solved),
         levelled=len({level.problem for level in own.levels}),
-        one_star=stars[1],
-        two_stars=stars[2],
+        one_star=stars.count(1),
+        two_stars=stars.count(2),
         skills=len(own.skills),
         shown=sum(skill.state is State.SHOWN for skill in own.skills),
     )
@@ -141,19 +153,24 @@ def _next(problems: Sequence[Problem], progress: Progress) -> NextKata | None:
     return None
 
 
-def _due(history: History, folders: Sequence[Path]) -> DueShown:
+def _due(
+    progress: Progress,
+    runs: Sequence[Run],
+    helps: Sequence[Help],
+    answers: Sequence[Answer],
+    folders: Sequence[Path],
+) -> DueShown:
     """What is unfinished, and what comes again when; a kata that is unfinished is not repeated yet."""
-    today, runs = events.now().astimezone(), history.runs()
-    here = {folder.name for folder in problem_folders(folders)}
-    found = reviews(runs, history.events(Help))
-    tried = {name: each for name, each in standings(runs).items() if each.passed is None and name in here}
+    today, here = events.now().astimezone(), {folder.name for folder in problem_folders(folders)}
+    found = reviews(runs, helps)
+    tried = {name: each for name, each in progress.standings.items() if not each.passed and name in here}
     known = [each for each in found if each.name in here and each.name not in tried]
-    cards = card_reviews(history.events(Answer))
-    if cards:  # whoever has answered none waits for no deck
-        cards = known_cards(cards, folders)
+    cards = known_cards(answers, folders)
     return DueShown(
         time=today,
-        now=tuple(Unfinished(problem=name, best=each.best, last=each.last) for name, each in tried.items()),
+        now=tuple(
+            Unfinished(problem=name, best=each.best, last=each.runs[-1].when) for name, each in tried.items()
+        ),
         due=tuple(each for each in known if each.is_due(today)),
         later=tuple(each for each in known if not each.is_due(today)),
         elsewhere=tuple(sorted({each.name for each in found} - here)),
@@ -181,7 +198,7 @@ def _page(ask: ProgressAsk, common: Common) -> ProgressWritten:
         for fault in faults:  # its runs are shown all the same
             note(f"a kata is left out: {fault}")
         try:
-            skills = read_progress(history, problems, common.problems)[0].skills
+            skills = assess(problems, runs, read_checklist(common.problems).skills).skills
         except ProblemError as fault:
             note(f"the skills are left out: {fault}")
             skills = ()

@@ -1,16 +1,18 @@
-"""A kata to begin with: whole and sound, to be changed file by file into one's own.
+"""For setters: a kata to begin with, and what a kata needs beyond being judged (`judge new`, `judge verify`).
 
     <folder>/problems/<name>/      problem.toml, problem.py, statement.md, hints.md, pins.json
     <folder>/solutions/<name>/     accepted/, wrong/
 
-Its texts are those of judge/manual/new-kata.md.
+The new kata is whole and sound, to be changed file by file into one's own. Its texts are those of
+judge/manual/new-kata.md.
 """
 
 from __future__ import annotations
 
 import keyword
 import re
-from collections.abc import Iterator
+from collections.abc import Collection, Sequence
+from contextlib import nullcontext, suppress
 from pathlib import Path
 from shlex import quote
 
@@ -18,21 +20,25 @@ from msgspec import Struct
 
 from judge.data.load import ProblemData, load_data
 from judge.data.pins import pins_file, pins_of, write_pins
-from judge.errors import UsageError, unwritable
+from judge.errors import JudgeError, ProblemError, UsageError, unwritable
 from judge.files import new_file
 from judge.mistakes.computed import Computer, Program
 from judge.mistakes.makers import read_makers
+from judge.practice.cards import read_decks
+from judge.practice.questions import Sources, ask
+from judge.practice.stub import make_stub
+from judge.practice.syllabus import unknown_names
 from judge.problem import Problem
-from judge.problem.find import near_problem_folders
+from judge.problem.find import near_problem_folders, problem_roots
+from judge.problem.hints import read_hints
 from judge.problem.load import load_problem
 from judge.problem.names import is_name
-from judge.run.verify import ENOUGH
+from judge.run.verify import ENOUGH, Fault
 
 _TEMPLATE = Path(__file__).resolve().parent.parent / "manual" / "new-kata.md"
 _FILE = re.compile(r"^## `([^`]+)`\n\n```\w+\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 _ID, _ENTRY = "my-kata", "my_kata"  # what stands for the new kata's in the template
 _LETTERS = "small letters, digits and single hyphens"
-_PROBLEMS, _SOLUTIONS = "problems", "solutions"
 
 
 class Begun(Struct, frozen=True):
@@ -56,11 +62,12 @@ def begin_kata(folder: Path, name: str | None = None) -> Begun:
     try:
         problems = _folder_of_problems(folder)
         name = _checked(name, folder, problems)
-        homes = {_PROBLEMS: problems, _SOLUTIONS: problems.parent / _SOLUTIONS}
-        _check_free(name, [home / name for home in homes.values()])
-        for file, text in _files(name):
-            home, _, rest = file.partition("/")
-            _write(homes[home] / rest, text, made)
+        homes = {"problems": problems / name, "solutions": problems.parent / "solutions" / name}
+        _check_free(name, list(homes.values()))
+        entry = name.replace("-", "_") + "_" * keyword.iskeyword(name)
+        for path, text in _FILE.findall(_TEMPLATE.read_text(encoding="utf-8")):
+            kind, _, rest = path.replace(f"{_ID}/", "").partition("/")
+            _write(homes[kind] / rest, text.replace(_ID, name).replace(_ENTRY, entry), made)
         problem = load_problem(problems / name)
         made.append(pins_file(problem))
         data = load_data(problem, cache=False)
@@ -78,24 +85,22 @@ def _folder_of_problems(folder: Path) -> Path:
     """Where the kata goes: the folder `problems` in `folder`, or `folder` itself. Raises UsageError."""
     if folder.exists() and not folder.is_dir():
         raise UsageError("this is no folder", where=str(folder), remedy="name a folder for the new kata")
-    within = folder / _PROBLEMS
-    if not within.is_dir() and folder.is_dir():
+    within = folder / "problems"
+    if folder.is_dir() and not within.is_dir():
         holds_problems = any((path / "problem.toml").is_file() for path in folder.iterdir())
-        if holds_problems or folder.resolve().name == _PROBLEMS:
+        if holds_problems or folder.resolve().name == "problems":
             return folder
     return within
 
 
 def _checked(name: str | None, folder: Path, problems: Path) -> str:
     """The kata's name. Raises UsageError if it is none."""
+    say = f"name it: judge new {quote(str(folder))} NAME"
     if name is None and problems == folder:
-        remedy = f"name it: judge new {quote(str(folder))} NAME"
-        raise UsageError("the new kata has no name", where=str(folder), remedy=remedy)
+        raise UsageError("the new kata has no name", where=str(folder), remedy=say)
     chosen = folder.resolve().name if name is None else name
     if not is_name(chosen):
-        remedy = f"use {_LETTERS}"
-        if name is None:
-            remedy = f"name it: judge new {quote(str(folder))} NAME, with {_LETTERS}"
+        remedy = f"{say}, with {_LETTERS}" if name is None else f"use {_LETTERS}"
         raise UsageError(f"{chosen!r} is no name for a kata", remedy=remedy)
     return chosen
 
@@ -110,16 +115,6 @@ def _check_free(name: str, places: list[Path]) -> None:
         if other.name == name:
             what, remedy = f"a kata is called {name!r} already", "choose another name: runs are kept by it"
             raise UsageError(what, where=str(other), remedy=remedy)
-
-
-def _files(name: str) -> Iterator[tuple[str, str]]:
-    """The path of each file, which begins with problems/ or solutions/, and its text."""
-    entry = name.replace("-", "_")
-    if keyword.iskeyword(entry):
-        entry += "_"
-    template = _TEMPLATE.read_text(encoding="utf-8")
-    for file, text in _FILE.findall(template):
-        yield file.replace(_ID, name), text.replace(_ID, name).replace(_ENTRY, entry)
 
 
 def _write(path: Path, text: str, made: list[Path]) -> None:
@@ -139,10 +134,8 @@ def _write(path: Path, text: str, made: list[Path]) -> None:
 def _undo(made: list[Path]) -> None:
     """Take away what was made, and nothing else."""
     for path in reversed(made):
-        try:
+        with suppress(OSError):  # somebody else has put something there
             path.rmdir() if path.is_dir() else path.unlink(missing_ok=True)
-        except OSError:  # somebody else has put something there
-            continue
 
 
 def _kills(data: ProblemData) -> dict[str, list[str]]:
@@ -155,3 +148,45 @@ def _kills(data: ProblemData) -> dict[str, list[str]]:
             if len(answers.wrong) >= ENOUGH:
                 found.setdefault(group, []).append(maker.name)
     return found
+
+
+# -- what a kata needs: hints, a stub, cards, sets and skills ----------------------------------------------
+
+
+def kata_faults(problem: Problem, extra: Sequence[Path] = ()) -> list[Fault]:
+    """The setter's faults; `extra` are folders of problems to look in first for the sets and skills."""
+    found: list[ProblemError] = []
+    checks = (read_hints, make_stub, lambda each: found.extend(unknown_names([each], extra)))
+    for check in checks:
+        try:
+            check(problem)
+        except ProblemError as fault:
+            found.append(fault)
+    return [_told(fault, problem.id) for fault in found]
+
+
+def deck_faults(folders: Sequence[Path], katas: Collection[str]) -> tuple[int, tuple[Fault, ...]]:
+    """How many cards are there, and a fault for each that cannot be asked.
+
+    They are the cards of the `katas`; without any, those of all decks in the `folders`, or of all there are.
+    """
+    cards, broken = read_decks(folders)
+    if katas:
+        cards, faults = [card for card in cards if card.problem in katas], []
+    else:
+        roots = problem_roots(folders)[: len(folders) or None]
+        cards = [
+            card for card in cards if any((root / "quiz" / f"{card.deck}.toml").is_file() for root in roots)
+        ]
+        faults = [_told(fault, "quiz") for fault in broken]
+    sources = Sources(folders, 0, lambda _label: nullcontext())
+    for card in cards:
+        try:
+            ask(card, sources, "check")
+        except JudgeError as fault:
+            faults.append(_told(fault, card.key))
+    return len(cards), tuple(faults)
+
+
+def _told(fault: JudgeError, where: str) -> Fault:
+    return Fault(fault.what, fault.where or where, fault.remedy or "")

@@ -1,0 +1,262 @@
+"""What there is to learn, in the folders of problems: practice sets, skills, and a checklist of questions.
+
+    problems/sets/middle.toml          title = "Middle"
+                                       about = "One sentence for the list of sets."
+    problems/count/problem.toml        sets = ["middle", "path"]
+
+    problems/skills.toml               [[skills]]
+                                       name = "far from the origin"
+                                       about = "Subtract first: the square of a large number drowns a small one."
+    problems/count/problem.py          group("offset", …, skills="far from the origin")
+
+    problems/checklist.toml            [[sections]]
+                                       id = "junior"
+                                       title = "Junior questions"
+                                       sets = ["junior"]
+                                       [[rows]]
+                                       id = "J3"
+                                       section = "junior"
+                                       ask = "How far is a point from the line through A and B?"
+                                       katas = ["distance"]
+
+The katas of a set are in the order in which to take them up. A set's file may list its `problems` itself, in
+an order of its own. `judge.practice.progress` says when a skill is shown and what ticks a row.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Iterator, Sequence
+from pathlib import Path
+
+from msgspec import Struct
+
+from judge.errors import ProblemError, UsageError, nearest
+from judge.problem import Problem, Tier
+from judge.problem.find import find_problem, problem_roots
+from judge.problem.model import group_place
+from judge.problem.tables import TomlFile, key_place, meant
+
+USUAL = "path"  # the set that stands for all of them in order
+FIRST = "first-steps"  # the set that a newcomer begins with
+_ORDER = [FIRST, *(tier.value for tier in Tier)]  # sets of these names come first; others after them, by name
+
+
+class PracticeSet(Struct, frozen=True):
+    """Problems to practise, in order; `name` is the file's."""
+
+    name: str
+    title: str
+    about: str
+    problems: tuple[Problem, ...]
+
+
+class Skill(Struct, frozen=True, forbid_unknown_fields=True):
+    """Something to be able to do, as a person would tick it off."""
+
+    name: str
+    about: str
+
+
+class Section(Struct, frozen=True, forbid_unknown_fields=True):
+    """A part of the checklist; the first of all is what a person ticks off before an interview."""
+
+    id: str
+    title: str
+    sets: tuple[str, ...] = ()
+
+
+class Row(Struct, frozen=True, forbid_unknown_fields=True):
+    """One question, and what ticks it; `broken` names mistakes, as "count/no-clamp"."""
+
+    id: str
+    section: str
+    ask: str
+    katas: tuple[str, ...] = ()
+    skills: tuple[str, ...] = ()
+    broken: tuple[str, ...] = ()
+
+
+class Checklist(Struct, frozen=True):
+    """All skills, sections and rows, in their order."""
+
+    skills: tuple[Skill, ...] = ()
+    sections: tuple[Section, ...] = ()
+    rows: tuple[Row, ...] = ()
+
+
+class _SetTable(Struct, forbid_unknown_fields=True, frozen=True):
+    title: str
+    about: str
+    problems: list[str] | None = None
+
+
+class _SkillsTable(Struct, forbid_unknown_fields=True, frozen=True):
+    skills: list[Skill]
+
+
+class _RowsTable(Struct, forbid_unknown_fields=True, frozen=True):
+    sections: list[Section]
+    rows: list[Row]
+
+
+# -- sets --------------------------------------------------------------------------------------------------
+
+
+def find_set(name: str, problems: Sequence[Problem], extra: Sequence[Path] = ()) -> PracticeSet:
+    """The set of that name among these problems, which are all; `extra` are folders to look in first.
+
+    Raises:
+        UsageError: there is none of that name.
+        ProblemError: its file, or a problem that it lists, is broken, or it has no problem.
+    """
+    files = _set_files(extra)
+    if name not in files:
+        raise UsageError(f"no practice set is called {name!r}", remedy=meant(name, list(files)))
+    file = TomlFile(files[name])
+    table = file.read(_SetTable)
+    listed = table.problems or []
+    _refuse_doubles(file, listed, "problems", said="is listed twice")
+    for place, each in enumerate(listed):
+        try:
+            find_problem(each, extra)
+        except UsageError as fault:
+            raise file.fault(fault.what, fault.remedy or "", "problems", place) from None
+    found = _set_of(name, table, problems)
+    if not found.problems:
+        raise file.fault("the set holds no problem", f"name {name!r} in the sets of a problem.toml")
+    return found
+
+
+def sound_sets(
+    problems: Sequence[Problem], extra: Sequence[Path] = ()
+) -> tuple[list[PracticeSet], list[ProblemError]]:
+    """Every set of these problems, easiest first, and the fault of each that cannot be read."""
+    found, faults = [], []
+    for name, path in _set_files(extra).items():
+        try:
+            found.append(_set_of(name, TomlFile(path).read(_SetTable), problems))
+        except ProblemError as fault:
+            faults.append(fault)
+    return found, faults
+
+
+def _set_of(name: str, table: _SetTable, problems: Sequence[Problem]) -> PracticeSet:
+    """The set of those that name it, or of those that its file lists."""
+    here = {problem.id: problem for problem in problems}
+    names = table.problems or [problem.id for problem in problems if name in problem.sets]
+    return PracticeSet(name, table.title, table.about, tuple(here[each] for each in names if each in here))
+
+
+def set_names(extra: Sequence[Path] = ()) -> list[str]:
+    """The names of all sets, easiest first; none of them is read."""
+    return list(_set_files(extra))
+
+
+def _set_files(extra: Sequence[Path]) -> dict[str, Path]:
+    """The sets' files by name: the usual ones in their order, then others by name."""
+    found: dict[str, Path] = {}
+    for root in problem_roots(extra):
+        for path in (root / "sets").glob("*.toml"):
+            found.setdefault(path.stem, path)
+    ordered = [name for name in _ORDER if name in found]
+    return {name: found[name] for name in (*ordered, *sorted(found.keys() - ordered))}
+
+
+def set_of(problem: str, sets: Iterable[PracticeSet]) -> PracticeSet | None:
+    """The first set that a kata belongs to; None where it is in none but the whole path."""
+    return next(
+        (each for each in sets if each.name != USUAL and problem in [own.id for own in each.problems]), None
+    )
+
+
+def next_kata(
+    after: str, problems: Sequence[Problem], sets: Sequence[PracticeSet], solved: Collection[str]
+) -> Problem | None:
+    """The kata that comes after that one and is not solved; None where all others are.
+
+    First in its own set, from there on and then from the start, so that one that was left out comes back;
+    then on the whole path.
+    """
+    own = set_of(after, sets)
+    path = next((each.problems for each in sets if each.name == USUAL), problems)
+    for row in (own.problems if own else (), path):
+        names = [each.id for each in row]
+        at = names.index(after) + 1 if after in names else 0
+        for each in (*row[at:], *row[:at]):
+            if each.id not in solved and each.id != after:
+                return each
+    return None
+
+
+# -- skills and questions ----------------------------------------------------------------------------------
+
+
+def read_checklist(extra: Sequence[Path] = ()) -> Checklist:
+    """What every folder's files list, each name once; the first of a name wins. Raises ProblemError."""
+    sections: dict[str, Section] = {}
+    rows: dict[str, Row] = {}
+    for file in _files(extra, "checklist.toml"):
+        table = file.read(_RowsTable)
+        for section in table.sections:
+            sections.setdefault(section.id, section)
+        _refuse_doubles(file, [row.id for row in table.rows], "rows", "id")
+        for place, row in enumerate(table.rows):
+            if row.section not in sections:
+                what, remedy = f"no section is called {row.section!r}", meant(row.section, list(sections))
+                raise file.fault(what, remedy, "rows", place, "section")
+            for at, mistake in enumerate(row.broken):
+                if mistake.count("/") != 1:
+                    what = f"{mistake!r} does not name a mistake"
+                    raise file.fault(what, 'write "problem/mistake"', "rows", place, "broken", at)
+            rows.setdefault(row.id, row)
+    return Checklist(_skills(extra), tuple(sections.values()), tuple(rows.values()))
+
+
+def find_row(name: str, rows: Iterable[Row]) -> Row:
+    """The row of that id, in any case. Raises UsageError where there is none."""
+    known = {row.id.upper(): row for row in rows}
+    if found := known.get(name.upper()):
+        return found
+    near = nearest(name.upper(), known)
+    remedy = f"did you mean {near!r}? " if near else ""
+    raise UsageError(f"there is no question {name!r}", remedy=f"{remedy}'judge progress --all' lists them")
+
+
+def unknown_names(problems: Iterable[Problem], extra: Sequence[Path] = ()) -> Iterator[ProblemError]:
+    """A fault for each set and skill that a problem names and no file does. Raises as read_checklist."""
+    sets, skills = list(_set_files(extra)), [skill.name for skill in _skills(extra)]
+    for problem in problems:
+        for at, name in enumerate(problem.sets):
+            if name not in sets:
+                remedy = f"{meant(name, sets)}; a new one needs a file sets/{name}.toml"
+                where = key_place(problem, ("sets", at))
+                yield ProblemError(f"no practice set is called {name!r}", where=where, remedy=remedy)
+        for shown in problem.skills:
+            if shown.name not in skills:
+                near = nearest(shown.name, skills)
+                remedy = f"did you mean {near!r}?" if near else "explain it in skills.toml"
+                where = group_place(problem, shown.groups[0])
+                yield ProblemError(f"no skill is called {shown.name!r}", where=where, remedy=remedy)
+
+
+def _skills(extra: Sequence[Path]) -> tuple[Skill, ...]:
+    found: dict[str, Skill] = {}
+    for file in _files(extra, "skills.toml"):
+        skills = file.read(_SkillsTable).skills
+        _refuse_doubles(file, [skill.name for skill in skills], "skills", "name")
+        for skill in skills:
+            found.setdefault(skill.name, skill)
+    return tuple(found.values())
+
+
+def _files(extra: Sequence[Path], name: str) -> Iterator[TomlFile]:
+    return (TomlFile(root / name) for root in problem_roots(extra) if (root / name).is_file())
+
+
+def _refuse_doubles(
+    file: TomlFile, names: Sequence[str], table: str, *key: str, said: str = "is there twice"
+) -> None:
+    """Raise a ProblemError for the first name of a list in the file that is there for the second time."""
+    for place, name in enumerate(names):
+        if name in names[:place]:
+            raise file.fault(f"{name!r} {said}", "take one out", table, place, *key)
