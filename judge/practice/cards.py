@@ -33,9 +33,7 @@ from judge.problem.tables import TomlFile, meant, refusal
 _NAME = frozenset("abcdefghijklmnopqrstuvwxyz0123456789-")
 _LONGEST = 2_000  # characters of a text
 _QUOTED = 40  # characters of what is typed
-_NUMBER = re.compile(
-    r"([+-]?\d{1,40}(?:\.\d{0,40})?)(?:e([+-]?\d{1,3}))?(?:/(\d{1,40}))?", re.ASCII | re.IGNORECASE
-)
+_NUMBER = re.compile(r"([+-]?\d{1,40}(?:\.\d{0,40})?)(?:[eE]([+-]?\d{1,3}))?(?:/(\d{1,40}))?", re.ASCII)
 LETTERS = "abcdefgh"  # of options
 NONE = "none"
 NUMBER = "4, 0.5, 1e-9 or 2/3"

@@ -160,7 +160,7 @@ class Progress(Struct, frozen=True):
 
     def within(self, problems: Collection[str]) -> Progress:
         """The same of these problems alone."""
-        needs = [(each, tuple(n for n in each.needs if n.problem in problems)) for each in self.skills]
+        needs = [(each, [n for n in each.needs if n.problem in problems]) for each in self.skills]
         return Progress(
             {name: standing for name, standing in self.standings.items() if name in problems},
             tuple(level for level in self.levels if level.problem in problems),
@@ -197,12 +197,10 @@ def assess(problems: Sequence[Problem], runs: Iterable[Run], skills: Sequence[Sk
             kills = {name for group in problem.groups if group.name in shown.groups for name in group.kills}
             need = _covered(problem.id, shown.groups, ((run, False) for run in own), kills)
             needs[shown.name].append(need)
+    standings = {name: Standing(tuple(own)) for name, own in tried.items()}
+    named = [each for each in skills if each.name in needs]
     return Progress(
-        {name: Standing(tuple(own)) for name, own in tried.items()},
-        tuple(levels),
-        tuple(
-            _skill(each.name, each.about, tuple(needs[each.name])) for each in skills if each.name in needs
-        ),
+        standings, tuple(levels), tuple(_skill(each.name, each.about, needs[each.name]) for each in named)
     )
 
 
@@ -221,7 +219,7 @@ def _covered(
     kills: Collection[str] = (),
     level: KataLevel | None = None,
 ) -> Covered:
-    """How the groups stand after the problem's runs, each with whether it passed all of them whatever it says.
+    """How the groups stand after the problem's runs, each with whether it is known to have passed them all.
 
     `kills` are the mistakes that the groups reject.
     """
@@ -250,7 +248,7 @@ def _mistakes(run: Run) -> list[str]:
     return run.mistake.split(" + ") if run.mistake else []
 
 
-def _skill(name: str, about: str, needs: tuple[Covered, ...]) -> SkillProgress:
+def _skill(name: str, about: str, needs: Sequence[Covered]) -> SkillProgress:
     met = [need for need in needs if need.since]
     first = min(met, key=lambda need: need.since or datetime.max, default=None)
     made = sum((Counter(need.mistakes) for need in needs), Counter[str]())
@@ -261,7 +259,7 @@ def _skill(name: str, about: str, needs: tuple[Covered, ...]) -> SkillProgress:
         first.since if first else None,
         first.attempts if first else sum(need.attempts for need in needs),
         dict(made.most_common()),
-        needs,
+        tuple(needs),
     )
 
 
@@ -364,9 +362,9 @@ def broken(hacks: Iterable[Hack]) -> dict[tuple[str, str], datetime]:
 
 def was_shown(mistake: str, case: str, hacks: Iterable[Hack]) -> bool:
     """Whether the case was shown to whoever gave up that mistake of one problem."""
-    return (mistake, case) in {
-        (hack.mistake, hack.case) for hack in hacks if hack.outcome is Outcome.GIVEN_UP
-    }
+    return any(
+        hack.outcome is Outcome.GIVEN_UP and (hack.mistake, hack.case) == (mistake, case) for hack in hacks
+    )
 
 
 def hack_states(mistakes: Iterable[str], hacks: Sequence[Hack]) -> dict[str, HackState]:

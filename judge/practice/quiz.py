@@ -62,10 +62,8 @@ def to_practise(
     A card that practises several questions stands for its first one. Raises ProblemError where the
     checklist is broken.
     """
-    commands = {
-        **more,
-        **{card.rows[0]: f"judge quiz --question {card.rows[0]}" for card in missed if card.rows},
-    }
+    asked = [card.rows[0] for card in missed if card.rows]
+    commands = {**more, **{row: f"judge quiz --question {row}" for row in asked}}
     here = {folder.name for folder in problem_folders(folders)}
     return tuple(
         Practise(

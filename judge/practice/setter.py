@@ -175,9 +175,8 @@ def deck_faults(folders: Sequence[Path], katas: Collection[str]) -> tuple[int, t
         cards, faults = [card for card in cards if card.problem in katas], []
     else:
         roots = problem_roots(folders)[: len(folders) or None]
-        cards = [
-            card for card in cards if any((root / "quiz" / f"{card.deck}.toml").is_file() for root in roots)
-        ]
+        own = {path.stem for root in roots for path in (root / "quiz").glob("*.toml")}
+        cards = [card for card in cards if card.deck in own]
         faults = [_told(fault, "quiz") for fault in broken]
     sources = Sources(folders, 0, lambda _label: nullcontext())
     for card in cards:

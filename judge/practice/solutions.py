@@ -88,7 +88,7 @@ def _program(solution: Solution, entry: str) -> str | None:
 def chosen_approach(
     problem: Problem, models: Sequence[Model], name: str | None, language: str | None = None
 ) -> Model:
-    """The approach of that name, or the first; in the language of that name, suffix or id, where one is named.
+    """The approach of that name, or the first; in the language that is meant, where one is.
 
     Raises UsageError where there is none.
     """

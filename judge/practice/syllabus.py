@@ -6,7 +6,7 @@
 
     problems/skills.toml               [[skills]]
                                        name = "far from the origin"
-                                       about = "Subtract first: the square of a large number drowns a small one."
+                                       about = "Subtract first: large squares drown small numbers."
     problems/count/problem.py          group("offset", …, skills="far from the origin")
 
     problems/checklist.toml            [[sections]]

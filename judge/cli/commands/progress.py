@@ -84,13 +84,13 @@ def progress(name: str, ask: ProgressAsk, common: Common) -> Struct:
     with history_at(common.db, reading=True) as history:
         runs, helps = history.runs(), history.events(Help)
         answers, hacks = history.events(Answer), history.events(Hack)
-    problems, broken = sound_problems(folders)
-    checklist = read_checklist(folders)
-    found = assess(problems, runs, checklist.skills)
-    due = _due(found, runs, helps, answers, folders)
+    due = _due(runs, helps, answers, folders)
     if ask.due:
         return due
+    problems, broken = sound_problems(folders)
     chosen = find_set(name, problems, folders)
+    checklist = read_checklist(folders)
+    found = assess(problems, runs, checklist.skills)
     cards, faults = read_decks(folders)
     for fault in (*broken, *unknown_names(problems, folders), *faults):
         note(str(fault), bad=True)
@@ -100,10 +100,8 @@ def progress(name: str, ask: ProgressAsk, common: Common) -> Struct:
         (one,) = (each for _, rows in asked for each in rows if each.row == row)
         return QuestionShown(question=one)
     sets = sound_sets(problems, folders)[0] if chosen.name == USUAL else []
-    own, ids = (
-        found.within([problem.id for problem in chosen.problems]),
-        [each.id for each in chosen.problems],
-    )
+    ids = [problem.id for problem in chosen.problems]
+    own = found.within(ids)
     stars = list(own.stars.values())
     parts = [each for each in asked if chosen.name in (USUAL, *each[0].sets)] or asked
     mistakes = sum((each.mistakes for each in own.standings.values()), Counter[str]())
@@ -154,16 +152,12 @@ def _next(problems: Sequence[Problem], progress: Progress) -> NextKata | None:
 
 
 def _due(
-    progress: Progress,
-    runs: Sequence[Run],
-    helps: Sequence[Help],
-    answers: Sequence[Answer],
-    folders: Sequence[Path],
+    runs: Sequence[Run], helps: Sequence[Help], answers: Sequence[Answer], folders: Sequence[Path]
 ) -> DueShown:
     """What is unfinished, and what comes again when; a kata that is unfinished is not repeated yet."""
     today, here = events.now().astimezone(), {folder.name for folder in problem_folders(folders)}
-    found = reviews(runs, helps)
-    tried = {name: each for name, each in progress.standings.items() if not each.passed and name in here}
+    found, standings = reviews(runs, helps), assess((), runs).standings
+    tried = {name: each for name, each in standings.items() if not each.passed and name in here}
     known = [each for each in found if each.name in here and each.name not in tried]
     cards = known_cards(answers, folders)
     return DueShown(
