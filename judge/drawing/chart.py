@@ -145,10 +145,10 @@ def chart_braille(chart: Chart, rows: int = ROWS) -> list[list[Piece]]:
     cells = grid(Panel("", tuple(strokes), tuple(marks), ()), raster)
     drawn = [[Piece(f"{levels.get(at, ''):>{left - 1}} "), *pieces(row)] for at, row in enumerate(cells)]
     foot = " " * COLUMNS
-    for share, text in across.ticks():
-        at = min(left + round(share * (raster.wide - 1)), COLUMNS - len(text))
-        if not foot[max(0, at - 1) : at + len(text)].strip():
-            foot = foot[:at] + text + foot[at + len(text) :]
+    for share, said in across.ticks():
+        at = min(left + round(share * (raster.wide - 1)), COLUMNS - len(said))
+        if not foot[max(0, at - 1) : at + len(said)].strip():
+            foot = foot[:at] + said + foot[at + len(said) :]
     letters = [LETTERS.get(series.role, series.name[:1]) for series in chart.series]
     named = zip(letters, chart.series, strict=True)
     legend = [Piece(f"{letter} {series.name}  ", series.role) for letter, series in named]

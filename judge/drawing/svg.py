@@ -5,6 +5,7 @@ drawing.css has the colours, a rule a line: those of the light, an empty line, a
 
 from __future__ import annotations
 
+import re
 import textwrap
 from collections.abc import Iterable, Iterator, Sequence
 from html import escape
@@ -32,11 +33,7 @@ def style(scope: str = "", media: str = "(prefers-color-scheme:dark)") -> str:
     """The style sheet of the drawings, for what is inside `scope`; `media` says where it is dark."""
     rules = _SHEET.read_text(encoding="utf-8").splitlines()
     if scope:
-        parts = [rule.partition("{") for rule in rules]
-        rules = [
-            ",".join(f"{scope} {name}" for name in names.split(",")) + "{" + end if end else ""
-            for names, _, end in parts
-        ]
+        rules = [re.sub(r"^|,(?=[^{]*{)", rf"\g<0>{scope} ", rule) if rule else "" for rule in rules]
     at = rules.index("")
     return "\n".join(["", *rules[:at], f"@media {media}{{", *rules[at + 1 :], "}", ""])
 
@@ -128,9 +125,7 @@ def _drawing(panel: Panel) -> Iterator[str]:
     bars, taken = _bars(panel, ink)
     for stroke in panel.strokes:
         (x1, y1), (x2, y2) = map(_pixel, stroke.dots[-2:])
-        if (
-            stroke.arrow and hypot(x2 - x1, y2 - y1) >= 40
-        ):  # not at its end, where it would hide what is there
+        if stroke.arrow and hypot(x2 - x1, y2 - y1) >= 40:  # not at its end: it would hide what is there
             x, y = x1 + (x2 - x1) * 0.62, y1 + (y2 - y1) * 0.62
             yield _head(x, y, atan2(y2 - y1, x2 - x1), _TEXT.get(stroke.role, "head-line"))
             taken.append(Rectangle(x, y, 8, 8))
@@ -147,10 +142,8 @@ def _drawing(panel: Panel) -> Iterator[str]:
     for (mark, x, y), label in zip(labelled, place_labels(texts, _SIDE, taken, ink), strict=True):
         box = label.box
         if label.leader:  # to the point of the box that is next to the mark
-            nx, ny = (
-                min(max(at, mid - half), mid + half)
-                for at, mid, half in ((x, box.x, box.w), (y, box.y, box.h))
-            )
+            nx = min(max(x, box.x - box.w), box.x + box.w)
+            ny = min(max(y, box.y - box.h), box.y + box.h)
             yield f'<path class="leader" d="M{_n(x)} {_n(y)}L{_n(nx)} {_n(ny)}"/>'
         kind = "halo" if mark.shared else f"halo {_TEXT.get(mark.role, '')}".strip()
         yield text(box.x, box.y + 4.5, label.text, kind, "middle")
@@ -219,7 +212,8 @@ def _bar(bar: Bar, base: float) -> Iterator[str]:
 
 def _legend(picture: Picture, left: float, y: float) -> Iterator[str]:
     """What the rings and crosses are that are drawn, and what the words stand for."""
-    drawn = {each.role for panel in picture.panels for each in (*panel.marks, *panel.strokes)}
+    drawn = {mark.role for panel in picture.panels for mark in panel.marks}
+    drawn |= {stroke.role for panel in picture.panels for stroke in panel.strokes}
     places = ((Role.WANTED, 22, 90 - 6 * _KEY), (Role.GOT, 20, 70 - 3 * _KEY))
     for (role, gap, room), key in zip(places, picture.keys, strict=True):
         if role in drawn:
@@ -235,9 +229,8 @@ def _fact_rows(fact: Fact, room: float) -> list[tuple[str, str, str]]:
     rows = textwrap.wrap(_plain(fact.text), letters, break_on_hyphens=False) or [""]
     if len(rows) > _MOST_ROWS:
         rows = [*rows[: _MOST_ROWS - 1], rows[_MOST_ROWS - 1][: letters - 1] + "…"]
-    return [
-        (fact.label if not place else "", row, _TEXT.get(fact.role, "")) for place, row in enumerate(rows)
-    ]
+    labels = [fact.label, *[""] * (len(rows) - 1)]
+    return [(label, row, _TEXT.get(fact.role, "")) for label, row in zip(labels, rows, strict=True)]
 
 
 def _cut(said: str, room: float, letter: float = _LETTER) -> str:
