@@ -11,7 +11,7 @@ from judge.cli.kept import history_at
 from judge.cli.resolve import current, this_folder
 from judge.practice import events
 from judge.practice.events import Answer, Help
-from judge.practice.progress import assess
+from judge.practice.progress import levels, solved, stars, tried
 from judge.practice.syllabus import next_kata, sound_sets
 from judge.problem import Problem
 from judge.problem.find import sound_problems
@@ -27,14 +27,14 @@ def home(common: Common) -> Home:
     with history_at(common.db, reading=True) as history:
         runs, answers, helps = history.runs(), history.events(Answer), history.events(Help)
         here, places = current(this_folder(), history), history.places()
-    found, today = assess(problems, runs), events.now().astimezone()
-    solved, stars = found.solved, list(found.stars.values())
+    own, done, today = tried(runs), solved(runs), events.now().astimezone()
+    won = list(stars(levels(problems, own)).values())
     at = here or next((each for each in places if os.path.isfile(each.path)), None)  # noqa: PTH113
     now = again = None
-    if at and at.problem not in solved:
-        path, standing = Path(at.path), found.standings.get(at.problem)
-        points, mistake = (standing.runs[-1].score, standing.runs[-1].mistake) if standing else (None, None)
-        now = Now(at.problem, path.name, "" if here else str(path.parent), points, mistake or "")
+    if at and at.problem not in done:
+        path, last = Path(at.path), own[at.problem][-1] if at.problem in own else None
+        points, mistake = (last.score, last.mistake or "") if last else (None, "")
+        now = Now(at.problem, path.name, "" if here else str(path.parent), points, mistake)
     if runs:
         from judge.practice.review import reviews
 
@@ -50,12 +50,12 @@ def home(common: Common) -> Home:
         cards = known_cards(answers, common.problems)
     return Home(
         katas=len(problems),
-        begun=bool(found.standings or places or answers),
-        solved=_counted(solved, problems),
-        stars=(stars.count(1), stars.count(2)),
+        begun=bool(own or places or answers),
+        solved=_counted(done, problems),
+        stars=(won.count(1), won.count(2)),
         now=now,
         again=again,
-        next=_next(at.problem if at else "", problems, common, solved),
+        next=_next(at.problem if at else "", problems, common, done),
         cards_due=sum(each.is_due(today) for each in cards),
     )
 
@@ -63,22 +63,22 @@ def home(common: Common) -> Home:
 def standing(problem: str, common: Common) -> Standing:
     """What a kata took the person, and what comes after it. Raises JudgeError."""
     with history_at(common.db, reading=True) as history:
-        found = assess((), history.runs())
+        runs = history.runs()
         hints = max((each.hints for each in history.events(Help, problem)), default=0)
     problems, _ = sound_problems(common.problems)
     return Standing(
-        runs=len(found.standings[problem].runs) if problem in found.standings else 0,
+        runs=len(tried(runs).get(problem, ())),
         hints=hints,
-        next=_next(problem, problems, common, found.solved),
-        solved=_counted(found.solved, problems),
+        next=_next(problem, problems, common, solved(runs)),
+        solved=_counted(solved(runs), problems),
         katas=len(problems),
     )
 
 
-def _next(after: str, problems: Sequence[Problem], common: Common, solved: Collection[str]) -> Next | None:
-    found = next_kata(after, problems, sound_sets(problems, common.problems)[0], solved)
+def _next(after: str, problems: Sequence[Problem], common: Common, done: Collection[str]) -> Next | None:
+    found = next_kata(after, problems, sound_sets(problems, common.problems)[0], done)
     return Next(found.id, found.title, found.summary) if found else None
 
 
-def _counted(solved: Collection[str], problems: Sequence[Problem]) -> int:
-    return sum(each.id in solved for each in problems)
+def _counted(done: Collection[str], problems: Sequence[Problem]) -> int:
+    return sum(each.id in done for each in problems)

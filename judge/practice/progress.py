@@ -29,12 +29,15 @@ from msgspec import Struct
 
 from judge.errors import StoreError
 from judge.practice.events import Answer, Hack, Outcome, Run
-from judge.practice.syllabus import Checklist, Row, Section, Skill
+from judge.practice.syllabus import Checklist, Row, Skill
 from judge.problem import Problem
 from judge.problem.model import KataLevel
 
 if TYPE_CHECKING:
     from judge.practice.cards import Card
+
+
+Tried = Mapping[str, Sequence[Run]]  # a person's runs by problem, as `tried` gives them
 
 
 class State(Enum):
@@ -43,27 +46,6 @@ class State(Enum):
     OPEN = "open"
     SHOWN = "shown"
     LOST = "lost"
-
-
-class Standing(Struct, frozen=True):
-    """One problem's runs that say something of the person, oldest first; at least one."""
-
-    runs: tuple[Run, ...]
-
-    @property
-    def best(self) -> int:
-        """The highest score."""
-        return max(run.score for run in self.runs)
-
-    @property
-    def passed(self) -> datetime | None:
-        """When it was first solved."""
-        return next((run.when for run in self.runs if run.solved), None)
-
-    @property
-    def mistakes(self) -> Counter[str]:
-        """The mistakes that were made, and how often."""
-        return Counter(name for run in self.runs for name in _mistakes(run))
 
 
 class Covered(Struct, frozen=True):
@@ -151,61 +133,65 @@ class Question(Struct, frozen=True):
         return tuple(dict.fromkeys(each.drill for each in waiting))
 
 
-class Progress(Struct, frozen=True):
-    """How a person stands: each problem that was tried, in order of the first run, and what that shows."""
-
-    standings: Mapping[str, Standing]
-    levels: tuple[Covered, ...]
-    skills: tuple[SkillProgress, ...]
-
-    def within(self, problems: Collection[str]) -> Progress:
-        """The same of these problems alone."""
-        needs = [(each, [n for n in each.needs if n.problem in problems]) for each in self.skills]
-        return Progress(
-            {name: standing for name, standing in self.standings.items() if name in problems},
-            tuple(level for level in self.levels if level.problem in problems),
-            tuple(_skill(each.name, each.about, own) for each, own in needs if own),
-        )
-
-    @property
-    def solved(self) -> set[str]:
-        """The problems that the person has solved."""
-        return {name for name, standing in self.standings.items() if standing.passed}
-
-    @property
-    def stars(self) -> Counter[str]:
-        """Of each problem: 1 once its interview level is passed, 2 with production."""
-        return Counter(level.problem for level in self.levels if level.since)
+# -- katas, levels and skills ------------------------------------------------------------------------------
 
 
-def assess(problems: Sequence[Problem], runs: Iterable[Run], skills: Sequence[Skill] = ()) -> Progress:
-    """How a person stands after these runs, oldest first; `problems` and `skills` are all there are."""
-    tried: defaultdict[str, list[Run]] = defaultdict(list)
+def tried(runs: Iterable[Run]) -> dict[str, list[Run]]:
+    """The runs that say something of the person, by problem, in their order."""
+    found: dict[str, list[Run]] = {}
     for run in runs:
         if run.counts:
-            tried[run.problem].append(run)
-    levels: list[Covered] = []
-    needs: defaultdict[str, list[Covered]] = defaultdict(list)
+            found.setdefault(run.problem, []).append(run)
+    return found
+
+
+def solved(runs: Iterable[Run]) -> dict[str, datetime]:
+    """The problems that the person has solved, and when first; the runs are in their order."""
+    found: dict[str, datetime] = {}
+    for run in runs:
+        if run.solved:
+            found.setdefault(run.problem, run.when)
+    return found
+
+
+def mistakes(runs: Iterable[Run]) -> Counter[str]:
+    """The mistakes that explained the runs, one or two each, and how often."""
+    return Counter(name for run in runs if run.mistake for name in run.mistake.split(" + "))
+
+
+def levels(problems: Iterable[Problem], own: Tried) -> list[Covered]:
+    """How each level of these problems stands after a person's `own` runs."""
+    found = []
     for problem in problems:
-        own = tried.get(problem.id, [])
-        recorded = [_recorded(run, problem) for run in own]
+        runs = own.get(problem.id, ())
+        recorded = [_recorded(run, problem) for run in runs]
         for level in problem.levels:
             groups = tuple(group.name for group in problem.of_level(level))
-            whole = [run.solved or level.value in names for run, names in zip(own, recorded, strict=True)]
-            levels.append(_covered(problem.id, groups, zip(own, whole, strict=True), level=level))
-        for shown in problem.skills if skills else ():
+            whole = zip(runs, [level.value in each for each in recorded], strict=True)
+            found.append(_covered(problem.id, groups, whole, level=level))
+    return found
+
+
+def stars(levels: Iterable[Covered]) -> Counter[str]:
+    """Of each problem: 1 once its interview level is passed, 2 with production."""
+    return Counter(level.problem for level in levels if level.since)
+
+
+def skills(problems: Iterable[Problem], own: Tried, named: Iterable[Skill]) -> list[SkillProgress]:
+    """How each of these skills that the problems show stands after a person's `own` runs."""
+    needs: defaultdict[str, list[Covered]] = defaultdict(list)
+    for problem in problems:
+        runs = [(run, False) for run in own.get(problem.id, ())]
+        for shown in problem.skills:
             kills = {name for group in problem.groups if group.name in shown.groups for name in group.kills}
-            need = _covered(problem.id, shown.groups, ((run, False) for run in own), kills)
-            needs[shown.name].append(need)
-    standings = {name: Standing(tuple(own)) for name, own in tried.items()}
-    named = [each for each in skills if each.name in needs]
-    return Progress(
-        standings, tuple(levels), tuple(_skill(each.name, each.about, needs[each.name]) for each in named)
-    )
+            needs[shown.name].append(_covered(problem.id, shown.groups, runs, kills))
+    return [_skill(each, needs[each.name]) for each in named if each.name in needs]
 
 
 def _recorded(run: Run, problem: Problem) -> Collection[str]:
-    """The levels that a run of groups which are no more passed, as its own row records."""
+    """The levels that a run passed whole, whatever groups the problem has today."""
+    if run.solved:
+        return [level.value for level in problem.levels]
     if not {group.name for group in problem.groups}.issuperset(run.passed + run.failed):
         with contextlib.suppress(StoreError):
             return run.levels
@@ -239,25 +225,19 @@ def _covered(
         if since is None and len(passes) == len(groups):
             since = run.when
         if fails:
-            made.update(name for name in _mistakes(run) if name in kills)
+            made.update({name: times for name, times in mistakes([run]).items() if name in kills})
     return Covered(problem, groups, level, best, since, failing, attempts, made)
 
 
-def _mistakes(run: Run) -> list[str]:
-    """The mistakes that explained the run, none, one or two."""
-    return run.mistake.split(" + ") if run.mistake else []
-
-
-def _skill(name: str, about: str, needs: Sequence[Covered]) -> SkillProgress:
-    met = [need for need in needs if need.since]
-    first = min(met, key=lambda need: need.since or datetime.max, default=None)
+def _skill(skill: Skill, needs: Sequence[Covered]) -> SkillProgress:
+    since, attempts = min(((need.since, need.attempts) for need in needs if need.since), default=(None, 0))
     made = sum((Counter(need.mistakes) for need in needs), Counter[str]())
     return SkillProgress(
-        name,
-        about,
-        State.LOST if any(need.lost for need in needs) else State.SHOWN if first else State.OPEN,
-        first.since if first else None,
-        first.attempts if first else sum(need.attempts for need in needs),
+        skill.name,
+        skill.about,
+        State.LOST if any(need.lost for need in needs) else State.SHOWN if since else State.OPEN,
+        since,
+        attempts or sum(need.attempts for need in needs),
         dict(made.most_common()),
         tuple(needs),
     )
@@ -267,26 +247,29 @@ def _skill(name: str, about: str, needs: Sequence[Covered]) -> SkillProgress:
 
 
 def questions(
-    progress: Progress,
     problems: Iterable[Problem],
+    done: Mapping[str, datetime],
+    skilled: Iterable[SkillProgress],
     checklist: Checklist,
     cards: Iterable[Card] = (),
     answers: Sequence[Answer] = (),
     hacks: Iterable[Hack] = (),
-) -> list[tuple[Section, tuple[Question, ...]]]:
-    """The questions of each section; answers and attempts at wrong programs are oldest first."""
+) -> list[Question]:
+    """The questions by section, after `done`, the problems solved, and `skilled`, how all skills stand.
+
+    Answers and attempts at wrong programs are oldest first.
+    """
     shows: defaultdict[tuple[Kind, str], list[Evidence]] = defaultdict(list)
+
+    def show(key: str, kind: Kind, name: str, drill: str, since: datetime | None, lost: bool = False) -> None:
+        shows[kind, key].append(Evidence(kind, name, drill, since, lost))
+
     for problem in problems:
-        standing = progress.standings.get(problem.id)
-        since = standing.passed if standing else None
-        shows[Kind.KATA, problem.id] = [Evidence(Kind.KATA, problem.id, f"judge start {problem.id}", since)]
-    for skill in progress.skills:
-        needs = skill.needs
-        kata = next((need.problem for need in needs if need.since is None or need.lost), needs[0].problem)
-        lost = skill.state is State.LOST
-        shows[Kind.SKILL, skill.name] = [
-            Evidence(Kind.SKILL, skill.name, f"judge start {kata}", skill.since, lost)
-        ]
+        show(problem.id, Kind.KATA, problem.id, f"judge start {problem.id}", done.get(problem.id))
+    for skill in skilled:
+        open_at = [need.problem for need in skill.needs if need.since is None or need.lost]
+        drill = f"judge start {(open_at or [skill.needs[0].problem])[0]}"
+        show(skill.name, Kind.SKILL, skill.name, drill, skill.since, skill.state is State.LOST)
     last = {answer.card: answer for answer in answers}
     first = {answer.card: answer.when for answer in reversed(answers) if answer.known}
     for card in cards:
@@ -294,27 +277,27 @@ def questions(
             since = first.get(card.key)
             lost = since is not None and not last[card.key].known
             for row in card.rows:
-                drill = f"judge quiz --question {row}"
-                shows[Kind.CARD, row].append(Evidence(Kind.CARD, card.key, drill, since, lost))
-    done = broken(hacks)
+                show(row, Kind.CARD, card.key, f"judge quiz --question {row}", since, lost)
+    won = broken(hacks)
 
     def question(row: Row, section: str) -> Question:
         keys = [(Kind.KATA, each) for each in row.katas] + [(Kind.SKILL, each) for each in row.skills]
         by = [each for key in (*keys, (Kind.CARD, row.id)) for each in shows.get(key, ())]
         for name in row.broken:
             kata, mistake = name.split("/")
-            if (kata, mistake) in done or (Kind.KATA, kata) in shows:
+            if (kata, mistake) in won or (Kind.KATA, kata) in shows:
                 drill = f"judge hack {kata} {mistake}"
-                by.append(Evidence(Kind.BROKEN, name, drill, done.get((kata, mistake))))
+                by.append(Evidence(Kind.BROKEN, name, drill, won.get((kata, mistake))))
         since, lost = _ticked(by), any(each.lost for each in by)
         state = State.SHOWN if since else State.LOST if lost else State.OPEN
         return Question(row.id, section, row.ask, state, since, tuple(by))
 
-    grouped = [
-        (part, tuple(question(row, part.title) for row in checklist.rows if row.section == part.id))
+    return [
+        question(row, part.title)
         for part in checklist.sections
+        for row in checklist.rows
+        if row.section == part.id
     ]
-    return [(part, own) for part, own in grouped if own]
 
 
 def _ticked(by: Iterable[Evidence]) -> datetime | None:

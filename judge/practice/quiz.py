@@ -14,7 +14,7 @@ from msgspec import Struct
 from judge.errors import UsageError
 from judge.practice.cards import Card
 from judge.practice.events import Help, Run
-from judge.practice.progress import assess
+from judge.practice.progress import solved
 from judge.practice.review import Review, reviews
 from judge.practice.syllabus import FIRST, USUAL, find_set, read_checklist
 from judge.problem import Problem, Tier, Verdict
@@ -118,8 +118,8 @@ def usual_kata(
     for review in reviews(runs, helps):
         if review.name in named and review.is_due(now):
             return named[review.name]
-    solved = assess(problems, runs).solved
-    new = [each for each in problems if each.id not in solved]
+    done = solved(runs)
+    new = [each for each in problems if each.id not in done]
     later = [each for each in new if FIRST not in each.sets]
     return (later or new or problems)[0]
 

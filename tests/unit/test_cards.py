@@ -11,7 +11,7 @@ from jsonschema import Draft202012Validator
 from judge.errors import ProblemError, UsageError
 from judge.mistakes.puzzles import read_puzzles
 from judge.practice.cards import all_cards, cards_of, read_decks
-from judge.practice.progress import Kind, assess, questions
+from judge.practice.progress import Kind, questions, skills
 from judge.practice.syllabus import read_checklist
 from judge.problem.find import all_problems, find_problem
 from judge.schema import schema_of_file
@@ -120,8 +120,7 @@ def test_every_row_can_be_drilled_by_a_card_and_names_only_what_is_here(rows):
     cards = all_cards()
     assert [card.key for card in cards if not card.rows] == []
     checklist = read_checklist()
-    progress = assess(problems, (), checklist.skills)
-    found = [row for _, own in questions(progress, problems, checklist, cards) for row in own]
+    found = questions(problems, {}, skills(problems, {}, checklist.skills), checklist, cards)
     assert [progress.row for progress in found] == [row.id for row in rows]
     for progress in found:
         assert Kind.CARD in [each.kind for each in progress.by], progress.row

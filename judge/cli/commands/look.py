@@ -13,7 +13,7 @@ from judge.cli.kept import history_at
 from judge.cli.options import Common, command, opt, takes
 from judge.cli.resolve import current, this_folder
 from judge.errors import ProblemError, StoreError, UsageError, nearest
-from judge.practice.progress import assess
+from judge.practice.progress import levels, solved, stars, tried
 from judge.practice.syllabus import USUAL, sound_sets
 from judge.problem import Problem
 from judge.problem.find import find_problem, sound_problems
@@ -69,9 +69,8 @@ def _rows(problems: Sequence[Problem], db: Path | None) -> tuple[tuple[KataRow, 
     except StoreError as fault:
         note(str(fault))
         runs, taken_up = [], None
-    found = assess(problems, runs)
-    solved, stars = found.solved, found.stars
-    rows = tuple(kata_row(each, solved=each.id in solved, stars=stars[each.id]) for each in problems)
+    done, won = solved(runs), stars(levels(problems, tried(runs)))
+    rows = tuple(kata_row(each, solved=each.id in done, stars=won[each.id]) for each in problems)
     return rows, taken_up.problem if taken_up else ""
 
 

@@ -18,7 +18,7 @@ from judge.cli.submissions import read_submissions
 from judge.cli.watching import Kata, take_up
 from judge.errors import UsageError
 from judge.languages import file_name, is_program
-from judge.practice.progress import assess
+from judge.practice.progress import solved
 from judge.practice.stub import write_stub
 from judge.practice.syllabus import next_kata, sound_sets
 from judge.problem import Problem
@@ -96,15 +96,15 @@ def _usual(ask: StartAsk, common: Common) -> Kata:
     problems, _ = sound_problems(common.problems)
     with history_at(common.db, reading=True) as history:
         here, places, runs = current(this_folder(), history), history.places(), history.runs()
-    solved = assess((), runs).solved
-    if here is not None and (here.problem not in solved or ask.reset):
+    done = solved(runs)
+    if here is not None and (here.problem not in done or ask.reset):
         problem = problem_of(here, common.problems)
         if ask.language is None:
             return Kata(problem, Path(here.path))
         return _checked(problem, _named(problem, ask.language))
     last = here or next(iter(places), None)
     following = next_kata(
-        last.problem if last else "", problems, sound_sets(problems, common.problems)[0], solved
+        last.problem if last else "", problems, sound_sets(problems, common.problems)[0], done
     )
     if following is None:
         raise UsageError("All katas are solved. judge progress shows what you can do")
