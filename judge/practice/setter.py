@@ -11,17 +11,17 @@ from __future__ import annotations
 
 import keyword
 import re
-from collections.abc import Collection, Sequence
-from contextlib import nullcontext, suppress
+from collections.abc import Collection, Iterable, Sequence
+from contextlib import nullcontext
 from pathlib import Path
 from shlex import quote
+from tempfile import TemporaryDirectory
 
 from msgspec import Struct
 
 from judge.data.load import ProblemData, load_data
 from judge.data.pins import pins_file, pins_of, write_pins
 from judge.errors import JudgeError, ProblemError, UsageError, unwritable
-from judge.files import new_file
 from judge.mistakes.computed import Computer, Program
 from judge.mistakes.makers import read_makers
 from judge.practice.cards import read_decks
@@ -58,27 +58,29 @@ def begin_kata(folder: Path, name: str | None = None) -> Begun:
     Raises:
         UsageError: that is no name, there is such a kata already, or a file cannot be written.
     """
-    made: list[Path] = []
+    problems = _folder_of_problems(folder)
+    name = _checked(name, folder, problems)
+    homes = {"solutions": problems.parent / "solutions" / name, "problems": problems / name}
+    _check_free(name, homes.values())
+    entry, files = name.replace("-", "_") + "_" * keyword.iskeyword(name), []
     try:
-        problems = _folder_of_problems(folder)
-        name = _checked(name, folder, problems)
-        homes = {"problems": problems / name, "solutions": problems.parent / "solutions" / name}
-        _check_free(name, list(homes.values()))
-        entry = name.replace("-", "_") + "_" * keyword.iskeyword(name)
-        for path, text in _FILE.findall(_TEMPLATE.read_text(encoding="utf-8")):
-            kind, _, rest = path.replace(f"{_ID}/", "").partition("/")
-            _write(homes[kind] / rest, text.replace(_ID, name).replace(_ENTRY, entry), made)
-        problem = load_problem(problems / name)
-        made.append(pins_file(problem))
-        data = load_data(problem, cache=False)
-        write_pins(problem, pins_of(data.groups, _kills(data)))
+        beside = next(each for each in (problems, *problems.absolute().parents) if each.is_dir())
+        with TemporaryDirectory(prefix=".judge-", dir=beside) as scratch:
+            for path, text in _FILE.findall(_TEMPLATE.read_text(encoding="utf-8")):
+                kind, file = path.replace(f"/{_ID}", "").split("/", 1)
+                written = Path(scratch, kind, name, file)
+                written.parent.mkdir(parents=True, exist_ok=True)
+                written.write_text(text.replace(_ID, name).replace(_ENTRY, entry), encoding="utf-8")
+                files.append(homes[kind] / file)
+            problem = load_problem(Path(scratch, "problems", name))
+            data = load_data(problem, cache=False)
+            write_pins(problem, pins_of(data.groups, _kills(data)))
+            for kind, home in homes.items():
+                home.parent.mkdir(parents=True, exist_ok=True)
+                Path(scratch, kind, name).rename(home)
     except OSError as fault:
-        _undo(made)
-        raise unwritable(Path(fault.filename or folder), fault, "name another folder") from None
-    except BaseException:
-        _undo(made)
-        raise
-    return Begun(problem, problems, tuple(path for path in made if path.is_file()))
+        raise unwritable(folder, fault, "name another folder") from None
+    return Begun(problem, problems, (*files, homes["problems"] / pins_file(problem).name))
 
 
 def _folder_of_problems(folder: Path) -> Path:
@@ -105,37 +107,16 @@ def _checked(name: str | None, folder: Path, problems: Path) -> str:
     return chosen
 
 
-def _check_free(name: str, places: list[Path]) -> None:
+def _check_free(name: str, places: Iterable[Path]) -> None:
     """Refuse to write over anything, or to hide another kata. Raises UsageError."""
     for place in places:
-        if place.is_symlink() or (place.exists() and not (place.is_dir() and not any(place.iterdir()))):
+        if place.is_symlink() or place.is_file() or (place.is_dir() and any(place.iterdir())):
             what, remedy = "it is there already", "choose another name, or take it away first"
             raise UsageError(what, where=str(place), remedy=remedy)
     for other in near_problem_folders():
         if other.name == name:
             what, remedy = f"a kata is called {name!r} already", "choose another name: runs are kept by it"
             raise UsageError(what, where=str(other), remedy=remedy)
-
-
-def _write(path: Path, text: str, made: list[Path]) -> None:
-    """Write one file, never over another; `made` gets it and each folder that was missing."""
-    for folder in reversed(path.parents):
-        if not folder.is_dir():
-            folder.mkdir()
-            made.append(folder)
-    try:
-        new_file(path, text.encode())
-    except OSError as fault:
-        fault.filename = str(path)  # the place that is meant, not what was written beside it
-        raise
-    made.append(path)
-
-
-def _undo(made: list[Path]) -> None:
-    """Take away what was made, and nothing else."""
-    for path in reversed(made):
-        with suppress(OSError):  # somebody else has put something there
-            path.rmdir() if path.is_dir() else path.unlink(missing_ok=True)
 
 
 def _kills(data: ProblemData) -> dict[str, list[str]]:
