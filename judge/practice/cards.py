@@ -26,7 +26,7 @@ from msgspec import Struct
 from judge.errors import ProblemError, UsageError
 from judge.practice.events import Answer
 from judge.practice.review import Review, card_reviews
-from judge.practice.syllabus import USUAL, read_checklist, set_names
+from judge.practice.syllabus import USUAL, Table, read_checklist, set_names
 from judge.problem.find import problem_roots
 from judge.problem.tables import TomlFile, meant, refusal
 
@@ -39,7 +39,7 @@ NONE = "none"
 NUMBER = "4, 0.5, 1e-9 or 2/3"
 
 
-class WrongOption(Struct, forbid_unknown_fields=True, frozen=True):
+class WrongOption(Table, frozen=True):
     """A wrong option of a choice: a mistake with its name, and why it is one."""
 
     text: str
@@ -47,7 +47,7 @@ class WrongOption(Struct, forbid_unknown_fields=True, frozen=True):
     why: str
 
 
-class Content(Struct, tag_field="form", forbid_unknown_fields=True, frozen=True, kw_only=True):
+class Content(Table, tag_field="form", frozen=True, kw_only=True):
     """What a card of any form says: `front` is asked, and `back` is told afterwards."""
 
     id: str
@@ -177,7 +177,7 @@ class Card(Struct, frozen=True):
         return getattr(self.content, "problem", "")
 
 
-class _DeckTable(Struct, forbid_unknown_fields=True, frozen=True):
+class _DeckTable(Table, frozen=True):
     title: str
     cards: list[AnyForm]
     sets: tuple[str, ...] = ()

@@ -20,7 +20,7 @@ from __future__ import annotations
 
 import contextlib
 from collections import Counter, defaultdict
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from datetime import datetime
 from enum import Enum
 from typing import TYPE_CHECKING
@@ -259,45 +259,37 @@ def questions(
 
     Answers and attempts at wrong programs are oldest first.
     """
-    shows: defaultdict[tuple[Kind, str], list[Evidence]] = defaultdict(list)
-
-    def show(key: str, kind: Kind, name: str, drill: str, since: datetime | None, lost: bool = False) -> None:
-        shows[kind, key].append(Evidence(kind, name, drill, since, lost))
-
-    for problem in problems:
-        show(problem.id, Kind.KATA, problem.id, f"judge start {problem.id}", done.get(problem.id))
-    for skill in skilled:
-        open_at = [need.problem for need in skill.needs if need.since is None or need.lost]
-        drill = f"judge start {(open_at or [skill.needs[0].problem])[0]}"
-        show(skill.name, Kind.SKILL, skill.name, drill, skill.since, skill.state is State.LOST)
+    here = {problem.id for problem in problems}
+    by_name = {skill.name: skill for skill in skilled}
+    there = [card for card in cards if not card.problem or card.problem in here]
+    known = {answer.card: answer.when for answer in reversed(answers) if answer.known}  # first
     last = {answer.card: answer for answer in answers}
-    first = {answer.card: answer.when for answer in reversed(answers) if answer.known}
-    for card in cards:
-        if not card.problem or (Kind.KATA, card.problem) in shows:
-            since = first.get(card.key)
-            lost = since is not None and not last[card.key].known
-            for row in card.rows:
-                show(row, Kind.CARD, card.key, f"judge quiz --question {row}", since, lost)
     won = broken(hacks)
 
-    def question(row: Row, section: str) -> Question:
-        keys = [(Kind.KATA, each) for each in row.katas] + [(Kind.SKILL, each) for each in row.skills]
-        by = [each for key in (*keys, (Kind.CARD, row.id)) for each in shows.get(key, ())]
+    def evidence(row: Row) -> Iterator[Evidence]:
+        for kata in row.katas:
+            if kata in here:
+                yield Evidence(Kind.KATA, kata, f"judge start {kata}", done.get(kata))
+        for skill in (by_name[name] for name in row.skills if name in by_name):
+            needs = sorted(skill.needs, key=lambda need: need.since is not None and not need.lost)
+            drill, lost = f"judge start {needs[0].problem}", skill.state is State.LOST
+            yield Evidence(Kind.SKILL, skill.name, drill, skill.since, lost)
+        for key in (card.key for card in there if row.id in card.rows):
+            lost = key in known and not last[key].known
+            yield Evidence(Kind.CARD, key, f"judge quiz --question {row.id}", known.get(key), lost)
         for name in row.broken:
             kata, mistake = name.split("/")
-            if (kata, mistake) in won or (Kind.KATA, kata) in shows:
-                drill = f"judge hack {kata} {mistake}"
-                by.append(Evidence(Kind.BROKEN, name, drill, won.get((kata, mistake))))
-        since, lost = _ticked(by), any(each.lost for each in by)
-        state = State.SHOWN if since else State.LOST if lost else State.OPEN
-        return Question(row.id, section, row.ask, state, since, tuple(by))
+            if name in won or kata in here:
+                yield Evidence(Kind.BROKEN, name, f"judge hack {kata} {mistake}", won.get(name))
 
-    return [
-        question(row, part.title)
-        for part in checklist.sections
-        for row in checklist.rows
-        if row.section == part.id
-    ]
+    found = []
+    for part in checklist.sections:
+        for row in (row for row in checklist.rows if row.section == part.id):
+            by = tuple(evidence(row))
+            since = _ticked(by)
+            state = State.SHOWN if since else State.LOST if any(each.lost for each in by) else State.OPEN
+            found.append(Question(row.id, part.title, row.ask, state, since, by))
+    return found
 
 
 def _ticked(by: Iterable[Evidence]) -> datetime | None:
@@ -330,16 +322,16 @@ class HackShare(Struct, frozen=True):
     broken: Mapping[str, datetime]
 
 
-def broken(hacks: Iterable[Hack]) -> dict[tuple[str, str], datetime]:
-    """The programs that were broken, by problem and mistake, and when first; the attempts are in order."""
-    found: dict[tuple[str, str], datetime] = {}
-    shown: set[tuple[str, str, str]] = set()
+def broken(hacks: Iterable[Hack]) -> dict[str, datetime]:
+    """The programs that were broken, as "problem/mistake", and when first; the attempts are in order."""
+    found: dict[str, datetime] = {}
+    shown = set()
     for hack in hacks:
-        case = hack.problem, hack.mistake, hack.case
+        name = f"{hack.problem}/{hack.mistake}"
         if hack.outcome is Outcome.GIVEN_UP:
-            shown.add(case)
-        elif hack.outcome is Outcome.WON and case not in shown:
-            found.setdefault(case[:2], hack.when)
+            shown.add((name, hack.case))
+        elif hack.outcome is Outcome.WON and (name, hack.case) not in shown:
+            found.setdefault(name, hack.when)
     return found
 
 
@@ -353,7 +345,7 @@ def was_shown(mistake: str, case: str, hacks: Iterable[Hack]) -> bool:
 def hack_states(mistakes: Iterable[str], hacks: Sequence[Hack]) -> dict[str, HackState]:
     """How the program of each of one problem's mistakes stands."""
     states = {hack.mistake: HackState.GIVEN_UP for hack in hacks if hack.outcome is Outcome.GIVEN_UP}
-    states |= {mistake: HackState.BROKEN for _, mistake in broken(hacks)}
+    states |= {name.partition("/")[2]: HackState.BROKEN for name in broken(hacks)}
     return {name: states.get(name, HackState.OPEN) for name in mistakes}
 
 
@@ -364,10 +356,10 @@ def hack_shares(problems: Iterable[Problem], hacks: Sequence[Hack]) -> list[Hack
     """
     from judge.mistakes.puzzles import read_puzzles  # most people's history has no attempt
 
-    tried, done, found = {hack.problem for hack in hacks}, broken(hacks), []
+    named, won, found = {hack.problem for hack in hacks}, broken(hacks), []
     for problem in problems:
-        if problem.id in tried:
-            known = {puzzle.mistake for puzzle in read_puzzles(problem)}
-            own = {name: when for (kata, name), when in done.items() if kata == problem.id and name in known}
+        if problem.id in named:
+            known = {f"{problem.id}/{puzzle.mistake}": puzzle.mistake for puzzle in read_puzzles(problem)}
+            own = {known[name]: when for name, when in won.items() if name in known}
             found.append(HackShare(problem.id, len(known), own))
     return found

@@ -50,14 +50,18 @@ class PracticeSet(Struct, frozen=True):
     problems: tuple[Problem, ...]
 
 
-class Skill(Struct, frozen=True, forbid_unknown_fields=True):
+class Table(Struct, frozen=True, forbid_unknown_fields=True):
+    """A table of a TOML file."""
+
+
+class Skill(Table, frozen=True):
     """Something to be able to do, as a person would tick it off."""
 
     name: str
     about: str
 
 
-class Section(Struct, frozen=True, forbid_unknown_fields=True):
+class Section(Table, frozen=True):
     """A part of the checklist; the first of all is what a person ticks off before an interview."""
 
     id: str
@@ -65,7 +69,7 @@ class Section(Struct, frozen=True, forbid_unknown_fields=True):
     sets: tuple[str, ...] = ()
 
 
-class Row(Struct, frozen=True, forbid_unknown_fields=True):
+class Row(Table, frozen=True):
     """One question, and what ticks it; `broken` names mistakes, as "count/no-clamp"."""
 
     id: str
@@ -84,17 +88,17 @@ class Checklist(Struct, frozen=True):
     rows: tuple[Row, ...] = ()
 
 
-class _SetTable(Struct, forbid_unknown_fields=True, frozen=True):
+class _SetTable(Table, frozen=True):
     title: str
     about: str
     problems: list[str] | None = None
 
 
-class _SkillsTable(Struct, forbid_unknown_fields=True, frozen=True):
+class _SkillsTable(Table, frozen=True):
     skills: list[Skill]
 
 
-class _RowsTable(Struct, forbid_unknown_fields=True, frozen=True):
+class _RowsTable(Table, frozen=True):
     sections: list[Section]
     rows: list[Row]
 
