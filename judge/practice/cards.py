@@ -26,7 +26,7 @@ from msgspec import Struct
 from judge.errors import ProblemError, UsageError
 from judge.practice.events import Answer
 from judge.practice.review import Review, card_reviews
-from judge.practice.syllabus import USUAL, Table, read_checklist, set_names
+from judge.practice.syllabus import USUAL, Table, read_checklist, set_files
 from judge.problem.find import problem_roots
 from judge.problem.tables import TomlFile, meant, refusal
 
@@ -192,7 +192,7 @@ def read_decks(extra: Sequence[Path] = ()) -> tuple[list[Card], list[ProblemErro
     for root in problem_roots(extra):
         for path in sorted((root / "quiz").glob("*.toml")):
             found.setdefault(path.stem, path)
-    sets = set_names(extra)
+    sets = list(set_files(extra))
     cards: list[Card] = []
     faults: list[ProblemError] = []
     try:
@@ -227,7 +227,7 @@ def cards_of(name: str, cards: Sequence[Card], extra: Sequence[Path] = ()) -> li
     """The cards of a practice set, or of a deck. Raises UsageError where nothing is called so."""
     found = [card for card in cards if name in (USUAL, card.deck, *card.sets)]
     if not found:
-        known = list(dict.fromkeys([*set_names(extra), *(card.deck for card in cards)]))
+        known = list(dict.fromkeys([*set_files(extra), *(card.deck for card in cards)]))
         if name not in known:
             raise UsageError(f"There is no set of cards {name!r}", remedy=meant(name, known))
         holding = [each for each in known if each == USUAL or any(each in card.sets for card in cards)]

@@ -17,37 +17,22 @@ from contextlib import AbstractContextManager
 from fractions import Fraction
 from functools import cache, partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NoReturn
+from typing import Any, NoReturn
 
 from msgspec import Struct
 from msgspec.structs import replace
 
+from judge.data.draw import Draw, seeded
+from judge.data.load import ProblemData, Progress, load_data
+from judge.drawing import Picture
 from judge.errors import ProblemError
-from judge.practice.cards import (
-    LETTERS,
-    NONE,
-    NUMBER,
-    Card,
-    Choice,
-    Count,
-    Drawn,
-    Number,
-    Spot,
-    count,
-    listed,
-    number,
-    option,
-    sequence,
-)
-from judge.problem import Problem
+from judge.practice import cards
+from judge.practice.cards import NONE, Card, Choice, Count, Drawn, Number, Spot, listed
+from judge.problem import Group, Problem
+from judge.problem.declare import Shown
 from judge.problem.find import find_problem
-
-if TYPE_CHECKING:
-    from judge.data.draw import Draw
-    from judge.data.load import ProblemData, Progress
-    from judge.drawing import Picture
-    from judge.problem import Group
-    from judge.problem.module import Module
+from judge.problem.model import EXAMPLES
+from judge.problem.module import Module, blaming, load_module
 
 _FRESH = 1_000  # cases that are looked at for one of small numbers
 _PROGRAMS = 12  # wrong programs that are looked at
@@ -109,17 +94,10 @@ class Sources:
         self.seed = seed
         self._bars = bars
         self.problem: Callable[[str], Problem] = cache(partial(find_problem, extra=folders))
-        self.module: Callable[[str], Module] = cache(self._module)
+        self.module: Callable[[str], Module] = cache(lambda name: load_module(self.problem(name)))
         self.data: Callable[[str], ProblemData] = cache(self._data)
 
-    def _module(self, name: str) -> Module:
-        from judge.problem.module import load_module
-
-        return load_module(self.problem(name))
-
     def _data(self, name: str) -> ProblemData:
-        from judge.data.load import load_data
-
         with self._bars(f"building the data of {name}") as progress:
             return load_data(self.problem(name), progress=progress)
 
@@ -131,8 +109,6 @@ def ask(card: Card, sources: Sources, turn: str) -> Question:
         UsageError: a problem that it names is not here.
         ProblemError: a problem's own code fails, or the card asks for what it has not.
     """
-    from judge.data.draw import Draw, seeded
-
     draw = Draw(seeded(f"quiz/{sources.seed}/{card.key}/{turn}"))
     match card.content:
         case Choice() as content:
@@ -142,7 +118,7 @@ def ask(card: Card, sources: Sources, turn: str) -> Question:
         case Number() as content:
             answer = f"{content.answer} {content.unit}".rstrip()
             check = partial(_nearly, content)
-            return Question(card, f"a number: {NUMBER}", answer, check, why=content.back.strip())
+            return Question(card, f"a number: {cards.NUMBER}", answer, check, why=content.back.strip())
         case Count() as content:
             return _count(card, content, sources, draw)
         case Drawn() as content:
@@ -161,11 +137,11 @@ def _options(
     card: Card, replies: Sequence[tuple[str, Reply]], draw: Draw, answer: str, why: str, program: str = ""
 ) -> Question:
     """A choice between texts, each with what it comes to; the first is right."""
-    found: dict[str, tuple[str, Reply]] = dict(zip(LETTERS, _shuffled(replies, draw), strict=False))
+    found: dict[str, tuple[str, Reply]] = dict(zip(cards.LETTERS, _shuffled(replies, draw), strict=False))
     (right,) = (letter for letter, each in found.items() if each is replies[0])
 
     def check(typed: str) -> Reply:
-        letter = option(typed, list(found))
+        letter = cards.option(typed, list(found))
         return replace(found[letter][1], given=letter)
 
     return Question(
@@ -190,7 +166,7 @@ def _shuffled(parts: Sequence[Any], draw: Draw) -> list[Any]:
 
 def _nearly(content: Number, typed: str) -> Reply:
     typed = typed.strip().removesuffix(content.unit)
-    found, wanted = number(typed), number(content.answer)
+    found, wanted = cards.number(typed), cards.number(content.answer)
     return Reply(abs(found - wanted) <= Fraction(content.within) * abs(wanted), typed.strip())
 
 
@@ -199,8 +175,6 @@ def _nearly(content: Number, typed: str) -> Reply:
 
 def _count(card: Card, content: Count, sources: Sources, draw: Draw) -> Question:
     from judge.data.build import new_case
-    from judge.problem.declare import Shown
-    from judge.problem.module import blaming
 
     problem, module = sources.problem(content.problem), sources.module(content.problem)
     groups = _groups(card, content, problem)
@@ -227,7 +201,7 @@ def _count(card: Card, content: Count, sources: Sources, draw: Draw) -> Question
         _refuse(card, what, "name a problem that answers a count or a list")
 
     def check(typed: str) -> Reply:
-        found = count(typed)
+        found = cards.count(typed)
         return Reply(found == many, found)
 
     given = ", ".join(f"{name}={_plain(value)}" for name, value in values.items())
@@ -243,8 +217,6 @@ def _is_small(value: Any, largest: int) -> bool:
 
 
 def _groups(card: Card, content: Count, problem: Problem) -> list[Group]:
-    from judge.problem.model import EXAMPLES
-
     able = {each.name: each for each in problem.groups if each.name != EXAMPLES and each.size is None}
     for name in content.groups:
         if name not in able:
@@ -262,8 +234,6 @@ def _plain(value: Any) -> str:
 
 
 def _drawn(card: Card, content: Drawn, sources: Sources, draw: Draw) -> Question:
-    from judge.problem.module import blaming
-
     problem, module = sources.problem(content.problem), sources.module(content.problem)
     make = module.hooks.puzzle
     with blaming(problem, f"card {card.key}: the figure cannot be made"):
@@ -275,7 +245,7 @@ def _drawn(card: Card, content: Drawn, sources: Sources, draw: Draw) -> Question
     answer = " ".join(figure.answer) or NONE
 
     def check(typed: str) -> Reply:
-        found = " ".join(sequence(typed, figure.words)) or NONE
+        found = " ".join(cards.sequence(typed, figure.words)) or NONE
         return Reply(found == answer, found)
 
     why = f"{figure.why} {content.back}".strip()

@@ -11,15 +11,15 @@ import ast
 import re
 import textwrap
 from collections.abc import Callable, Iterable, Iterator
+from contextlib import suppress
 from inspect import getsource
 from itertools import count
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from judge.errors import ProblemError, UsageError
+from judge.errors import ProblemError, UsageError, unwritable
 from judge.files import new_file, read_ordinary, replace_file
-from judge.languages import file_name as program_name
-from judge.languages import language_of
+from judge.languages import file_name, language_of
 from judge.problem import Example, Problem
 from judge.values import parameters
 from judge.values.atoms import Type
@@ -36,14 +36,9 @@ _BLOCK = re.compile(r"^```.*?^```$|^#[^\n]*|(?:^(?!```|#)[^\n]*\S[^\n]*\n?)+", r
 _ITEM = re.compile(r"\n(?=(?:[-*+]|\d+[.)])\s)")  # between two of a list
 
 
-def file_name(problem: Problem) -> str:
-    """The usual name of a problem's file: one that Python can import."""
-    return usual_name(problem.id)
-
-
 def usual_name(problem: str) -> str:
-    """The same by the problem's id."""
-    return program_name(problem.replace("-", "_"))
+    """The usual name of the file for the problem of that id: one that Python can import."""
+    return file_name(problem.replace("-", "_"))
 
 
 def write_stub(problem: Problem, path: Path, *, over: bool = False) -> Path | None:
@@ -57,37 +52,32 @@ def write_stub(problem: Problem, path: Path, *, over: bool = False) -> Path | No
         ProblemError: no stub can be made of the problem.
     """
     text = make_stub(problem, language_of(path)).encode()
-    where, kept = str(path), None
+    if not path.name or path.is_dir():
+        raise UsageError("this is a folder", where=str(path), remedy="name a file in it")
     try:
-        if not path.name or path.is_dir():
-            raise UsageError("this is a folder", where=where or "''", remedy="name a file in it")
-        if over and path.exists():
-            old = read_ordinary(path)
-            if old != text:
-                kept = _kept_beside(path, old)
-                replace_file(path, text)
-        else:
+        if not (over and path.exists()):
             new_file(path, text)
+        elif (old := read_ordinary(path)) != text:
+            kept = _kept_beside(path, old)
+            replace_file(path, text)
+            return kept
     except FileExistsError as fault:
-        raise UsageError(f"{where} exists. Start over: add --reset") from fault
+        raise UsageError(f"{path} exists. Start over: add --reset") from fault
     except FileNotFoundError as fault:
         remedy = f"make the folder {path.parent} first"
-        raise UsageError("its folder does not exist", where=where, remedy=remedy) from fault
-    except (OSError, ValueError) as fault:  # ValueError: a NUL in the name
-        reason = (getattr(fault, "strerror", None) or str(fault)).lower()
-        raise UsageError(f"cannot be written ({reason})", where=where, remedy="name another file") from fault
-    return kept
+        raise UsageError("its folder does not exist", where=str(path), remedy=remedy) from fault
+    except OSError as fault:
+        raise unwritable(path, fault, "name another file") from fault
+    return None
 
 
 def _kept_beside(path: Path, text: bytes) -> Path:
     """Write a file's text beside it, over no other: FILE.bak, FILE.bak-2 and so on. Raises OSError."""
     for number in count(1):
         kept = path.with_name(f"{path.name}.bak" + (f"-{number}" if number > 1 else ""))
-        try:
+        with suppress(FileExistsError):
             new_file(kept, text)
-        except FileExistsError:
-            continue
-        return kept
+            return kept
     raise AssertionError
 
 

@@ -113,7 +113,7 @@ def find_set(name: str, problems: Sequence[Problem], extra: Sequence[Path] = ())
         UsageError: there is none of that name.
         ProblemError: its file, or a problem that it lists, is broken, or it has no problem.
     """
-    files = _set_files(extra)
+    files = set_files(extra)
     if name not in files:
         raise UsageError(f"no practice set is called {name!r}", remedy=meant(name, list(files)))
     file = TomlFile(files[name])
@@ -136,7 +136,7 @@ def sound_sets(
 ) -> tuple[list[PracticeSet], list[ProblemError]]:
     """Every set of these problems, easiest first, and the fault of each that cannot be read."""
     found, faults = [], []
-    for name, path in _set_files(extra).items():
+    for name, path in set_files(extra).items():
         try:
             found.append(_set_of(name, TomlFile(path).read(_SetTable), problems))
         except ProblemError as fault:
@@ -151,13 +151,8 @@ def _set_of(name: str, table: _SetTable, problems: Sequence[Problem]) -> Practic
     return PracticeSet(name, table.title, table.about, tuple(here[each] for each in names if each in here))
 
 
-def set_names(extra: Sequence[Path] = ()) -> list[str]:
-    """The names of all sets, easiest first; none of them is read."""
-    return list(_set_files(extra))
-
-
-def _set_files(extra: Sequence[Path]) -> dict[str, Path]:
-    """The sets' files by name: the usual ones in their order, then others by name."""
+def set_files(extra: Sequence[Path]) -> dict[str, Path]:
+    """The sets' files by name: the usual ones in their order, easiest first, then others by name."""
     found: dict[str, Path] = {}
     for root in problem_roots(extra):
         for path in (root / "sets").glob("*.toml"):
@@ -228,7 +223,7 @@ def find_row(name: str, rows: Iterable[Row]) -> Row:
 
 def unknown_names(problems: Iterable[Problem], extra: Sequence[Path] = ()) -> Iterator[ProblemError]:
     """A fault for each set and skill that a problem names and no file does. Raises as read_checklist."""
-    sets, skills = list(_set_files(extra)), [skill.name for skill in _skills(extra)]
+    sets, skills = list(set_files(extra)), [skill.name for skill in _skills(extra)]
     for problem in problems:
         for at, name in enumerate(problem.sets):
             if name not in sets:
