@@ -19,11 +19,9 @@ from tempfile import TemporaryDirectory
 
 from msgspec import Struct
 
-from judge.data.load import ProblemData, load_data
+from judge.data.load import load_data
 from judge.data.pins import pins_file, pins_of, write_pins
 from judge.errors import JudgeError, ProblemError, UsageError, unwritable
-from judge.mistakes.computed import Computer, Program
-from judge.mistakes.makers import read_makers
 from judge.practice.cards import read_decks
 from judge.practice.questions import Sources, ask
 from judge.practice.stub import make_stub
@@ -32,12 +30,14 @@ from judge.problem import Problem
 from judge.problem.find import near_problem_folders, problem_roots
 from judge.problem.hints import read_hints
 from judge.problem.load import load_problem
+from judge.problem.model import EXAMPLES
 from judge.problem.names import is_name
-from judge.run.verify import ENOUGH, Fault
+from judge.run.verify import Fault
 
 _TEMPLATE = Path(__file__).resolve().parent.parent / "manual" / "new-kata.md"
 _FILE = re.compile(r"^## `([^`]+)`\n\n```\w+\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 _ID, _ENTRY = "my-kata", "my_kata"  # what stands for the new kata's in the template
+_MISTAKES = ["sum-of-legs"]  # of the template, which its groups reject whatever the kata is called
 _LETTERS = "small letters, digits and single hyphens"
 
 
@@ -74,7 +74,8 @@ def begin_kata(folder: Path, name: str | None = None) -> Begun:
                 files.append(homes[kind] / file)
             problem = load_problem(Path(scratch, "problems", name))
             data = load_data(problem, cache=False)
-            write_pins(problem, pins_of(data.groups, _kills(data)))
+            kills = {group.name: _MISTAKES for group in problem.groups if group.name != EXAMPLES}
+            write_pins(problem, pins_of(data.groups, kills))
             for kind, home in homes.items():
                 home.parent.mkdir(parents=True, exist_ok=True)
                 Path(scratch, kind, name).rename(home)
@@ -111,24 +112,12 @@ def _check_free(name: str, places: Iterable[Path]) -> None:
     """Refuse to write over anything, or to hide another kata. Raises UsageError."""
     for place in places:
         if place.is_symlink() or place.is_file() or (place.is_dir() and any(place.iterdir())):
-            what, remedy = "it is there already", "choose another name, or take it away first"
-            raise UsageError(what, where=str(place), remedy=remedy)
+            remedy = "choose another name, or take it away first"
+            raise UsageError("it is there already", where=str(place), remedy=remedy)
     for other in near_problem_folders():
         if other.name == name:
             what, remedy = f"a kata is called {name!r} already", "choose another name: runs are kept by it"
             raise UsageError(what, where=str(other), remedy=remedy)
-
-
-def _kills(data: ProblemData) -> dict[str, list[str]]:
-    """The mistakes of the new kata's own wrong programs that each group rejects."""
-    computer = Computer(data)
-    found: dict[str, list[str]] = {}
-    for maker in read_makers(data.problem).all:
-        program = Program(maker.program.source, maker.file, trusted=True)  # the template's
-        for group, answers in computer.behaviour(program).items():
-            if len(answers.wrong) >= ENOUGH:
-                found.setdefault(group, []).append(maker.name)
-    return found
 
 
 # -- what a kata needs: hints, a stub, cards, sets and skills ----------------------------------------------
