@@ -190,23 +190,20 @@ def _count(card: Card, content: Count, sources: Sources, draw: Draw) -> Question
         shown = Shown(problem, values, None, None, None)  # else the answer would be drawn
         drawn = module.hooks.picture(shown) if module.hooks.picture else None
     if drawn:  # the figure at true scale alone, and no words but the names of its points
-        whole = dataclasses.replace(drawn.whole, title="", note="")
-        drawn = dataclasses.replace(drawn, heading="", description="", whole=whole, lens=None, facts=())
-    if exact is None:
-        many = NONE
-    elif isinstance(exact, list) or (type(exact) is int and exact >= 0):
-        many = str(len(exact) if isinstance(exact, list) else exact)
-    else:
+        drawn = Picture("", "", "", dataclasses.replace(drawn.whole, title=""), None, ())
+    found = len(exact) if isinstance(exact, list) else exact
+    if found is not None and not (type(found) is int and found >= 0):
         what = f"the answer of {card.problem} counts nothing"
         _refuse(card, what, "name a problem that answers a count or a list")
+    many = NONE if found is None else str(found)
 
     def check(typed: str) -> Reply:
-        found = cards.count(typed)
-        return Reply(found == many, found)
+        given = cards.count(typed)
+        return Reply(given == many, given)
 
-    given = ", ".join(f"{name}={_plain(value)}" for name, value in values.items())
+    told = ", ".join(f"{name}={_plain(value)}" for name, value in values.items())
     why = content.back.strip()
-    return Question(card, "a number, or none", many, check, given=(given,), picture=drawn, why=why)
+    return Question(card, "a number, or none", many, check, given=(told,), picture=drawn, why=why)
 
 
 def _is_small(value: Any, largest: int) -> bool:

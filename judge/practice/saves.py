@@ -1,6 +1,6 @@
 """Noticing that a file was saved, however an editor does that: in place, by truncating, or by renaming.
 
-It is looked at ten times a second, which costs next to nothing and serves on any file system and through links.
+It is looked at ten times a second, which costs next to nothing, on any file system and through links.
 """
 
 from __future__ import annotations
