@@ -130,7 +130,7 @@ def progress(name: str, ask: ProgressAsk, common: Common) -> Struct:
         mistakes=dict(mistakes(run for name in own if name in ids for run in own[name]).most_common()),
         rows=tuple([each for each in asked if each.section in parts] or asked),
         hacks=tuple(hack_shares(chosen.problems, hacks)),
-        next=_next(chosen.problems, own, shown_skills),
+        next=_next(chosen.problems, own, every),
     )
     return ProgressPage(told, due, ask.whole)
 
