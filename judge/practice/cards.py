@@ -141,7 +141,6 @@ class Spot(Content, tag="spot", frozen=True, kw_only=True):
 
 
 AnyForm = Recall | Choice | Number | Count | FirstHit | Order | Tags | Spot
-FORMS = {each.__struct_config__.tag: each for each in AnyForm.__args__}
 
 
 class Card(Struct, frozen=True):

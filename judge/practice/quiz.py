@@ -40,12 +40,15 @@ def next_cards(
     With `ahead` all the others follow, the next due first.
     """
     by_key = {card.key: card for card in cards}
-    known = [(review, by_key[review.name]) for review in reviews if review.name in by_key]
-    due = [card for review, card in known if review.is_due(now)]
-    later = [card for review, card in known if not review.is_due(now)]
-    new = by_key.keys() - {review.name for review, _ in known}
-    fresh = sorted((card for card in cards if card.key in new), key=lambda card: own not in card.sets)
-    return [*due, *fresh, *(later if ahead else ())]
+    known = [(by_key[review.name], review.is_due(now)) for review in reviews if review.name in by_key]
+    answered = {card.key for card, _ in known}
+    new = [card for card in cards if card.key not in answered]
+    later = [card for card, is_due in known if not is_due]
+    return [
+        *(card for card, is_due in known if is_due),
+        *sorted(new, key=lambda card: own not in card.sets),
+        *(later if ahead else ()),
+    ]
 
 
 def next_due(cards: Iterable[Card], reviews: Iterable[Review]) -> datetime | None:

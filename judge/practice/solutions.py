@@ -8,11 +8,12 @@ from importlib.util import decode_source
 
 from msgspec import Struct
 
-from judge.errors import ProblemError, UsageError, nearest
+from judge.errors import ProblemError, UsageError
 from judge.languages import NAME, SUFFIX
 from judge.problem import Problem
 from judge.problem.program import tree_of
 from judge.problem.solutions import Kind, Solution, parted, read_solutions
+from judge.problem.tables import meant
 
 
 class Model(Struct, frozen=True):
@@ -108,7 +109,5 @@ def chosen_approach(
     for model in models:
         if name == model.file or wanted in (model.name, model.solution.name.replace(" ", "-")):
             return model
-    names = [model.call for model in models]
-    meant = nearest(wanted, names)
-    remedy = f"did you mean {meant!r}?" if meant else f"there are {', '.join(names)}"
+    remedy = meant(wanted, [model.call for model in models])
     raise UsageError(f"{problem.id} has no approach {name!r}", remedy=remedy)

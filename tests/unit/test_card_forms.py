@@ -12,7 +12,7 @@ import pytest
 
 from judge.errors import ProblemError
 from judge.practice.cards import (
-    FORMS,
+    AnyForm,
     Card,
     MistypedError,
     WrongOption,
@@ -25,6 +25,8 @@ from judge.practice.cards import (
 from judge.practice.questions import Sources, ask
 
 NUMBERS = re.compile(r"-?\d+")
+
+FORMS = {each.__struct_config__.tag: each for each in AnyForm.__args__}
 
 
 @pytest.fixture(autouse=True, scope="module")

@@ -11,7 +11,7 @@ from msgspec.structs import replace
 from past_runs import START, past_result
 
 from judge.errors import ProblemError
-from judge.practice.cards import FORMS, Card
+from judge.practice.cards import AnyForm, Card
 from judge.practice.events import Answer, Hack, Help, Outcome, Rating
 from judge.practice.history import run_of
 from judge.practice.progress import State, levels, questions, skills, solved, tried
@@ -25,6 +25,8 @@ from judge.run.result import LevelResult
 
 ROOT = Path(__file__).parents[2]
 PACK = ROOT / "tests" / "fixtures" / "pack"
+
+FORMS = {each.__struct_config__.tag: each for each in AnyForm.__args__}
 
 
 @pytest.fixture(autouse=True)
