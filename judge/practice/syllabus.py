@@ -94,13 +94,10 @@ class _SetTable(Table, frozen=True):
     problems: list[str] | None = None
 
 
-class _SkillsTable(Table, frozen=True):
-    skills: list[Skill]
-
-
-class _RowsTable(Table, frozen=True):
-    sections: list[Section]
-    rows: list[Row]
+class _ChecklistTable(Table, frozen=True):
+    skills: list[Skill] = []
+    sections: list[Section] = []
+    rows: list[Row] = []
 
 
 # -- sets --------------------------------------------------------------------------------------------------
@@ -192,13 +189,18 @@ def next_kata(
 
 def read_checklist(extra: Sequence[Path] = ()) -> Checklist:
     """What every folder's files list, each name once; the first of a name wins. Raises ProblemError."""
+    skills: dict[str, Skill] = {}
     sections: dict[str, Section] = {}
     rows: dict[str, Row] = {}
-    for file in _files(extra, "checklist.toml"):
-        table = file.read(_RowsTable)
+    paths = [root / name for root in problem_roots(extra) for name in ("skills.toml", "checklist.toml")]
+    for file in (TomlFile(path) for path in paths if path.is_file()):
+        table = file.read(_ChecklistTable)
+        _refuse_doubles(file, [skill.name for skill in table.skills], "skills", "name")
+        _refuse_doubles(file, [row.id for row in table.rows], "rows", "id")
+        for skill in table.skills:
+            skills.setdefault(skill.name, skill)
         for section in table.sections:
             sections.setdefault(section.id, section)
-        _refuse_doubles(file, [row.id for row in table.rows], "rows", "id")
         for place, row in enumerate(table.rows):
             if row.section not in sections:
                 what, remedy = f"no section is called {row.section!r}", meant(row.section, list(sections))
@@ -208,7 +210,7 @@ def read_checklist(extra: Sequence[Path] = ()) -> Checklist:
                     what = f"{mistake!r} does not name a mistake"
                     raise file.fault(what, 'write "problem/mistake"', "rows", place, "broken", at)
             rows.setdefault(row.id, row)
-    return Checklist(_skills(extra), tuple(sections.values()), tuple(rows.values()))
+    return Checklist(tuple(skills.values()), tuple(sections.values()), tuple(rows.values()))
 
 
 def find_row(name: str, rows: Iterable[Row]) -> Row:
@@ -223,7 +225,7 @@ def find_row(name: str, rows: Iterable[Row]) -> Row:
 
 def unknown_names(problems: Iterable[Problem], extra: Sequence[Path] = ()) -> Iterator[ProblemError]:
     """A fault for each set and skill that a problem names and no file does. Raises as read_checklist."""
-    sets, skills = list(set_files(extra)), [skill.name for skill in _skills(extra)]
+    sets, skills = list(set_files(extra)), [skill.name for skill in read_checklist(extra).skills]
     for problem in problems:
         for at, name in enumerate(problem.sets):
             if name not in sets:
@@ -236,20 +238,6 @@ def unknown_names(problems: Iterable[Problem], extra: Sequence[Path] = ()) -> It
                 remedy = f"did you mean {near!r}?" if near else "explain it in skills.toml"
                 where = group_place(problem, shown.groups[0])
                 yield ProblemError(f"no skill is called {shown.name!r}", where=where, remedy=remedy)
-
-
-def _skills(extra: Sequence[Path]) -> tuple[Skill, ...]:
-    found: dict[str, Skill] = {}
-    for file in _files(extra, "skills.toml"):
-        skills = file.read(_SkillsTable).skills
-        _refuse_doubles(file, [skill.name for skill in skills], "skills", "name")
-        for skill in skills:
-            found.setdefault(skill.name, skill)
-    return tuple(found.values())
-
-
-def _files(extra: Sequence[Path], name: str) -> Iterator[TomlFile]:
-    return (TomlFile(root / name) for root in problem_roots(extra) if (root / name).is_file())
 
 
 def _refuse_doubles(
