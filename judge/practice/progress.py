@@ -210,23 +210,24 @@ def _covered(
     `kills` are the mistakes that the groups reject.
     """
     since: datetime | None = None
-    failing: tuple[str, ...] = ()
+    wanted, failing = frozenset(groups), frozenset[str]()
     best = attempts = 0
     made: Counter[str] = Counter()
     for run, whole in runs:
-        passes = [group for group in groups if whole or group in run.passed]
-        fails = () if whole else tuple(group for group in groups if group in run.failed)
+        passes = wanted if whole else wanted.intersection(run.passed)
+        fails = frozenset[str]() if whole else wanted.intersection(run.failed)
         if not passes and not fails:  # it was judged on other groups only
             continue
         attempts += since is None
         best = max(best, len(passes))
         if run.passed:  # a file that is begun anew passes nothing yet, and takes nothing away
             failing = fails
-        if since is None and len(passes) == len(groups):
+        if since is None and passes == wanted:
             since = run.when
         if fails:
             made.update({name: times for name, times in mistakes([run]).items() if name in kills})
-    return Covered(problem, groups, level, best, since, failing, attempts, made)
+    lost = tuple(group for group in groups if group in failing)
+    return Covered(problem, groups, level, best, since, lost, attempts, made)
 
 
 def _skill(skill: Skill, needs: Sequence[Covered]) -> SkillProgress:
