@@ -145,13 +145,9 @@ def tried(runs: Iterable[Run]) -> dict[str, list[Run]]:
     return found
 
 
-def solved(runs: Iterable[Run]) -> dict[str, datetime]:
+def solved(runs: Sequence[Run]) -> dict[str, datetime]:
     """The problems that the person has solved, and when first; the runs are in their order."""
-    found: dict[str, datetime] = {}
-    for run in runs:
-        if run.solved:
-            found.setdefault(run.problem, run.when)
-    return found
+    return {run.problem: run.when for run in reversed(runs) if run.solved}
 
 
 def mistakes(runs: Iterable[Run]) -> Counter[str]:
@@ -299,8 +295,10 @@ def _ticked(by: Iterable[Evidence]) -> datetime | None:
     for kind in Kind:
         own = [None if each.lost else each.since for each in by if each.kind is kind]
         there = [date for date in own if date]
-        if there and (kind is Kind.BROKEN or len(there) == len(own)):
-            dates.append(min(there) if kind is Kind.BROKEN else max(there))
+        if kind is Kind.BROKEN:
+            dates += there
+        elif there and len(there) == len(own):
+            dates.append(max(there))
     return min(dates, default=None)
 
 

@@ -12,6 +12,7 @@ import re
 import textwrap
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import suppress
+from functools import partial
 from inspect import getsource
 from itertools import count
 from pathlib import Path
@@ -33,6 +34,7 @@ _INDENT = "    "
 _QUOTES = '"""'
 _FENCE = "```"
 _BLOCK = re.compile(r"^```.*?^```$|^#[^\n]*|(?:^(?!```|#)[^\n]*\S[^\n]*\n?)+", re.MULTILINE | re.DOTALL)
+_wrapped = partial(textwrap.wrap, break_long_words=False, break_on_hyphens=False)
 _ITEM = re.compile(r"\n(?=(?:[-*+]|\d+[.)])\s)")  # between two of a list
 
 
@@ -103,7 +105,7 @@ def _python(problem: Problem, about: Iterable[str]) -> str:
     head, tail = f"def {entry}(", f") -> {answer.annotation}:"
     rows = [head + given + tail]
     if len(rows[0]) > _WIDTH:
-        rows = [head, *_wrapped(given, width, _INDENT, _INDENT), tail]
+        rows = [head, *_wrapped(_INDENT + given, _WIDTH, subsequent_indent=_INDENT), tail]
     signature = "\n".join(rows)
     named = [answer, *(parameter.type for parameter in problem.parameters)]
     meanings = dict(meaning for type_ in named for meaning in _aliases(type_))
@@ -203,7 +205,7 @@ def _doctest(problem: Problem, example: Example) -> list[str]:
     if problem.answer.measured:
         call, wanted = f"rounded({call})", rounded(wanted)
     call = f"print({call})" if wanted is None else call
-    rows = [call] if len(call) <= room else _wrapped(call, room, _INDENT)
+    rows = [call] if len(call) <= room else _wrapped(call, room, subsequent_indent=_INDENT)
     lines = [f"{'...' if at else '>>>'} {row}".replace("\0", " ") for at, row in enumerate(rows)]
     return [*lines, repr(wanted)]
 
@@ -251,19 +253,7 @@ def _contract(problem: Problem, width: int, prompt: Callable[[Problem, Example],
                 said = " ".join(item.split())
                 if "is run as a program" not in said:
                     hanging = " " * (said.index(" ") + 1) if _ITEM.match(f"\n{said}") else ""
-                    rows += _wrapped(said, width, hanging)
+                    rows += _wrapped(said, width, subsequent_indent=hanging)
         if rows and not skipped:
             yield from ("", heading, "", *rows) if heading else ("", *rows)
             heading = ""
-
-
-def _wrapped(text: str, width: int, hanging: str = "", first: str = "") -> list[str]:
-    """The text in lines of at most `width` columns beside what they begin with."""
-    return textwrap.wrap(
-        text,
-        width,
-        initial_indent=first,
-        subsequent_indent=hanging,
-        break_long_words=False,
-        break_on_hyphens=False,
-    )
