@@ -26,8 +26,7 @@ from msgspec import Struct
 from judge.errors import ProblemError, UsageError
 from judge.practice.events import Answer
 from judge.practice.review import Review, card_reviews
-from judge.practice.syllabus import USUAL, Table, read_checklist, set_files
-from judge.problem.find import problem_roots
+from judge.practice.syllabus import USUAL, Table, read_checklist, set_files, toml_files
 from judge.problem.tables import TomlFile, meant, refusal
 
 _NAME = frozenset("abcdefghijklmnopqrstuvwxyz0123456789-")
@@ -187,20 +186,16 @@ def read_decks(extra: Sequence[Path] = ()) -> tuple[list[Card], list[ProblemErro
 
     The sets' own decks come first, in the sets' order.
     """
-    found: dict[str, Path] = {}
-    for root in problem_roots(extra):
-        for path in sorted((root / "quiz").glob("*.toml")):
-            found.setdefault(path.stem, path)
-    sets = list(set_files(extra))
     cards: list[Card] = []
     faults: list[ProblemError] = []
+    sets = list(set_files(extra))
     try:
         rows = [row.id for row in read_checklist(extra).rows]
     except ProblemError as fault:
         return [], [fault]
-    for name in sorted(found, key=lambda name: (sets.index(name) if name in sets else len(sets), name)):
+    for name, path in toml_files("quiz", sets, extra).items():
         try:
-            cards += _deck(TomlFile(found[name]), name, rows, sets)
+            cards += _deck(TomlFile(path), name, rows, sets)
         except ProblemError as fault:
             faults.append(fault)
     return cards, faults

@@ -7,7 +7,6 @@ from contextlib import suppress
 from datetime import datetime
 from itertools import chain, zip_longest
 from pathlib import Path
-from types import MappingProxyType
 
 from msgspec import Struct
 
@@ -58,7 +57,7 @@ def next_due(cards: Iterable[Card], reviews: Iterable[Review]) -> datetime | Non
 
 
 def to_practise(
-    missed: Sequence[Card], folders: Sequence[Path], more: Mapping[str, str] = MappingProxyType({})
+    missed: Sequence[Card], folders: Sequence[Path], more: Mapping[str, str] | None = None
 ) -> tuple[Practise, ...]:
     """The questions of cards that were not known, and those in `more`, each with its command.
 
@@ -66,7 +65,7 @@ def to_practise(
     checklist is broken.
     """
     asked = [card.rows[0] for card in missed if card.rows]
-    commands = {**more, **{row: f"judge quiz --question {row}" for row in asked}}
+    commands = {**(more or {}), **{row: f"judge quiz --question {row}" for row in asked}}
     here = {folder.name for folder in problem_folders(folders)}
     return tuple(
         Practise(

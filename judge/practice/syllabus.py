@@ -148,14 +148,19 @@ def _set_of(name: str, table: _SetTable, problems: Sequence[Problem]) -> Practic
     return PracticeSet(name, table.title, table.about, tuple(here[each] for each in names if each in here))
 
 
-def set_files(extra: Sequence[Path]) -> dict[str, Path]:
+def set_files(extra: Sequence[Path] = ()) -> dict[str, Path]:
     """The sets' files by name: the usual ones in their order, easiest first, then others by name."""
+    return toml_files("sets", _ORDER, extra)
+
+
+def toml_files(folder: str, order: Sequence[str], extra: Sequence[Path]) -> dict[str, Path]:
+    """The files in a folder of each folder of problems, by name, one of each: those in `order` come first."""
     found: dict[str, Path] = {}
     for root in problem_roots(extra):
-        for path in (root / "sets").glob("*.toml"):
+        for path in (root / folder).glob("*.toml"):
             found.setdefault(path.stem, path)
-    ordered = [name for name in _ORDER if name in found]
-    return {name: found[name] for name in (*ordered, *sorted(found.keys() - ordered))}
+    first = [name for name in order if name in found]
+    return {name: found[name] for name in (*first, *sorted(found.keys() - first))}
 
 
 def set_of(problem: str, sets: Iterable[PracticeSet]) -> PracticeSet | None:
