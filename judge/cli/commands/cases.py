@@ -7,14 +7,14 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING
 
 import click
 from msgspec import Struct
 from msgspec.structs import replace
 
 from judge.cli.kept import history_at
-from judge.cli.options import Common, command, opt, takes
+from judge.cli.options import Common, command, opt
 from judge.cli.resolve import kata_meant, problem_of_file, shown, usual_file
 from judge.cli.submissions import read_submissions
 from judge.cli.target import OutFile, svg_target
@@ -58,15 +58,10 @@ _PAGE_MARK = b'name="generator" content="judge try"'
 class TryAsk(Struct, frozen=True):
     """What to make of the case."""
 
-    opened: Annotated[bool, opt("--open", help="Drag the figure in the browser.")] = False
-    page: Annotated[
-        Path | None, opt("--out", metavar="FILE", help=f"Write that page; {_PAGE} with --open alone.")
-    ] = None
-    svg: Annotated[Path | None, opt("--svg", metavar="FILE", help="Draw the case into an SVG file.")] = None
-    test: Annotated[
-        Path | None,
-        opt("--pytest", metavar="FILE", help="Add the case as a pytest test of your file."),
-    ] = None
+    opened: bool = opt("--open", "Drag the figure in the browser.")
+    page: Path | None = opt("--out FILE", f"Write that page; {_PAGE} with --open alone.")
+    svg: Path | None = opt("--svg FILE", "Draw the case into an SVG file.")
+    test: Path | None = opt("--pytest FILE", "Add the case as a pytest test of your file.")
 
 
 class _Meant(Struct, frozen=True):
@@ -78,9 +73,8 @@ class _Meant(Struct, frozen=True):
     file: str | None = None
 
 
-@command("try", CaseLine, PageWritten, numbers=True)
+@command("try", CaseLine, PageWritten, numbers=True, ask=TryAsk)
 @click.argument("words", metavar="[KATA] [CASE|ID] [FILE]", nargs=-1, type=click.UNPROCESSED)
-@takes(TryAsk, "ask")
 def try_(words: tuple[str, ...], ask: TryAsk, common: Common) -> Iterator[Struct]:
     """See the exact answer to one case, and what your file answers.
 
@@ -222,14 +216,13 @@ def _test(path: Path, found: CaseTried | None) -> str:
 class HackAsk(Struct, frozen=True):
     """What to do about the wrong programs, other than break one."""
 
-    listed: Annotated[bool, opt("--list", help="List the programs, and which ones you broke.")] = False
-    give_up: Annotated[bool, opt("--give-up", help="Name the mistake, and show a smallest case.")] = False
+    listed: bool = opt("--list", "List the programs, and which ones you broke.")
+    give_up: bool = opt("--give-up", "Name the mistake, and show a smallest case.")
 
 
-@command("hack", HackLine, HackList, numbers=True)
+@command("hack", HackLine, HackList, numbers=True, ask=HackAsk)
 @click.argument("name", metavar="KATA")
 @click.argument("words", metavar="[N] [CASE]", nargs=-1, type=click.UNPROCESSED)
-@takes(HackAsk, "ask")
 def hack(name: str, words: tuple[str, ...], ask: HackAsk, common: Common) -> Iterator[Struct]:
     """Find a case on which a wrong program fails.
 

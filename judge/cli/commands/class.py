@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from contextlib import AbstractContextManager, nullcontext
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING
 
 import click
 from msgspec import Struct
@@ -14,7 +14,7 @@ from msgspec import Struct
 from judge.batch.folder import root_of
 from judge.batch.run import Classroom, class_options
 from judge.batch.store import Store, store_of
-from judge.cli.options import Common, command, opt, takes
+from judge.cli.options import Common, command, opt
 from judge.cli.target import OutFile, moment
 from judge.errors import UsageError, unwritable
 from judge.problem.find import find_problem
@@ -30,50 +30,25 @@ if TYPE_CHECKING:
 class ClassAsk(Struct, frozen=True):
     """How to judge a class, and what to write of it."""
 
-    students: Annotated[
-        Path | None,
-        opt("--students", metavar="CSV", help="The list of the class, with the columns id, name and group."),
-    ] = None
-    jobs: Annotated[
-        int, opt("-j", "--jobs", type=click.IntRange(1, 256), metavar="N", help="Judge N files at once.")
-    ] = 1
-    level: Annotated[
-        str | None,
-        opt(
-            "--level",
-            type=click.Choice(LEVELS),
-            metavar="|".join(LEVELS),
-            help="Only this level of each kata.",
-        ),
-    ] = None
-    again: Annotated[
-        tuple[str, ...],
-        opt("--again", metavar="NAME", help="Judge a student, a kata or a file again (repeatable)."),
-    ] = ()
-    csv: Annotated[
-        Path | None, opt("--csv", metavar="FILE", help="Write the gradebook, a line a student.")
-    ] = None
-    html: Annotated[
-        Path | None,
-        opt("--html", metavar="FILE", help="Write one page of it all, with a picture of each mistake."),
-    ] = None
-    feedback: Annotated[
-        Path | None, opt("--feedback", metavar="DIR", help="Write a page for each student into this folder.")
-    ] = None
-    where: Annotated[
-        str | None,
-        opt(
-            "--on",
-            metavar="WHERE",
-            help="Judge with the workers of a dask scheduler: tls://HOST:PORT, or its file.",
-        ),
-    ] = None
+    students: Path | None = opt(
+        "--students CSV", "The list of the class, with the columns id, name and group."
+    )
+    jobs: int = opt("-j --jobs N", "Judge N files at once.", type=click.IntRange(1, 256), default=1)
+    level: str | None = opt("--level", "Only this level of each kata.", choices=LEVELS)
+    again: tuple[str, ...] = opt(
+        "--again NAME", "Judge a student, a kata or a file again (repeatable).", default=()
+    )
+    csv: Path | None = opt("--csv FILE", "Write the gradebook, a line a student.")
+    html: Path | None = opt("--html FILE", "Write one page of it all, with a picture of each mistake.")
+    feedback: Path | None = opt("--feedback DIR", "Write a page for each student into this folder.")
+    where: str | None = opt(
+        "--on WHERE", "Judge with the workers of a dask scheduler: tls://HOST:PORT, or its file."
+    )
 
 
-@command("class", ClassRow, ClassLine)
+@command("class", ClassRow, ClassLine, ask=ClassAsk)
 @click.argument("folder", metavar="FOLDER", type=click.Path(path_type=Path))
 @click.argument("katas", metavar="[KATA]...", nargs=-1)
-@takes(ClassAsk, "ask")
 def judge_class(
     folder: Path, katas: tuple[str, ...], ask: ClassAsk, common: Common
 ) -> Iterator[ClassRow | Cohort]:

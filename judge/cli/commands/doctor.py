@@ -5,12 +5,12 @@ from __future__ import annotations
 import os
 import platform
 import sys
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
 from judge import __version__
-from judge.cli.options import Common, command, opt, takes
+from judge.cli.options import Common, command, opt
 from judge.errors import UsageError
 from judge.files import cache_folder
 from judge.judging.containment import every_hidden_folder, keep_level
@@ -29,14 +29,11 @@ if TYPE_CHECKING:
 class DoctorAsk(Struct, frozen=True):
     """What to try on this machine."""
 
-    languages: Annotated[
-        bool, opt("--languages", help="Compile and run the empty program of each language.")
-    ] = False
-    attack: Annotated[bool, opt("--attack", help="Run harmless attacks, and say which were held.")] = False
+    languages: bool = opt("--languages", "Compile and run the empty program of each language.")
+    attack: bool = opt("--attack", "Run harmless attacks, and say which were held.")
 
 
-@command("doctor", Doctor)
-@takes(DoctorAsk, "ask")
+@command("doctor", Doctor, ask=DoctorAsk)
 def doctor(ask: DoctorAsk, common: Common) -> Doctor:
     """Say how well submissions are contained on this machine.
 

@@ -6,13 +6,12 @@ import contextlib
 from difflib import unified_diff
 from itertools import count
 from pathlib import Path
-from typing import Annotated
 
 import click
 from msgspec import Struct
 
 from judge.cli.kept import history_at
-from judge.cli.options import Common, command, opt, takes
+from judge.cli.options import Common, command, opt
 from judge.cli.resolve import shown
 from judge.cli.target import check_place
 from judge.errors import UsageError, unwritable
@@ -28,17 +27,14 @@ _ON_SCREEN = 18  # runs, unless it is said how many
 class HistoryAsk(Struct, frozen=True):
     """What to show of the runs."""
 
-    limit: Annotated[
-        int | None, opt("--limit", type=click.IntRange(1), metavar="N", help="Only the last N runs.")
-    ] = None
-    csv: Annotated[bool, opt("--csv", help="Write CSV, one run a line.")] = False
-    restore: Annotated[bool, opt("--restore", help="Write the source of that RUN to its file again.")] = False
-    out: Annotated[Path | None, opt("--out", metavar="FILE", help="Restore it to this file instead.")] = None
+    limit: int | None = opt("--limit N", "Only the last N runs.", type=click.IntRange(1))
+    csv: bool = opt("--csv", "Write CSV, one run a line.")
+    restore: bool = opt("--restore", "Write the source of that RUN to its file again.")
+    out: Path | None = opt("--out FILE", "Restore it to this file instead.")
 
 
-@command("history", RunRow, RunsCompared, Restored)
+@command("history", RunRow, RunsCompared, Restored, ask=HistoryAsk)
 @click.argument("words", metavar="[KATA|RUN [RUN]]", nargs=-1)
-@takes(HistoryAsk, "ask")
 def history(words: tuple[str, ...], ask: HistoryAsk, common: Common) -> Struct:
     """Show your runs, one run, or what changed between two.
 

@@ -8,7 +8,6 @@ from collections.abc import Iterator, Sequence
 from contextlib import closing, suppress
 from pathlib import Path
 from time import monotonic
-from typing import Annotated
 
 import click
 from msgspec import Struct
@@ -16,7 +15,7 @@ from msgspec import Struct
 from judge.cli.asking import Round, StoppedError
 from judge.cli.commands.quiz import new_seed, shown_cards
 from judge.cli.kept import history_at
-from judge.cli.options import Common, command, opt, takes
+from judge.cli.options import Common, command, opt
 from judge.cli.submissions import read_submissions
 from judge.cli.target import OutFile
 from judge.cli.watching import Kata, WatchedFile
@@ -48,28 +47,17 @@ _TITLE, _PAGE_WIDTH = "\nThe interview", 80
 class InterviewAsk(Struct, frozen=True):
     """How to hold it."""
 
-    minutes: Annotated[
-        int, opt("--minutes", type=click.IntRange(1, 600), metavar="N", help="How long it takes; 30.")
-    ] = 30
-    kata: Annotated[str | None, opt("--kata", metavar="KATA", help="The kata to solve.")] = None
-    file: Annotated[
-        str | None,
-        opt(
-            "--file",
-            metavar="FILE",
-            type=click.Path(dir_okay=False),
-            help="Your file for it, instead of a new one.",
-        ),
-    ] = None
-    out: Annotated[Path | None, opt("--out", metavar="FILE", help="Write the last page there too.")] = None
-    seed: Annotated[
-        int | None, opt("--seed", type=click.IntRange(0), hidden=True, help="Repeat these figures.")
-    ] = None
+    minutes: int = opt("--minutes N", "How long it takes; 30.", type=click.IntRange(1, 600), default=30)
+    kata: str | None = opt("--kata KATA", "The kata to solve.")
+    file: str | None = opt(
+        "--file FILE", "Your file for it, instead of a new one.", type=click.Path(dir_okay=False)
+    )
+    out: Path | None = opt("--out FILE", "Write the last page there too.")
+    seed: int | None = opt("--seed N", "Repeat these figures.", type=click.IntRange(0), hidden=True)
 
 
-@command("interview", Interviewed)
+@command("interview", Interviewed, ask=InterviewAsk)
 @click.argument("name", metavar="[SET]", default=USUAL)
-@takes(InterviewAsk, "ask")
 def interview(name: str, ask: InterviewAsk, common: Common) -> Iterator[Interviewed]:
     """Hold a mock interview.
 

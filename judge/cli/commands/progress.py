@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Annotated
 
 import click
 from msgspec import Struct
 
 from judge.cli.drilling import known_cards
 from judge.cli.kept import history_at
-from judge.cli.options import Common, command, opt, takes
+from judge.cli.options import Common, command, opt
 from judge.cli.resolve import shown
 from judge.cli.target import OutFile, moment
 from judge.errors import ProblemError, UsageError
@@ -45,20 +44,17 @@ _PAGE = Path("judge-report.html")
 class ProgressAsk(Struct, frozen=True):
     """What to show of the progress."""
 
-    whole: Annotated[bool, opt("--all", help="List each skill, kata and question.")] = False
-    due: Annotated[bool, opt("--due", help="What to repeat today, and when the rest comes again.")] = False
-    question: Annotated[
-        str | None, opt("--question", metavar="ID", help="One interview question, and what ticks it.")
-    ] = None
-    html: Annotated[bool, opt("--html", help="Write a page that you can send and print.")] = False
-    out: Annotated[Path, opt("--out", metavar="FILE", help=f"Write that page here, not to {_PAGE}.")] = _PAGE
-    person: Annotated[str, opt("--name", metavar="NAME", help="Whose page it is, for its heading.")] = ""
-    opened: Annotated[bool, opt("--open", help="Open the page in the browser.")] = False
+    whole: bool = opt("--all", "List each skill, kata and question.")
+    due: bool = opt("--due", "What to repeat today, and when the rest comes again.")
+    question: str | None = opt("--question ID", "One interview question, and what ticks it.")
+    html: bool = opt("--html", "Write a page that you can send and print.")
+    out: Path = opt("--out FILE", f"Write that page here, not to {_PAGE}.", default=_PAGE)
+    person: str = opt("--name NAME", "Whose page it is, for its heading.", default="")
+    opened: bool = opt("--open", "Open the page in the browser.")
 
 
-@command("progress", ProgressShown, DueShown, QuestionShown, ProgressWritten)
+@command("progress", ProgressShown, DueShown, QuestionShown, ProgressWritten, ask=ProgressAsk)
 @click.argument("name", metavar="[SET]", default=USUAL)
-@takes(ProgressAsk, "ask")
 def progress(name: str, ask: ProgressAsk, common: Common) -> Struct:
     """Show what you can do, what is due, and what comes next.
 

@@ -6,13 +6,13 @@ import os
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING
 
 import click
 from msgspec import Struct
 
 from judge.cli.kept import history_at
-from judge.cli.options import Common, command, opt, takes
+from judge.cli.options import Common, command, opt
 from judge.errors import ProblemError, UsageError, nearest
 from judge.practice import events
 from judge.practice.checklist import find_row, read_checklist
@@ -35,25 +35,16 @@ _SEED_BYTES = 4
 class QuizAsk(Struct, frozen=True):
     """Which cards to ask."""
 
-    cards: Annotated[
-        int, opt("--cards", type=click.IntRange(1, 1000), metavar="N", help="How many cards; 10.")
-    ] = 10
-    question: Annotated[
-        str | None,
-        opt(
-            "--question", metavar="ID", help="Only this question of the checklist, or this card; due or not."
-        ),
-    ] = None
-    listed: Annotated[bool, opt("--list", help="List the cards instead of asking them.")] = False
-    seed: Annotated[
-        int | None,
-        opt("--seed", type=click.IntRange(0), metavar="N", help="Repeat the figures of this seed."),
-    ] = None
+    cards: int = opt("--cards N", "How many cards; 10.", type=click.IntRange(1, 1000), default=10)
+    question: str | None = opt(
+        "--question ID", "Only this question of the checklist, or this card; due or not."
+    )
+    listed: bool = opt("--list", "List the cards instead of asking them.")
+    seed: int | None = opt("--seed N", "Repeat the figures of this seed.", type=click.IntRange(0))
 
 
-@command("quiz", CardRow, Quizzed)
+@command("quiz", CardRow, Quizzed, ask=QuizAsk)
 @click.argument("name", metavar="[SET]", required=False)
-@takes(QuizAsk, "ask")
 def quiz(name: str | None, ask: QuizAsk, common: Common) -> Iterator[Struct]:
     """Ask short questions that need no code.
 

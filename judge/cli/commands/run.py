@@ -9,14 +9,13 @@ import sys
 from collections.abc import Generator, Iterator, Sequence
 from contextlib import closing, nullcontext, suppress
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING
 
 import click
 from msgspec import Struct
 from msgspec.structs import replace
 
-from judge.cli.duration import seconds_of
-from judge.cli.options import Common, command, opt, takes
+from judge.cli.options import Common, command, opt, seconds_of
 from judge.cli.resolve import Task, resolve
 from judge.cli.submissions import Unjudged
 from judge.cli.target import OutFile, check_svg
@@ -37,44 +36,27 @@ TEXT, GITHUB, EDITOR = FORMATS = ("text", "github", "editor")
 class RunAsk(Struct, frozen=True):
     """What to run, and what to show of it; the hidden ones are for scripts."""
 
-    quiet: Annotated[bool, opt("-q", "--quiet", help="Only the verdicts, one line a file.")] = False
-    whole: Annotated[bool, opt("--all", help="Show every test group.")] = False
-    level: Annotated[
-        str | None,
-        opt("--level", type=click.Choice(LEVELS), metavar="|".join(LEVELS), help="Only this level."),
-    ] = None
-    groups: Annotated[tuple[str, ...], opt("--group", metavar="G", help="Only this group; repeatable.")] = ()
-    jobs: Annotated[
-        int,
-        opt("-j", "--jobs", type=click.IntRange(1, 256), metavar="N", help="Judge N files at once."),
-    ] = 1
-    fresh: Annotated[
-        str | None,
-        opt("--fresh", "--for", metavar="TIME", help="Judge on new cases for so long, such as 30s or 2m."),
-    ] = None
-    form: Annotated[
-        str,
-        opt(
-            "--format",
-            metavar="|".join(FORMATS),
-            type=click.Choice(FORMATS),
-            help="github: annotations; editor: lines as compilers write them.",
-        ),
-    ] = TEXT
-    junit: Annotated[
-        Path | None, opt("--junit", metavar="FILE", help="Also write the results as JUnit XML.")
-    ] = None
-    seed: Annotated[int | None, opt("--seed", metavar="N", help="Cases of this seed.", hidden=True)] = None
-    mode: Annotated[
-        str,
-        opt("--mode", type=click.Choice(("program", "auto")), help="program: run it as one.", hidden=True),
-    ] = "auto"
-    svg: Annotated[
-        Path | None, opt("--svg", metavar="FILE", help="Draw the failing case into this file.", hidden=True)
-    ] = None
-    unnamed: Annotated[bool, opt("--no-name", help="Do not name the mistake.", hidden=True)] = False
-    unshrunk: Annotated[bool, opt("--no-shrink", help="Seek no smaller case.", hidden=True)] = False
-    unrecorded: Annotated[bool, opt("--no-history", help="Keep nothing of it.", hidden=True)] = False
+    quiet: bool = opt("-q --quiet", "Only the verdicts, one line a file.")
+    whole: bool = opt("--all", "Show every test group.")
+    level: str | None = opt("--level", "Only this level.", choices=LEVELS)
+    groups: tuple[str, ...] = opt("--group G", "Only this group; repeatable.", default=())
+    jobs: int = opt("-j --jobs N", "Judge N files at once.", type=click.IntRange(1, 256), default=1)
+    fresh: str | None = opt("--fresh --for TIME", "Judge on new cases for so long, such as 30s or 2m.")
+    form: str = opt(
+        "--format",
+        "github: annotations; editor: lines as compilers write them.",
+        choices=FORMATS,
+        default=TEXT,
+    )
+    junit: Path | None = opt("--junit FILE", "Also write the results as JUnit XML.")
+    seed: int | None = opt("--seed N", "Cases of this seed.", hidden=True)
+    mode: str = opt(
+        "--mode", "program: run it as one.", hidden=True, choices=("program", "auto"), default="auto"
+    )
+    svg: Path | None = opt("--svg FILE", "Draw the failing case into this file.", hidden=True)
+    unnamed: bool = opt("--no-name", "Do not name the mistake.", hidden=True)
+    unshrunk: bool = opt("--no-shrink", "Seek no smaller case.", hidden=True)
+    unrecorded: bool = opt("--no-history", "Keep nothing of it.", hidden=True)
 
     def options(self, isolation: str | None, *, brief: bool) -> RunOptions:
         """How to judge; who sees only verdicts waits neither for a smallest case nor for a name."""
@@ -89,9 +71,8 @@ class RunAsk(Struct, frozen=True):
         )
 
 
-@command("run", Result)
+@command("run", Result, ask=RunAsk)
 @click.argument("words", metavar="[KATA] [FILE]...", nargs=-1)
-@takes(RunAsk, "ask")
 def run(words: tuple[str, ...], ask: RunAsk, common: Common) -> Iterator[Struct]:
     """Judge files once.
 

@@ -6,13 +6,12 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from functools import partial
 from pathlib import Path
-from typing import Annotated
 
 import click
 from msgspec import Struct
 from msgspec.structs import replace
 
-from judge.cli.options import Common, command, opt, takes
+from judge.cli.options import Common, command, opt
 from judge.data.load import ProblemData, load_data
 from judge.errors import ProblemError, UsageError, unwritable
 from judge.files import replace_file
@@ -71,32 +70,19 @@ def new(folder: Path, name: str | None, common: Common) -> NewKata:  # noqa: ARG
 class VerifyAsk(Struct, frozen=True):
     """What to check of each kata."""
 
-    matrix: Annotated[
-        bool, opt("--matrix", help="Which groups find each mistake, and how many cases reach each edge.")
-    ] = False
-    pin: Annotated[bool, opt("--pin", help="Pin the data as they are now: write pins.json.")] = False
-    figures: Annotated[bool, opt("--figures", help="Draw the statement's figure: write figure.svg.")] = False
-    seeds: Annotated[
-        int,
-        opt(
-            "--seeds",
-            type=click.IntRange(1, 100),
-            metavar="N",
-            help="Check N sets of data, pinned ones first.",
-        ),
-    ] = 1
-    groups: Annotated[tuple[str, ...], opt("--group", metavar="G", help="Look at this group alone.")] = ()
-    solution: Annotated[
-        str, opt("--solution", metavar="FILE", help="Judge this solution alone, as accepted/exact.py.")
-    ] = ""
-    jobs: Annotated[
-        int, opt("-j", "--jobs", type=click.IntRange(1, 64), metavar="N", help="Check N katas at once.")
-    ] = 1
+    matrix: bool = opt("--matrix", "Which groups find each mistake, and how many cases reach each edge.")
+    pin: bool = opt("--pin", "Pin the data as they are now: write pins.json.")
+    figures: bool = opt("--figures", "Draw the statement's figure: write figure.svg.")
+    seeds: int = opt(
+        "--seeds N", "Check N sets of data, pinned ones first.", type=click.IntRange(1, 100), default=1
+    )
+    groups: tuple[str, ...] = opt("--group G", "Look at this group alone.", default=())
+    solution: str = opt("--solution FILE", "Judge this solution alone, as accepted/exact.py.", default="")
+    jobs: int = opt("-j --jobs N", "Check N katas at once.", type=click.IntRange(1, 64), default=1)
 
 
-@command("verify", Verified, DecksVerified)
+@command("verify", Verified, DecksVerified, ask=VerifyAsk)
 @click.argument("names", metavar="[KATA]...", nargs=-1)
-@takes(VerifyAsk, "ask")
 def verify(names: tuple[str, ...], ask: VerifyAsk, common: Common) -> Iterator[Struct]:
     """Check katas from the setter's side.
 
@@ -201,40 +187,28 @@ def _draw_figure(problem: Problem) -> None:
 class ExportAsk(Struct, frozen=True):
     """What to write."""
 
-    out: Annotated[Path, opt("--out", metavar="DIR", help="Where to write.")]
-    form: Annotated[
-        str,
-        opt(
-            "--format",
-            type=click.Choice(("kattis", "files")),
-            metavar="kattis|files",
-            help="Packages for Kattis and DOMjudge (usual), or the data alone.",
-        ),
-    ] = "kattis"
-    version: Annotated[
-        str,
-        opt(
-            "--version",
-            type=click.Choice([*(each.value for each in Version), _BOTH]),
-            metavar="|".join([*(each.value for each in Version), _BOTH]),
-            help="Of the packages' format; both is usual.",
-        ),
-    ] = _BOTH
-    archives: Annotated[bool, opt("--zip", help="Write archives too, one of them for DOMjudge.")] = False
-    bare: Annotated[bool, opt("--no-submissions", help="Packages without programs.")] = False
-    wrong: Annotated[
-        int | None, opt("--wrong", type=click.IntRange(0), metavar="N", help="At most N wrong programs.")
-    ] = None
-    seed: Annotated[
-        int | None,
-        opt("--seed", metavar="N", help="Files of other cases, from this seed, not the pinned ones."),
-    ] = None
-    force: Annotated[bool, opt("--force", help="Write over files that are there already.")] = False
+    out: Path = opt("--out DIR", "Where to write.", required=True)
+    form: str = opt(
+        "--format kattis|files",
+        "Packages for Kattis and DOMjudge (usual), or the data alone.",
+        choices=("kattis", "files"),
+        default="kattis",
+    )
+    version: str = opt(
+        "--version",
+        "Of the packages' format; both is usual.",
+        choices=[*(each.value for each in Version), _BOTH],
+        default=_BOTH,
+    )
+    archives: bool = opt("--zip", "Write archives too, one of them for DOMjudge.")
+    bare: bool = opt("--no-submissions", "Packages without programs.")
+    wrong: int | None = opt("--wrong N", "At most N wrong programs.", type=click.IntRange(0))
+    seed: int | None = opt("--seed N", "Files of other cases, from this seed, not the pinned ones.")
+    force: bool = opt("--force", "Write over files that are there already.")
 
 
-@command("export", Exported, FilesWritten)
+@command("export", Exported, FilesWritten, ask=ExportAsk)
 @click.argument("names", metavar="KATA...", nargs=-1, required=True)
-@takes(ExportAsk, "ask")
 def write(names: tuple[str, ...], ask: ExportAsk, common: Common) -> Iterator[Struct]:
     """Write katas as packages or files that other judges read.
 

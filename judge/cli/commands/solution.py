@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING
 
 import click
 from msgspec import Struct
 
 from judge.cli.hints import hints_of, hints_seen, next_hint, note_seen
 from judge.cli.kept import history_at
-from judge.cli.options import Common, command, opt, takes
+from judge.cli.options import Common, command, opt
 from judge.cli.resolve import kata_meant
 from judge.errors import UsageError
 from judge.languages import language_of
@@ -30,14 +30,13 @@ _ROUNDS = 3
 class HintAsk(Struct, frozen=True):
     """Which hint."""
 
-    again: Annotated[bool, opt("--again", help="Repeat the last one.")] = False
-    step: Annotated[int | None, opt("--step", metavar="N", help="Show hint N; the first is 1.")] = None
-    whole: Annotated[bool, opt("--all", help="Show all hints.")] = False
+    again: bool = opt("--again", "Repeat the last one.")
+    step: int | None = opt("--step N", "Show hint N; the first is 1.")
+    whole: bool = opt("--all", "Show all hints.")
 
 
-@command("hint", HintShown)
+@command("hint", HintShown, ask=HintAsk)
 @click.argument("name", metavar="[KATA|FILE]", required=False)
-@takes(HintAsk, "ask")
 def hint(name: str | None, ask: HintAsk, common: Common) -> Iterator[HintShown]:
     """Give one more hint.
 
@@ -74,25 +73,15 @@ def _chosen(problem: Problem, ask: HintAsk, db: Path | None) -> Sequence[HintSho
 class SolutionAsk(Struct, frozen=True):
     """Which solution, and whether to measure."""
 
-    giving_up: Annotated[
-        bool, opt("--give-up", help="Show it before you have solved the kata; this is remembered.")
-    ] = False
-    language: Annotated[
-        str | None, opt("--language", metavar="L", help="The one in this language: go, cpp, java …")
-    ] = None
-    times: Annotated[
-        bool, opt("--times", help="Measure all approaches and yours, in each language; takes a minute.")
-    ] = False
-    rounds: Annotated[
-        int | None,
-        opt("--rounds", type=click.IntRange(1, 99), metavar="N", help=f"Measure N times, not {_ROUNDS}."),
-    ] = None
+    giving_up: bool = opt("--give-up", "Show it before you have solved the kata; this is remembered.")
+    language: str | None = opt("--language L", "The one in this language: go, cpp, java …")
+    times: bool = opt("--times", "Measure all approaches and yours, in each language; takes a minute.")
+    rounds: int | None = opt("--rounds N", f"Measure N times, not {_ROUNDS}.", type=click.IntRange(1, 99))
 
 
-@command("solution", SolutionShown)
+@command("solution", SolutionShown, ask=SolutionAsk)
 @click.argument("name", metavar="[KATA", required=False)
 @click.argument("approach", metavar="[APPROACH]]", required=False)
-@takes(SolutionAsk, "ask")
 def solution(name: str | None, approach: str | None, ask: SolutionAsk, common: Common) -> SolutionShown:
     """Show the model solution, and why it works.
 

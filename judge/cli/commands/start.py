@@ -6,14 +6,13 @@ import os
 import sys
 from collections.abc import Iterator, Sequence
 from pathlib import Path
-from typing import Annotated
 
 import click
 from msgspec import Struct
 
 from judge.cli.home import next_kata, solved_katas
 from judge.cli.kept import history_at
-from judge.cli.options import Common, command, opt, takes
+from judge.cli.options import Common, command, opt
 from judge.cli.resolve import current, is_problem, problem_of, problem_of_file, shown, this_folder
 from judge.cli.submissions import read_submissions
 from judge.cli.watching import Kata, take_up
@@ -32,23 +31,14 @@ from judge.report.terminal import draws
 class StartAsk(Struct, frozen=True):
     """How to start."""
 
-    language: Annotated[
-        str | None,
-        opt("--language", metavar="L", help="Its language: c, cpp, go, java, javascript, rust, pypy."),
-    ] = None
-    once: Annotated[bool, opt("--no-watch", help="Only create the file.")] = False
-    reset: Annotated[bool, opt("--reset", help="Start the file over; the old text is kept as FILE.bak.")] = (
-        False
-    )
-    level: Annotated[
-        str | None,
-        opt("--level", metavar="|".join(LEVELS), type=click.Choice(LEVELS), help="Judge only this level."),
-    ] = None
+    language: str | None = opt("--language L", "Its language: c, cpp, go, java, javascript, rust, pypy.")
+    once: bool = opt("--no-watch", "Only create the file.")
+    reset: bool = opt("--reset", "Start the file over; the old text is kept as FILE.bak.")
+    level: str | None = opt("--level", "Judge only this level.", choices=LEVELS)
 
 
-@command("start", Begun)
+@command("start", Begun, ask=StartAsk)
 @click.argument("words", metavar="[KATA] [FILE]", nargs=-1)
-@takes(StartAsk, "ask")
 def start(words: tuple[str, ...], ask: StartAsk, common: Common) -> Iterator[Begun]:
     """Start or resume a kata, and judge it on every save.
 
