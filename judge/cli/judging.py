@@ -5,20 +5,38 @@ Containers are started as early as can be: most of what judging and showing need
 
 from __future__ import annotations
 
-from collections.abc import Generator, Sequence
+import atexit
+from collections.abc import Generator, Iterator, Sequence
 from contextlib import suppress
+from functools import cache
+from pathlib import Path
 from typing import TYPE_CHECKING
 
+from msgspec import Struct
 from msgspec.structs import replace
 
-from judge.cli.submissions import Submission
-from judge.cli.wish import Wish
+from judge.cli.read import Submission
+from judge.judging.api import RunOptions
 from judge.judging.session import Session
 from judge.problem import Problem, Verdict
 from judge.problem.keys import own_files
+from judge.problem.load import load_problem
+from judge.run.result import Result, judge_fault
 
 if TYPE_CHECKING:
-    from judge.cli.picture import Drawing
+    from judge.cli.drawings import Drawing
+
+
+class Wish(Struct, frozen=True):
+    """How submissions are to be judged, and what is kept of them."""
+
+    options: RunOptions
+    jobs: int = 1
+    had: str | None = None  # the level of isolation that the command has had before
+    kept: bool = True  # in the history
+    db: Path | None = None
+    total: int = 1  # submissions, to all problems
+    before: int = 0  # those among them that were judged already
 
 
 def judged(problem: Problem, submissions: Sequence[Submission], wish: Wish) -> Generator[Drawing, None, None]:
@@ -26,10 +44,9 @@ def judged(problem: Problem, submissions: Sequence[Submission], wish: Wish) -> G
 
     Close it, so that what was started for the rest ends. Raises JudgeError.
     """
-    first = submissions[0]
     with Session(problem, wish.options, had=wish.had) as session:
         if min(wish.jobs, len(submissions)) == 1:
-            session.boot(first.source, first.name)
+            session.boot(submissions[0].source, submissions[0].name)
         from judge.cli.drawings import drawings  # while it boots
 
         yield from drawings(session, submissions, wish)
@@ -84,3 +101,40 @@ class Sitting:
         session, self._session = self._session, None
         if session is not None:
             session.close()
+
+
+class _Share(Struct, frozen=True):
+    """What a session in a process of its own is opened with; `jobs` of them share the machine."""
+
+    folder: Path
+    solutions: Path
+    options: RunOptions
+    had: str | None
+    jobs: int
+
+
+def judged_at_once(
+    problem: Problem, submissions: Sequence[Submission], options: RunOptions, wish: Wish
+) -> tuple[Iterator[Result], Sequence[str]]:
+    """The results, in order, of several processes; and what to say of them. Judging raises JudgeError."""
+    from judge.judging.pool import Processes, in_order  # most runs are of one file
+
+    pool = Processes(min(wish.jobs, len(submissions)))
+    share = _Share(problem.folder, problem.solutions, options, wish.had, pool.count)
+    items = [(share, each) for each in submissions]
+    results = in_order(pool, judge_one, items, lambda item, why: judge_fault(problem.id, item[1].name, why))
+    return results, [pool.short] if pool.short else []
+
+
+def judge_one(item: tuple[_Share, Submission]) -> Result:
+    """What a process does; the session stays open for its next file."""
+    share, submission = item
+    return _session(share).judge(submission.source, submission.name)
+
+
+@cache
+def _session(share: _Share) -> Session:
+    problem = load_problem(share.folder, share.solutions)
+    session = Session(problem, share.options, jobs=share.jobs, had=share.had)
+    atexit.register(session.close)
+    return session

@@ -39,7 +39,7 @@ class Option(Struct, frozen=True):
 
     def __call__(self) -> Any:
         """The default."""
-        return self.settings["default"]
+        return self.settings.get("default")
 
 
 def opt(usage: str, about: str, *, choices: Iterable[str] = (), default: Any = None, **settings: Any) -> Any:
@@ -55,8 +55,9 @@ def opt(usage: str, about: str, *, choices: Iterable[str] = (), default: Any = N
         settings["metavar"] = words[-1]
     if "metavar" not in settings:
         settings["is_flag"], default = True, False
-    given = {"help": about, "default": default, "multiple": default == (), **settings}
-    return field(default_factory=Option(names, given))
+    if "required" not in settings:
+        settings |= {"default": default, "multiple": default == ()}
+    return field(default_factory=Option(names, {"help": about, **settings}))
 
 
 def _options(struct: type[Struct]) -> Iterable[click.Option]:

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import os
+import stat
 from collections.abc import Callable
+from contextlib import suppress
 from datetime import UTC, datetime
 from errno import EACCES
 from pathlib import Path
@@ -18,54 +20,44 @@ _EPOCH = "SOURCE_DATE_EPOCH"  # the usual way to ask for the same bytes every ti
 
 
 class OutFile(Struct, frozen=True):
-    """The file at `path` that `option` names.
+    """The file at `path` that `option` names; without a path it is not asked for, and nothing is written.
 
     What is there already is written over only if it is empty or `ours` says of its first bytes that it is
     such a file, which a person calls by the name `kind`. That protects a submission named by a slip.
+
+    Raises UsageError for a place that cannot be written or holds something else.
     """
 
-    path: Path
+    path: Path | None
     option: str
     kind: str
     ours: Callable[[bytes], bool]
 
-    def check(self, *, force: bool = False, remedy: str | None = None) -> None:
-        """Refuse a place that cannot be written or, without `force`, holds something else.
-
-        Raises:
-            UsageError: that is so; `remedy` says what to do about something else that is there.
-        """
+    def __post_init__(self) -> None:
+        if self.path is None:
+            return
         check_place(self.path, self.option)
         try:
-            if force or not self.path.exists() or self._is_ours():
-                return
+            start = read_ordinary(self.path, _LOOKED_AT) if self.path.exists() else b""
         except OSError as fault:
             raise unwritable(self.path, fault, _another(self.option)) from fault
-        what = f"it is there already and is no {self.kind}"
-        raise UsageError(what, where=str(self.path), remedy=remedy or _another(self.option))
+        if start.strip() and not self.ours(start):
+            what = f"it is there already and is no {self.kind}"
+            raise UsageError(what, where=str(self.path), remedy=_another(self.option))
 
     def write(self, content: bytes) -> None:
         """Put `content` there at once. Raises UsageError."""
+        if self.path is None:
+            return
         try:
             replace_file(self.path, content)
         except OSError as fault:
             raise unwritable(self.path, fault, _another(self.option)) from fault
 
-    def _is_ours(self) -> bool:
-        start = read_ordinary(self.path, _LOOKED_AT)
-        return not start.strip() or self.ours(start)
 
-
-def svg_target(path: Path) -> OutFile:
-    """The file that `--svg` names."""
+def svg_target(path: Path | None) -> OutFile:
+    """The file that `--svg` names. Raises UsageError."""
     return OutFile(path, "--svg", "SVG", lambda start: b"<svg" in start)
-
-
-def check_svg(path: Path, submissions: int) -> None:
-    """Refuse, before anything is judged, to draw several submissions or over a file that is no SVG."""
-    if submissions > 1:
-        raise UsageError("--svg draws one submission", where=str(path), remedy="name one FILE")
-    svg_target(path).check()
 
 
 def check_place(path: Path, option: str) -> None:
@@ -78,10 +70,12 @@ def check_place(path: Path, option: str) -> None:
     try:
         if not path.parent.is_dir():
             raise UsageError("its folder does not exist", where=where, remedy="make the folder first")
-        if _exists(path) and path.is_dir():
-            raise UsageError("it is a folder", where=where, remedy=f"name a file with {option}")
-        if _exists(path) and not path.is_file():  # a pipe would be waited for
-            raise UsageError("it is no ordinary file", where=where, remedy=_another(option))
+        with suppress(FileNotFoundError):
+            mode = path.stat().st_mode
+            if stat.S_ISDIR(mode):
+                raise UsageError("it is a folder", where=where, remedy=f"name a file with {option}")
+            if not stat.S_ISREG(mode):  # a pipe would be waited for
+                raise UsageError("it is no ordinary file", where=where, remedy=_another(option))
         if not os.access(path.resolve().parent, os.W_OK | os.X_OK):
             raise PermissionError(EACCES, os.strerror(EACCES))
     except OSError as fault:
@@ -90,15 +84,6 @@ def check_place(path: Path, option: str) -> None:
 
 def _another(option: str) -> str:
     return f"name another file with {option}"
-
-
-def _exists(path: Path) -> bool:
-    """Whether something is there; a name that cannot be one, such as one too long, raises OSError."""
-    try:
-        path.stat()
-    except FileNotFoundError:
-        return False
-    return True
 
 
 def moment() -> datetime:

@@ -13,13 +13,13 @@ from queue import SimpleQueue
 from types import FrameType
 from typing import TYPE_CHECKING, NoReturn
 
+from judge.cli.drawings import Drawing
 from judge.cli.hints import next_hint, note_seen
 from judge.cli.home import next_kata, set_of, solved_katas, standing
+from judge.cli.judging import Wish
 from judge.cli.kept import history_at
 from judge.cli.options import Common
-from judge.cli.picture import Drawing
 from judge.cli.watching import Kata, WatchedFile, await_event, handled, take_up
-from judge.cli.wish import Wish
 from judge.errors import JudgeError
 from judge.judging.api import RunOptions
 from judge.languages import file_name, language_of

@@ -13,17 +13,16 @@ from typing import TYPE_CHECKING, Any
 
 from msgspec import Struct
 
-from judge.cli.judging import Sitting
+from judge.cli.judging import Sitting, Wish
+from judge.cli.read import read_submissions
 from judge.cli.resolve import folder_to_keep, shown
-from judge.cli.submissions import read_submissions
-from judge.cli.wish import Wish
 from judge.errors import JudgeError, StoreError, UsageError
 from judge.practice.saves import SavedMark, mark, settled
 from judge.problem import Problem
 from judge.report.screen import note
 
 if TYPE_CHECKING:
-    from judge.cli.picture import Drawing
+    from judge.cli.drawings import Drawing
 
 _LOOK = 1.0  # seconds after which the file is looked at even if nothing was told of it
 

@@ -68,14 +68,9 @@ def judge_class(
         find_problem(each, common.problems)
     files = _Files(ask, folder)
     with Store.open(store_of(folder)) as store:
+        options, problems = class_options(common.isolation, ask.level), common.problems
         classroom = Classroom(
-            folder,
-            store,
-            class_options(common.isolation, ask.level),
-            students=ask.students,
-            only=katas,
-            folders=common.problems,
-            say=note,
+            folder, store, options, students=ask.students, only=katas, folders=problems, say=note
         )
         try:
             with _executor(ask, common.isolation) as executor:
@@ -109,13 +104,8 @@ class _Files:
     def __init__(self, ask: ClassAsk, folder: Path) -> None:
         self._feedback = ask.feedback
         self._title = folder.resolve().name or "class"
-        self._csv = OutFile(ask.csv, "--csv", "gradebook", is_gradebook) if ask.csv else None
-        self._html = (
-            OutFile(ask.html, "--html", "page of a class", partial(_is_page, "CLASS")) if ask.html else None
-        )
-        for target in (self._csv, self._html):
-            if target:
-                target.check()
+        self._csv = OutFile(ask.csv, "--csv", "gradebook", is_gradebook)
+        self._html = OutFile(ask.html, "--html", "page of a class", partial(_is_page, "CLASS"))
         if ask.html or ask.feedback:
             moment()
         if ask.feedback:
@@ -126,23 +116,19 @@ class _Files:
 
     def write(self, classroom: Classroom, cohort: Cohort) -> None:
         """Write them. Raises UsageError."""
-        if self._csv:
-            self._csv.write(gradebook(cohort))
-        if not (self._html or self._feedback):
+        self._csv.write(gradebook(cohort))
+        if not (self._html.path or self._feedback):
             return
         from judge.report.html.klass import class_page, feedback_pages
 
         results = classroom.results(cohort, everybody=self._feedback is not None)
         problems, title, generated = classroom.problems(), self._title, moment()
-        if self._html:
+        if self._html.path:
             self._html.write(class_page(cohort, results, problems, title=title, generated=generated))
         if self._feedback:
             for name, content in feedback_pages(cohort, results, problems, title=title, generated=generated):
-                target = OutFile(
-                    self._feedback / name, "--feedback", "feedback page", partial(_is_page, "FEEDBACK")
-                )
-                target.check()
-                target.write(content)
+                page = self._feedback / name
+                OutFile(page, "--feedback", "feedback page", partial(_is_page, "FEEDBACK")).write(content)
 
 
 def _is_page(kind: str, start: bytes) -> bool:

@@ -14,12 +14,12 @@ from msgspec import Struct
 
 from judge.cli.asking import Round, StoppedError
 from judge.cli.commands.quiz import new_seed, shown_cards
+from judge.cli.judging import Wish
 from judge.cli.kept import history_at
 from judge.cli.options import Common, command, opt
-from judge.cli.submissions import read_submissions
+from judge.cli.read import read_submissions
 from judge.cli.target import OutFile
 from judge.cli.watching import Kata, WatchedFile
-from judge.cli.wish import Wish
 from judge.judging.api import RunOptions
 from judge.languages import file_name
 from judge.practice.events import Answer, Help, now
@@ -69,9 +69,7 @@ def interview(name: str, ask: InterviewAsk, common: Common) -> Iterator[Intervie
     Answers may also come from a pipe, one a line. With --json the questions go to standard error.
     """
     cards = shown_cards(name, common.problems)
-    page = OutFile(ask.out, "--out", "page of an interview", _is_page) if ask.out else None
-    if page:
-        page.check()
+    page = OutFile(ask.out, "--out", "page of an interview", lambda start: start.startswith(_TITLE.encode()))
     with history_at(common.db) as history:
         today = now().astimezone()
         problem = (
@@ -94,14 +92,10 @@ def interview(name: str, ask: InterviewAsk, common: Common) -> Iterator[Intervie
                 sitting.ask(planned.after, planned.count)
         finally:  # after Ctrl-C too
             found = sitting.page()
-            if page:
+            if page.path:
                 plain = Screen(sys.stdout, False, _PAGE_WIDTH)
                 page.write(drawn(quiz.interviewed(found, plain), plain).encode())
             yield found
-
-
-def _is_page(start: bytes) -> bool:
-    return start.startswith(_TITLE.encode())
 
 
 class _Sitting:

@@ -9,7 +9,6 @@ from pathlib import Path
 import click
 from msgspec import Struct
 
-from judge.cli.drilling import known_cards
 from judge.cli.kept import history_at
 from judge.cli.options import Common, command, opt
 from judge.cli.resolve import shown
@@ -146,7 +145,11 @@ def _due(history: History, folders: Sequence[Path]) -> DueShown:
     known = [each for each in found if each.name in here and each.name not in tried]
     cards = card_reviews(history.events(Answer))
     if cards:  # whoever has answered none waits for no deck
-        cards = known_cards(cards, folders)
+        from judge.practice.quiz.cards import read_decks
+
+        decks, _ = read_decks(folders)  # a broken one is told of by `judge quiz`
+        keys = {card.key for deck in decks for card in deck.cards}
+        cards = [each for each in cards if each.name in keys]
     return DueShown(
         time=today,
         now=tuple(Unfinished(problem=name, best=each.best, last=each.last) for name, each in tried.items()),
@@ -166,7 +169,6 @@ def _page(ask: ProgressAsk, common: Common) -> ProgressWritten:
     from judge.report.html.learner import MARK, learner_page
 
     target = OutFile(ask.out, "--out", "page of judge progress", lambda start: is_page(start, MARK))
-    target.check()
     with history_at(common.db, reading=True) as history:
         runs = [run for run in history.runs() if run.counts]
         if not runs:

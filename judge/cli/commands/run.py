@@ -8,26 +8,22 @@ import random
 import sys
 from collections.abc import Generator, Iterator, Sequence
 from contextlib import closing, nullcontext, suppress
+from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import click
 from msgspec import Struct
 from msgspec.structs import replace
 
 from judge.cli.options import Common, command, opt, seconds_of
+from judge.cli.read import Unjudged
 from judge.cli.resolve import Task, resolve
-from judge.cli.submissions import Unjudged
-from judge.cli.target import OutFile, check_svg
-from judge.cli.wish import Wish
+from judge.cli.target import OutFile, svg_target
 from judge.errors import ExitCode, JudgeError, UsageError, told
 from judge.judging.api import RunOptions
 from judge.problem.model import LEVELS, chosen_groups
 from judge.report.judged import AtLines, Judged, Several
 from judge.run.result import Result, judge_fault
-
-if TYPE_CHECKING:
-    from judge.cli.picture import Drawing
 
 _SEEDS = 10**9  # a fresh seed is below it: short enough to be typed again
 TEXT, GITHUB, EDITOR = FORMATS = ("text", "github", "editor")
@@ -86,140 +82,119 @@ def run(words: tuple[str, ...], ask: RunAsk, common: Common) -> Iterator[Struct]
     """
     if common.json and ask.form != TEXT:
         raise UsageError(f"--json and --format {ask.form} contradict each other", remedy="leave one out")
-    junit = (
-        OutFile(ask.junit, "--junit", "JUnit XML", lambda start: b"<testsuite" in start)
-        if ask.junit
-        else None
-    )
-    if junit is not None:
-        junit.check()
+    junit = OutFile(ask.junit, "--junit", "JUnit XML", lambda start: b"<testsuite" in start)
     tasks, unjudged = resolve(words, common)
     total = len(unjudged) + sum(len(task.submissions) for task in tasks)
-    if ask.svg is not None:
-        check_svg(ask.svg, total)
+    if ask.svg is not None and total > 1:
+        raise UsageError("--svg draws one submission", where=str(ask.svg), remedy="name one FILE")
+    svg = svg_target(ask.svg)
     for task in tasks:
         chosen_groups(task.problem, ask.groups, ask.level)  # a name that is none is told before all else
     if ask.fresh is not None:
         if total > 1 or unjudged:
             raise UsageError("--fresh takes one file", remedy="name one FILE")
-        yield _fresh(tasks[0], ask, common)
+        yield _fresh(tasks[0], svg, ask, common)
         return
     found: list[Result] = []
-    results = _judged(tasks, unjudged, total, ask, common)
+
+    def together() -> Iterator[Several]:
+        if total > 1 and found and ask.form == TEXT:
+            yield Several(tuple(found), total - len(found))
+
     try:
-        with closing(results):
+        with closing(_judged(tasks, unjudged, svg, ask, common)) as results:
             for each in results:
                 found.append(each.result)
-                yield _as(each, ask.form)
+                yield each if ask.form == TEXT else _at_lines(each, ask.form)
     except KeyboardInterrupt:
-        yield from _several(found, total, ask)
+        yield from together()
         raise
     finally:
-        if junit is not None and found:
+        if junit.path is not None and found:
             from judge.report.formats import junit as written
 
             junit.write(written(found))
-    yield from _several(found, total, ask)
+    yield from together()
 
 
-def _several(found: Sequence[Result], total: int, ask: RunAsk) -> Iterator[Several]:
-    """What several submissions came to."""
-    if total > 1 and found and ask.form == TEXT:
-        yield Several(tuple(found), total - len(found))
-
-
-def _as(judged: Judged, form: str) -> Struct:
-    """The result as it is to be shown."""
-    if form == TEXT:
-        return judged
+def _at_lines(judged: Judged, form: str) -> AtLines:
+    """The result as another program reads it."""
     from judge.report.formats import annotation, editor_lines
 
-    entry = judged.problem.entry if judged.problem else ""
-    if form == EDITOR:
-        lines = editor_lines(judged.result, judged.source, entry)
-    else:
-        lines = iter((annotation(judged.result, judged.source, entry, os.environ),))
+    asked = judged.result, judged.source, judged.problem.entry if judged.problem else ""
+    lines = editor_lines(*asked) if form == EDITOR else (annotation(*asked, os.environ),)
     return AtLines("".join(f"{line}\n" for line in lines), judged.result.exit_code)
 
 
 def _judged(
-    tasks: Sequence[Task], unjudged: Sequence[Unjudged], total: int, ask: RunAsk, common: Common
+    tasks: Sequence[Task], unjudged: Sequence[Unjudged], svg: OutFile, ask: RunAsk, common: Common
 ) -> Generator[Judged, None, None]:
     """Every result in order, one kata after another; last what could not be read or has no kata.
 
     Of several katas, one that is broken costs its own submissions only. A fault of the judge's own is the
     result of each submission that is left, for whoever reads the results as data.
     """
-    from judge.cli.judging import judged
+    from judge.cli.judging import Wish, judged
     from judge.report.wait import progress
 
+    waiting = [(task.problem.id, each) for task in tasks for each in task.submissions]
+    total, done = len(waiting) + len(unjudged), 0
     plain = ask.form == TEXT and ask.junit is None and not common.json
     brief = ask.quiet and plain
     options = ask.options(common.isolation, brief=brief and ask.svg is None)
     wish = Wish(options, ask.jobs, kept=not ask.unrecorded, db=common.db, total=total)
-    several = len(tasks) if total > 1 else 0
-    waiting = [(task, each) for task in tasks for each in task.submissions]
-    done = 0
+    shown = partial(Judged, quiet=ask.quiet and total == 1, several=len(tasks) if total > 1 else 0)
+
+    def faulty(end: int, why: str) -> Iterator[Judged]:
+        nonlocal done
+        while done < end:
+            kata, each = waiting[done]
+            done += 1
+            yield shown(judge_fault(kata, each.name, why), each.source)
+
     try:
         with progress("judging") if brief and ask.jobs > 1 and total > 1 else nullcontext() as advance:
             for task in tasks:
-                begun = done
-                drawings = judged(task.problem, task.submissions, replace(wish, before=done))
+                end = done + len(task.submissions)
                 try:
-                    with closing(drawings):
-                        for drawing in drawings:
+                    with closing(judged(task.problem, task.submissions, replace(wish, before=done))) as drawn:
+                        for each in drawn:
                             done += 1
                             if advance:
                                 advance(done, total)
-                            yield _shown(drawing, total, several, ask, common)
-                            drawing.save(ask.svg)
+                            row = shown(each.result, each.source, task.problem, each, whole=ask.whole)
+                            alone = total == 1 and not (ask.quiet or common.json)
+                            yield _with_standing(row, ask, common) if alone else row
+                            each.save(svg)
                             if not (common.isolation or brief) and plain:
-                                _say_that_full_is_missing(drawing.result)
+                                _say_that_full_is_missing(each.result)
                 except JudgeError as fault:
                     if isinstance(fault, UsageError) or len(tasks) == 1:
                         raise
-                    for each in task.submissions[done - begun :]:
-                        done += 1
-                        yield _not_judged(each.name, str(fault), task.problem.id, several, ask, each.source)
+                    yield from faulty(end, str(fault))
     except Exception as fault:
         if not (plain or isinstance(fault, UsageError | OSError)):
-            for task, each in waiting[done:]:
-                yield _not_judged(each.name, told(fault), task.problem.id, several, ask, each.source)
+            yield from faulty(len(waiting), told(fault))
         raise
     for entry in unjudged:
-        yield _not_judged(entry.name, entry.why, entry.problem, several, ask)
+        yield shown(judge_fault(entry.problem, entry.name, entry.why))
 
 
-def _shown(drawing: Drawing, total: int, several: int, ask: RunAsk, common: Common) -> Judged:
-    """One result, with all that its screen shows."""
-    found = Judged(
-        drawing.result,
-        drawing.source,
-        drawing.problem,
-        drawing,
-        quiet=ask.quiet and total == 1,
-        several=several,
-        whole=ask.whole,
-    )
-    if not drawing.result.solved or several or ask.quiet or common.json:
-        return found
+def _with_standing(found: Judged, ask: RunAsk, common: Common) -> Judged:
+    """A terminal also shows what an accepted one took."""
     from judge.report.screen import is_terminal
 
-    if is_terminal(sys.stdout) and not ask.unrecorded:
+    if found.result.solved and is_terminal(sys.stdout) and not ask.unrecorded:
         from judge.cli.home import standing
 
         with suppress(JudgeError):  # the verdict is known, and worth more
-            return replace(found, standing=standing(drawing.problem.id, common))
+            return replace(found, standing=standing(found.result.problem, common))
     return found
 
 
-def _not_judged(name: str, why: str, problem: str, several: int, ask: RunAsk, source: bytes = b"") -> Judged:
-    return Judged(judge_fault(problem, name, why), source, quiet=ask.quiet, several=several)
-
-
-def _fresh(task: Task, ask: RunAsk, common: Common) -> Judged:
+def _fresh(task: Task, svg: OutFile, ask: RunAsk, common: Common) -> Judged:
     """One submission on new cases for so long."""
-    from judge.cli.picture import Drawing
+    from judge.cli.drawings import Drawing
     from judge.data.load import ProblemData
     from judge.judging.cases import judge_fresh
     from judge.judging.session import Session
@@ -241,20 +216,21 @@ def _fresh(task: Task, ask: RunAsk, common: Common) -> Judged:
         stressed = judge_fresh(
             session, submission.source, submission.name, groups, seed=seed, seconds=lasting, on_cases=tell
         )
+    result = stressed.result
     again = f"{stressed.cases:,} fresh cases in {stressed.seconds:.0f} s; the same again: --seed {seed}"
-    Notes().say(stressed.result.notes)
-    drawing = Drawing(problem, ProblemData(problem, ()), stressed.result)
-    drawing.save(ask.svg)
-    stopped = stressed.interrupted and stressed.result.failure is None
+    Notes().say(result.notes)
+    drawing = Drawing(problem, ProblemData(problem, ()), result)
+    drawing.save(svg)
+    stopped = stressed.interrupted and result.failure is None
     return Judged(
-        stressed.result.noting(again),
+        result.noting(again),
         submission.source,
         problem,
         drawing,
         quiet=ask.quiet,
         whole=ask.whole,
         fresh=again,
-        status=ExitCode.INTERRUPTED if stopped else stressed.result.exit_code,
+        status=ExitCode.INTERRUPTED if stopped else result.exit_code,
     )
 
 

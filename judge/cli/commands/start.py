@@ -13,8 +13,8 @@ from msgspec import Struct
 from judge.cli.home import next_kata, solved_katas
 from judge.cli.kept import history_at
 from judge.cli.options import Common, command, opt
+from judge.cli.read import read_submissions
 from judge.cli.resolve import current, is_problem, problem_of, problem_of_file, shown, this_folder
-from judge.cli.submissions import read_submissions
 from judge.cli.watching import Kata, take_up
 from judge.errors import UsageError
 from judge.languages import file_name, is_program
@@ -63,38 +63,31 @@ def _meant(words: Sequence[str], ask: StartAsk, common: Common) -> Kata:
     """The kata and the file that the words mean. Raises JudgeError."""
     if len(words) > 2:
         raise UsageError(f"one KATA and one FILE are expected; {len(words)} words are given")
-    folders, db = common.problems, common.db
-    if not words:
-        return _usual(ask, common)
-    first, file = words[0], words[1] if len(words) > 1 else None
-    if file is None and not is_problem(first, folders) and (is_program(first) or os.path.exists(first)):  # noqa: PTH110 - of any name
-        return _checked(_problem_of(first, common), first)
-    problem = find_problem(first, folders)
-    if file is not None:
-        return _checked(problem, file)
-    if ask.language is None:
-        with history_at(db, reading=True) as history:
-            here = current(this_folder(), history)
-        if here and here.problem == problem.id and not os.path.exists(_named(problem)):  # noqa: PTH110 - of any name
-            return Kata(problem, Path(here.path))
-    return _checked(problem, _named(problem, ask.language))
-
-
-def _usual(ask: StartAsk, common: Common) -> Kata:
-    """The current file, as long as its kata is not solved; else the usual file of the next kata."""
-    problems, _ = sound_problems(common.problems)
+    problem: Problem | None = None
+    if words:
+        first = words[0]
+        is_file = len(words) == 1 and not is_problem(first, common)
+        if is_file and (is_program(first) or os.path.exists(first)):  # noqa: PTH110 - of any name
+            return _checked(_problem_of(first, common), first)
+        problem = find_problem(first, common.problems)
+        if words[1:] or ask.language:
+            return _checked(problem, words[1] if words[1:] else _named(problem, ask.language))
     with history_at(common.db, reading=True) as history:
         here, places, solved = current(this_folder(), history), history.places(), solved_katas(history)
-    if here is not None and (here.problem not in solved or ask.reset):
+    if problem is not None:
+        if here and here.problem == problem.id and not os.path.exists(_named(problem)):  # noqa: PTH110 - of any name
+            return Kata(problem, Path(here.path))
+    elif here is not None and (here.problem not in solved or ask.reset):
         problem = problem_of(here, common.problems)
         if ask.language is None:
             return Kata(problem, Path(here.path))
-        return _checked(problem, _named(problem, ask.language))
-    last = here or next(iter(places), None)
-    following = next_kata(last.problem if last else "", problems, common.problems, solved)
-    if following is None:
-        raise UsageError("All katas are solved. judge progress shows what you can do")
-    return _checked(following, _named(following, ask.language))
+    else:
+        last = here or next(iter(places), None)
+        problems, _ = sound_problems(common.problems)
+        problem = next_kata(last.problem if last else "", problems, common.problems, solved)
+        if problem is None:
+            raise UsageError("All katas are solved. judge progress shows what you can do")
+    return _checked(problem, _named(problem, ask.language))
 
 
 def _problem_of(file: str, common: Common) -> Problem:
@@ -102,9 +95,9 @@ def _problem_of(file: str, common: Common) -> Problem:
     if os.path.exists(file):  # noqa: PTH110 - of any name
         _check_ordinary(Path(file), file)
         (submission,) = read_submissions([file])
-        return problem_of_file(submission, "start", common.problems, common.db)
+        return problem_of_file(submission, "start", common)
     name = id_of(Path(file).name.partition(".")[0])
-    if is_problem(name, common.problems):
+    if is_problem(name, common):
         return find_problem(name, common.problems)
     what = f"{file} is not there, and I cannot tell which kata it is for"
     raise UsageError(f"{what}. Say it: judge start KATA {file}")
