@@ -7,7 +7,6 @@ import threading
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
-from queue import Empty, SimpleQueue
 from types import FrameType
 from typing import TYPE_CHECKING, Any
 
@@ -23,8 +22,6 @@ from judge.report.screen import note
 
 if TYPE_CHECKING:
     from judge.cli.drawings import Drawing
-
-_LOOK = 1.0  # seconds after which the file is looked at even if nothing was told of it
 
 
 class Kata(Struct, frozen=True):
@@ -126,29 +123,21 @@ class WatchedFile:
         if self._seen is None:
             return f"{name} is gone; it is judged again when it is back"
         try:
-            submissions = read_submissions([name])
+            (submission,) = read_submissions([name])
         except UsageError as fault:
             return str(fault)
-        if not submissions[0].source.strip():
+        if not submission.source.strip():
             return f"{name} is empty; it is judged when there is something in it"
         try:
-            return self._sitting.judged(submissions[0])
-        except UsageError:
-            raise
+            return self._sitting.judged(submission)
         except JudgeError as fault:
+            if isinstance(fault, UsageError):
+                raise
             return str(fault)
 
     def close(self) -> None:
         """End what is kept from one save to the next."""
         self._sitting.close()
-
-
-def await_event(events: SimpleQueue[str]) -> str | None:
-    """The next event, or None after a second without one."""
-    try:
-        return events.get(timeout=_LOOK)
-    except Empty:
-        return None
 
 
 @contextmanager

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import contextlib
 from difflib import unified_diff
-from itertools import count
 from pathlib import Path
 
 import click
@@ -105,10 +103,9 @@ def _ended(run: Run, group: str) -> str | None:
 
 def _restored(run: Run, source: bytes, target: Path | None) -> Restored:
     """Write the source of that run to `target`, or to where it was; what is there is kept beside it."""
-    if target is None:
-        if not run.path:
-            raise UsageError(f"run {run.id} judged no ordinary file", remedy="name one with --out FILE")
-        target = Path(run.path)
+    if target is None and not run.path:
+        raise UsageError(f"run {run.id} judged no ordinary file", remedy="name one with --out FILE")
+    target = target or Path(run.path)
     check_place(target, "--out")
     kept = None
     try:
@@ -132,9 +129,12 @@ def _restored(run: Run, source: bytes, target: Path | None) -> Restored:
 
 def _kept_beside(path: Path, content: bytes) -> Path:
     """A new file with that content, FILE.bak or the next free name. Raises OSError."""
-    for number in count():
+    number = 0
+    while True:
         beside = path.with_name(f"{path.name}.bak{number or ''}")
-        with contextlib.suppress(FileExistsError):
+        try:
             new_file(beside, content)
+        except FileExistsError:
+            number += 1
+        else:
             return beside
-    raise AssertionError

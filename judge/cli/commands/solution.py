@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 import click
 from msgspec import Struct
 
-from judge.cli.hints import hints_of, hints_seen, next_hint, note_seen
 from judge.cli.kept import history_at
 from judge.cli.options import Common, command, opt
 from judge.cli.resolve import kata_meant
@@ -18,6 +17,7 @@ from judge.languages import language_of
 from judge.practice.events import Help
 from judge.practice.model import approaches, chosen_approach
 from judge.problem import Problem
+from judge.problem.hints import read_hints
 from judge.report.published_practice import ApproachRow, HintShown, SolutionShown, Yours
 
 if TYPE_CHECKING:
@@ -45,29 +45,46 @@ def hint(name: str | None, ask: HintAsk, common: Common) -> Iterator[HintShown]:
     """
     if ask.again + ask.whole + (ask.step is not None) > 1:
         raise UsageError("--again, --step and --all exclude each other", remedy="name one of them")
-    problem = kata_meant(name, common)
-    chosen = _chosen(problem, ask, common.db)
+    chosen = hints(kata_meant(name, common), ask, common.db)
     try:
         note_seen(chosen[-1], common.db)  # first: what was shown counts as seen, whatever happens then
     finally:
         yield from chosen
 
 
-def _chosen(problem: Problem, ask: HintAsk, db: Path | None) -> Sequence[HintShown]:
-    """The hints that were asked for, at least one. Raises UsageError."""
-    hints = hints_of(problem)
-    if ask.whole:
-        return hints
-    step = ask.step
-    if ask.again:
-        step = min(hints_seen(problem.id, db), len(hints))
-        if not step:
-            raise UsageError(f"You have seen no hint to {problem.id} yet", remedy=f"judge hint {problem.id}")
-    if step is None:
-        return [next_hint(problem, db)]
-    if not 1 <= step <= len(hints):
-        raise UsageError(f"{problem.id} has no hint {step}", remedy=f"they go from 1 to {len(hints)}")
-    return [hints[step - 1]]
+def hints(problem: Problem, ask: HintAsk, db: Path | None) -> list[HintShown]:
+    """The hints that are asked for, at least one: the first that was not seen, or else the last.
+
+    Raises UsageError where there is none, ProblemError where they are broken.
+    """
+    found = read_hints(problem)
+    if not found:
+        remedy = f"'judge show {problem.id} --groups' says what its test groups show"
+        raise UsageError(f"there are no hints to {problem.id}", remedy=remedy)
+    seen, count = 0 if ask.whole or ask.step is not None else _seen(problem.id, db), len(found)
+    if ask.again and not seen:
+        raise UsageError(f"You have seen no hint to {problem.id} yet", remedy=f"judge hint {problem.id}")
+    step = ask.step if ask.step is not None else min(seen if ask.again else seen + 1, count)
+    if not 1 <= step <= count:
+        raise UsageError(f"{problem.id} has no hint {step}", remedy=f"they go from 1 to {count}")
+    return [
+        HintShown(problem=problem.id, step=each.number, steps=count, title=each.title, text=each.text)
+        for each in found
+        if ask.whole or each.number == step
+    ]
+
+
+def _seen(problem: str, db: Path | None) -> int:
+    """How many of the kata's hints have been seen."""
+    with history_at(db, reading=True) as history:
+        return max((each.hints for each in history.events(Help, problem)), default=0)
+
+
+def note_seen(hint: HintShown, db: Path | None) -> None:
+    """Remember that the hints up to this one have been seen."""
+    if hint.step > _seen(hint.problem, db):
+        with history_at(db) as history:
+            history.keep(Help(hint.problem, hint.step))
 
 
 class SolutionAsk(Struct, frozen=True):
@@ -97,10 +114,11 @@ def solution(name: str | None, approach: str | None, ask: SolutionAsk, common: C
     model = chosen_approach(problem, models, approach, ask.language)
     yours = _admit(problem, common.db, giving_up=ask.giving_up)
     programs = [(each.path.name, each.source) for each in models]
-    programs += [(yours[0].submission, yours[1])] if yours else []
-    taken = (
-        _measured(problem, programs, ask.rounds or _ROUNDS, common) if ask.times else [None] * len(programs)
-    )
+    if yours:
+        programs.append((yours[0].submission, yours[1]))
+    taken: Sequence[Taken | None] = [None] * len(programs)
+    if ask.times:
+        taken = _measured(problem, programs, ask.rounds or _ROUNDS, common)
     return SolutionShown(
         problem=problem.id,
         file=model.path.name,
@@ -110,17 +128,10 @@ def solution(name: str | None, approach: str | None, ask: SolutionAsk, common: C
         explanation=model.explanation,
         program=model.program,
         approaches=tuple(
-            ApproachRow(
-                name=each.name,
-                call=each.call,
-                file=each.path.name,
-                language=each.tongue,
-                about=each.about,
-                taken=its,
-            )
+            ApproachRow(each.name, each.call, each.path.name, each.tongue, each.about, its)
             for each, its in zip(models, taken, strict=False)
         ),
-        yours=Yours(run=yours[0].id, file=yours[0].submission, taken=taken[-1]) if yours else None,
+        yours=Yours(yours[0].id, yours[0].submission, taken[-1]) if yours else None,
     )
 
 
