@@ -9,7 +9,6 @@ from itertools import islice
 from pathlib import Path
 
 from msgspec import Struct
-from msgspec.structs import replace
 
 from judge.errors import UsageError, nearest
 from judge.files import (
@@ -40,13 +39,6 @@ class Submission(Struct, frozen=True):
     source: bytes
 
 
-class _Entry(Struct, frozen=True):
-    """A file by its name; `folder` is the one that was named where it was found there."""
-
-    name: str
-    folder: str = ""
-
-
 class Unjudged(Struct, frozen=True):
     """An entry that is not judged: its name, why, and the problem where it is known."""
 
@@ -61,45 +53,41 @@ def read_submissions(names: Iterable[str]) -> list[Submission]:
     Raises:
         UsageError: one is missing, unreadable, no ordinary file or too large, or a folder holds no *.py.
     """
-    submissions, unread = _gathered(names, 0, follow=False)
+    submissions, unread = gathered(names, depth=0)
     if unread:
         raise UsageError(unread[0].why, where=unread[0].name)
     return submissions
 
 
 def gathered(
-    names: Iterable[str], problem: str = "", *, follow: bool = False
+    names: Iterable[str], problem: str = "", depth: int = _DEEPEST
 ) -> tuple[list[Submission], list[Unjudged]]:
     """The named files, as `read_submissions`, and those of several that cannot be read; `problem` is for all.
 
     A folder stands for every *.py in it and in its folders, but for hidden ones and virtual environments.
-    With `follow` links are followed that lead out of it.
 
     Raises:
         UsageError: one is missing, the only one cannot be read, or a folder holds no *.py.
     """
-    submissions, unread = _gathered(names, _DEEPEST, follow=follow)
-    return submissions, [replace(each, problem=problem) for each in unread]
-
-
-def _gathered(names: Iterable[str], depth: int, *, follow: bool) -> tuple[list[Submission], list[Unjudged]]:
     entries = dict.fromkeys(entry for name in names for entry in _entries(name, depth))
     submissions, unread = [], []
-    for entry in entries:
-        if isinstance(entry, Unjudged):
-            unread.append(entry)
-            continue
-        try:
-            submissions.append(Submission(entry.name, _read(entry.name, "" if follow else entry.folder)))
-        except UsageError as fault:
-            if len(entries) == 1:
-                raise
-            unread.append(Unjudged(entry.name, DANGLING if is_dangling(entry.name) else fault.what))
+    for name, folder, why in entries:
+        if not why:
+            try:
+                submissions.append(Submission(name, _read(name, folder)))
+                continue
+            except UsageError as fault:
+                if len(entries) == 1:
+                    raise
+                why = DANGLING if is_dangling(name) else fault.what
+        unread.append(Unjudged(name, why, problem))
     return submissions, unread
 
 
-def _entries(name: str, depth: int) -> list[_Entry | Unjudged]:
+def _entries(name: str, depth: int) -> list[tuple[str, str, str]]:
     """The file of that name, or all that is to be judged in the folder, so many levels down.
+
+    Each has its name, the folder that it was found in, "" if it was named, and why it cannot be read, if so.
 
     Raises:
         UsageError: there is nothing, or more than anybody would want.
@@ -108,60 +96,51 @@ def _entries(name: str, depth: int) -> list[_Entry | Unjudged]:
         raise UsageError("no such file", where="''", remedy=f"name a {NAME} file")
     try:
         if not stat.S_ISDIR(Path(name).stat().st_mode):
-            return [_Entry(name)]
+            return [(name, "", "")]
         os.scandir(name).close()  # of a folder that cannot be read, that is said
     except OSError as fault:
         if is_dangling(name):
-            return [_Entry(name)]
+            return [(name, "", "")]
         raise _unreadable(name, fault) from fault
     except ValueError as fault:  # a NUL in the name
         raise UsageError("no such file", where=repr(name)) from fault
-    found = list(islice(_within(name, depth), _MOST + 1))
+    found = [(path, name, why) for path, why in islice(_within(name, depth), _MOST + 1)]
     if len(found) > _MOST:
-        what = f"this folder holds more than {_MOST:,} {PATTERN} files"
-        raise UsageError(what, where=name, remedy="name a smaller one")
+        what, remedy = f"this folder holds more than {_MOST:,} {PATTERN} files", "name a smaller one"
+        raise UsageError(what, where=name, remedy=remedy)
     if not found:
-        raise UsageError(
-            f"this folder holds no {PATTERN} file",
-            where=name,
-            remedy="name a file, or a folder of submissions",
-        )
-    return [each if isinstance(each, Unjudged) else _Entry(each, name) for each in found]
+        what, remedy = f"this folder holds no {PATTERN} file", "name a file, or a folder of submissions"
+        raise UsageError(what, where=name, remedy=remedy)
+    return found
 
 
-def _within(folder: str, depth: int) -> Iterator[str | Unjudged]:
-    """The programs in a folder, in order, those of its own folders after its own, so many levels down."""
+def _within(folder: str, depth: int) -> Iterator[tuple[str, str]]:
+    """The programs in a folder, in order, those of its own folders after its own, so many levels down.
+
+    What is to be judged and cannot be comes with the reason.
+    """
     try:
         with os.scandir(folder) as scanned:
-            entries = sorted(scanned, key=lambda entry: entry.name)
+            entries = sorted((entry.name, str(Path(entry.path))) for entry in scanned)
     except OSError as fault:
-        yield Unjudged(folder, _unreadable(folder, fault).what)
+        yield folder, _unreadable(folder, fault).what
         return
-    inner = {entry.name: str(Path(entry.path)) for entry in entries if os.path.isdir(entry.path)}  # noqa: PTH112 - False where it may not be asked
-    yield from (
-        str(Path(entry.path)) for entry in entries if entry.name not in inner and is_program(entry.name)
-    )
-    if depth:
-        for name, path in inner.items():
-            yield from _below(name, path, depth)
+    inner = [each for each in entries if os.path.isdir(each[1])]  # noqa: PTH112 - False where it may not be asked
+    yield from ((path, "") for name, path in entries if (name, path) not in inner and is_program(name))
+    for name, path in inner if depth else ():
+        if os.path.islink(path):  # noqa: PTH114 - it may lead back
+            yield path, "a link to a folder is not followed"
+        elif depth == 1:
+            yield path, f"this folder lies more than {_DEEPEST} levels down"
+        elif not name.startswith((".", "__")) and not os.path.exists(os.path.join(path, ENVIRONMENT)):  # noqa: PTH110, PTH118
+            below = _within(path, depth - 1)
+            first = next(below, (path, "this is a folder") if is_program(name) else None)
+            if first:
+                yield first
+                yield from below
 
 
-def _below(name: str, path: str, depth: int) -> Iterator[str | Unjudged]:
-    """What is to be judged in a folder within another one."""
-    if os.path.islink(path):  # noqa: PTH114 - it may lead back
-        yield Unjudged(path, "a link to a folder is not followed")
-    elif depth == 1:
-        yield Unjudged(path, f"this folder lies more than {_DEEPEST} levels down")
-    elif not name.startswith((".", "__")) and not os.path.exists(os.path.join(path, ENVIRONMENT)):  # noqa: PTH110, PTH118
-        empty = True
-        for each in _within(path, depth - 1):
-            empty = False
-            yield each
-        if empty and is_program(name):
-            yield Unjudged(path, "this is a folder")
-
-
-def _read(name: str, folder: str = "") -> bytes:
+def _read(name: str, folder: str) -> bytes:
     """A file's bytes; one that was found in a folder lies there, wherever links lead."""
     path = Path(name)
     try:

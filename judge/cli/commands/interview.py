@@ -12,8 +12,7 @@ from time import monotonic
 import click
 from msgspec import Struct
 
-from judge.cli.asking import Round, StoppedError
-from judge.cli.commands.quiz import new_seed, shown_cards
+from judge.cli.commands.quiz import Round, StoppedError, shown_cards
 from judge.cli.judging import Wish
 from judge.cli.kept import history_at
 from judge.cli.options import Common, command, opt
@@ -26,7 +25,6 @@ from judge.practice.events import Answer, Help, now
 from judge.practice.interview import Held, plan, usual_kata
 from judge.practice.quiz.cards import Card
 from judge.practice.quiz.choose import to_practise
-from judge.practice.quiz.questions import Sources
 from judge.practice.review import card_reviews
 from judge.practice.sets import USUAL
 from judge.practice.stub import write_stub
@@ -34,8 +32,7 @@ from judge.problem.find import find_problem
 from judge.report import quiz
 from judge.report.judged import Judged, judged
 from judge.report.published_quiz import Interviewed, interviewed
-from judge.report.screen import Screen, drawn, err, is_terminal, note, out, show
-from judge.report.wait import progress
+from judge.report.screen import Screen, drawn, is_terminal, note, show
 
 _LAST = 0.1  # of the time, kept for the cards after the kata
 _LOOK = 0.5  # seconds between two looks at the file
@@ -79,9 +76,8 @@ def interview(name: str, ask: InterviewAsk, common: Common) -> Iterator[Intervie
         )
         if ask.file is not None:
             read_submissions([ask.file])  # whether it is there is said before the first card
-        seed = new_seed() if ask.seed is None else ask.seed
         path = ask.file or file_name(f"{problem.id.replace('-', '_')}_interview")
-        asking = Round(Sources(common.problems, seed, progress), history, err() if common.json else out())
+        asking = Round(ask.seed, history, common)
         sitting = _Sitting(ask, common, asking, Kata(problem, Path(path).absolute()))
         planned = plan(cards, ask.minutes, card_reviews(history.events(Answer)), today)
         asking.show(quiz.opening(ask.minutes, planned, sitting.held))
