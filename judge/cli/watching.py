@@ -123,7 +123,7 @@ class WatchedFile:
         if self._seen is None:
             return f"{name} is gone; it is judged again when it is back"
         try:
-            (submission,) = read_submissions([name])
+            submission, *_ = read_submissions([name])
         except UsageError as fault:
             return str(fault)
         if not submission.source.strip():

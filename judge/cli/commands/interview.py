@@ -22,6 +22,7 @@ from judge.cli.watching import Kata, WatchedFile
 from judge.judging.api import RunOptions
 from judge.languages import file_name
 from judge.practice.events import Answer, Help, now
+from judge.practice.history import History
 from judge.practice.interview import Held, plan, usual_kata
 from judge.practice.quiz.cards import Card
 from judge.practice.quiz.choose import to_practise
@@ -32,7 +33,7 @@ from judge.problem.find import find_problem
 from judge.report import quiz
 from judge.report.judged import Judged, judged
 from judge.report.published_quiz import Interviewed, interviewed
-from judge.report.screen import Screen, drawn, is_terminal, note, show
+from judge.report.screen import Screen, drawn, is_terminal, note
 
 _LAST = 0.1  # of the time, kept for the cards after the kata
 _LOOK = 0.5  # seconds between two looks at the file
@@ -65,53 +66,52 @@ def interview(name: str, ask: InterviewAsk, common: Common) -> Iterator[Intervie
 
     Answers may also come from a pipe, one a line. With --json the questions go to standard error.
     """
-    cards = shown_cards(name, common.problems)
+    cards, folders = shown_cards(name, common.problems), common.problems
     page = OutFile(ask.out, "--out", "page of an interview", lambda start: start.startswith(_TITLE.encode()))
     with history_at(common.db) as history:
         today = now().astimezone()
-        problem = (
-            find_problem(ask.kata, common.problems)
-            if ask.kata
-            else usual_kata(name, history.runs(), history.events(Help), today, common.problems)
-        )
+        if ask.kata:
+            problem = find_problem(ask.kata, folders)
+        else:
+            problem = usual_kata(name, history.runs(), history.events(Help), today, folders)
         if ask.file is not None:
             read_submissions([ask.file])  # whether it is there is said before the first card
         path = ask.file or file_name(f"{problem.id.replace('-', '_')}_interview")
-        asking = Round(ask.seed, history, common)
-        sitting = _Sitting(ask, common, asking, Kata(problem, Path(path).absolute()))
+        held = _Interview(ask, history, common, Kata(problem, Path(path).absolute()))
         planned = plan(cards, ask.minutes, card_reviews(history.events(Answer)), today)
-        asking.show(quiz.opening(ask.minutes, planned, sitting.held))
+        held.show(quiz.opening(ask.minutes, planned, held.held))
         try:
             with suppress(StoppedError):
-                sitting.ask(planned.before, planned.count)
-                sitting.solve()
-                sitting.ask(planned.after, planned.count)
+                held.ask_all(planned.before, planned.count)
+                held.solve()
+                held.ask_all(planned.after, planned.count)
         finally:  # after Ctrl-C too
-            found = sitting.page()
+            found = held.page()
             if page.path:
                 plain = Screen(sys.stdout, False, _PAGE_WIDTH)
                 page.write(drawn(quiz.interviewed(found, plain), plain).encode())
             yield found
 
 
-class _Sitting:
+class _Interview(Round):
     """An interview that is being held."""
 
-    def __init__(self, ask: InterviewAsk, common: Common, asking: Round, kata: Kata) -> None:
+    def __init__(self, ask: InterviewAsk, history: History, common: Common, kata: Kata) -> None:
+        super().__init__(ask.seed, history, common)
         self.held = Held(kata.problem, kata.name)
-        self._wanted, self._common, self._asking, self._kata = ask, common, asking, kata
+        self._wanted, self._common, self._kata = ask, common, kata
         self._begun = monotonic()
 
     def _left(self, kept: float = 0.0) -> float:
         """The seconds that are left, when a part of the whole is kept for later."""
         return self._begun + self._wanted.minutes * 60 * (1 - kept) - monotonic()
 
-    def ask(self, cards: Sequence[Card], count: int) -> None:
+    def ask_all(self, cards: Sequence[Card], count: int) -> None:
         """Ask the cards. Raises StoppedError, also once the time is over."""
         for card in cards:
             if self._left() <= 0:
                 raise StoppedError
-            self._asking.ask(card, count)
+            self.ask(card, count)
 
     def solve(self) -> None:
         """Have the kata solved: its file judged on every save, and on each empty line.
@@ -120,7 +120,7 @@ class _Sitting:
         """
         if self._left() <= 0:
             raise StoppedError
-        self._asking.show(quiz.kata(self.held, max(0, int(self._left(_LAST) // 60))))
+        self.show(quiz.kata(self.held, max(0, int(self._left(_LAST) // 60))))
         if not self._kata.path.exists():
             write_stub(self._kata.problem, self._kata.path)
         person = is_terminal(sys.stdin)
@@ -135,7 +135,7 @@ class _Sitting:
                     if self._is_asked(watched, left) if person else self._is_told(watched):
                         self._judge(watched)
                 if not self.held.solved:
-                    self._asking.show(quiz.time_over())
+                    self.show(quiz.time_over())
 
     def _judge(self, watched: WatchedFile) -> None:
         found = watched.judge()
@@ -145,40 +145,38 @@ class _Sitting:
         if self._common.json:
             note(f"{found.result.submission}: {found.result.verdict.value}")
         else:
-            screen = self._asking.screen
             shown = Judged(found.result, found.source, found.problem, found, commands=False)
-            show(judged(shown, screen), screen)
-            self._asking.screen.write("\n")
+            self.show(judged(shown, self.screen))
+            self.screen.write("\n")
         self.held = self.held.after(found.result)
 
     def _is_told(self, watched: WatchedFile) -> bool:
         """Wait for an empty line of a pipe; True. Raises StoppedError at its end."""
-        while self._asking.typed():
+        while self.typed():
             note(_ENTER)
         watched.saved()
         return True
 
     def _is_asked(self, watched: WatchedFile, seconds: float) -> bool:
         """Wait for a save or an empty line; False where the time is over first. Raises StoppedError."""
-        screen, end = self._asking.screen, monotonic() + seconds
-        screen.write(quiz.prompt(quiz.SAVE, screen))
+        end, prompt = monotonic() + seconds, quiz.prompt(quiz.SAVE, self.screen)
+        self.screen.write(prompt)
         while monotonic() < end:
             if select.select([sys.stdin], [], [], _LOOK)[0]:
-                if not self._asking.typed():
+                if not self.typed():
                     watched.saved()
                     return True
-                self._asking.show(quiz.mistyped(_ENTER))
-                screen.write(quiz.prompt(quiz.SAVE, screen))
+                self.show(quiz.mistyped(_ENTER))
+                self.screen.write(prompt)
             if watched.saved():
-                screen.write("\n")
+                self.screen.write("\n")
                 return True
-        screen.write("\n")
+        self.screen.write("\n")
         return False
 
     def page(self) -> Interviewed:
         """How it went, and what to practise: what the cards and the kata's last run left open."""
         folders, whole = self._common.problems, self._wanted.minutes
-        practise = to_practise(self._asking.missed, folders, self.held.questions(folders))[:_MOST]
+        practise = to_practise(self.missed, folders, self.held.questions(folders))[:_MOST]
         taken = min(whole - int(self._left() // 60), whole)
-        seed = self._asking.sources.seed
-        return interviewed(self.held, self._asking.asked, practise, (max(taken, 1), whole), seed)
+        return interviewed(self.held, self.asked, practise, (max(taken, 1), whole), self.sources.seed)

@@ -165,15 +165,15 @@ class Round:
         """The next line of standard input, after a prompt. Raises StoppedError."""
         if asks:
             self.screen.write(texts.prompt(asks, self.screen))
-        text = ""
+        text = ""  # if it cannot be read, or was closed: nobody types there
         try:
             buffer = getattr(sys.stdin, "buffer", None)
             line = buffer.readline(_LONGEST) if buffer else sys.stdin.readline(_LONGEST)
             text = line.decode("utf-8", "replace") if isinstance(line, bytes) else line
         except UnicodeDecodeError:  # of a stream that has no bytes to decode anew
             text = "\ufffd"
-        except (OSError, ValueError):  # it cannot be read, or was closed: nobody types there
-            text = ""
+        except (OSError, ValueError):
+            pass
         finally:  # Ctrl-C and Ctrl-D leave the line of the prompt open, and a pipe is not seen at all
             if asks and not (text and is_terminal(sys.stdin)):
                 self.screen.write("\n")

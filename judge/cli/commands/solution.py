@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import click
 from msgspec import Struct
@@ -14,15 +13,12 @@ from judge.cli.options import Common, command, opt
 from judge.cli.resolve import kata_meant
 from judge.errors import UsageError
 from judge.languages import language_of
-from judge.practice.events import Help
+from judge.practice.events import Help, Run
 from judge.practice.model import approaches, chosen_approach
 from judge.problem import Problem
 from judge.problem.hints import read_hints
 from judge.report.published_practice import ApproachRow, HintShown, SolutionShown, Yours
-
-if TYPE_CHECKING:
-    from judge.practice.events import Run
-    from judge.run.result import Taken
+from judge.run.result import Taken
 
 _ROUNDS = 3
 
