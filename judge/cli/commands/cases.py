@@ -144,16 +144,15 @@ def _last_failed(
     """The case on which a file of that kata failed last; without a kata, one of this folder."""
     with history_at(common.db, reading=True) as history:
         runs = history.runs(problem.id if problem else None)
-    for run in reversed([run for run in runs if run.verdict not in (Verdict.AC, Verdict.JE)]):
-        near = shown(run.path)
-        if problem or near == Path(near).name:
+    for run in reversed(runs):
+        near, failed = shown(run.path), run.verdict not in (Verdict.AC, Verdict.JE)
+        if failed and (problem or near == Path(near).name):
             problem = problem or find_problem(run.problem, common.problems)
-            small, first = run.result.counterexample, run.result.failure
-            failure = small if small is not None and small.input is not None else first
-            if failure is None or failure.input is None:
-                break
-            own = file or (near if near and Path(near).is_file() else None)
-            return problem, case_of(failure.input), failure.group or "", own
+            for failure in (run.result.counterexample, run.result.failure):
+                if failure is not None and failure.input is not None:
+                    own = file or (near if near and Path(near).is_file() else None)
+                    return problem, case_of(failure.input), failure.group or "", own
+            break
     return problem or kata_meant(None, common), None, "", None
 
 

@@ -54,13 +54,18 @@ class RunAsk(Struct, frozen=True):
     unshrunk: bool = opt("--no-shrink", "Seek no smaller case.", hidden=True)
     unrecorded: bool = opt("--no-history", "Keep nothing of it.", hidden=True)
 
-    def options(self, isolation: str | None, *, brief: bool) -> RunOptions:
+    def is_plain(self, common: Common) -> bool:
+        """Whether only a person reads what is shown."""
+        return self.form == TEXT and self.junit is None and not common.json
+
+    def options(self, common: Common) -> RunOptions:
         """How to judge; who sees only verdicts waits neither for a smallest case nor for a name."""
+        brief = self.quiet and self.is_plain(common) and self.svg is None
         return RunOptions(
             self.groups,
             self.seed,
-            isolation,
-            diagnosed=not (self.unshrunk or (brief and self.svg is None)),
+            common.isolation,
+            diagnosed=not (self.unshrunk or brief),
             named=not (self.unnamed or brief),
             level=self.level,
             program=self.mode == "program",
@@ -139,10 +144,9 @@ def _judged(
 
     waiting = [(task.problem.id, each) for task in tasks for each in task.submissions]
     total, done = len(waiting) + len(unjudged), 0
-    plain = ask.form == TEXT and ask.junit is None and not common.json
+    plain = ask.is_plain(common)
     brief = ask.quiet and plain
-    options = ask.options(common.isolation, brief=brief and ask.svg is None)
-    wish = Wish(options, ask.jobs, kept=not ask.unrecorded, db=common.db, total=total)
+    wish = Wish(ask.options(common), ask.jobs, kept=not ask.unrecorded, db=common.db, total=total)
     shown = partial(Judged, quiet=ask.quiet and total == 1, several=len(tasks) if total > 1 else 0)
 
     def faulty(end: int, why: str) -> Iterator[Judged]:
@@ -205,7 +209,7 @@ def _fresh(task: Task, svg: OutFile, ask: RunAsk, common: Common) -> Judged:
     lasting = seconds_of(ask.fresh or "", "--fresh")
     seed = random.randrange(_SEEDS) if ask.seed is None else ask.seed
     groups = chosen_groups(problem, ask.groups, ask.level)
-    options = replace(ask.options(common.isolation, brief=ask.quiet), seed=None, timed=False)
+    options = replace(ask.options(common), seed=None, timed=False)
     with Session(problem, options, bars=progress) as session, stages(Path(submission.name).name) as stage:
 
         def tell(cases: int, spent: float) -> None:
