@@ -10,7 +10,7 @@ import sys
 from collections.abc import Sequence
 from contextlib import suppress
 from functools import partial
-from typing import IO, TYPE_CHECKING, Any, NoReturn
+from typing import TYPE_CHECKING, Any, NoReturn
 
 import click
 
@@ -58,13 +58,15 @@ class Commands(click.Group):
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
         """The command that the first argument names, or named; any other name is refused with a near one."""
-        name = args[0]
-        if name in OLD and not ctx.resilient_parsing:
-            now = OLD[name]
-            note(f"{name} is now: judge {' '.join(now)}")
-            return super().resolve_command(ctx, [*now, *args[1:]])
-        if name not in COMMANDS and not ctx.resilient_parsing and not name.startswith("-"):
-            raise UsageError(_unknown(name))
+        name, *rest = args
+        if not ctx.resilient_parsing:
+            if name in OLD:
+                from judge.report.screen import note
+
+                note(f"{name} is now: judge {' '.join(OLD[name])}")
+                args = [*OLD[name], *rest]
+            elif name not in COMMANDS and not name.startswith("-"):
+                raise UsageError(_unknown(name))
         return super().resolve_command(ctx, args)
 
     def shell_complete(self, ctx: click.Context, incomplete: str) -> list[CompletionItem[str]]:
@@ -112,12 +114,19 @@ class Commands(click.Group):
             status = super().main(kept, prog_name or "judge", **settings)
         except (click.Abort, KeyboardInterrupt):
             sys.exit(ExitCode.INTERRUPTED)
-        except ReaderLeftError:
-            hush(sys.stdout)
-            sys.exit(_CLOSED_PIPE)
         except Exception as fault:
+            from judge.report.screen import hush, note  # only for the one who is told
+
+            if isinstance(fault, ReaderLeftError):
+                hush(sys.stdout)
+                sys.exit(_CLOSED_PIPE)
             if kept != words and not isinstance(fault, UsageError | click.ClickException):
-                _show_traceback(fault)
+                import traceback
+
+                try:
+                    traceback.print_exception(fault)
+                except OSError:  # standard error is full
+                    hush(sys.stderr)
             message, status = explain(fault)
             note(message, bad=True)
             if isinstance(fault, OSError):
@@ -206,29 +215,6 @@ def _help_width() -> int:
     except (OSError, ValueError, AttributeError):  # into a pipe, a closed stream
         found = 0
     return max(min(found or _USUAL_WIDTH, _WIDEST) - 2, _NARROWEST)
-
-
-def note(text: str, *, bad: bool = False) -> None:
-    """As that of the screen, which is imported only where there is something to tell."""
-    from judge.report import screen
-
-    screen.note(text, bad=bad)
-
-
-def hush(stream: IO[str]) -> None:
-    """As that of the screen."""
-    from judge.report import screen
-
-    screen.hush(stream)
-
-
-def _show_traceback(fault: Exception) -> None:
-    import traceback  # only for --debug
-
-    try:
-        traceback.print_exception(fault)
-    except OSError:  # standard error is full
-        hush(sys.stderr)
 
 
 @click.group(

@@ -42,8 +42,8 @@ def drawings(
     done, said, problem = wish.before, Notes(), session.problem
     session.bars = numbered if wish.total > 1 else progress
     with _recording(wish) as keep:  # opened while the box boots
-        if min(wish.jobs, len(submissions)) > 1:
-            results, short = judged_at_once(problem, submissions, session.options, wish)
+        if (jobs := min(wish.jobs, len(submissions))) > 1:
+            results, short = judged_at_once(problem, submissions, session.options, jobs)
             said.say(short)
         else:
             session.prepare()

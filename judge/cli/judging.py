@@ -8,12 +8,11 @@ from __future__ import annotations
 import atexit
 from collections.abc import Generator, Iterator, Sequence
 from contextlib import suppress
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from msgspec import Struct
-from msgspec.structs import replace
 
 from judge.cli.read import Submission
 from judge.judging.api import RunOptions
@@ -32,7 +31,6 @@ class Wish(Struct, frozen=True):
 
     options: RunOptions
     jobs: int = 1
-    had: str | None = None  # the level of isolation that the command has had before
     kept: bool = True  # in the history
     db: Path | None = None
     total: int = 1  # submissions, to all problems
@@ -44,7 +42,7 @@ def judged(problem: Problem, submissions: Sequence[Submission], wish: Wish) -> G
 
     Close it, so that what was started for the rest ends. Raises JudgeError.
     """
-    with Session(problem, wish.options, had=wish.had) as session:
+    with Session(problem, wish.options) as session:
         if min(wish.jobs, len(submissions)) == 1:
             session.boot(submissions[0].source, submissions[0].name)
         from judge.cli.drawings import drawings  # while it boots
@@ -60,6 +58,7 @@ class Sitting:
     def __init__(self, problem: Problem, wish: Wish) -> None:
         self._problem = problem
         self._wish = wish
+        self._had: str | None = None  # the level of isolation so far
         self._session: Session | None = None
         self._seen: list[tuple[str, int, int]] = []
 
@@ -72,13 +71,13 @@ class Sitting:
         try:
             self._look_at_problem()
             if self._session is None:
-                self._session = Session(self._problem, self._wish.options, had=self._wish.had)
+                self._session = Session(self._problem, self._wish.options, had=self._had)
             self._session.boot(submission.source, submission.name)
             from judge.cli.drawings import drawings  # while it boots
 
             (drawn,) = drawings(self._session, [submission], self._wish)
             if drawn.result.verdict is not Verdict.JE:  # that one was held nowhere
-                self._wish = replace(self._wish, had=drawn.result.isolation or self._wish.had)
+                self._had = drawn.result.isolation or self._had
                 clean = True
         finally:
             if not clean:
@@ -103,38 +102,27 @@ class Sitting:
             session.close()
 
 
-class _Share(Struct, frozen=True):
-    """What a session in a process of its own is opened with; `jobs` of them share the machine."""
-
-    folder: Path
-    solutions: Path
-    options: RunOptions
-    had: str | None
-    jobs: int
-
-
 def judged_at_once(
-    problem: Problem, submissions: Sequence[Submission], options: RunOptions, wish: Wish
+    problem: Problem, submissions: Sequence[Submission], options: RunOptions, jobs: int
 ) -> tuple[Iterator[Result], Sequence[str]]:
     """The results, in order, of several processes; and what to say of them. Judging raises JudgeError."""
     from judge.judging.pool import Processes, in_order  # most runs are of one file
 
-    pool = Processes(min(wish.jobs, len(submissions)))
-    share = _Share(problem.folder, problem.solutions, options, wish.had, pool.count)
-    items = [(share, each) for each in submissions]
-    results = in_order(pool, judge_one, items, lambda item, why: judge_fault(problem.id, item[1].name, why))
+    pool = Processes(jobs)
+    work = partial(_judge_one, problem.folder, problem.solutions, options, pool.count)
+    results = in_order(pool, work, submissions, lambda each, why: judge_fault(problem.id, each.name, why))
     return results, [pool.short] if pool.short else []
 
 
-def judge_one(item: tuple[_Share, Submission]) -> Result:
+def _judge_one(
+    folder: Path, solutions: Path, options: RunOptions, jobs: int, submission: Submission
+) -> Result:
     """What a process does; the session stays open for its next file."""
-    share, submission = item
-    return _session(share).judge(submission.source, submission.name)
+    return _session(folder, solutions, options, jobs).judge(submission.source, submission.name)
 
 
 @cache
-def _session(share: _Share) -> Session:
-    problem = load_problem(share.folder, share.solutions)
-    session = Session(problem, share.options, jobs=share.jobs, had=share.had)
+def _session(folder: Path, solutions: Path, options: RunOptions, jobs: int) -> Session:
+    session = Session(load_problem(folder, solutions), options, jobs=jobs)
     atexit.register(session.close)
     return session
