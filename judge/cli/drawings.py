@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
+from judge.cli.files import OutFile, Submission
 from judge.cli.judging import Wish, judged_at_once
 from judge.cli.kept import history_at
-from judge.cli.read import Submission
 from judge.data.load import ProblemData
 from judge.errors import told
 from judge.judging.session import Session
@@ -25,7 +25,6 @@ from judge.run.result import Result
 if TYPE_CHECKING:
     from rich.text import Text
 
-    from judge.cli.target import OutFile
     from judge.drawing import Picture
     from judge.drawing.chart import Chart
     from judge.practice.history import History

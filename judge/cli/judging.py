@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
-from judge.cli.read import Submission
+from judge.cli.files import Submission
 from judge.judging.api import RunOptions
 from judge.judging.session import Session
 from judge.problem import Problem, Verdict

@@ -20,6 +20,7 @@ from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
+from judge.cli.files import Submission, Unjudged, gathered, read_submissions
 from judge.errors import JudgeError, StoreError, UsageError
 from judge.languages import file_name, is_program
 from judge.problem import Problem
@@ -28,7 +29,6 @@ from judge.problem.names import is_name
 
 if TYPE_CHECKING:
     from judge.cli.options import Common
-    from judge.cli.read import Submission, Unjudged
     from judge.practice.events import Started
     from judge.practice.history import History
 
@@ -45,8 +45,6 @@ def resolve(words: Sequence[str], common: Common) -> tuple[list[Task], list[Unju
 
     Raises JudgeError: no file is meant, or the only one cannot be read or fits none.
     """
-    from judge.cli.read import Unjudged, gathered  # not where somebody only looks
-
     if words:
         name, files = _split(words, common)
         problem = find_problem(name, common.problems) if name else None
@@ -76,8 +74,6 @@ def kata_meant(word: str | None, common: Common) -> Problem:
         return problem_of(here(common.db), common.problems)
     if is_problem(word, common) or not (is_program(word) or _is_file(word)):
         return find_problem(word, common.problems)
-    from judge.cli.read import read_submissions
-
     return problem_of_file(read_submissions([word])[0], "hint", common)
 
 

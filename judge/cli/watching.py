@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, Any
 
 from msgspec import Struct
 
+from judge.cli.files import read_submissions
 from judge.cli.judging import Sitting, Wish
-from judge.cli.read import read_submissions
 from judge.cli.resolve import folder_to_keep, shown
 from judge.errors import JudgeError, StoreError, UsageError
 from judge.practice.saves import SavedMark, mark, settled

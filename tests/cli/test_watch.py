@@ -15,8 +15,8 @@ import pytest
 from cli_support import FLOOR, MEAN
 from terminals import PATIENCE, Terminal
 
+from judge.cli.files import Submission
 from judge.cli.judging import Sitting, Wish
-from judge.cli.read import Submission
 from judge.errors import ProblemError
 from judge.judging.api import RunOptions
 from judge.practice.events import Help

@@ -14,8 +14,8 @@ from msgspec import Struct
 from judge.batch.folder import root_of
 from judge.batch.run import Classroom, class_options
 from judge.batch.store import Store, store_of
+from judge.cli.files import OutFile, moment
 from judge.cli.options import Common, command, opt
-from judge.cli.target import OutFile, moment
 from judge.errors import UsageError, unwritable
 from judge.problem.find import find_problem
 from judge.problem.model import LEVELS

@@ -15,10 +15,9 @@ import click
 from msgspec import Struct
 from msgspec.structs import replace
 
+from judge.cli.files import OutFile, Unjudged, svg_target
 from judge.cli.options import Common, command, opt, seconds_of
-from judge.cli.read import Unjudged
 from judge.cli.resolve import Task, resolve
-from judge.cli.target import OutFile, svg_target
 from judge.errors import ExitCode, JudgeError, UsageError, told
 from judge.judging.api import RunOptions
 from judge.problem.model import LEVELS, chosen_groups
