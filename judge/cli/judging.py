@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import atexit
 from collections.abc import Generator, Iterator, Sequence
-from contextlib import suppress
 from functools import cache, partial
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -17,8 +16,7 @@ from msgspec import Struct
 from judge.cli.files import Submission
 from judge.judging.api import RunOptions
 from judge.judging.session import Session
-from judge.problem import Problem, Verdict
-from judge.problem.keys import own_files
+from judge.problem import Problem
 from judge.problem.load import load_problem
 from judge.run.result import Result, judge_fault
 
@@ -48,58 +46,6 @@ def judged(problem: Problem, submissions: Sequence[Submission], wish: Wish) -> G
         from judge.cli.drawings import drawings  # while it boots
 
         yield from drawings(session, submissions, wish)
-
-
-class Sitting:
-    """One problem whose submissions come one by one, such as the saves of a file: what can be kept between
-    two of them is, the data and the reference's box. Close it, so that the box ends.
-    """
-
-    def __init__(self, problem: Problem, wish: Wish) -> None:
-        self._problem = problem
-        self._wish = wish
-        self._had: str | None = None  # the level of isolation so far
-        self._session: Session | None = None
-        self._seen: list[tuple[str, int, int]] = []
-
-    def judged(self, submission: Submission) -> Drawing:
-        """Judge it, and keep the result in the history. Raises JudgeError.
-
-        Whatever is raised, and a verdict that says nothing of the submission, ends what was kept.
-        """
-        clean = False
-        try:
-            self._look_at_problem()
-            if self._session is None:
-                self._session = Session(self._problem, self._wish.options, had=self._had)
-            self._session.boot(submission.source, submission.name)
-            from judge.cli.drawings import drawings  # while it boots
-
-            (drawn,) = drawings(self._session, [submission], self._wish)
-            if drawn.result.verdict is not Verdict.JE:  # that one was held nowhere
-                self._had = drawn.result.isolation or self._had
-                clean = True
-        finally:
-            if not clean:
-                self.close()
-        return drawn
-
-    def _look_at_problem(self) -> None:
-        """A setter may be at work on the problem: then nothing is kept."""
-        seen = []
-        with suppress(OSError):  # whoever reads them says so
-            for path in own_files(self._problem.folder):
-                mark = path.stat()
-                seen.append((str(path), mark.st_mtime_ns, mark.st_size))
-        if seen != self._seen:
-            self.close()
-            self._seen = seen
-
-    def close(self) -> None:
-        """End what was kept; judging goes on without."""
-        session, self._session = self._session, None
-        if session is not None:
-            session.close()
 
 
 def judged_at_once(

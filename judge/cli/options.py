@@ -15,8 +15,7 @@ import functools
 import re
 from collections.abc import Callable, Iterable
 from pathlib import Path
-from types import UnionType
-from typing import Any, get_args, get_origin
+from typing import Any, get_args
 
 import click
 from msgspec import Struct, field
@@ -47,12 +46,13 @@ def opt(usage: str, about: str, *, choices: Iterable[str] = (), default: Any = N
 
     Without a word for its value, and without choices, it is a flag. With () as default it may be repeated.
     """
-    words = usage.split()
-    names = [word for word in words if word[0] == "-"]
+    *names, last = usage.split()
+    if last[0] == "-":
+        names.append(last)
+    else:
+        settings["metavar"] = last
     if choices:
-        settings |= {"type": click.Choice([*choices]), "metavar": "|".join(choices)}
-    if words[len(names) :]:
-        settings["metavar"] = words[-1]
+        settings = {"type": click.Choice([*choices]), "metavar": "|".join(choices), **settings}
     if "metavar" not in settings:
         settings["is_flag"], default = True, False
     if "required" not in settings:
@@ -64,9 +64,7 @@ def _options(struct: type[Struct]) -> Iterable[click.Option]:
     """click's options for the fields of a struct."""
     for each in fields(struct):
         option: Any = each.default_factory
-        kind = next(iter(get_args(each.type)), each.type) if isinstance(each.type, UnionType) else each.type
-        if get_origin(kind) is tuple:
-            kind = get_args(kind)[0]
+        kind, *_ = get_args(each.type) or [each.type]  # of `kind | None` and `tuple[kind, ...]` too
         settings = {"type": click.Path(path_type=Path) if kind is Path else kind, **option.settings}
         yield click.Option([*option.names, each.name], **settings)
 

@@ -5,19 +5,21 @@ from __future__ import annotations
 import signal
 import threading
 from collections.abc import Callable, Iterator, Mapping
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from types import FrameType
 from typing import TYPE_CHECKING, Any
 
 from msgspec import Struct
 
-from judge.cli.files import read_submissions
-from judge.cli.judging import Sitting, Wish
+from judge.cli.files import Submission, read_submissions
+from judge.cli.judging import Wish
 from judge.cli.resolve import folder_to_keep, shown
 from judge.errors import JudgeError, StoreError, UsageError
+from judge.judging.session import Session
 from judge.practice.saves import SavedMark, mark, settled
-from judge.problem import Problem
+from judge.problem import Problem, Verdict
+from judge.problem.keys import own_files
 from judge.report.screen import note
 
 if TYPE_CHECKING:
@@ -90,25 +92,31 @@ class Judging:
 
 
 class WatchedFile:
-    """A kata under watch: whether its file was saved since it was judged, and judging it."""
+    """A kata under watch: whether its file was saved since it was judged, and judging it.
+
+    What can be kept from one save to the next is, the data and the reference's box. Close it, so that the box
+    ends.
+    """
 
     def __init__(self, kata: Kata, wish: Wish) -> None:
-        self.kata = kata
-        self._sitting = Sitting(kata.problem, wish)
+        self.judging = Judging()
+        self._kata, self._wish = kata, wish
         self._seen: SavedMark | None = None
         self._looked = False
-        self.judging = Judging()
+        self._session: Session | None = None
+        self._had: str | None = None  # the level of isolation so far
+        self._problem: list[tuple[Path, SavedMark | None]] = []  # as it was judged
 
     def look(self) -> None:
         """Something has happened to the file: give up judging what stood in it before, from any thread."""
-        if mark(self.kata.path) != self._seen:
+        if mark(self._kata.path) != self._seen:
             self.judging.break_off(outdated=True)
 
     def saved(self) -> bool:
         """Whether there is something new to judge or to tell; waits while the file is being written."""
-        if self._looked and mark(self.kata.path) == self._seen:
+        if self._looked and mark(self._kata.path) == self._seen:
             return False
-        now = settled(self.kata.path)
+        now = settled(self._kata.path)
         new = not self._looked or now != self._seen
         self._seen, self._looked = now, True
         return new
@@ -119,7 +127,7 @@ class WatchedFile:
         Raises:
             UsageError: the isolation that was demanded cannot be had.
         """
-        name = self.kata.name
+        name = self._kata.name
         if self._seen is None:
             return f"{name} is gone; it is judged again when it is back"
         try:
@@ -129,15 +137,43 @@ class WatchedFile:
         if not submission.source.strip():
             return f"{name} is empty; it is judged when there is something in it"
         try:
-            return self._sitting.judged(submission)
+            return self._judged(submission)
         except JudgeError as fault:
             if isinstance(fault, UsageError):
                 raise
             return str(fault)
 
+    def _judged(self, submission: Submission) -> Drawing:
+        """Judge it; whatever is raised, and a verdict that says nothing of it, ends what was kept.
+
+        So does a change of the problem, at which a setter may be at work.
+        """
+        problem, clean = self._kata.problem, False
+        with suppress(OSError):  # whoever reads them says so
+            files = [(path, mark(path)) for path in own_files(problem.folder)]
+            if files != self._problem:
+                self.close()
+                self._problem = files
+        try:
+            if self._session is None:
+                self._session = Session(problem, self._wish.options, had=self._had)
+            self._session.boot(submission.source, submission.name)
+            from judge.cli.drawings import drawings  # while it boots
+
+            (drawn,) = drawings(self._session, [submission], self._wish)
+            if drawn.result.verdict is not Verdict.JE:  # that one was held nowhere
+                self._had = drawn.result.isolation or self._had
+                clean = True
+        finally:
+            if not clean:
+                self.close()
+        return drawn
+
     def close(self) -> None:
-        """End what is kept from one save to the next."""
-        self._sitting.close()
+        """End what was kept; judging goes on without."""
+        session, self._session = self._session, None
+        if session is not None:
+            session.close()
 
 
 @contextmanager
