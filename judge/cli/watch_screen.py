@@ -20,7 +20,7 @@ from judge.cli.home import next_kata, set_of, solved_katas, standing
 from judge.cli.judging import Wish
 from judge.cli.kept import history_at
 from judge.cli.options import Common
-from judge.cli.watching import Kata, WatchedFile, handled, take_up
+from judge.cli.watching import Kata, WatchedFile, take_up
 from judge.errors import JudgeError
 from judge.judging.api import RunOptions
 from judge.languages import file_name, language_of
@@ -58,7 +58,7 @@ def loop(kata: Kata, level: str | None, common: Common) -> None:
     screen = out()
     screen.write("\n" * (height(screen) - 1))  # what stood there can be scrolled back to
     following: Kata | None = kata
-    with handled(dict.fromkeys(("SIGTERM", "SIGHUP"), _leave)):
+    with _handled(_leave, signal.SIGTERM, signal.SIGHUP):
         while following is not None:
             following = _Loop(following, level, common).watch()
 
@@ -66,6 +66,17 @@ def loop(kata: Kata, level: str | None, common: Common) -> None:
 def _leave(number: int, _frame: FrameType | None) -> NoReturn:
     """End like any program that was asked to, but after clearing up."""
     raise SystemExit(128 + number)
+
+
+@contextmanager
+def _handled(handler: Callable[[int, FrameType | None], None], *signals: signal.Signals) -> Iterator[None]:
+    """Have these signals handled while the block runs."""
+    before = [(each, signal.signal(each, handler)) for each in signals]
+    try:
+        yield
+    finally:
+        for each in before:
+            signal.signal(*each)
 
 
 @contextmanager
@@ -118,7 +129,7 @@ class _Loop:
                         keys.take()
                     self._events.put(_RESIZED)
 
-                stack.enter_context(handled(dict.fromkeys(("SIGWINCH", "SIGCONT"), resized)))
+                stack.enter_context(_handled(resized, signal.SIGWINCH, signal.SIGCONT))
                 stack.enter_context(Saves(self._kata.path, self._saved))
                 return self._obey()
         except KeyboardInterrupt:

@@ -4,11 +4,9 @@ from __future__ import annotations
 
 import signal
 import threading
-from collections.abc import Callable, Iterator, Mapping
-from contextlib import contextmanager, suppress
+from contextlib import suppress
 from pathlib import Path
-from types import FrameType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
@@ -174,14 +172,3 @@ class WatchedFile:
         session, self._session = self._session, None
         if session is not None:
             session.close()
-
-
-@contextmanager
-def handled(handlers: Mapping[str, Callable[[int, FrameType | None], Any]]) -> Iterator[None]:
-    """Have these signals handled while the block runs."""
-    before = {name: signal.signal(getattr(signal, name), handler) for name, handler in handlers.items()}
-    try:
-        yield
-    finally:
-        for name, handler in before.items():
-            signal.signal(getattr(signal, name), handler)

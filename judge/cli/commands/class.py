@@ -66,7 +66,15 @@ def judge_class(
     root_of(folder)  # before a file is made beside it
     for each in katas:
         find_problem(each, common.problems)
-    files = _Files(ask, folder)
+    csv = OutFile(ask.csv, "--csv", "gradebook", is_gradebook)
+    html = OutFile(ask.html, "--html", "page of a class", partial(_is_page, "CLASS"))
+    if ask.html or ask.feedback:
+        moment()  # what cannot be written is said before anything is judged
+    if ask.feedback:
+        try:
+            ask.feedback.mkdir(exist_ok=True)
+        except OSError as fault:
+            raise unwritable(ask.feedback, fault, "name another folder with --feedback") from fault
     with Store.open(store_of(folder)) as store:
         options, problems = class_options(common.isolation, ask.level), common.problems
         classroom = Classroom(
@@ -84,7 +92,9 @@ def judge_class(
             raise
         found = classroom.cohort()
         yield found
-        files.write(classroom, found)
+        csv.write(gradebook(found))
+        if ask.html or ask.feedback:
+            _write_pages(classroom, found, html, ask.feedback, folder.resolve().name or "class")
 
 
 def _executor(ask: ClassAsk, isolation: str | None) -> AbstractContextManager[Executor]:
@@ -98,37 +108,20 @@ def _executor(ask: ClassAsk, isolation: str | None) -> AbstractContextManager[Ex
     return nullcontext(Processes(ask.jobs) if ask.jobs > 1 else Here())
 
 
-class _Files:
-    """The files to write; raises UsageError, before anything is judged, where one cannot be written."""
+def _write_pages(
+    classroom: Classroom, cohort: Cohort, html: OutFile, feedback: Path | None, title: str
+) -> None:
+    """Write the page of the class, and each student's. Raises UsageError."""
+    from judge.report.html.klass import class_page, feedback_pages
 
-    def __init__(self, ask: ClassAsk, folder: Path) -> None:
-        self._feedback = ask.feedback
-        self._title = folder.resolve().name or "class"
-        self._csv = OutFile(ask.csv, "--csv", "gradebook", is_gradebook)
-        self._html = OutFile(ask.html, "--html", "page of a class", partial(_is_page, "CLASS"))
-        if ask.html or ask.feedback:
-            moment()
-        if ask.feedback:
-            try:
-                ask.feedback.mkdir(exist_ok=True)
-            except OSError as fault:
-                raise unwritable(ask.feedback, fault, "name another folder with --feedback") from fault
-
-    def write(self, classroom: Classroom, cohort: Cohort) -> None:
-        """Write them. Raises UsageError."""
-        self._csv.write(gradebook(cohort))
-        if not (self._html.path or self._feedback):
-            return
-        from judge.report.html.klass import class_page, feedback_pages
-
-        results = classroom.results(cohort, everybody=self._feedback is not None)
-        problems, title, generated = classroom.problems(), self._title, moment()
-        if self._html.path:
-            self._html.write(class_page(cohort, results, problems, title=title, generated=generated))
-        if self._feedback:
-            for name, content in feedback_pages(cohort, results, problems, title=title, generated=generated):
-                page = self._feedback / name
-                OutFile(page, "--feedback", "feedback page", partial(_is_page, "FEEDBACK")).write(content)
+    results = classroom.results(cohort, everybody=feedback is not None)
+    problems, generated = classroom.problems(), moment()
+    if html.path:
+        html.write(class_page(cohort, results, problems, title=title, generated=generated))
+    if feedback:
+        for name, content in feedback_pages(cohort, results, problems, title=title, generated=generated):
+            page = OutFile(feedback / name, "--feedback", "feedback page", partial(_is_page, "FEEDBACK"))
+            page.write(content)
 
 
 def _is_page(kind: str, start: bytes) -> bool:
