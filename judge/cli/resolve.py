@@ -18,8 +18,6 @@ from itertools import pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from msgspec import Struct
-
 from judge.cli.files import Submission, Unjudged, gathered, read_submissions
 from judge.errors import JudgeError, StoreError, UsageError
 from judge.languages import file_name, is_program
@@ -33,14 +31,10 @@ if TYPE_CHECKING:
     from judge.practice.history import History
 
 
-class Task(Struct, frozen=True):
-    """Submissions to one kata."""
-
-    problem: Problem
-    submissions: tuple[Submission, ...]
+Tasks = list[tuple[Problem, list[Submission]]]  # submissions by their kata
 
 
-def resolve(words: Sequence[str], common: Common) -> tuple[list[Task], list[Unjudged]]:
+def resolve(words: Sequence[str], common: Common) -> tuple[Tasks, list[Unjudged]]:
     """The files that are meant, by kata in the order of their first files; and those that fit none.
 
     Raises JudgeError: no file is meant, or the only one cannot be read or fits none.
@@ -62,7 +56,7 @@ def resolve(words: Sequence[str], common: Common) -> tuple[list[Task], list[Unju
             unjudged.append(Unjudged(each.name, fault.what))
         else:
             tasks.setdefault(kata.id, (kata, []))[1].append(each)
-    return [Task(kata, tuple(own)) for kata, own in tasks.values()], unjudged
+    return [*tasks.values()], unjudged
 
 
 def kata_meant(word: str | None, common: Common) -> Problem:

@@ -15,11 +15,12 @@ import click
 from msgspec import Struct
 from msgspec.structs import replace
 
-from judge.cli.files import OutFile, Unjudged, svg_target
+from judge.cli.files import OutFile, Submission, Unjudged, svg_target
 from judge.cli.options import Common, command, opt, seconds_of
-from judge.cli.resolve import Task, resolve
+from judge.cli.resolve import Tasks, resolve
 from judge.errors import ExitCode, JudgeError, UsageError, told
 from judge.judging.api import RunOptions
+from judge.problem import Problem
 from judge.problem.model import LEVELS, chosen_groups
 from judge.report.judged import AtLines, Judged, Several
 from judge.run.result import Result, judge_fault
@@ -88,16 +89,16 @@ def run(words: tuple[str, ...], ask: RunAsk, common: Common) -> Iterator[Struct]
         raise UsageError(f"--json and --format {ask.form} contradict each other", remedy="leave one out")
     junit = OutFile(ask.junit, "--junit", "JUnit XML", lambda start: b"<testsuite" in start)
     tasks, unjudged = resolve(words, common)
-    total = len(unjudged) + sum(len(task.submissions) for task in tasks)
+    total = len(unjudged) + sum(len(submissions) for _, submissions in tasks)
     if ask.svg is not None and total > 1:
         raise UsageError("--svg draws one submission", where=str(ask.svg), remedy="name one FILE")
     svg = svg_target(ask.svg)
-    for task in tasks:
-        chosen_groups(task.problem, ask.groups, ask.level)  # a name that is none is told before all else
+    for problem, _ in tasks:
+        chosen_groups(problem, ask.groups, ask.level)  # a name that is none is told before all else
     if ask.fresh is not None:
         if total > 1 or unjudged:
             raise UsageError("--fresh takes one file", remedy="name one FILE")
-        yield _fresh(tasks[0], svg, ask, common)
+        yield _fresh(*tasks[0], svg, ask, common)
         return
     found: list[Result] = []
 
@@ -131,7 +132,7 @@ def _at_lines(judged: Judged, form: str) -> AtLines:
 
 
 def _judged(
-    tasks: Sequence[Task], unjudged: Sequence[Unjudged], svg: OutFile, ask: RunAsk, common: Common
+    tasks: Tasks, unjudged: Sequence[Unjudged], svg: OutFile, ask: RunAsk, common: Common
 ) -> Generator[Judged, None, None]:
     """Every result in order, one kata after another; last what could not be read or has no kata.
 
@@ -141,7 +142,7 @@ def _judged(
     from judge.cli.judging import Wish, judged
     from judge.report.wait import progress
 
-    waiting = [(task.problem.id, each) for task in tasks for each in task.submissions]
+    waiting = [(problem.id, each) for problem, submissions in tasks for each in submissions]
     total, done = len(waiting) + len(unjudged), 0
     plain = ask.is_plain(common)
     brief = ask.quiet and plain
@@ -157,15 +158,15 @@ def _judged(
 
     try:
         with progress("judging") if brief and ask.jobs > 1 and total > 1 else nullcontext() as advance:
-            for task in tasks:
-                end = done + len(task.submissions)
+            for problem, submissions in tasks:
+                end = done + len(submissions)
                 try:
-                    with closing(judged(task.problem, task.submissions, replace(wish, before=done))) as drawn:
+                    with closing(judged(problem, submissions, replace(wish, before=done))) as drawn:
                         for each in drawn:
                             done += 1
                             if advance:
                                 advance(done, total)
-                            row = shown(each.result, each.source, task.problem, each, whole=ask.whole)
+                            row = shown(each.result, each.source, problem, each, whole=ask.whole)
                             alone = total == 1 and not (ask.quiet or common.json)
                             yield _with_standing(row, ask, common) if alone else row
                             each.save(svg)
@@ -195,7 +196,9 @@ def _with_standing(found: Judged, ask: RunAsk, common: Common) -> Judged:
     return found
 
 
-def _fresh(task: Task, svg: OutFile, ask: RunAsk, common: Common) -> Judged:
+def _fresh(
+    problem: Problem, submissions: list[Submission], svg: OutFile, ask: RunAsk, common: Common
+) -> Judged:
     """One submission on new cases for so long."""
     from judge.cli.drawings import Drawing
     from judge.data.load import ProblemData
@@ -204,7 +207,7 @@ def _fresh(task: Task, svg: OutFile, ask: RunAsk, common: Common) -> Judged:
     from judge.report.screen import Notes
     from judge.report.wait import progress, stages
 
-    (submission,), problem = task.submissions, task.problem
+    (submission,) = submissions
     lasting = seconds_of(ask.fresh or "", "--fresh")
     seed = random.randrange(_SEEDS) if ask.seed is None else ask.seed
     groups = chosen_groups(problem, ask.groups, ask.level)
