@@ -5,11 +5,10 @@
     options.py      options as fields of structs
     emit.py         a command's value to JSON, or to its view in judge/report
     commands/       the commands
-    resolve.py      what words mean; the current kata of a folder
+    resolve.py      what words mean; the history, and the current kata of a folder
     files.py        the files to judge, and those that options write
     judging.py      what `judge run` and `judge start` ask of `judge.judging`
     drawings.py     results as they are kept, shown and drawn
-    kept.py         the history
     home.py         `judge` alone: where a person stands, and the next kata
     watching.py     a file under watch; watch_screen.py: the loop of `judge start`
 

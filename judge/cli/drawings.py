@@ -11,7 +11,7 @@ from msgspec import Struct
 
 from judge.cli.files import OutFile, Submission
 from judge.cli.judging import Wish, judged_at_once
-from judge.cli.kept import history_at
+from judge.cli.resolve import history_at
 from judge.data.load import ProblemData
 from judge.errors import told
 from judge.judging.session import Session

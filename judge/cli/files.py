@@ -135,9 +135,9 @@ def _within(folder: str, depth: int) -> Iterator[tuple[str, str]]:
     except OSError as fault:
         yield folder, _unreadable(folder, fault).what
         return
-    inner = [each for each in entries if os.path.isdir(each[1])]  # noqa: PTH112 - False where it may not be asked
-    yield from ((path, "") for name, path in entries if (name, path) not in inner and is_program(name))
-    for name, path in inner if depth else ():
+    inner = {name: path for name, path in entries if os.path.isdir(path)}  # noqa: PTH112 - False where it may not be asked
+    yield from ((path, "") for name, path in entries if name not in inner and is_program(name))
+    for name, path in inner.items() if depth else ():
         if os.path.islink(path):  # noqa: PTH114 - it may lead back
             yield path, "a link to a folder is not followed"
         elif depth == 1:

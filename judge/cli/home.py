@@ -8,8 +8,7 @@ from itertools import chain
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from judge.cli.kept import history_at
-from judge.cli.resolve import current, this_folder
+from judge.cli.resolve import current, history_at, this_folder
 from judge.practice import events
 from judge.practice.events import Answer, Help
 from judge.practice.sets import USUAL, sound_sets

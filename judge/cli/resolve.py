@@ -13,10 +13,13 @@ file. Nothing points to the current kata: it is read from the history, so lookin
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from itertools import pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING
+
+import click
 
 from judge.cli.files import Submission, Unjudged, gathered, read_submissions
 from judge.errors import JudgeError, StoreError, UsageError
@@ -71,7 +74,35 @@ def kata_meant(word: str | None, common: Common) -> Problem:
     return problem_of_file(read_submissions([word])[0], "hint", common)
 
 
-# -- the current kata ----------------------------------------------------------------------------------------
+# -- the history, and the current kata -----------------------------------------------------------------------
+
+
+@contextmanager
+def history_at(path: Path | None, *, reading: bool = False) -> Iterator[History]:
+    """As `History.open`; afterwards a note says what was left out or set aside, each once a command."""
+    from judge.practice.history import History
+
+    with History.open(path, reading=reading) as history:
+        try:
+            yield history
+        finally:
+            context = click.get_current_context(silent=True)
+            said: set[object] = set() if context is None else context.meta.setdefault(__name__, set())
+            if found := len(history.left_out - said):
+                what = "1 damaged row is" if found == 1 else f"{found} damaged rows are"
+                _note(f"{what} left out of the history")
+            said |= history.left_out
+            if history.set_aside is not None:
+                from judge.report.words import shown_name  # only for the one who is told
+
+                name = shown_name(str(history.set_aside))
+                _note(f"the history was damaged: it is kept as {name}, and a new one is begun")
+
+
+def _note(text: str) -> None:
+    from judge.report.screen import note  # only for the one who is told
+
+    note(text)
 
 
 def current(folder: Path, history: History) -> Started | None:
@@ -82,8 +113,6 @@ def current(folder: Path, history: History) -> Started | None:
 
 def here(db: Path | None) -> Started:
     """The current file of this folder. Raises UsageError, which says where the last one is; StoreError."""
-    from judge.cli.kept import history_at
-
     folder = this_folder()
     with history_at(db, reading=True) as history:
         found, places = current(folder, history), history.places()

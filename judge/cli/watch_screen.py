@@ -18,8 +18,8 @@ from judge.cli.commands.solution import HintAsk, hints, note_seen
 from judge.cli.drawings import Drawing
 from judge.cli.home import next_kata, set_of, solved_katas, standing
 from judge.cli.judging import Wish
-from judge.cli.kept import history_at
 from judge.cli.options import Common
+from judge.cli.resolve import history_at
 from judge.cli.watching import Kata, WatchedFile, take_up
 from judge.errors import JudgeError
 from judge.judging.api import RunOptions

@@ -12,7 +12,7 @@ from msgspec import Struct
 
 from judge.cli.files import Submission, read_submissions
 from judge.cli.judging import Wish
-from judge.cli.resolve import folder_to_keep, shown
+from judge.cli.resolve import folder_to_keep, history_at, shown
 from judge.errors import JudgeError, StoreError, UsageError
 from judge.judging.session import Session
 from judge.practice.saves import SavedMark, mark, settled
@@ -38,7 +38,6 @@ class Kata(Struct, frozen=True):
 
 def take_up(kata: Kata, db: Path | None) -> None:
     """Note that the kata was started; a history that fails does not stand in the way."""
-    from judge.cli.kept import history_at
     from judge.practice.events import Started
 
     try:

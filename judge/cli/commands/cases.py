@@ -13,9 +13,8 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from judge.cli.files import OutFile, read_submissions, svg_target
-from judge.cli.kept import history_at
 from judge.cli.options import Common, command, opt
-from judge.cli.resolve import kata_meant, problem_of_file, shown, usual_file
+from judge.cli.resolve import history_at, kata_meant, problem_of_file, shown, usual_file
 from judge.data.parse import example_of, line_of, read_case
 from judge.diagnose.regression import MARK, with_case
 from judge.diagnose.replay import decode, problem_name

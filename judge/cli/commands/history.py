@@ -9,9 +9,8 @@ import click
 from msgspec import Struct
 
 from judge.cli.files import check_place
-from judge.cli.kept import history_at
 from judge.cli.options import Common, command, opt
-from judge.cli.resolve import shown
+from judge.cli.resolve import history_at, shown
 from judge.errors import UsageError, unwritable
 from judge.files import new_file, read_ordinary, replace_file
 from judge.practice.events import Run

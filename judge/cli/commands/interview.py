@@ -15,8 +15,8 @@ from msgspec import Struct
 from judge.cli.commands.quiz import Round, StoppedError, shown_cards
 from judge.cli.files import OutFile, read_submissions
 from judge.cli.judging import Wish
-from judge.cli.kept import history_at
 from judge.cli.options import Common, command, opt
+from judge.cli.resolve import history_at
 from judge.cli.watching import Kata, WatchedFile
 from judge.judging.api import RunOptions
 from judge.languages import file_name

@@ -9,9 +9,8 @@ from typing import TYPE_CHECKING
 import click
 from msgspec import Struct
 
-from judge.cli.kept import history_at
 from judge.cli.options import Common, command, opt
-from judge.cli.resolve import current, this_folder
+from judge.cli.resolve import current, history_at, this_folder
 from judge.errors import ProblemError, StoreError, UsageError, nearest
 from judge.practice.sets import USUAL, sound_sets
 from judge.problem import Problem

@@ -10,9 +10,8 @@ import click
 from msgspec import Struct
 
 from judge.cli.files import OutFile, moment
-from judge.cli.kept import history_at
 from judge.cli.options import Common, command, opt
-from judge.cli.resolve import shown
+from judge.cli.resolve import history_at, shown
 from judge.errors import ProblemError, UsageError
 from judge.practice import events
 from judge.practice.checklist import find_row, read_checklist, unknown_skills

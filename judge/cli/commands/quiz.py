@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING
 import click
 from msgspec import Struct
 
-from judge.cli.kept import history_at
 from judge.cli.options import Common, command, opt
+from judge.cli.resolve import history_at
 from judge.errors import ProblemError, UsageError, nearest
 from judge.practice import events
 from judge.practice.checklist import find_row, read_checklist

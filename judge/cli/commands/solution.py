@@ -8,9 +8,8 @@ from pathlib import Path
 import click
 from msgspec import Struct
 
-from judge.cli.kept import history_at
 from judge.cli.options import Common, command, opt
-from judge.cli.resolve import kata_meant
+from judge.cli.resolve import history_at, kata_meant
 from judge.errors import UsageError
 from judge.languages import language_of
 from judge.practice.events import Help, Run

@@ -12,9 +12,8 @@ from msgspec import Struct
 
 from judge.cli.files import read_submissions
 from judge.cli.home import next_kata, solved_katas
-from judge.cli.kept import history_at
 from judge.cli.options import Common, command, opt
-from judge.cli.resolve import current, is_problem, problem_of, problem_of_file, shown, this_folder
+from judge.cli.resolve import current, history_at, is_problem, problem_of, problem_of_file, shown, this_folder
 from judge.cli.watching import Kata, take_up
 from judge.errors import UsageError
 from judge.languages import file_name, is_program
