@@ -20,6 +20,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
+from msgspec import Struct
 
 from judge.cli.files import Submission, Unjudged, gathered, read_submissions
 from judge.errors import JudgeError, StoreError, UsageError
@@ -32,6 +33,18 @@ if TYPE_CHECKING:
     from judge.cli.options import Common
     from judge.practice.events import Started
     from judge.practice.history import History
+
+
+class Kata(Struct, frozen=True):
+    """A kata and the file that is to solve it, from the root."""
+
+    problem: Problem
+    path: Path
+
+    @property
+    def name(self) -> str:
+        """The file as a person would name it from here."""
+        return shown(self.path)
 
 
 Tasks = list[tuple[Problem, list[Submission]]]  # submissions by their kata
@@ -97,6 +110,17 @@ def history_at(path: Path | None, *, reading: bool = False) -> Iterator[History]
 
                 name = shown_name(str(history.set_aside))
                 _note(f"the history was damaged: it is kept as {name}, and a new one is begun")
+
+
+def take_up(kata: Kata, db: Path | None) -> None:
+    """Note that the kata was started; a history that fails does not stand in the way."""
+    from judge.practice.events import Started
+
+    try:
+        with history_at(db) as history:
+            history.keep(Started(kata.problem.id, str(kata.path), folder_to_keep(kata.problem)))
+    except StoreError as fault:
+        _note(f"not kept in the history: {fault}")
 
 
 def _note(text: str) -> None:

@@ -12,17 +12,17 @@ from typing import NamedTuple
 # manual and its sentence; and examples of it.
 _TABLE = """
 Practise
-  start      start      start      Start or resume a kata, and judge it on every save.
+  start      practise   start      Start or resume a kata, and judge it on every save.
     judge start
     judge start count --no-watch
   run        run        failures   Judge files once.
     judge run
     judge run count.py --level interview
     judge run count.py --fresh 30s
-  hint       solution   start      Give one more hint.
+  hint       practise   start      Give one more hint.
     judge hint
     judge hint count --step 2
-  solution   solution   start      Show the model solution, and why it works.
+  solution   practise   start      Show the model solution, and why it works.
     judge solution
     judge solution count --give-up
     judge solution count --times

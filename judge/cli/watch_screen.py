@@ -14,13 +14,13 @@ from queue import Empty, SimpleQueue
 from types import FrameType
 from typing import TYPE_CHECKING, NoReturn
 
-from judge.cli.commands.solution import HintAsk, hints, note_seen
+from judge.cli.commands.practise import HintAsk, hints, note_seen
 from judge.cli.drawings import Drawing
 from judge.cli.home import next_kata, set_of, solved_katas, standing
 from judge.cli.judging import Wish
 from judge.cli.options import Common
-from judge.cli.resolve import history_at
-from judge.cli.watching import Kata, WatchedFile, take_up
+from judge.cli.resolve import Kata, history_at, take_up
+from judge.cli.watching import WatchedFile
 from judge.errors import JudgeError
 from judge.judging.api import RunOptions
 from judge.languages import file_name, language_of

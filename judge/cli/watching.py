@@ -1,4 +1,4 @@
-"""Where a kata lies that is being watched: its file, its saves, its judging."""
+"""The file of a kata that is being watched: its saves, and its judging."""
 
 from __future__ import annotations
 
@@ -8,43 +8,17 @@ from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from msgspec import Struct
-
 from judge.cli.files import Submission, read_submissions
 from judge.cli.judging import Wish
-from judge.cli.resolve import folder_to_keep, history_at, shown
-from judge.errors import JudgeError, StoreError, UsageError
+from judge.cli.resolve import Kata
+from judge.errors import JudgeError, UsageError
 from judge.judging.session import Session
 from judge.practice.saves import SavedMark, mark, settled
-from judge.problem import Problem, Verdict
+from judge.problem import Verdict
 from judge.problem.keys import own_files
-from judge.report.screen import note
 
 if TYPE_CHECKING:
     from judge.cli.drawings import Drawing
-
-
-class Kata(Struct, frozen=True):
-    """A kata and the file that is to solve it, from the root."""
-
-    problem: Problem
-    path: Path
-
-    @property
-    def name(self) -> str:
-        """The file as a person would name it from here."""
-        return shown(self.path)
-
-
-def take_up(kata: Kata, db: Path | None) -> None:
-    """Note that the kata was started; a history that fails does not stand in the way."""
-    from judge.practice.events import Started
-
-    try:
-        with history_at(db) as history:
-            history.keep(Started(kata.problem.id, str(kata.path), folder_to_keep(kata.problem)))
-    except StoreError as fault:
-        note(f"not kept in the history: {fault}")
 
 
 class Judging:

@@ -16,7 +16,8 @@ from cli_support import FLOOR, MEAN
 from terminals import PATIENCE, Terminal
 
 from judge.cli.judging import Wish
-from judge.cli.watching import Kata, WatchedFile
+from judge.cli.resolve import Kata
+from judge.cli.watching import WatchedFile
 from judge.judging.api import RunOptions
 from judge.practice.events import Help
 from judge.practice.history import History

@@ -16,8 +16,8 @@ from judge.cli.commands.quiz import Round, StoppedError, shown_cards
 from judge.cli.files import OutFile, read_submissions
 from judge.cli.judging import Wish
 from judge.cli.options import Common, command, opt
-from judge.cli.resolve import history_at
-from judge.cli.watching import Kata, WatchedFile
+from judge.cli.resolve import Kata, history_at
+from judge.cli.watching import WatchedFile
 from judge.judging.api import RunOptions
 from judge.languages import file_name
 from judge.practice.events import Answer, Help, now
