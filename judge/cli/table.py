@@ -51,7 +51,7 @@ Look
     judge help tolerance zero
     judge help --schema run
 Interview
-  quiz       quiz       interview  Ask short questions that need no code.
+  quiz       interview  interview  Ask short questions that need no code.
     judge quiz
     judge quiz middle --cards 5
     judge quiz --question Q6
