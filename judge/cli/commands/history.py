@@ -80,24 +80,24 @@ def _compared(first: tuple[Run, bytes], second: tuple[Run, bytes]) -> RunsCompar
     if before.problem != after.problem:
         what = f"run {before.id} is of {before.problem}, run {after.id} of {after.problem}"
         raise UsageError(what, remedy="name two runs of one kata")
-    names = dict.fromkeys((*before.passed, *before.failed, *after.passed, *after.failed))
-    groups = [GroupChange(name, _ended(before, name), _ended(after, name)) for name in names]
-    texts = (source.decode("utf-8", "backslashreplace").splitlines() for source in (old, new))
+    ended, now = (
+        dict.fromkeys(run.passed, "passed") | dict.fromkeys(run.failed, "failed") for run in (before, after)
+    )
+    old_lines, new_lines = (text.decode("utf-8", "backslashreplace").splitlines() for text in (old, new))
+    diff = unified_diff(old_lines, new_lines, f"run {before.id}", f"run {after.id}", lineterm="")
     return RunsCompared(
         problem=before.problem,
         before=before.id,
         after=after.id,
         verdicts=(before.verdict, after.verdict),
         scores=(before.score, after.score),
-        groups=tuple(each for each in groups if each.before != each.after),
-        diff=tuple(
-            unified_diff(next(texts), next(texts), f"run {before.id}", f"run {after.id}", lineterm="")
+        groups=tuple(
+            GroupChange(name, ended.get(name), now.get(name))
+            for name in ended | now
+            if ended.get(name) != now.get(name)
         ),
+        diff=tuple(diff),
     )
-
-
-def _ended(run: Run, group: str) -> str | None:
-    return "passed" if group in run.passed else "failed" if group in run.failed else None
 
 
 def _restored(run: Run, source: bytes, target: Path | None) -> Restored:

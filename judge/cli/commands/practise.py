@@ -84,10 +84,11 @@ def _meant(words: Sequence[str], ask: StartAsk, common: Common) -> Kata:
         first = words[0]
         is_file = len(words) == 1 and not is_problem(first, common)
         if is_file and (is_program(first) or os.path.exists(first)):  # noqa: PTH110 - of any name
-            return _checked(_problem_of(first, common), first)
+            place = _place(first)
+            return Kata(_problem_of(first, common), place)
         problem = find_problem(first, common.problems)
         if words[1:] or ask.language:
-            return _checked(problem, words[1] if words[1:] else _named(problem, ask.language))
+            return Kata(problem, _place(words[1] if words[1:] else _named(problem, ask.language)))
     with history_at(common.db, reading=True) as history:
         here, places, solved = current(this_folder(), history), history.places(), solved_katas(history)
     if problem is not None:
@@ -103,13 +104,12 @@ def _meant(words: Sequence[str], ask: StartAsk, common: Common) -> Kata:
         problem = next_kata(last.problem if last else "", problems, common.problems, solved)
         if problem is None:
             raise UsageError("All katas are solved. judge progress shows what you can do")
-    return _checked(problem, _named(problem, ask.language))
+    return Kata(problem, _place(_named(problem, ask.language)))
 
 
 def _problem_of(file: str, common: Common) -> Problem:
     """The kata that a file is for; of one that is not there yet, the kata of its name."""
     if os.path.exists(file):  # noqa: PTH110 - of any name
-        _check_ordinary(Path(file), file)
         (submission,) = read_submissions([file])
         return problem_of_file(submission, "start", common)
     name = id_of(Path(file).name.partition(".")[0])
@@ -126,18 +126,13 @@ def _named(problem: Problem, language: str | None = None) -> str:
     return file_name(problem.id.replace("-", "_"), named_language(language) if language else None)
 
 
-def _checked(problem: Problem, file: str) -> Kata:
+def _place(file: str) -> Path:
+    """The file from the root. Raises UsageError for what is never saved again: a folder, a pipe."""
     path = Path(file).absolute()
-    if os.path.exists(path):  # noqa: PTH110 - of any name
-        _check_ordinary(path, file)
-    return Kata(problem, path)
-
-
-def _check_ordinary(path: Path, file: str) -> None:
-    """Refuse what is never saved again: a folder, a pipe. Raises UsageError."""
-    if not path.is_file():
+    if os.path.exists(path) and not path.is_file():  # noqa: PTH110 - of any name
         what = "this is a folder" if path.is_dir() else "this is not an ordinary file"
         raise UsageError(what, where=file or "''", remedy="name a file")
+    return path
 
 
 class HintAsk(Struct, frozen=True):

@@ -106,7 +106,11 @@ def verify(names: tuple[str, ...], ask: VerifyAsk, common: Common) -> Iterator[S
     faults = 0
     for found in _checked(partial(_verify, ask, common.problems), chosen, ask.jobs):
         if ask.figures and found.ok:
-            _draw_figure(find_problem(found.problem, common.problems))
+            from judge.report.picture import FIGURE, figure
+
+            problem = find_problem(found.problem, common.problems)
+            if (drawn := figure(problem)) is not None:
+                replace_file(problem.folder / FIGURE, drawn.encode())
         faults += len(found.faults)
         yield found
     if not narrow:
@@ -164,15 +168,6 @@ def _verify(ask: VerifyAsk, folders: Sequence[Path], name: str) -> Verified:
         warnings=(*report.warnings, *found.warnings),
     )
     return verified(report, found if ask.matrix or narrow else None)
-
-
-def _draw_figure(problem: Problem) -> None:
-    """Write figure.svg beside the statement, where there is something to draw."""
-    from judge.report.picture import FIGURE, figure
-
-    drawn = figure(problem)
-    if drawn is not None:
-        replace_file(problem.folder / FIGURE, drawn.encode())
 
 
 class ExportAsk(Struct, frozen=True):
