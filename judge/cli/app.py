@@ -35,10 +35,6 @@ class ReaderLeftError(Exception):
 class Commands(click.Group):
     """A group that imports a command's module when the command is used, and says every fault in one line."""
 
-    def list_commands(self, ctx: click.Context) -> list[str]:  # noqa: ARG002
-        """The commands in the order of the table."""
-        return list(COMMANDS)
-
     def get_command(self, ctx: click.Context | None, cmd_name: str) -> click.Command | None:
         """The command of that name, its module imported now."""
         if cmd_name not in COMMANDS:
@@ -49,7 +45,9 @@ class Commands(click.Group):
         command = next(each for each in found if each.name == cmd_name)
         gc.enable()
         imported()
-        command.epilog = _epilog(cmd_name)
+        examples = "\n".join(f"  {each}" for each in COMMANDS[cmd_name].examples)
+        more = f"More: judge help {COMMANDS[cmd_name].topic}"
+        command.epilog = f"\b\nFor example:\n{examples}\n\n{more}"
         if ctx is not None and ctx.resilient_parsing:
             _offer_names(command)
         return command
@@ -132,12 +130,6 @@ class Commands(click.Group):
             if isinstance(fault, OSError):
                 hush(sys.stdout)
         sys.exit(int(status or 0))
-
-
-def _epilog(name: str) -> str:
-    """What ends a command's help: what to type, line by line, and the page that tells more."""
-    examples = "\n".join(f"  {each}" for each in COMMANDS[name].examples)
-    return f"\b\nFor example:\n{examples}\n\nMore: judge help {COMMANDS[name].topic}"
 
 
 def _offer_names(command: click.Command) -> None:

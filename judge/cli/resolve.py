@@ -182,8 +182,8 @@ def this_folder() -> Path:
 def shown(path: str | Path) -> str:
     """An absolute path as a person in the current folder would write it."""
     try:
-        return str(Path(path).relative_to(Path.cwd()))
-    except (ValueError, OSError):  # it is elsewhere, or the current folder is gone
+        return str(Path(path).relative_to(this_folder()))
+    except ValueError:  # it is elsewhere, or the current folder is gone
         return str(path)
 
 
