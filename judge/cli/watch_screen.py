@@ -8,7 +8,7 @@ import tempfile
 import threading
 import time
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import ExitStack, closing, contextmanager, redirect_stderr, suppress
+from contextlib import closing, contextmanager, redirect_stderr, suppress
 from io import StringIO
 from queue import Empty, SimpleQueue
 from types import FrameType
@@ -120,18 +120,18 @@ class _Loop:
     def watch(self) -> Kata | None:
         """Judge on every save and obey the keys; the kata to go on to, or None to end."""
         try:
-            with ExitStack() as stack:
-                stack.enter_context(closing(self._file))
-                keys = stack.enter_context(Keys(sys.stdin.fileno(), self._pressed))
+            with closing(self._file), Keys(sys.stdin.fileno(), self._pressed) as keys:
 
                 def resized(number: int, _frame: object) -> None:
                     if number == signal.SIGCONT:
                         keys.take()
                     self._events.put(_RESIZED)
 
-                stack.enter_context(_handled(resized, signal.SIGWINCH, signal.SIGCONT))
-                stack.enter_context(Saves(self._kata.path, self._saved))
-                return self._obey()
+                with (
+                    _handled(resized, signal.SIGWINCH, signal.SIGCONT),
+                    Saves(self._kata.path, self._saved),
+                ):
+                    return self._obey()
         except KeyboardInterrupt:
             if not self._leaving:
                 raise
