@@ -7,8 +7,7 @@ from collections.abc import Collection, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from judge.cli.kept import history_at
-from judge.cli.resolve import current, this_folder
+from judge.cli.resolve import current, history_at, this_folder
 from judge.practice import events
 from judge.practice.events import Answer, Help
 from judge.practice.progress import levels, solved, stars, tried

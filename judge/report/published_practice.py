@@ -132,7 +132,7 @@ class HintShown(Published, frozen=True, kw_only=True):
     text: str
 
 
-class ApproachRow(Struct, frozen=True, kw_only=True):
+class ApproachRow(Struct, frozen=True):
     """An approach, by its name and by what `judge solution` calls it; what it takes, if measured."""
 
     name: str
@@ -143,7 +143,7 @@ class ApproachRow(Struct, frozen=True, kw_only=True):
     taken: Taken | None
 
 
-class Yours(Struct, frozen=True, kw_only=True):
+class Yours(Struct, frozen=True):
     """The latest run of the person's own that solved the kata, and what it takes."""
 
     run: int

@@ -5,7 +5,6 @@ from __future__ import annotations
 import io
 import json
 from pathlib import Path
-from typing import Annotated
 
 import click
 import pytest
@@ -14,7 +13,7 @@ from msgspec import Struct
 from rich.text import Text
 
 from judge.cli.emit import emit, schema_of
-from judge.cli.options import Common, command, opt, takes
+from judge.cli.options import Common, command, opt
 from judge.errors import ExitCode
 from judge.problem import Verdict
 from judge.report.parts import bar, commands, facts, indented, table, verdict
@@ -24,10 +23,10 @@ from judge.report.views import VIEWS, view
 
 
 class Ask(Struct, frozen=True):
-    groups: Annotated[tuple[str, ...], opt("--group", metavar="G", help="Only this one.")] = ()
-    whole: Annotated[bool, opt("--all", help="Everything.")] = False
-    out: Annotated[Path | None, opt("--out", help="Where.")] = None
-    count: Annotated[int, opt("-n", "--count", type=click.IntRange(1, 9), help="How many.")] = 3
+    groups: tuple[str, ...] = opt("--group G", "Only this one.", default=())
+    whole: bool = opt("--all", "Everything.")
+    out: Path | None = opt("--out XXX", "Where.")
+    count: int = opt("-n --count XXX", "How many.", type=click.IntRange(1, 9), default=3)
 
 
 class Told(Struct, frozen=True):
@@ -36,9 +35,8 @@ class Told(Struct, frozen=True):
     exit_code: ExitCode = ExitCode.ACCEPTED
 
 
-@command("show", Told)
+@command("show", Told, ask=Ask)
 @click.argument("name")
-@takes(Ask, "ask")
 def told(name, ask, common):
     yield Told(ask, (name, *map(str, common.problems)))
     yield Told(ask, (), ExitCode.FAULT)
@@ -74,7 +72,7 @@ def test_a_line_of_json_can_hold_any_number_and_stands_for_what_is_published(cap
 
 def test_the_schema_is_made_of_the_type():
     schema = schema_of(told)
-    assert schema["$defs"]["Ask"]["properties"]["count"] == {"type": "integer", "default": 3}
+    assert schema["$defs"]["Ask"]["properties"]["count"] == {"type": "integer"}
     assert schema["$defs"]["Ask"]["required"] == ["groups", "whole", "out", "count"]
 
 
