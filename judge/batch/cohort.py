@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping, Sequence
 
 from judge.batch.model import Row, Student
 from judge.problem.model import Verdict
-from judge.report.cohort import (
+from judge.report.published_klass import (
     Cohort,
     Counted,
     EqualFiles,

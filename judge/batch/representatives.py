@@ -15,7 +15,7 @@ from judge.errors import JudgeError
 from judge.judging.api import RunOptions
 from judge.judging.session import Bars, Session, silent
 from judge.problem import Problem, Verdict
-from judge.report.cohort import Cohort
+from judge.report.published_klass import Cohort
 from judge.run.result import Result
 
 _BROKEN = (Verdict.WA, Verdict.RTE, Verdict.TLE, Verdict.MLE)

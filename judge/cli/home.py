@@ -15,7 +15,7 @@ from judge.practice.events import Answer, Help
 from judge.practice.sets import USUAL, sound_sets
 from judge.problem import Problem
 from judge.problem.find import sound_problems
-from judge.report.published_start import Again, Home, Next, Now, Standing
+from judge.report.published_look import Again, Home, Next, Now, Standing
 
 if TYPE_CHECKING:
     from judge.cli.options import Common

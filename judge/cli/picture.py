@@ -12,8 +12,6 @@ from judge.cli.target import svg_target
 from judge.data.load import ProblemData
 from judge.errors import told
 from judge.problem import Problem
-from judge.problem.declare import Shown
-from judge.problem.model import case_of
 from judge.report.screen import Screen, note
 from judge.run.result import Result
 
@@ -55,23 +53,18 @@ class Drawing(Struct, frozen=True):
 
     def picture(self) -> Picture | Chart | None:
         """The smallest case found that fails, or else the first one; None where there is nothing to draw."""
-        failure = self.result.failure
-        group = self.problem.group(failure.group) if failure and failure.group else None
+        from judge.report.picture import case_picture, growth_chart
+
+        failure, small = self.result.failure, self.result.counterexample
         growth = self.result.time.growth
         if growth is not None and (failure is None or failure.input is None):
-            from judge.report.picture import growth_chart
-
             return growth_chart(growth)
-        if failure is None or group is None:
+        if failure is None:
             return None
-        shown, heading = failure, f"{group.name}, case {failure.case}"
-        if self.result.counterexample is not None and self.result.counterexample.input:
-            shown, heading = self.result.counterexample, "counterexample"
-        draw = self.data.module.hooks.picture
-        if not shown.input or draw is None:
-            return None
-        exact, _ = self.data.exact(case_of(shown.input), group)
-        return draw(Shown(self.problem, shown.input, exact, shown.expected, shown.got, shown.given, heading))
+        shown, heading = failure, f"{failure.group}, case {failure.case}"
+        if small is not None and small.input:
+            shown, heading = small, "counterexample"
+        return case_picture(self.problem, self.data.module, shown, failure.group, heading)
 
     def save(self, path: Path | None) -> None:
         """Write the SVG, if one was asked for. Raises UsageError where that cannot be done."""

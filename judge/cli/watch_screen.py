@@ -27,11 +27,10 @@ from judge.practice.saves import Saves
 from judge.practice.stub import make_stub, write_stub
 from judge.problem import Problem
 from judge.problem.find import sound_problems
-from judge.report.parts import FAINT, GOOD, WARNING
+from judge.report.parts import FAINT, GOOD, WARNING, prose
 from judge.report.picture import has_room
 from judge.report.result import Shown, accepted, magnified, result, verdict_line
 from judge.report.screen import Screen, drawn, out
-from judge.report.statement import prose
 from judge.report.tell import Told, tell
 from judge.report.terminal import GONE, Keys, height, redraw, reprompt
 from judge.report.views import view
@@ -40,7 +39,7 @@ from judge.report.watch import begun_text, keys_text, note_text, place_text, wai
 if TYPE_CHECKING:
     from rich.console import Group, RenderableType
 
-    from judge.report.published_start import Standing
+    from judge.report.published_look import Standing
     from judge.run.result import Failure, Result
 
 _SAVED, _RESIZED = "saved", "resized"
@@ -253,7 +252,7 @@ class _Loop:
     def katas(self) -> View:
         """The katas by set."""
         from judge.cli.commands.look import ListAsk, listed
-        from judge.report.katas import kata_list
+        from judge.report.look import kata_list
 
         found = listed(None, ListAsk(), self._common)
         return lambda screen: drawn(kata_list(found, screen), screen)

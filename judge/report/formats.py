@@ -19,17 +19,9 @@ from pathlib import Path
 from xml.etree import ElementTree as Xml
 
 from judge.problem.model import Verdict
-from judge.report.tell import Told, annotated_place, level_share, tell
+from judge.report.tell import Told, annotated_place, level_share, place_of, tell
 from judge.report.words import counted, printable, shown_name
-from judge.run.result import Failure, GroupResult, Result
-
-
-def place_of(failure: Failure | None) -> str:
-    """`grid, case 7`; nothing where a failure has no place."""
-    if failure is None or failure.group is None:
-        return ""
-    return failure.group if failure.case is None else f"{failure.group}, case {failure.case}"
-
+from judge.run.result import GroupResult, Result
 
 # -- editors -------------------------------------------------------------------------------------------------
 

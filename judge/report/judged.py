@@ -13,7 +13,7 @@ from judge.run.result import Result, exit_code
 if TYPE_CHECKING:
     from rich.console import RenderableType
 
-    from judge.report.published_start import Standing
+    from judge.report.published_look import Standing
     from judge.report.result import Drawing
     from judge.report.screen import Screen
 
@@ -108,6 +108,6 @@ def judged(found: Judged, screen: Screen) -> RenderableType:
 
 def several(found: Several, _screen: Screen) -> RenderableType:
     """The last line of several."""
-    from judge.report.result import several as last
+    from judge.report.result import last
 
     return last(found.results, found.left)

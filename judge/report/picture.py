@@ -1,4 +1,4 @@
-"""Pictures: the failing case on a terminal, how the time grows, the figure of a statement."""
+"""Pictures: a failing case, how the time grows, the figure of a statement; as rows of a terminal."""
 
 from __future__ import annotations
 
@@ -9,14 +9,19 @@ from judge.drawing.braille import COLUMNS, ROWS, to_braille
 from judge.drawing.braille import LEAST_ROWS as LEAST_ROWS
 from judge.drawing.chart import Axis, Chart, Series, chart_braille
 from judge.drawing.shapes import Role
+from judge.errors import JudgeError
 from judge.problem import Problem
-from judge.problem.declare import Shown
+from judge.problem.declare import InvalidCase, Shown
+from judge.problem.model import EXAMPLES, case_of
 from judge.report.screen import Screen, is_terminal
 from judge.report.words import seconds
-from judge.run.result import Growth
+from judge.run.result import Failure, Growth
+from judge.values.answers import within
 
 if TYPE_CHECKING:
     from rich.text import Text
+
+    from judge.problem.module import Module
 
 _COLOURS: dict[Role | None, str] = {
     Role.WANTED: "green",
@@ -76,14 +81,31 @@ def figure(problem: Problem) -> str | None:
     from judge.values import show
 
     module = load_module(problem)
-    draw = module.hooks.picture
-    if draw is None:
-        return None
-    names = [parameter.name for parameter in problem.parameters]
     for example in problem.examples:
-        values = dict(zip(names, example.case, strict=True))
-        exact = module.solve(*example.case)
-        picture = draw(Shown(problem, values, exact, str(show.exact_text(exact)), None, heading="example"))
+        wanted = str(show.exact_text(module.solve(*example.case)))
+        case = Failure("", input=problem.named(example.case), expected=wanted)
+        picture = case_picture(problem, module, case, EXAMPLES, "example")
         if picture is not None:
             return panel_svg(picture.whole, "figure", picture.description, alone=True) + "\n"
     return None
+
+
+def case_picture(
+    problem: Problem, module: Module, failure: Failure, group: str | None, heading: str = ""
+) -> Picture | None:
+    """A failing case of a test group, drawn with both answers.
+
+    None where the kata draws no such case, or it is none of its cases any more.
+    """
+    from judge.data.build import validate
+
+    draw, values = module.hooks.picture, failure.input
+    if not draw or not values or not problem.group(group or ""):
+        return None
+    if [*values] != [each.name for each in problem.parameters]:
+        return None
+    try:
+        exact = within(validate(problem, module, case_of(values)), group or "")
+    except (InvalidCase, JudgeError):
+        return None
+    return draw(Shown(problem, values, exact, failure.expected, failure.got, failure.given, heading))

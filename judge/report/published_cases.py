@@ -13,7 +13,8 @@ from judge.errors import ExitCode
 from judge.mistakes.puzzles import Puzzle
 from judge.practice.hacks import HackState
 from judge.problem import Problem, Verdict
-from judge.report.published import Published
+from judge.problem.model import Mode
+from judge.report.views import Published, copied
 from judge.run.tried import Said, Tried
 from judge.values import show
 
@@ -37,8 +38,8 @@ class SaidRow(Struct, frozen=True):
     """What a submission answered to it; `mode` is null where nothing could be run."""
 
     submission: str
-    mode: str | None
-    verdict: str
+    mode: Mode | None
+    verdict: Verdict
     got: str
     message: str
     printed: str
@@ -50,7 +51,7 @@ class CaseLine(Published, frozen=True, kw_only=True):
 
     schema: int = 2
     problem: str
-    case: CaseRow
+    case: CaseRow | None
     said: SaidRow | None
 
 
@@ -68,7 +69,7 @@ class HackLine(Published, frozen=True, kw_only=True):
     problem: str
     number: int
     outcome: str
-    state: str
+    state: HackState
     why: str
     mistake: str | None
     advice: str | None
@@ -81,7 +82,7 @@ class HackProgram(Struct, frozen=True):
     """How a wrong program stands: open, broken or given-up; `mistake` is null while it is open."""
 
     number: int
-    state: str
+    state: HackState
     mistake: str | None
 
 
@@ -107,8 +108,7 @@ class CaseTried(Struct, frozen=True):
     @property
     def published(self) -> tuple[CaseLine]:
         """The line of JSON."""
-        line = CaseLine(problem=self.tried.problem.id, case=_case(self.tried), said=_said(self.said))
-        return (line,)
+        return (CaseLine(problem=self.tried.problem.id, case=_case(self.tried), said=_said(self.said)),)
 
 
 class HackTurn(Struct, frozen=True):
@@ -154,12 +154,12 @@ class HackTurn(Struct, frozen=True):
             problem=self.problem.id,
             number=self.puzzle.number,
             outcome=self.outcome,
-            state=state.value,
+            state=state,
             why=self.why,
             mistake=self.puzzle.mistake if told else None,
             advice=self.puzzle.advice if told else None,
             source=self.puzzle.source.decode(),
-            case=_case(self.tried) if self.tried else None,
+            case=_case(self.tried),
             said=_said(self.said),
         )
         return (line,)
@@ -175,13 +175,15 @@ class HackStanding(Struct, frozen=True):
         """The line of JSON."""
         rows = ((each, self.turn.states[each.mistake]) for each in self.turn.puzzles)
         programs = tuple(
-            HackProgram(each.number, state.value, None if state is HackState.OPEN else each.mistake)
+            HackProgram(each.number, state, None if state is HackState.OPEN else each.mistake)
             for each, state in rows
         )
         return (HackList(problem=self.turn.problem.id, programs=programs),)
 
 
-def _case(tried: Tried) -> CaseRow:
+def _case(tried: Tried | None) -> CaseRow | None:
+    if tried is None:
+        return None
     problem = tried.problem
     return CaseRow(
         encode(problem, tried.group, tried.case),
@@ -195,14 +197,4 @@ def _case(tried: Tried) -> CaseRow:
 
 
 def _said(said: Said | None) -> SaidRow | None:
-    if said is None:
-        return None
-    return SaidRow(
-        said.name,
-        said.mode.value if said.mode else None,
-        said.verdict.value,
-        said.got,
-        said.message,
-        said.printed,
-        said.isolation or None,
-    )
+    return copied(SaidRow, said, submission=said.name, isolation=said.isolation or None) if said else None

@@ -100,6 +100,13 @@ def shown_failure(result: Result) -> Failure | None:
     return small if small is not None and small.replay is not None else result.failure
 
 
+def place_of(failure: Failure | None) -> str:
+    """`grid, case 7`; nothing where a failure has no place."""
+    if failure is None or failure.group is None:
+        return ""
+    return failure.group if failure.case is None else f"{failure.group}, case {failure.case}"
+
+
 def mistake_text(pitfall: Pitfall) -> str:
     """`Very likely mistake: above-for-left (or slope-intercept)`."""
     likely = "Very likely" if pitfall.score >= _LIKELY else "Likely"

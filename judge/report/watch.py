@@ -7,10 +7,9 @@ from rich.text import Text
 
 from judge.practice.sets import PracticeSet
 from judge.problem import Problem
-from judge.report.parts import FAINT, STRONG, WARNING, bar, text
+from judge.report.parts import FAINT, STRONG, WARNING, faint, prose, solved_bar, strong, text
 from judge.report.screen import Screen, drawn
-from judge.report.statement import prose
-from judge.report.words import counted, shown_name
+from judge.report.words import shown_name
 
 _KEYS = {
     "n": "next",
@@ -33,10 +32,10 @@ def place_text(
     if found:
         at = [each.id for each in found.problems].index(problem.id) + 1
         said = f"{found.title.lower()}, kata {at} of {len(found.problems)}"
-    head = text(f"{problem.id}  {problem.title}", STRONG)
+    head = strong(f"{problem.id}  {problem.title}")
     room = (screen.width or 80) - head.cell_len - len(said)
-    rows = [Text.assemble(head, " " * room, (said, FAINT))] if room > 1 else [head, text(said, FAINT)]
-    return Group(*rows, bar(solved, katas, f"{solved} of {counted(katas, 'kata')}", screen.width))
+    rows = [Text.assemble(head, " " * room, (said, FAINT))] if room > 1 else [head, faint(said)]
+    return Group(*rows, solved_bar(solved, katas, (), screen.width))
 
 
 def begun_text(place: Group, problem: Problem, file: str, screen: Screen, rows: int) -> str:
@@ -48,7 +47,7 @@ def begun_text(place: Group, problem: Problem, file: str, screen: Screen, rows: 
     end = drawn(Group(Text(), text("  Write the function, then save. I judge it on every save.")), screen)
     room = max(rows - head.count("\n") - end.count("\n"), 2)
     if len(task) > room:
-        task = [*task[: room - 1], drawn(text("  … press s for the rest", FAINT), screen).rstrip("\n")]
+        task = [*task[: room - 1], drawn(faint("  … press s for the rest"), screen).rstrip("\n")]
     return head + "".join(f"{row}\n" for row in task) + end
 
 
@@ -66,7 +65,7 @@ def waiting_text(file: str, seconds: float, screen: Screen) -> str:
     """What is being judged, and for how long, on one line without its end."""
     width = (screen.width or 80) - 1
     said = f"judging {shown_name(file)}  {seconds:.1f} s"
-    return drawn(text(said[-width:], FAINT), screen).rstrip("\n")
+    return drawn(faint(said[-width:]), screen).rstrip("\n")
 
 
 def keys_text(screen: Screen, *, failed: bool) -> str:

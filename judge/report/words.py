@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import shlex
 from collections.abc import Mapping
+from datetime import datetime
 from typing import Any
 
 _ITEMS = 40  # of a list that are shown
@@ -63,6 +64,14 @@ def seconds(duration: float) -> str:
     if duration < 0.0095:
         return f"{duration * 1e3:.1f} ms"
     return f"{duration * 1e3:.0f} ms" if duration < 0.9995 else f"{duration:.2f} s"
+
+
+def due_words(due: datetime, now: datetime) -> str:
+    """When it is due, in days from now: `in 3 days`, `today`, `1 day ago`."""
+    days = (due.astimezone(now.tzinfo).date() - now.date()).days
+    if days < 0:
+        return f"{counted(-days, 'day')} ago"
+    return "today" if days == 0 else f"in {counted(days, 'day')}"
 
 
 def times(factor: float) -> str:

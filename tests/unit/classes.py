@@ -8,7 +8,7 @@ from judge.batch.cohort import cohort_of
 from judge.batch.model import Done, Row, Student
 from judge.cache import digest
 from judge.problem.model import Verdict
-from judge.report.cohort import EqualFiles
+from judge.report.published_klass import EqualFiles
 from judge.run.result import Failure, GroupResult, Pitfall, Ratio, Result, Timing, earned
 
 GROUPS = ("examples", "grid", "tangent")

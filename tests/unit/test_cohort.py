@@ -13,10 +13,10 @@ from rich.cells import cell_len
 from judge.batch.cohort import cohort_of, counting
 from judge.batch.model import Done, Row, Student
 from judge.errors import ExitCode
-from judge.report.cohort import gradebook, is_gradebook
 from judge.report.formats import cell
-from judge.report.klass import klass
+from judge.report.published_klass import gradebook, is_gradebook
 from judge.report.screen import Screen, drawn
+from judge.report.views import view
 
 
 def scored(student, problem, verdict="WA", score=40, where=("lab1", "full"), at=1.0, copied="", **done):
@@ -35,7 +35,7 @@ class Terminal(io.StringIO):
 
 def shown(cohort, width=80, stream=None):
     """The class as it is read, without colours; whole where no terminal is given."""
-    return drawn(klass(cohort, screen := Screen(stream or io.StringIO(), colour=False, width=width)), screen)
+    return drawn(view(cohort, screen := Screen(stream or io.StringIO(), colour=False, width=width)), screen)
 
 
 @pytest.mark.parametrize("width", [40, 80, 200])

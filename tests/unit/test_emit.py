@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import json
+from importlib import import_module
 from pathlib import Path
 from typing import Annotated
 
@@ -18,9 +19,9 @@ from judge.cli.options import Common, command, opt, takes
 from judge.errors import ExitCode
 from judge.problem import Verdict
 from judge.report.parts import bar, commands, facts, indented, table, verdict
-from judge.report.published import Document
+from judge.report.published_look import Document
 from judge.report.screen import Screen, drawn, show
-from judge.report.views import VIEWS, view
+from judge.report.views import view_of
 
 
 class Ask(Struct, frozen=True):
@@ -78,11 +79,26 @@ def test_the_schema_is_made_of_the_type():
     assert schema["$defs"]["Ask"]["required"] == ["groups", "whole", "out", "count"]
 
 
-def test_every_view_is_there():
-    for module, function in VIEWS.values():
-        assert callable(getattr(__import__(f"judge.report.{module}", fromlist=[function]), function))
-    with pytest.raises(KeyError):
-        view(Common(), Screen(io.StringIO(), False, None))
+SHOWN = {
+    "cases": "CaseTried HackStanding HackTurn PageWritten",
+    "judged": "Judged Several",
+    "klass": "Cohort",
+    "look": "Begun Document Home KataList KataShown Mentions PageShown Topics",
+    "practice": "DueShown HintShown ProgressPage ProgressWritten QuestionShown Restored RunList RunShown "
+    "RunsCompared SolutionShown",
+    "quiz": "CardList Interviewed Quizzed",
+    "setter": "DecksVerified Doctor Exported FilesWritten NewKata Verified VerifySummary",
+}
+
+
+def test_every_value_has_a_view():
+    for module, names in SHOWN.items():
+        values = import_module(f"judge.report.{'' if module == 'judged' else 'published_'}{module}")
+        views = import_module(f"judge.report.{module}")
+        for name in names.split():
+            assert view_of(getattr(values, name)) in vars(views).values(), name
+    with pytest.raises(AttributeError):
+        view_of(Common)
 
 
 # -- parts ---------------------------------------------------------------------------------------------------

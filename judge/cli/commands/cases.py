@@ -199,7 +199,7 @@ def _page(problem: Problem, found: CaseTried | None) -> str:
 
 def _svg(found: CaseTried | None) -> str:
     from judge.drawing.svg import to_svg
-    from judge.report.trying import picture_of
+    from judge.report.cases import picture_of
 
     picture = picture_of(found.tried, found.said, "your case") if found else None
     if picture is None:

@@ -19,7 +19,7 @@ from judge.cli.target import OutFile, moment
 from judge.errors import UsageError, unwritable
 from judge.problem.find import find_problem
 from judge.problem.model import LEVELS
-from judge.report.cohort import ClassLine, ClassRow, Cohort, gradebook, is_gradebook
+from judge.report.published_klass import ClassLine, ClassRow, Cohort, gradebook, is_gradebook
 from judge.report.screen import note
 from judge.report.words import counted
 

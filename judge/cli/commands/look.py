@@ -16,8 +16,9 @@ from judge.errors import ProblemError, StoreError, UsageError, nearest
 from judge.practice.sets import USUAL, sound_sets
 from judge.problem.find import find_problem, listed_problems
 from judge.problem.model import Listed
-from judge.report.published import KataInFull, KataList, KataRow, KataShown, SetRow, kata_row
+from judge.report.published_look import KataInFull, KataList, KataRow, KataShown, SetRow
 from judge.report.screen import note
+from judge.report.views import copied
 
 if TYPE_CHECKING:
     from judge.practice.events import Run
@@ -81,7 +82,16 @@ def row_of(problem: Listed, runs: Sequence[Run]) -> KataRow:
     passed = [set(run.passed) for run in runs]
     levels = [{group.name for group in problem.of_level(level)} for level in problem.levels]
     stars = len(levels) if solved else sum(any(level <= each for each in passed) for level in levels)
-    return kata_row(problem, solved=solved, stars=stars)
+    return copied(
+        KataRow,
+        problem,
+        problem=problem.id,
+        groups=len(problem.groups),
+        cases=sum(group.count for group in problem.groups),
+        points=sum(group.points for group in problem.groups),
+        solved=solved,
+        stars=stars,
+    )
 
 
 def _sets(

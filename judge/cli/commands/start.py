@@ -23,7 +23,7 @@ from judge.practice.stub import write_stub
 from judge.problem import Problem
 from judge.problem.find import find_problem, id_of, sound_problems
 from judge.problem.model import LEVELS
-from judge.report.published_start import Begun
+from judge.report.published_look import Begun
 from judge.report.screen import is_terminal, out
 from judge.report.terminal import draws
 

@@ -15,9 +15,9 @@ from msgspec import Struct
 
 from judge.problem import Problem, Verdict
 from judge.problem.model import FULL_SCORE
-from judge.report.cohort import EQUAL_CAUTION, Cohort, Counted
 from judge.report.html import page
 from judge.report.html.case import Case, Cases
+from judge.report.published_klass import EQUAL_CAUTION, Cohort, Counted
 from judge.run.result import Result
 
 CLASS_MARK = "judge class page"  # in the head of every such page, also of older ones

@@ -14,7 +14,7 @@ from msgspec import Struct
 from judge.errors import ExitCode
 from judge.problem.model import Verdict
 from judge.report.formats import csv_text
-from judge.report.published import Published
+from judge.report.views import Published
 
 BOM = "\ufeff"
 _HEAD = ("student", "name", "group")
@@ -178,20 +178,17 @@ class Cohort(Struct, frozen=True):
     @property
     def published(self) -> tuple[ClassLine]:
         """The class in one object."""
-        return (
-            ClassLine(
-                ClassSummary(
-                    len(self.people),
-                    self.handins,
-                    problems=self.views,
-                    stuck=self.stuck,
-                    nothing_accepted=self.unaccepted,
-                    nothing_handed_in=self.silent,
-                    equal_files=self.equal,
-                    machines=self.machines,
-                )
-            ),
+        summary = ClassSummary(
+            len(self.people),
+            self.handins,
+            problems=self.views,
+            stuck=self.stuck,
+            nothing_accepted=self.unaccepted,
+            nothing_handed_in=self.silent,
+            equal_files=self.equal,
+            machines=self.machines,
         )
+        return (ClassLine(summary),)
 
     def total(self, student: str) -> int:
         """The points of a student on all katas."""
