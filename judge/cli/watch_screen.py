@@ -32,7 +32,7 @@ from judge.report.picture import has_room
 from judge.report.result import Shown, accepted, magnified, result, verdict_line
 from judge.report.screen import Screen, drawn, out
 from judge.report.tell import Told, tell
-from judge.report.terminal import GONE, Keys, height, redraw, reprompt
+from judge.report.terminal import GONE, Keys, redraw, reprompt
 from judge.report.views import view
 from judge.report.watch import begun_text, keys_text, note_text, place_text, waiting_text
 
@@ -55,7 +55,7 @@ View = Callable[[Screen], str]
 def loop(kata: Kata, level: str | None, common: Common) -> None:
     """Judge a kata on every save, and those that are gone on to, until the person has enough."""
     screen = out()
-    screen.write("\n" * (height(screen) - 1))  # what stood there can be scrolled back to
+    screen.write("\n" * (screen.height - 1))  # what stood there can be scrolled back to
     following: Kata | None = kata
     with handled(dict.fromkeys(("SIGTERM", "SIGHUP"), _leave)):
         while following is not None:
@@ -186,7 +186,7 @@ class _Loop:
 
     def _begun(self, screen: Screen) -> str:
         """The kata, whose file is still to be written."""
-        rows = height(screen) - _BELOW
+        rows = screen.height - _BELOW
         return begun_text(self._place(screen), self._kata.problem, self._kata.name, screen, rows)
 
     def _place(self, screen: Screen) -> Group:
@@ -333,7 +333,7 @@ def picture_text(found: Drawing, screen: Screen, spare: int) -> str:
     drawing = found.rows(screen)
     if drawing is None:
         return note_text(_NO_CASE, screen)
-    return drawn(magnified(told_of(found), drawing, height(screen) - spare, screen.width), screen)
+    return drawn(magnified(told_of(found), drawing, screen.height - spare, screen.width), screen)
 
 
 def result_text(found: Drawing, screen: Screen, spare: int, after: RenderableType | None = None) -> str:
@@ -341,7 +341,7 @@ def result_text(found: Drawing, screen: Screen, spare: int, after: RenderableTyp
     shown = Shown(
         told_of(found), found.result.submission, drawing=found.rows(screen), after=after, commands=False
     )
-    return drawn(result(shown, screen, height(screen) - spare), screen)
+    return drawn(result(shown, screen, screen.height - spare), screen)
 
 
 def told_of(found: Drawing) -> Told:

@@ -7,9 +7,9 @@ from typing import Any
 from msgspec import Struct
 
 from judge.errors import ExitCode
-from judge.problem import Group, GrowthRule, Parameter, Problem, Tolerance
+from judge.problem import Group, GrowthRule, Problem
 from judge.problem.model import KataLevel, Source, Tier
-from judge.report.views import Published, copied
+from judge.report.views import Published, copied, in_words
 
 
 class KataRow(Published, frozen=True):
@@ -69,6 +69,26 @@ class Allowed(Struct, frozen=True):
     output_bytes: int
 
 
+class ParameterRow(Struct, frozen=True):
+    """A parameter; the bounds are exact, `n` or `n/d` as text."""
+
+    name: str
+    type: str
+    low: str
+    high: str
+    smallest: str
+    about: str
+
+
+class Accuracy(Struct, frozen=True):
+    """A tolerance; its parts are exact, `n` or `n/d` as text."""
+
+    extent: str
+    relative: str
+    zero: str
+    ulps: str
+
+
 class GroupRow(Struct, frozen=True):
     """A test group, with the mistakes that it finds; what it does not have of its own is null."""
 
@@ -77,7 +97,7 @@ class GroupRow(Struct, frozen=True):
     cases: int
     points: int
     seed: int | str
-    tolerance: Tolerance
+    tolerance: Accuracy
     kills: tuple[str, ...]
     level: KataLevel | None
     size: int | None
@@ -101,7 +121,7 @@ class KataInFull(Published, frozen=True):
     summary: str
     entry: str
     answer: str
-    parameters: tuple[Parameter, ...]
+    parameters: tuple[ParameterRow, ...]
     limits: Allowed
     growth: GrowthRule | None
     groups: tuple[GroupRow, ...]
@@ -125,6 +145,7 @@ class KataShown(Struct, frozen=True):
             problem,
             problem=problem.id,
             answer=str(problem.answer),
+            parameters=tuple(in_words(ParameterRow, each) for each in problem.parameters),
             limits=copied(Allowed, problem.limits),
             groups=tuple(map(_group, problem.groups)),
             examples=tuple(ExampleRow(problem.named(each.case), each.wanted) for each in problem.examples),
@@ -134,7 +155,8 @@ class KataShown(Struct, frozen=True):
 
 def _group(each: Group) -> GroupRow:
     limits = copied(Allowed, each.limits) if each.limits else None
-    return copied(GroupRow, each, cases=each.count, limits=limits)
+    tolerance = in_words(Accuracy, each.tolerance)
+    return copied(GroupRow, each, cases=each.count, limits=limits, tolerance=tolerance)
 
 
 class PageText(Published, frozen=True):

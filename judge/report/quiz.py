@@ -53,7 +53,7 @@ def question(asked: Question, place: str, screen: Screen) -> RenderableType:
         from judge.report.picture import LEAST_ROWS, has_room, picture_rows
 
         if has_room(screen, _PANEL):
-            room = (screen.rows or 0) - drawn(Group(*parts), screen).count("\n") - _AROUND
+            room = screen.height - drawn(Group(*parts), screen).count("\n") - _AROUND
             parts += map(indented, picture_rows(asked.picture, max(room, LEAST_ROWS), answered=False))
     return Group(*parts)
 

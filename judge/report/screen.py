@@ -45,8 +45,11 @@ class Screen(Struct, frozen=True):
     @property
     def rows(self) -> int | None:
         """How many rows a person sees at once; None where nobody looks."""
-        if not is_terminal(self.stream):
-            return None
+        return self.height if is_terminal(self.stream) else None
+
+    @property
+    def height(self) -> int:
+        """How many rows can be seen, the usual number where it does not tell."""
         try:
             return os.get_terminal_size(self.stream.fileno()).lines or _USUAL_ROWS
         except (OSError, ValueError):

@@ -6,7 +6,6 @@ import atexit
 import os
 import re
 import select
-import shutil
 import threading
 from collections.abc import Callable, Sequence
 from contextlib import suppress
@@ -26,15 +25,6 @@ GONE = ""  # told instead of a key when nobody is there any more
 def draws(screen: Screen) -> bool:
     """Whether lines can be drawn over there: a terminal that obeys more than text."""
     return is_terminal(screen.stream) and os.environ.get("TERM", "dumb") != "dumb"
-
-
-def height(screen: Screen) -> int:
-    """How many rows can be seen."""
-    try:
-        found = os.get_terminal_size(screen.stream.fileno()).lines
-    except (OSError, ValueError):
-        found = 0
-    return found or shutil.get_terminal_size().lines  # a terminal that does not tell says 0
 
 
 def redraw(screen: Screen, text: str, prompt: str) -> None:

@@ -34,6 +34,11 @@ def copied(kind: type[S], of: object, **more: Any) -> S:
     return kind(**{name: value for name, value in found.items() if value is not _NONE}, **more)
 
 
+def in_words(kind: type[S], of: object) -> S:
+    """A value of that kind, whose fields are texts, with what `of` has by their names."""
+    return kind(*(str(getattr(of, name)) for name in kind.__struct_fields__))
+
+
 def view_of(kind: type) -> Callable[[Any, Screen], RenderableType]:
     """What draws the values of a class. Raises AttributeError for one that has no view."""
     module = import_module(kind.__module__.replace("published_", ""))

@@ -41,19 +41,6 @@ def argument(value: Any) -> str:
     return repr(value)
 
 
-def with_points(values: Mapping[str, Any]) -> dict[str, Any]:
-    """Arguments that JSON has kept: two or three numbers in a list were a tuple, most likely a point."""
-    return {name: _with_points(value) for name, value in values.items()}
-
-
-def _with_points(value: Any) -> Any:
-    if not isinstance(value, list):
-        return value
-    if 2 <= len(value) <= 3 and all(isinstance(each, int | float) for each in value):
-        return tuple(value)
-    return [_with_points(each) for each in value]
-
-
 def counted(number: int, noun: str) -> str:
     """`1 case`, `1,240 cases`."""
     return f"{number:,} {noun}" if number == 1 else f"{number:,} {noun}s"
