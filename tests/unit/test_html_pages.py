@@ -20,7 +20,7 @@ from judge.batch.representatives import representatives
 from judge.practice.history import History
 from judge.problem.find import find_problem
 from judge.report.html import is_page
-from judge.report.html.klass import CLASS_MARK, FEEDBACK_MARK, class_page, feedback_pages
+from judge.report.html.klass import CLASS_MARK, FEEDBACK_MARK, ClassPages
 from judge.report.html.learner import MARK, learner_page
 from judge.run.result import Failure
 
@@ -172,11 +172,8 @@ def pages_of(cohort, rows, title="geo"):
     """The page of a class, of which count alone is there, and the pages of its students by file."""
     problems = {"count": find_problem("count")}
     results = {(each.problem, each.file): each.result for each in rows}
-    html = class_page(cohort, results, problems, title=title, generated=NOW)
-    return html.decode(), {
-        name: content.decode()
-        for name, content in feedback_pages(cohort, results, problems, title=title, generated=NOW)
-    }
+    pages = ClassPages(cohort, results, problems, title, NOW)
+    return pages.whole().decode(), {name: content.decode() for name, content in pages.students()}
 
 
 def test_the_page_of_a_class():

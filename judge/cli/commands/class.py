@@ -155,14 +155,14 @@ class _Files:
             self._csv.write(gradebook(cohort))
         if not (self._html or self._feedback):
             return
-        from judge.report.html.klass import class_page, feedback_pages
+        from judge.report.html.klass import ClassPages
 
         results = classroom.results(cohort, everybody=self._feedback is not None)
-        problems, title, generated = classroom.problems(), self._title, moment()
+        pages = ClassPages(cohort, results, classroom.problems(), self._title, moment())
         if self._html:
-            self._html.write(class_page(cohort, results, problems, title=title, generated=generated))
+            self._html.write(pages.whole())
         if self._feedback:
-            for name, content in feedback_pages(cohort, results, problems, title=title, generated=generated):
+            for name, content in pages.students():
                 target = OutFile(
                     self._feedback / name, "--feedback", "feedback page", partial(_is_page, "FEEDBACK")
                 )

@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import base64
 import hashlib
+from collections.abc import Iterable
 from datetime import date, datetime
 from functools import cache
 from pathlib import Path
@@ -20,29 +21,42 @@ from typing import TYPE_CHECKING, Any
 
 from judge import __version__
 from judge.drawing.svg import style
+from judge.problem import Verdict
 from judge.report.words import printable, times
 
 if TYPE_CHECKING:
     from jinja2 import Environment
     from markupsafe import Markup
 
+    from judge.report.html.case import Case
+
 _TEMPLATES = Path(__file__).parent / "templates"
 _MONTHS = ("Jan", "Feb", "Mar", "Apr", "May", "Jun", "Jul", "Aug", "Sep", "Oct", "Nov", "Dec")
 
 
-def page(template: str, mark: str, **values: Any) -> bytes:
+def page(
+    template: str, mark: str, cases: Iterable[Case | None], verdicts: Iterable[Verdict], **values: Any
+) -> bytes:
     """The file that a template makes of these values; the same values always give the same bytes.
 
-    `mark` says what kind of page it is, for `is_page`.
+    `mark` says what kind of page it is, for `is_page`. Its foot explains the `verdicts`, and the drawings
+    where one of the `cases` has any.
     """
     from markupsafe import Markup
 
     sheet = (_TEMPLATES / "page.css").read_text(encoding="utf-8")
     sheet += style("figure", "screen and (prefers-color-scheme:dark)")
     digest = base64.b64encode(hashlib.sha256(sheet.encode()).digest()).decode()
-    policy = f"default-src 'none'; style-src 'sha256-{digest}'; base-uri 'none'; form-action 'none'"
-    given = values | {"mark": mark, "version": __version__, "style": Markup(sheet), "policy": policy}
-    return _environment().get_template(template).render(given).encode()
+    found = {*verdicts}
+    given = {
+        "mark": mark,
+        "version": __version__,
+        "style": Markup(sheet),
+        "policy": f"default-src 'none'; style-src 'sha256-{digest}'; base-uri 'none'; form-action 'none'",
+        "drawn": any(case and case.drawings for case in cases),
+        "verdicts": [verdict for verdict in Verdict if verdict in found],
+    }
+    return _environment().get_template(template).render(values | given).encode()
 
 
 def is_page(head: bytes, mark: str) -> bool:
