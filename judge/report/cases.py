@@ -35,7 +35,7 @@ from judge.report.published_cases import CaseTried, HackStanding, HackTurn, Page
 from judge.report.screen import Screen, drawn, note
 from judge.report.tell import obstacle_text
 from judge.report.words import arguments, counted, shown_name
-from judge.run.result import Failure, Obstacle, Result
+from judge.run.result import Failure, Obstacle
 from judge.run.tried import Said, Tried
 from judge.values import show
 
@@ -102,14 +102,9 @@ def _facts(tried: Tried, said: Said | None, brief: bool) -> Iterator[tuple[Cell,
         return
     yield "got", text(said.got, "" if said.verdict is Verdict.AC else BAD)
     if said.hurdle is not None:
-        result = Result(
-            problem=problem.id,
-            submission=said.name,
-            verdict=said.verdict,
-            failure=Failure(said.message),
-        )
         line = said.hurdle.line if said.hurdle.kind is not Obstacle.STUB else 0  # whose sentence has it
-        yield "why", f"{f'line {line}: ' if line else ''}{obstacle_text(result, said.hurdle, problem)}"
+        why = obstacle_text(said.hurdle, problem, said.name, said.message)
+        yield "why", f"{f'line {line}: ' if line else ''}{why}"
     elif said.message:
         yield "why", said.message
     yield from zip(("printed", *[""] * 9), said.printed.splitlines(), strict=False)

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Protocol
+from collections.abc import Callable
+from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
@@ -17,15 +18,7 @@ if TYPE_CHECKING:
     from judge.report.result import Drawing
     from judge.report.screen import Screen
 
-_ROWS = 23  # of a screen of 24, whose last one the prompt takes
-
-
-class Drawn(Protocol):
-    """Draws the failing case of a result."""
-
-    def rows(self, screen: Screen) -> Drawing | None:
-        """What draws it there; None where there is nothing to draw, or no room."""
-        ...
+_MOST = 60  # rows of a result, on whatever screen
 
 
 class Judged(Struct, frozen=True):
@@ -39,7 +32,7 @@ class Judged(Struct, frozen=True):
     result: Result
     source: bytes = b""
     problem: Problem | None = None
-    drawing: Drawn | None = None
+    drawing: Callable[[Screen], Drawing | None] | None = None  # what draws the failing case there
     quiet: bool = False
     several: int = 0  # katas that the submissions are of, 0 for a single one
     whole: bool = False
@@ -101,8 +94,8 @@ def judged(found: Judged, screen: Screen) -> RenderableType:
     elif found.result.solved and found.commands:
         after = accepted(found.result.problem, found.standing, screen.width)
     groups = found.result.groups if found.whole else ()
-    drawing = found.drawing.rows(screen) if found.drawing else None
-    rows = None if found.whole else min(screen.rows - 1 if screen.rows else _ROWS, 60)
+    drawing = found.drawing(screen) if found.drawing else None
+    rows = None if found.whole else min(screen.height - 1, _MOST)
     return result(Shown(told, name, groups, drawing, after, found.commands), screen, rows)
 
 

@@ -49,8 +49,8 @@ from judge.report.published_practice import (
     QuestionShown,
     Restored,
     RunList,
+    RunRow,
     RunsCompared,
-    RunShown,
     SetShare,
     SolutionShown,
 )
@@ -125,9 +125,8 @@ def _remark(run: Run) -> str:
     return ", ".join([*(f"{level} level passed" for level in passed), *([why] if why else [])])
 
 
-def run_shown(found: RunShown, screen: Screen) -> RenderableType:
+def run_row(run: RunRow, screen: Screen) -> RenderableType:
     """When it was, what it came to, and how to get its source back."""
-    run = found.run
     return blocks(
         head(f"run {run.id}", faint(moment(run.when))),
         result(Shown(tell(None, run.result), run.submission, run.result.groups), screen, None),

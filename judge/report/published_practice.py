@@ -77,17 +77,6 @@ def _cell(value: object) -> object:
     return "" if value is None else getattr(value, "value", value)
 
 
-class RunShown(Struct, frozen=True):
-    """One run in full."""
-
-    run: Run
-
-    @property
-    def published(self) -> tuple[RunRow]:
-        """The run."""
-        return (copied(RunRow, self.run),)
-
-
 class GroupChange(Struct, frozen=True):
     """A test group that the two runs did not end alike: `passed`, `failed`, or null where it was not run."""
 

@@ -123,31 +123,24 @@ def _advice(pitfall: Pitfall) -> tuple[str, ...]:
 
 def _happened(problem: Problem | None, result: Result) -> str:
     """What ended the program, or keeps it from running; nothing for a wrong answer."""
-    failure = result.failure
-    if failure is None or result.verdict is Verdict.AC:
+    failure, verdict = result.failure, result.verdict
+    if failure is None or verdict is Verdict.AC:
         return ""
+    message, unplaced = failure.message, failure.input is None
     if result.hurdle is not None and problem is not None:
-        return obstacle_text(result, result.hurdle, problem)
-    message = failure.message
-    if result.verdict is Verdict.JE:
+        return obstacle_text(result.hurdle, problem, result.submission, message)
+    if verdict is Verdict.JE or (verdict is Verdict.WA and not unplaced):
         return ""
-    if result.verdict is Verdict.CE:
-        line = fault_place(result)
-        return f"line {line.line}: {_COMPILED.sub('', message)}" if line else message
-    if result.verdict is Verdict.WA and failure.input is not None:
-        return ""
-    placed = _PLACE.sub(r", at line \1", message)
-    if result.verdict is Verdict.TLE and (spent := _SPENT.search(message)):
-        where = f", at line {place[1]}" if (place := _PLACE.search(message)) else ""
+    place = fault_place(result)
+    if verdict is Verdict.CE:
+        return f"line {place.line}: {_COMPILED.sub('', message)}" if place else message
+    if verdict is Verdict.TLE and (spent := _SPENT.search(message)):
+        where = f", at line {found[1]}" if (found := _PLACE.search(message)) else ""
         return f"Stopped after {spent[1]} of CPU time{where}. An endless loop?"
-    if result.verdict is Verdict.TLE and failure.input is None and failure.case is None and _slow(result):
-        return ""
-    return placed
-
-
-def _slow(result: Result) -> bool:
-    """Whether it is too slow beside the reference, and not stopped."""
-    return result.time.ratio is not None or result.time.growth is not None
+    slow = result.time.ratio is not None or result.time.growth is not None
+    if verdict is Verdict.TLE and unplaced and failure.case is None and slow:
+        return ""  # it is too slow beside the reference, and was not stopped
+    return _PLACE.sub(r", at line \1", message)
 
 
 def _time(result: Result) -> str:
@@ -333,23 +326,22 @@ _ONE_FILE = "a submission is one file"
 _KNOWN = ("numpy", "scipy", "sympy", "mpmath", "shapely")  # of the modules that Python does not bring
 
 
-def obstacle_text(result: Result, hurdle: Hurdle, problem: Problem) -> str:
-    """The obstacle and the remedy in a sentence or two."""
-    entry = problem.entry
+def obstacle_text(hurdle: Hurdle, problem: Problem, submission: str, message: str) -> str:
+    """The obstacle and the remedy in a sentence or two; `message` is the failure's."""
+    entry, count = problem.entry, len(problem.parameters)
     call = f"{entry}({', '.join(parameter.name for parameter in problem.parameters)})"
     match hurdle.kind:
         case Obstacle.STUB:
             line = f" (line {hurdle.line})" if hurdle.line else ""
             return f"Write the body of {entry}{line}, then save."
         case Obstacle.ARITY:
-            count = len(problem.parameters)
             return f"{entry} takes {hurdle.takes} arguments and is called with {count}: {call}"
         case Obstacle.MODULE:
-            return _missing_module(result, hurdle.name)
+            return _missing_module(submission, hurdle.name)
         case Obstacle.IMPORT:
-            message = result.failure.message.removesuffix(IMPORTING) if result.failure else ""
-            more = ", or use 'judge run --mode program'" if message.startswith("EOFError") else ""
-            return f"{message} ends the import; put what only you need below if __name__ == '__main__':{more}"
+            ended = message.removesuffix(IMPORTING)
+            more = ", or use 'judge run --mode program'" if ended.startswith("EOFError") else ""
+            return f"{ended} ends the import; put what only you need below if __name__ == '__main__':{more}"
         case Obstacle.NESTED:
             return f"{entry} stands in a class or another function: move it out, to the left margin"
         case Obstacle.MISNAMED:
@@ -361,9 +353,9 @@ def obstacle_text(result: Result, hurdle: Hurdle, problem: Problem) -> str:
             )
 
 
-def _missing_module(result: Result, name: str) -> str:
+def _missing_module(submission: str, name: str) -> str:
     top = name.partition(".")[0]
-    beside = Path(result.submission).parent / top
+    beside = Path(submission).parent / top
     if any(os.path.lexists(path) for path in (beside, beside.with_name(file_name(top)))):
         return f"{top} cannot be imported: {_ONE_FILE}; move what it needs of {top} into it"
     meant = None if top in _KNOWN else nearest(top, [*_KNOWN, *sys.stdlib_module_names])

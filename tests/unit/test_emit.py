@@ -84,7 +84,7 @@ SHOWN = {
     "judged": "Judged Several",
     "klass": "Cohort",
     "look": "Begun Document Home KataList KataShown Mentions PageShown Topics",
-    "practice": "DueShown HintShown ProgressPage ProgressWritten QuestionShown Restored RunList RunShown "
+    "practice": "DueShown HintShown ProgressPage ProgressWritten QuestionShown Restored RunList RunRow "
     "RunsCompared SolutionShown",
     "quiz": "CardList Interviewed Quizzed",
     "setter": "DecksVerified Doctor Exported FilesWritten NewKata Verified VerifySummary",

@@ -168,7 +168,7 @@ class _Sitting:
             note(f"{found.result.submission}: {found.result.verdict.value}")
         else:
             screen = self._asking.screen
-            shown = Judged(found.result, found.source, found.problem, found, commands=False)
+            shown = Judged(found.result, found.source, found.problem, found.rows, commands=False)
             show(judged(shown, screen), screen)
             self._asking.screen.write("\n")
         self.held = self.held.after(found.result)

@@ -2,8 +2,8 @@
 
     learner.py    what one person has done: runs, skills, mistakes
     klass.py      a class, and a page for each student
-    case.py       a failing case: its facts, its drawing and its mistake
-    templates/    a template a page, their common parts, and the one style sheet
+    case.py       a failing case: its facts, its drawing and its mistake; a result in a notebook
+    templates/    a template a page or file, their common parts, and the one style sheet
 
 Templates escape whatever they are given; only drawings, which `judge.drawing` has escaped, go in as they are.
 The policy of a page allows its style sheet, by its hash, and nothing else.
@@ -22,6 +22,7 @@ from typing import TYPE_CHECKING, Any
 from judge import __version__
 from judge.drawing.svg import style
 from judge.problem import Verdict
+from judge.report.tell import level_share
 from judge.report.words import printable, times
 
 if TYPE_CHECKING:
@@ -56,7 +57,12 @@ def page(
         "drawn": any(case and case.drawings for case in cases),
         "verdicts": [verdict for verdict in Verdict if verdict in found],
     }
-    return _environment().get_template(template).render(values | given).encode()
+    return rendered(template, **values | given)
+
+
+def rendered(template: str, **values: Any) -> bytes:
+    """The text that a template makes of these values, in UTF-8."""
+    return _environment().get_template(template).render(values).encode()
 
 
 def is_page(head: bytes, mark: str) -> bool:
@@ -82,7 +88,13 @@ def _environment() -> Environment:
         lstrip_blocks=True,
         finalize=lambda value: printable(value) if type(value) is str else value,
     )
-    environment.filters |= {"date": _date, "drawing": Markup, "lines": _lines, "times": times}
+    environment.filters |= {
+        "date": _date,
+        "drawing": Markup,
+        "lines": _lines,
+        "times": times,
+        "share": level_share,
+    }
     return environment
 
 

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from contextlib import suppress
-from html import escape
 from typing import Any
 
 from msgspec import Struct
@@ -15,14 +14,14 @@ from judge.problem import Problem, Verdict
 from judge.problem.find import find_problem
 from judge.problem.model import case_of
 from judge.problem.module import Module, load_module
+from judge.report.html import rendered
 from judge.report.picture import case_picture
 from judge.report.tell import shown_failure, tell
-from judge.report.words import arguments, printable, shown_name
+from judge.report.words import arguments, shown_name
 from judge.run.result import Result
 from judge.values import parameters
 
 _LONGEST = 2000  # characters of a submission's own words that are shown
-_SIDE = 260  # pixels of a drawing in a notebook
 
 
 class Drawing(Struct, frozen=True):
@@ -111,18 +110,14 @@ def _cut(text: str) -> str:
 
 def notebook(result: Result) -> str:
     """A result as an element of HTML with its own style sheet; without a drawing if its kata is not found."""
-    told, anchor = tell(None, result), f"judge-{id(result):x}"
-    head = f"{told.verdict.value}  {told.meaning}  {shown_name(result.submission)}  {told.stars}".rstrip()
-    text = "\n".join(escape(printable(line)) for line in (*told.lines, told.last))
-    drawings = "".join(
-        f'<figure style="width:{_SIDE}px;display:inline-block;margin:1em">{each.svg}'
-        f"<figcaption>{escape(each.title)}</figcaption></figure>"
-        for each in _found(result, anchor)
-    )
-    words = f'<strong>{escape(printable(head))}</strong><pre style="white-space:pre-wrap">{text}</pre>'
-    return f'<div id="{anchor}"><style>{style(f"#{anchor} figure")}</style>{words}{drawings}</div>'
-
-
-def _found(result: Result, anchor: str) -> Iterator[Drawing]:
+    told, anchor, drawings = tell(None, result), f"judge-{id(result):x}", tuple[Drawing, ...]()
     with suppress(JudgeError):
-        yield from Cases({}).drawings(find_problem(result.problem), result, anchor)
+        drawings = Cases({}).drawings(find_problem(result.problem), result, anchor)
+    return rendered(
+        "notebook.html.j2",
+        anchor=anchor,
+        style=style(f"#{anchor} figure"),
+        head=f"{told.verdict.value}  {told.meaning}  {shown_name(result.submission)}  {told.stars}".rstrip(),
+        text="\n".join((*told.lines, told.last)),
+        drawings=drawings,
+    ).decode()
