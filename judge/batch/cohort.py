@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter, defaultdict
 from collections.abc import Iterable, Mapping, Sequence
 
-from judge.batch.model import Row, Student
+from judge.batch.model import Row
 from judge.problem.model import Verdict
 from judge.report.published_klass import (
     Cohort,
@@ -14,9 +14,9 @@ from judge.report.published_klass import (
     GroupBar,
     Machine,
     MistakeBar,
-    Person,
     ProblemView,
     Stuck,
+    Student,
 )
 from judge.run.result import Result
 
@@ -46,7 +46,7 @@ def cohort_of(
     met = tuple(each for each in problems if any(each == problem for _, problem in counts))
     failures = [(row.file, row.result.failure) for row in rows if row.verdict == Verdict.JE.value]
     return Cohort(
-        people=tuple(Person(each.id, each.name, each.group, each.known) for each in students),
+        people=tuple(students),
         problems=met,
         marks=marks,
         views=tuple(_view(each, counts, order) for each in met),

@@ -21,8 +21,11 @@ _HEAD = ("student", "name", "group")
 EQUAL_CAUTION = "Short solutions are often alike: equality proves nothing."
 
 
-class Person(Struct, frozen=True):
-    """Somebody of the class; `known` is whether the list of students holds them, if there is one."""
+class Student(Struct, frozen=True):
+    """Somebody of the class: the name of their folder or files, and what the list of students says of them.
+
+    `known` is whether that list holds them; where there is none, everybody is.
+    """
 
     id: str
     name: str = ""
@@ -150,7 +153,7 @@ class Cohort(Struct, frozen=True):
     `unjudged` are files with the reason why they could not be judged, `left` counts those without a result.
     """
 
-    people: tuple[Person, ...]
+    people: tuple[Student, ...]
     problems: tuple[str, ...]
     marks: Mapping[tuple[str, str], Counted]
     views: tuple[ProblemView, ...]

@@ -11,10 +11,10 @@ from classes import class_of, row, small_class
 from rich.cells import cell_len
 
 from judge.batch.cohort import cohort_of, counting
-from judge.batch.model import Done, Row, Student
+from judge.batch.model import Done, Row
 from judge.errors import ExitCode
 from judge.report.formats import cell
-from judge.report.published_klass import gradebook, is_gradebook
+from judge.report.published_klass import Student, gradebook, is_gradebook
 from judge.report.screen import Screen, drawn
 from judge.report.views import view
 

@@ -15,13 +15,13 @@ from classes import ROWS, STUDENTS, class_of, row, small_class
 from msgspec.structs import replace
 from past_runs import START, keep, past_result
 
-from judge.batch.model import Student
 from judge.batch.representatives import representatives
 from judge.practice.history import History
 from judge.problem.find import find_problem
 from judge.report.html import is_page
 from judge.report.html.klass import CLASS_MARK, FEEDBACK_MARK, ClassPages
 from judge.report.html.learner import MARK, learner_page
+from judge.report.published_klass import Student
 from judge.run.result import Failure
 
 NOW = datetime(2026, 3, 9, 12, 0, tzinfo=UTC)
