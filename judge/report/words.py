@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import shlex
 from collections.abc import Mapping
-from datetime import datetime
+from datetime import date, datetime
 from typing import Any
 
 _ITEMS = 40  # of a list that are shown
@@ -51,6 +51,17 @@ def seconds(duration: float) -> str:
     if duration < 0.0095:
         return f"{duration * 1e3:.1f} ms"
     return f"{duration * 1e3:.0f} ms" if duration < 0.9995 else f"{duration:.2f} s"
+
+
+def moment(when: datetime) -> str:
+    """A time as the clock on the wall shows it."""
+    return when.astimezone().strftime("%Y-%m-%d %H:%M")
+
+
+def day(when: datetime | date | None) -> str:
+    """A day as the calendar on the wall shows it; nothing for None."""
+    here = when.astimezone() if isinstance(when, datetime) else when
+    return here.strftime("%Y-%m-%d") if here else ""
 
 
 def due_words(due: datetime, now: datetime) -> str:

@@ -84,8 +84,8 @@ SHOWN = {
     "judged": "Judged Several",
     "klass": "Cohort",
     "look": "Begun Document Home KataList KataShown Mentions PageShown Topics",
-    "practice": "DueShown HintShown ProgressPage ProgressWritten QuestionShown Restored RunList RunRow "
-    "RunsCompared SolutionShown",
+    "practice": "HintShown Restored RunList RunRow RunsCompared SolutionShown",
+    "progress": "DueShown ProgressPage ProgressWritten QuestionShown",
     "quiz": "CardList Interviewed Quizzed",
     "setter": "DecksVerified Doctor Exported FilesWritten NewKata Verified VerifySummary",
 }

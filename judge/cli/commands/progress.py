@@ -26,7 +26,7 @@ from judge.practice.review import card_reviews, reviews
 from judge.practice.sets import USUAL, PracticeSet, find_set, sound_sets
 from judge.problem import Problem
 from judge.problem.find import problem_folders, sound_problems
-from judge.report.published_practice import (
+from judge.report.published_progress import (
     CardsDue,
     DueShown,
     NextKata,
