@@ -209,7 +209,7 @@ def hack_standing(found: HackStanding, _screen: Screen) -> RenderableType:
     ]
     return blocks(
         head(name, f"{found.turn.done} of {len(puzzles)} wrong programs broken"),
-        indented(table(("program", "state", "mistake"), rows, right=[0])) if rows else None,
+        indented(table(rows, "program", "state", "mistake", right=[0])) if rows else None,
         indented(facts([("open", _runs(left)), ("next", f"judge hack {name} {left[0]}")])) if left else None,
     )
 

@@ -18,6 +18,7 @@ from judge.report.parts import (
     faint,
     head,
     indented,
+    paragraph,
     strong,
     table,
     text,
@@ -71,7 +72,7 @@ def _need_help(found: Cohort, *, whole: bool) -> Iterator[RenderableType]:
     ):
         if rows:
             shown, more = _cut([f"{name}{_names(who, whole=whole)}" for name, who in rows], whole=whole)
-            said = [indented(table(("",), [(each,)])) for each in shown]
+            said = [indented(paragraph(each)) for each in shown]
             yield Group(head(title, faint(about)), *said, *([indented(faint(more))] if more else []))
 
 
@@ -103,7 +104,7 @@ def _tables(
             fit += 1
         titles = ("", *(title for title, _ in columns[:fit]))
         rows = zip(map(text, names), *(column for _, column in columns[:fit]), strict=True)
-        yield table(titles, rows, prose=None)
+        yield table(rows, *titles, prose=None)
         columns = columns[fit:]
 
 
@@ -157,13 +158,13 @@ def _kata(view: ProblemView, people: int, *, whole: bool) -> Iterator[Renderable
         for each in mistakes
     ]
     if rows:
-        yield indented(table(("", "", ""), rows, right=[1]))
+        yield indented(table(rows, right=[1]))
     if len(rows) < len(view.mistakes):
         yield indented(faint(f"and {len(view.mistakes) - len(rows)} more"))
     if view.groups:
         groups, more = _cut([f"{each.name} {each.failed}" for each in view.groups], whole=whole)
         said = ", ".join([*groups, *([more] if more else [])])
-        yield indented(table(("",), [(f"groups that fail: {said}",)]))
+        yield indented(paragraph(f"groups that fail: {said}"))
 
 
 def _names(students: Sequence[str], *, whole: bool) -> str:

@@ -26,6 +26,7 @@ from judge.report.parts import (
     heading,
     indented,
     joined,
+    paragraph,
     prose,
     solved_bar,
     strong,
@@ -73,7 +74,7 @@ def _newcomer(found: Home) -> RenderableType:
     return blocks(
         f"judge: practise circle and line geometry. {counted(found.katas, 'kata')}, offline.",
         _rows([("Begin", "judge start", f"{title}: your first kata, 5 minutes")]),
-        indented(table(("",), [(_WHAT,)])),
+        indented(paragraph(_WHAT)),
         _rows(_LOOK),
     )
 
@@ -129,7 +130,7 @@ def _rows(rows: Iterable[tuple[Cell, Cell, Cell]]) -> RenderableType:
         for cell, width in zip(padded, (9, 15), strict=True):
             cell.pad_right(max(0, width - cell.cell_len))
         laid.append((*padded, about))
-    return indented(table(("", "", ""), laid))
+    return indented(table(laid))
 
 
 def kata_list(found: KataList, screen: Screen) -> RenderableType:
@@ -148,11 +149,11 @@ def kata_list(found: KataList, screen: Screen) -> RenderableType:
         for each in sets
     ]
     shown = next((each for each in sets if each.name == found.shown), None)
-    about = [table(("",), [(faint(shown.about),)], prose=None)] if shown else []
+    about = [table([(faint(shown.about),)], prose=None)] if shown else []
     room = None if screen.rows is None or found.whole else screen.rows - len(rows) - 8
     return blocks(
         done,
-        table(("", ""), rows, right=[1], prose=None) if len(rows) > 1 else None,
+        table(rows, right=[1], prose=None) if len(rows) > 1 else None,
         Together(*about, *_katas(found, shown.katas if shown else (), room)),
         commands([("judge list SET", "another set"), ("judge list --all", "all katas")]),
     )
@@ -166,7 +167,7 @@ def _katas(found: KataList, names: Sequence[str], room: int | None) -> Iterator[
     if not there:
         yield good("  All katas of this set are solved." if found.todo else "  There is no kata.")
     marked = [_kata(row, current=row.problem == found.current) for row in kept]
-    yield indented(table(("", "", "", ""), marked, prose=None))
+    yield indented(table(marked, prose=None))
     if len(kept) < len(there):
         yield faint(f"  … and {len(there) - len(kept)} more: add --all")
 
@@ -181,11 +182,7 @@ def kata_shown(found: KataShown, screen: Screen) -> RenderableType:
     problem, source = found.problem, found.problem.source
     if found.groups:
         return blocks(*_levels(problem))
-    said = (
-        ("authors", ", ".join(source.authors)),
-        ("license", source.license),
-        ("origin", source.origin),
-    )
+    said = (("authors", ", ".join(source.authors)), ("license", source.license), ("origin", source.origin))
     return blocks(
         prose(problem.statement, screen),
         heading("Parameters", _parameters(problem.parameters)),
@@ -195,16 +192,10 @@ def kata_shown(found: KataShown, screen: Screen) -> RenderableType:
 
 def _parameters(parameters: Sequence[Parameter]) -> RenderableType:
     rows = [
-        (
-            strong(each.name),
-            str(each.type).replace("-", " "),
-            bound(each.low),
-            bound(each.high),
-            each.about,
-        )
+        (strong(each.name), str(each.type).replace("-", " "), bound(each.low), bound(each.high), each.about)
         for each in parameters
     ]
-    return table(("name", "type", "from", "to", "about"), rows, right=[2, 3])
+    return table(rows, "name", "type", "from", "to", "about", right=[2, 3])
 
 
 def _allowed(problem: Problem) -> Iterator[tuple[str, str]]:
@@ -246,7 +237,7 @@ def _levels(problem: Problem) -> Iterator[RenderableType]:
             (strong(group.name), str(group.count), str(group.points), _about(problem, group)) for group in own
         ]
         title = f"{level.value.capitalize()} level" if level else "Test groups"
-        below = table(("group", "cases", "points", "tests"), rows, right=[1, 2])
+        below = table(rows, "group", "cases", "points", "tests", right=[1, 2])
         if own:
             yield Together(head(title, _totals(own)), indented(below))
 
@@ -319,7 +310,7 @@ def topics(found: Topics, _screen: Screen) -> RenderableType:
     rows = [(strong(each.topic), each.title) for each in found.published]
     rows.append((strong("options"), "Options of every command"))
     below = [("judge help TOPIC", "read one"), ("judge help WORDS", "find the pages that mention them")]
-    return blocks(table(("", ""), rows), commands(below))
+    return blocks(table(rows), commands(below))
 
 
 def page_shown(found: PageShown, screen: Screen) -> RenderableType:

@@ -136,11 +136,7 @@ class _Table(NamedTuple):
 
 
 def table(
-    titles: Sequence[str],
-    rows: Iterable[Sequence[Cell]],
-    *,
-    right: Sequence[int] = (),
-    prose: int | None = -1,
+    rows: Iterable[Sequence[Cell]], *titles: str, right: Sequence[int] = (), prose: int | None = -1
 ) -> RenderableType:
     """Rows of cells under titles; a column without any text is left out, and those in `right` end flush.
 
@@ -148,24 +144,30 @@ def table(
     where it is None, a row that is too wide is cut.
     """
     cells = [[text(cell) for cell in row] for row in rows]
-    kept = [at for at, title in enumerate(titles) if title or any(row[at].plain for row in cells)]
-    last = None if prose is None else prose % len(titles)
+    named = titles or ("",) * max(map(len, cells), default=0)
+    kept = [at for at, title in enumerate(named) if title or any(row[at].plain for row in cells)]
+    last = None if prose is None or not named else prose % len(named)
     return _Table(
-        [titles[at] for at in kept],
+        [named[at] for at in kept],
         [[row[at] for at in kept] for row in cells],
         [kept.index(at) for at in right if at in kept],
         kept.index(last) if last in kept else None,
     )
 
 
+def paragraph(said: Cell) -> RenderableType:
+    """A text that is wrapped."""
+    return table([(said,)])
+
+
 def facts(pairs: Iterable[tuple[Cell, Cell]]) -> RenderableType:
     """Labels, each with what is said of it."""
-    return table(("", ""), [(faint(label), said) for label, said in pairs])
+    return table([(faint(label), said) for label, said in pairs])
 
 
 def commands(pairs: Iterable[tuple[str, str]]) -> RenderableType:
     """Commands to type, each with what it does."""
-    return table(("", ""), [(command, faint(about)) for command, about in pairs])
+    return table([(command, faint(about)) for command, about in pairs])
 
 
 def bar(done: int, total: int, said: str, width: int | None = None) -> Text:

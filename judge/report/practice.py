@@ -29,14 +29,7 @@ from judge.report.parts import (
     text,
     verdict_style,
 )
-from judge.report.published_practice import (
-    HintShown,
-    Restored,
-    RunList,
-    RunRow,
-    RunsCompared,
-    SolutionShown,
-)
+from judge.report.published_practice import HintShown, Restored, RunList, RunRow, RunsCompared, SolutionShown
 from judge.report.result import Shown, result
 from judge.report.screen import Screen, is_terminal
 from judge.report.tell import tell
@@ -61,7 +54,7 @@ def run_list(found: RunList, _screen: Screen) -> RenderableType:
     remarks = "mistake or failed group" if any(row[-1] for row in rows) else ""
     titles = ("run", "when", "kata", "" if usual else "file", "result", remarks)
     more = faint(f"The last {counted(len(runs), 'run')}; --limit N shows more.") if found.more else None
-    return blocks(table(titles, rows, right=[0]), more)
+    return blocks(table(rows, *titles, right=[0]), more)
 
 
 def _run(run: Run, year: int, *, usual: bool) -> tuple[Cell, ...]:
@@ -112,7 +105,7 @@ def runs_compared(found: RunsCompared, _screen: Screen) -> RenderableType:
     rows += [(each.group, _ended(each.before), _ended(each.after)) for each in found.groups]
     lines = [text(row.expandtabs(4), _DIFFERENT.get(row[:1], "")) for row in found.diff]
     changed = Group(*lines) if lines else text("The sources are the same.")
-    return blocks(table(titles, rows, prose=None), indented(changed))
+    return blocks(table(rows, *titles, prose=None), indented(changed))
 
 
 def _ended(how: str | None) -> Text:
@@ -138,7 +131,7 @@ def hint_shown(found: HintShown, screen: Screen) -> RenderableType:
     if found.step == found.steps:
         onward = commands([(f"judge solution {found.problem} --give-up", "the solution")])
         last = [text("That was the last hint."), onward]
-    title = table(("", ""), [(strong(found.title), place)])
+    title = table([(strong(found.title), place)])
     return blocks(title, prose(found.text, screen), Group(*last))
 
 
@@ -166,7 +159,7 @@ def _beside(found: SolutionShown) -> RenderableType:
     below += [(f"{command} --language {each}", "one of them") for each in others[:1]]
     also = [text(f"Also in {', '.join(others)}.")] if others else []
     return blocks(
-        table(("approach", "idea"), rows) if len(own) > 1 else None,
+        table(rows, "approach", "idea") if len(own) > 1 else None,
         Group(*also, commands([*below, (f"{command} --times", "what each takes")])),
     )
 
@@ -178,7 +171,7 @@ def _timed(found: SolutionShown) -> RenderableType:
         which = faint(f"run {own.run}, {shown_name(own.file)}")
         rows.append((good("yours"), "", *_taken(own.taken)[:2], which))
     titles = ("approach", "language", "CPU, one case", f"× {found.approaches[0].call}", "")
-    return table(titles, rows, right=[2, 3])
+    return table(rows, *titles, right=[2, 3])
 
 
 def _taken(taken: Taken | None) -> tuple[str, str, Text]:

@@ -65,7 +65,7 @@ def progress_page(found: ProgressPage, screen: Screen) -> RenderableType:
     if told.sets:
         narrow = screen.width is not None and screen.width < _NARROW
         rows = [_set(each)[: 2 if narrow else None] for each in told.sets]
-        sets = indented(table([""] * len(rows[0]), rows, right=[4], prose=None))
+        sets = indented(table(rows, right=[4], prose=None))
         below = [("judge progress SET", "one set"), ("judge progress --due", "what to repeat, and when")]
     said = [*([] if told.sets else _skills(told)), *_now(found), *_made(told)]
     return blocks(top, sets, indented(facts(said)), commands(below))
@@ -130,17 +130,17 @@ def _made(told: ProgressShown) -> Iterator[tuple[Cell, Cell]]:
 
 def _all(told: ProgressShown) -> Iterator[RenderableType]:
     """A row for each skill, for each kata that has levels, and for each question."""
-    yield table(("skill", "", "since", "runs", "what it asks"), map(_skill, told.skills), right=[3])
+    yield table(map(_skill, told.skills), "skill", "", "since", "runs", "what it asks", right=[3])
     if told.levels:
         its = {(each.problem, each.level): each for each in told.levels}
         rows: list[list[Cell]] = [
             [kata, *(_level(its.get((kata, level))) for level in KataLevel)]
             for kata in dict.fromkeys(each.problem for each in told.levels)
         ]
-        yield table(("kata", *(f"{level.value} level" for level in KataLevel)), rows, prose=None)
+        yield table(rows, "kata", *(f"{level.value} level" for level in KataLevel), prose=None)
     for section, grouped in groupby(told.rows, lambda each: each.section):
         questions = list(grouped)
-        below = table(("id", "", "practise with", "question"), map(_question, questions))
+        below = table(map(_question, questions), "id", "", "practise with", "question")
         yield Group(head(section, _ticked(questions)), below)
 
 
@@ -187,8 +187,8 @@ def question_shown(found: QuestionShown, _screen: Screen) -> RenderableType:
     said = f"since {day(asked.since)}" if asked.since else said
     labels = ("practise with", *[""] * len(asked.drills))
     return blocks(
-        table(("", ""), [(strong(asked.row), head(asked.ask, said))]),
-        indented(table(("by", "", "since", "name"), map(_evidence, asked.by))),
+        table([(strong(asked.row), head(asked.ask, said))]),
+        indented(table(map(_evidence, asked.by), "by", "", "since", "name")),
         facts([*zip(labels, asked.drills, strict=False)]),
     )
 
@@ -207,7 +207,7 @@ def due_shown(found: DueShown, _screen: Screen) -> RenderableType:
             (strong(each.problem), _points(each.best), f"last run {day(each.last)}" if each.last else "")
             for each in found.now
         ]
-        parts.append(heading("Now: not solved yet", table(("", "", ""), rows)))
+        parts.append(heading("Now: not solved yet", table(rows)))
     if found.due:
         first = found.due[0].name
         fresh = file_name(f"{first.replace('-', '_')}_{now:%m%d}")
@@ -235,7 +235,7 @@ def _reviews(rows: Sequence[Review], now: datetime) -> RenderableType:
     last = [text(f"{day(each.last)}: {_why(each)}", styles.get(each.rating, "")) for each in rows]
     told = zip(rows, last, strict=True)
     laid = [(strong(each.name), due_words(each.due, now), said) for each, said in told]
-    return table(("kata", "due", "last time"), laid)
+    return table(laid, "kata", "due", "last time")
 
 
 def _why(each: Review) -> str:

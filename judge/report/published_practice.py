@@ -14,10 +14,7 @@ from judge.run.result import Result, Taken
 
 
 class RunRow(
-    Published,
-    frozen=True,
-    kw_only=True,
-    rename={"id": "run", "when": "time", "source_hash": "source"},
+    Published, frozen=True, kw_only=True, rename={"id": "run", "when": "time", "source_hash": "source"}
 ):
     """A run with its result; `source` is the sha256 of what was judged, `passed` and `failed` name groups."""
 

@@ -20,6 +20,7 @@ from judge.report.parts import (
     head,
     heading,
     indented,
+    paragraph,
     strong,
     table,
     text,
@@ -48,7 +49,7 @@ def question(asked: Question, place: str, screen: Screen) -> RenderableType:
         rows = [indented(text(row), 4) if row else Text() for row in asked.program.splitlines()]
         parts += [Text(), *rows, Text()]
     if asked.options:
-        parts.append(indented(table(("", ""), [(strong(letter), said) for letter, said in asked.options])))
+        parts.append(indented(table([(strong(letter), said) for letter, said in asked.options])))
     if asked.picture is not None:
         from judge.report.picture import LEAST_ROWS, has_room, picture_rows
 
@@ -59,7 +60,7 @@ def question(asked: Question, place: str, screen: Screen) -> RenderableType:
 
 
 def _prose(said: Cell) -> RenderableType:
-    return indented(table(("",), [(said,)]))
+    return indented(paragraph(said))
 
 
 def prompt(asks: str, screen: Screen) -> str:
@@ -103,7 +104,7 @@ def quizzed(found: Quizzed, _screen: Screen) -> RenderableType:
 
 def _practise(found: Sequence[Practise]) -> RenderableType | None:
     rows = [(each.commands[0], each.ask) for each in found]
-    return heading("Practise", table(("", ""), rows)) if rows else None
+    return heading("Practise", table(rows)) if rows else None
 
 
 def card_list(found: CardList, _screen: Screen) -> RenderableType:
@@ -112,7 +113,7 @@ def card_list(found: CardList, _screen: Screen) -> RenderableType:
     rows = [(strong(card.key), card.form, faint(due.get(card.key, "")), card.front) for card in found.cards]
     new = sum(card.key not in due for card in found.cards)
     return blocks(
-        table(("card", "form", "due" if due else "", "question"), rows),
+        table(rows, "card", "form", "due" if due else "", "question"),
         faint(f"{counted(len(rows), 'card')}, {new} new"),
     )
 

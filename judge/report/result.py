@@ -126,7 +126,7 @@ def _parts(shown: Shown, cut: _Cut, width: int | None) -> Iterator[RenderableTyp
     if told.time:
         yield indented(text(told.time))
     if shown.groups:
-        yield indented(table(("group", "verdict", "passed", "points"), map(_row, shown.groups), right=[2, 3]))
+        yield indented(table(map(_row, shown.groups), "group", "verdict", "passed", "points", right=[2, 3]))
     elif told.fails and cut.fails:
         more = f", {told.more} more" if told.more else ""
         yield indented(facts([("fails", ", ".join(told.fails) + more)]))
@@ -149,7 +149,7 @@ def _case(told: Told, cut: _Cut, width: int | None) -> RenderableType:
     rows += [
         (faint(name), text(_cut(said, cut.values, width), _LABELS.get(name, ""))) for name, said in told.facts
     ]
-    return Group(strong(told.case), *([indented(table(("", ""), rows))] if rows else []))
+    return Group(strong(told.case), *([indented(table(rows))] if rows else []))
 
 
 def _with_picture(

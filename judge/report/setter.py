@@ -63,7 +63,7 @@ def _sound(faults: int) -> Text:
 def _faults(found: Sequence[Fault], warnings: Sequence[Fault] = ()) -> list[RenderableType]:
     rows = [(bad("fault"), str(each)) for each in found]
     rows += [(warning("warning"), str(each)) for each in warnings]
-    return [indented(table(("", ""), rows))] if rows else []
+    return [indented(table(rows))] if rows else []
 
 
 def verified(found: Verified, _screen: Screen) -> RenderableType:
@@ -85,7 +85,7 @@ def verified(found: Verified, _screen: Screen) -> RenderableType:
         (("mistake", "cases", "best group", "found by"), mistakes, (1,)),
         (("cases", "edge"), edges, (0,)),
     )
-    below = (indented(table(titles, rows, right=right)) for titles, rows, right in tables if rows)
+    below = (indented(table(rows, *titles, right=right)) for titles, rows, right in tables if rows)
     return blocks(Group(top, *_faults(found.faults, found.warnings)), *below)
 
 
@@ -140,8 +140,8 @@ def doctor(found: Doctor, _screen: Screen) -> RenderableType:
     used = f"Isolation: {found.isolation}" if found.isolation else "Nothing can be run"
     return blocks(
         facts(machine),
-        table(("", ""), _levels(found)),
-        table(("", ""), _languages(found)),
+        table(_levels(found)),
+        table(_languages(found)),
         text(used, STRONG if found.isolation else BAD),
     )
 
@@ -184,6 +184,6 @@ def _attacked(found: Doctor) -> RenderableType:
     held = sum(each.held for each in attacks)
     said = f"{held} of {counted(len(attacks), 'attack')} held at isolation {found.attacks.isolation}"
     return blocks(
-        table(("attack", "result", "a submission tries to"), rows),
+        table(rows, "attack", "result", "a submission tries to"),
         text(said, GOOD if held == len(attacks) else BAD),
     )

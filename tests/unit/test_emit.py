@@ -116,7 +116,7 @@ def rows(what: object, width: int | None) -> list[str]:
 
 @pytest.mark.parametrize("width", [30, 40, 80, 200, None])
 def test_a_table_loses_nothing_and_fits(width):
-    shown = rows(table(("kata", "cases", "about"), ROWS, right=[1]), width)
+    shown = rows(table(ROWS, "kata", "cases", "about", right=[1]), width)
     assert max(map(len, shown)) <= (width or 100)
     assert all(row == row.rstrip() for row in shown)
     said = " ".join(" ".join(shown).split())
@@ -125,12 +125,12 @@ def test_a_table_loses_nothing_and_fits(width):
 
 
 def test_a_table_without_prose_is_cut_to_one_row_each():
-    assert rows(table(("", "", ""), [("", "foot", "x" * 50)], prose=None), 20) == ["foot  " + "x" * 13 + "…"]
+    assert rows(table([("", "foot", "x" * 50)], prose=None), 20) == ["foot  " + "x" * 13 + "…"]
 
 
 def test_hostile_text_is_written_out_in_every_part():
     parts = [
-        *(facts([(HOSTILE, HOSTILE)]), commands([(HOSTILE, HOSTILE)]), table(("t",), [(HOSTILE,)])),
+        *(facts([(HOSTILE, HOSTILE)]), commands([(HOSTILE, HOSTILE)]), table([(HOSTILE,)], "t")),
         *(bar(1, 2, HOSTILE), indented(Text(HOSTILE.replace("\n", ""))), Text(HOSTILE)),
     ]
     for part in parts:
