@@ -71,9 +71,8 @@ def _need_help(found: Cohort, *, whole: bool) -> Iterator[RenderableType]:
         ("equal files", EQUAL_CAUTION, equal),
     ):
         if rows:
-            shown, more = _cut([f"{name}{_names(who, whole=whole)}" for name, who in rows], whole=whole)
-            said = [indented(paragraph(each)) for each in shown]
-            yield Group(head(title, faint(about)), *said, *([indented(faint(more))] if more else []))
+            said = _some([f"{name}{_names(who, whole=whole)}" for name, who in rows], _SHOWN, whole=whole)
+            yield Group(head(title, faint(about)), *(indented(paragraph(each)) for each in said))
 
 
 def _tables(
@@ -88,13 +87,9 @@ def _tables(
     if len(columns) > 1:
         of = f" of {len(columns)}"
         solved = Counter(who for (who, _), mark in found.marks.items() if mark.accepted)
-        columns += [
-            ("solved", [text(f"{solved[each.id]}{of}") for each in found.people]),
-            ("points", [text(str(found.total(each.id))) for each in found.people]),
-        ]
-    if not names:
-        return
-    while columns:
+        columns.append(("solved", [text(f"{solved[each.id]}{of}") for each in found.people]))
+        columns.append(("points", [text(str(found.total(each.id))) for each in found.people]))
+    while names and columns:
         fit, used = 0, max(map(cell_len, names))
         while fit < len(columns):
             title, column = columns[fit]
@@ -162,18 +157,15 @@ def _kata(view: ProblemView, people: int, *, whole: bool) -> Iterator[Renderable
     if len(rows) < len(view.mistakes):
         yield indented(faint(f"and {len(view.mistakes) - len(rows)} more"))
     if view.groups:
-        groups, more = _cut([f"{each.name} {each.failed}" for each in view.groups], whole=whole)
-        said = ", ".join([*groups, *([more] if more else [])])
-        yield indented(paragraph(f"groups that fail: {said}"))
+        groups = _some([f"{each.name} {each.failed}" for each in view.groups], _SHOWN, whole=whole)
+        yield indented(paragraph(f"groups that fail: {', '.join(groups)}"))
 
 
 def _names(students: Sequence[str], *, whole: bool) -> str:
-    shown = students if whole else students[:_NAMES]
-    more = len(students) - len(shown)
-    return ", ".join([*(fitted(each, _NAME) for each in shown), *([f"and {more:,} more"] if more else [])])
+    return ", ".join(_some([fitted(each, _NAME) for each in students], _NAMES, whole=whole))
 
 
-def _cut(found: Sequence[str], *, whole: bool) -> tuple[Sequence[str], str]:
-    """What is shown of a list, and how much is left out."""
-    shown = found if whole else found[:_SHOWN]
-    return shown, f"and {len(found) - len(shown):,} more" if len(shown) < len(found) else ""
+def _some(found: Sequence[str], most: int, *, whole: bool) -> list[str]:
+    """All of a list, or the first of it and how many more there are."""
+    left = 0 if whole else max(0, len(found) - most)
+    return [*found[: len(found) - left], *([f"and {left:,} more"] if left else [])]

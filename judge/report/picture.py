@@ -14,6 +14,7 @@ from judge.problem import Problem
 from judge.problem.declare import InvalidCase, Shown
 from judge.problem.model import EXAMPLES, case_of
 from judge.report.screen import Screen, is_terminal
+from judge.report.tell import grows
 from judge.report.words import seconds
 from judge.run.result import Failure, Growth
 from judge.values.answers import within
@@ -55,9 +56,8 @@ def growth_chart(growth: Growth) -> Chart | None:
     own = tuple((float(each.size), each.cpu_seconds) for each in points)
     stopped = frozenset(float(each.size) for each in points if not each.ended)
     title = "How the time of a case grows"
-    about = f"Your time grows like n^{growth.exponent:.1f}, the reference's like n^{growth.reference:.1f}."
     series = (Series("reference", reference, Role.WANTED), Series("yours", own, Role.GOT, stopped))
-    return Chart(title, series, Axis("n", log=True), Axis("CPU time", seconds, log=True), about)
+    return Chart(title, series, Axis("n", log=True), Axis("CPU time", seconds, log=True), f"{grows(growth)}.")
 
 
 def picture_rows(picture: Picture | Chart, rows: int = ROWS, *, answered: bool = True) -> list[Text]:

@@ -17,9 +17,9 @@ from msgspec import Struct
 from judge.errors import nearest
 from judge.languages import file_name
 from judge.problem import Problem, Verdict
-from judge.problem.model import KataLevel, Mode
+from judge.problem.model import Mode
 from judge.report.words import argument, counted, seconds, times
-from judge.run.result import Failure, GroupResult, Hurdle, LevelResult, Obstacle, Pitfall, Result
+from judge.run.result import Failure, GroupResult, Growth, Hurdle, LevelResult, Obstacle, Pitfall, Result
 from judge.sandbox.boundary import IMPORTING
 
 _PLACE = re.compile(r" \(line (\d{1,9})\)")
@@ -70,25 +70,26 @@ class Told(Struct, frozen=True, kw_only=True):
 
 def tell(problem: Problem | None, result: Result, source: bytes = b"") -> Told:
     """What the result says, as far as that can be said without the problem where there is none."""
-    shown = shown_failure(result)
-    stub = result.hurdle is not None and result.hurdle.kind is Obstacle.STUB
-    hurdle = result.hurdle is not None
-    failing = _failing(result)[:_MOST_FAILS]
+    hurdle, pitfall = result.hurdle, result.pitfall
+    shown = None if hurdle else shown_failure(result)
+    failing = [] if hurdle else _failing(result)
+    stub = hurdle is not None and hurdle.kind is Obstacle.STUB
+    values = shown.input if shown and shown.input else {}
     return Told(
         verdict=result.verdict,
         meaning="Not written yet" if stub else result.verdict.meaning.capitalize(),
         how="run as a program" if result.mode is Mode.PROGRAM and result.groups else "",
-        stars=STARS.get(sum(level.passed for level in result.levels), "") if result.levels else "",
+        stars=STARS.get(sum(level.passed for level in result.levels), ""),
         happened=_happened(problem, result),
         source=() if hurdle else _source(result, source),
-        case="" if hurdle else _case(result, shown),
-        input=() if hurdle or shown is None else _input(shown),
-        facts=() if hurdle or shown is None else tuple(_facts(result, shown)),
-        mistake=mistake_text(result.pitfall) if result.pitfall else "",
-        advice=_advice(result.pitfall) if result.pitfall else (),
+        case=_case(result, shown),
+        input=tuple(f"{name} = {argument(value)}" for name, value in values.items()),
+        facts=tuple(_facts(result, shown)),
+        mistake=mistake_text(pitfall) if pitfall else "",
+        advice=_advice(pitfall) if pitfall else (),
         time=_time(result),
-        fails=() if hurdle else tuple(f"{each.name} {each.passed}/{each.cases}" for each in failing),
-        more=max(0, len(_failing(result)) - _MOST_FAILS),
+        fails=tuple(f"{each.name} {each.passed}/{each.cases}" for each in failing[:_MOST_FAILS]),
+        more=max(0, len(failing) - _MOST_FAILS),
         commands=tuple(_commands(problem, result, shown)),
         last=_last(result),
     )
@@ -145,24 +146,26 @@ def _happened(problem: Problem | None, result: Result) -> str:
 
 def _time(result: Result) -> str:
     """How long it took beside the reference, where that was measured."""
-    time, ratio = result.time, result.time.ratio
+    time, ratio, growth = result.time, result.time.ratio, result.time.growth
+    late = result.verdict is Verdict.TLE
     said = []
-    if ratio is not None and (not ratio.unreliable or result.verdict is Verdict.TLE):
+    if ratio is not None and (late or not ratio.unreliable):
         whose = f"the {time.reference} reference's" if time.reference else "the reference's"
-        doubts = [ratio.busy] if ratio.busy else []
-        doubts += ["near the limit"] if time.borderline else []
-        limit = f" (limit {ratio.limit:g} ×)" if result.verdict is Verdict.TLE and ratio.limit else ""
-        said.append(f"{times(ratio.median)} × {whose} time{limit}")
-        if doubts:
-            said[-1] += f" ({'; '.join(doubts)})"
-    if time.growth is not None:
-        mine, theirs = time.growth.exponent, time.growth.reference
-        said.append(f"Your time grows like n^{mine:.1f}, the reference's like n^{theirs:.1f}")
+        doubts = "; ".join(filter(None, (ratio.busy, "near the limit" if time.borderline else "")))
+        limit = f" (limit {ratio.limit:g} ×)" if late and ratio.limit else ""
+        said.append(f"{times(ratio.median)} × {whose} time{limit}{f' ({doubts})' if doubts else ''}")
+    if growth is not None:
+        said.append(grows(growth))
     if time.import_tells and result.verdict in (Verdict.AC, Verdict.TLE):
         said.append(f"Its import alone takes {seconds(time.import_seconds)}")
-    if result.verdict is Verdict.TLE and said and result.failure and result.failure.group:
+    if late and said and result.failure and result.failure.group:
         said[0] = f"Too slow in {result.failure.group}: {said[0]}"
     return ". ".join(said) + ("." if said and result.verdict is not Verdict.AC else "")
+
+
+def grows(growth: Growth) -> str:
+    """`Your time grows like n^2.0, the reference's like n^1.1`."""
+    return f"Your time grows like n^{growth.exponent:.1f}, the reference's like n^{growth.reference:.1f}"
 
 
 def _source(result: Result, source: bytes) -> tuple[str, ...]:
@@ -191,24 +194,22 @@ def _case(result: Result, shown: Failure | None) -> str:
     return f"Smallest failing case{place if small.input == first.input else ''}{later}"
 
 
-def _input(shown: Failure) -> tuple[str, ...]:
-    return tuple(f"{name} = {argument(value)}" for name, value in (shown.input or {}).items())
-
-
-def _facts(result: Result, shown: Failure) -> Iterator[tuple[str, str]]:
+def _facts(result: Result, shown: Failure | None) -> Iterator[tuple[str, str]]:
+    if shown is None:
+        return
+    wrong = result.verdict is Verdict.WA
     if shown.expected is not None:
         yield "expected", shown.expected
-    if shown.got is not None and shown.expected is not None and result.verdict is Verdict.WA:
-        yield "got", shown.got
+        if shown.got is not None and wrong:
+            yield "got", shown.got
     if shown.printed:
         yield "printed", shown.printed
-    if result.verdict is Verdict.WA:
-        plain = (f"{shown.expected} wanted, {shown.got} given", f"{shown.expected} expected, {shown.got} got")
-        if shown.input is not None and shown.message not in plain:
-            yield "why", shown.message
-        small = result.counterexample
-        if small is not None and small.replay is None:
-            yield "alone", small.message
+    plain = (f"{shown.expected} wanted, {shown.got} given", f"{shown.expected} expected, {shown.got} got")
+    if wrong and shown.input is not None and shown.message not in plain:
+        yield "why", shown.message
+    small = result.counterexample
+    if wrong and small is not None and small.replay is None:
+        yield "alone", small.message
 
 
 def _failing(result: Result) -> list[GroupResult]:
@@ -220,7 +221,7 @@ def _commands(problem: Problem | None, result: Result, shown: Failure | None) ->
         return
     if problem.has_hints:
         yield f"judge hint {problem.id}", "one hint"
-    if shown is not None and shown.replay and result.hurdle is None:
+    if shown and shown.replay:
         yield f"judge try {problem.id}", "runs this case alone"
 
 
@@ -258,13 +259,9 @@ def _points(result: Result) -> str:
 
 def level_text(levels: Sequence[LevelResult]) -> str:
     """`Interview level passed; production: 9 of 23 groups`; nothing where no level was passed, or all are."""
-    passed = [each for each in levels if each.passed]
-    if not passed or len(passed) == len(levels):
-        return ""
-    rest = [each for each in levels if not each.passed]
-    said = [f"{_level(each.level)} level passed" for each in passed]
-    said += [f"{each.level.value}: {level_share(each)}" for each in rest]
-    return "; ".join(said)
+    said = [f"{each.level.value.capitalize()} level passed" for each in levels if each.passed]
+    rest = [f"{each.level.value}: {level_share(each)}" for each in levels if not each.passed]
+    return "; ".join([*said, *rest]) if said and rest else ""
 
 
 def level_share(result: LevelResult) -> str:
@@ -275,10 +272,6 @@ def level_share(result: LevelResult) -> str:
         return "not judged"
     judged = f", {result.run} judged" if result.run < result.groups else ""
     return f"{result.accepted} of {counted(result.groups, 'group')}{judged}"
-
-
-def _level(level: KataLevel) -> str:
-    return level.value.capitalize()
 
 
 # As judge.run.execute writes a compiler's complaint, whose quotation of the line follows it …
