@@ -51,7 +51,7 @@ class CaseLine(Published, frozen=True, kw_only=True):
 
     schema: int = 2
     problem: str
-    case: CaseRow | None
+    case: CaseRow
     said: SaidRow | None
 
 
@@ -159,7 +159,7 @@ class HackTurn(Struct, frozen=True):
             mistake=self.puzzle.mistake if told else None,
             advice=self.puzzle.advice if told else None,
             source=self.puzzle.source.decode(),
-            case=_case(self.tried),
+            case=_case(self.tried) if self.tried else None,
             said=_said(self.said),
         )
         return (line,)
@@ -181,9 +181,7 @@ class HackStanding(Struct, frozen=True):
         return (HackList(problem=self.turn.problem.id, programs=programs),)
 
 
-def _case(tried: Tried | None) -> CaseRow | None:
-    if tried is None:
-        return None
+def _case(tried: Tried) -> CaseRow:
     problem = tried.problem
     return CaseRow(
         encode(problem, tried.group, tried.case),

@@ -7,12 +7,14 @@ from pathlib import Path
 from msgspec import Struct
 
 from judge.errors import ExitCode
+from judge.languages.find import Found
 from judge.mistakes.verified import ChoicesReport
 from judge.packs.export.job import Export, Package
 from judge.packs.export.programs import LeftOut
 from judge.problem import Verdict
 from judge.report.views import Published, copied
 from judge.run.verify import Fault, VerifyReport
+from judge.sandbox.probe import Level
 
 
 class NewKata(Published, frozen=True):
@@ -160,33 +162,6 @@ def exported(found: Export) -> Exported:
     )
 
 
-class LevelRow(Struct, frozen=True):
-    """A level of isolation: what it means, or why this machine has it not and what would help.
-
-    `visible` is what a submission can read there that none may: a path, "" for nothing, null if not tried;
-    `lasting` is false where the machine was only short of something.
-    """
-
-    name: str
-    available: bool
-    meaning: str
-    why_not: str
-    remedy: str
-    lasting: bool
-    visible: str | None
-
-
-class LanguageRow(Struct, frozen=True):
-    """A language: its version, or what is missing; `works` is null where it was not tried."""
-
-    name: str
-    version: str
-    missing: str
-    remedy: str
-    works: bool | None
-    why_not: str
-
-
 class AttackRow(Struct, frozen=True):
     """A harmless attack: what it tries, whether it was held, and how."""
 
@@ -207,8 +182,8 @@ class Doctor(Published, frozen=True):
     """What this machine gives; `isolation` is the best level, null where nothing can be run."""
 
     isolation: str | None
-    levels: tuple[LevelRow, ...]
-    languages: tuple[LanguageRow, ...]
+    levels: tuple[Level, ...]
+    languages: tuple[Found, ...]
     attacks: Attacks | None
     judge: str
     python: str
