@@ -34,17 +34,11 @@ _COLOURS: dict[Role | None, str] = {
 
 def has_room(screen: Screen, columns: int = COLUMNS) -> bool:
     """Whether a drawing can be read there: a terminal that is wide enough and knows the characters."""
-    wide = screen.width is not None and screen.width >= columns
-    return is_terminal(screen.stream) and wide and writes(screen, "\u28ff")
-
-
-def writes(screen: Screen, text: str) -> bool:
-    """Whether the screen's encoding has these characters."""
     try:
-        text.encode(getattr(screen.stream, "encoding", None) or "utf-8")
+        "\u28ff".encode(getattr(screen.stream, "encoding", None) or "utf-8")
     except UnicodeEncodeError:
         return False
-    return True
+    return is_terminal(screen.stream) and screen.width is not None and screen.width >= columns
 
 
 def growth_chart(growth: Growth) -> Chart | None:

@@ -7,7 +7,7 @@ from rich.text import Text
 
 from judge.practice.sets import PracticeSet
 from judge.problem import Problem
-from judge.report.parts import FAINT, STRONG, WARNING, faint, prose, solved_bar, strong, text
+from judge.report.parts import WARNING, faint, joined, prose, solved_bar, strong, text
 from judge.report.screen import Screen, drawn
 from judge.report.words import shown_name
 
@@ -34,7 +34,7 @@ def place_text(
         said = f"{found.title.lower()}, kata {at} of {len(found.problems)}"
     head = strong(f"{problem.id}  {problem.title}")
     room = (screen.width or 80) - head.cell_len - len(said)
-    rows = [Text.assemble(head, " " * room, (said, FAINT))] if room > 1 else [head, faint(said)]
+    rows = [joined(head, " " * room, faint(said))] if room > 1 else [head, faint(said)]
     return Group(*rows, solved_bar(solved, katas, (), screen.width))
 
 
@@ -71,11 +71,11 @@ def waiting_text(file: str, seconds: float, screen: Screen) -> str:
 def keys_text(screen: Screen, *, failed: bool) -> str:
     """The keys on one line, without its end: what they do where there is room for it."""
     width = screen.width or 80
-    shown = {key: about for key, about in _KEYS.items() if failed or key not in _OF_A_CASE}
-    short = {key: about.split()[0] for key, about in shown.items()}
-    for keys, gap in ((shown, "   "), (shown, "  "), (short, " "), (dict.fromkeys(shown, ""), " ")):
-        parts = [Text.assemble((key, STRONG), f" {about}" if about else "") for key, about in keys.items()]
-        line = Text(gap).join(parts)
+    shown = [(key, about) for key, about in _KEYS.items() if failed or key not in _OF_A_CASE]
+    for words, gap in ((2, "   "), (2, "  "), (1, " "), (0, " ")):
+        line = Text(gap).join(
+            joined(strong(key), *map(" {}".format, about.split()[:words])) for key, about in shown
+        )
         if line.cell_len < width:
             break
     return drawn(line, screen).rstrip("\n")

@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from judge.report.html.case import Case
 
 _TEMPLATES = Path(__file__).parent / "templates"
-_MONTHS = ("Jan", "Feb", "Mar", "Apr", "May", "Jun", "Jul", "Aug", "Sep", "Oct", "Nov", "Dec")
+_MONTHS = ["Jan", "Feb", "Mar", "Apr", "May", "Jun", "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"]
 
 
 def page(
