@@ -10,7 +10,6 @@ from msgspec import Struct
 
 from judge.cli.target import svg_target
 from judge.data.load import ProblemData
-from judge.errors import told
 from judge.problem import Problem
 from judge.report.screen import Screen, note
 from judge.run.result import Result
@@ -42,14 +41,9 @@ class Drawing(Struct, frozen=True):
         """What draws it in so many rows; None where there is nothing to draw, or no room."""
         if not self._has_any or self.result.hurdle is not None:
             return None
-        from judge.report.picture import has_room, picture_rows
+        from judge.report.picture import drawing
 
-        try:
-            picture = self.picture() if has_room(screen) else None
-        except Exception as fault:  # the verdict is known, and worth more
-            note(f"the failing case is not drawn: {told(fault)}")
-            return None
-        return (lambda rows: picture_rows(picture, rows)) if picture else None
+        return drawing(self.picture, screen, "the failing case")
 
     def picture(self) -> Picture | Chart | None:
         """The smallest case found that fails, or else the first one; None where there is nothing to draw."""

@@ -32,7 +32,7 @@ from judge.report.picture import has_room
 from judge.report.result import Shown, accepted, magnified, result, verdict_line
 from judge.report.screen import Screen, drawn, out
 from judge.report.tell import Told, tell
-from judge.report.terminal import GONE, Keys, redraw, reprompt
+from judge.report.terminal import GONE, keys, redraw, reprompt
 from judge.report.views import view
 from judge.report.watch import begun_text, keys_text, note_text, place_text, waiting_text
 
@@ -109,8 +109,8 @@ class _Loop:
         try:
             with ExitStack() as stack:
                 stack.enter_context(closing(self._file))
-                keys = stack.enter_context(Keys(sys.stdin.fileno(), self._pressed))
-                stack.enter_context(handled(self._signals(keys)))
+                take = stack.enter_context(keys(sys.stdin.fileno(), self._pressed))
+                stack.enter_context(handled(self._signals(take)))
                 stack.enter_context(Saves(self._kata.path, self._saved))
                 return self._obey()
         except KeyboardInterrupt:
@@ -120,9 +120,9 @@ class _Loop:
         finally:
             reprompt(out(), "")
 
-    def _signals(self, keys: Keys) -> dict[str, Callable[..., None]]:
+    def _signals(self, take: Callable[[], None]) -> dict[str, Callable[..., None]]:
         def go_on(*_: object) -> None:
-            keys.take()
+            take()
             self._events.put(_RESIZED)
 
         return {"SIGWINCH": lambda *_: self._events.put(_RESIZED), "SIGCONT": go_on}

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from functools import partial
 from itertools import islice
 from typing import Any
 
@@ -10,7 +11,6 @@ from rich.console import Group, RenderableType
 
 from judge.data.parse import call_of, line_of
 from judge.drawing import Picture
-from judge.errors import told
 from judge.practice.hacks import HackState
 from judge.problem import Verdict
 from judge.report.parts import (
@@ -30,9 +30,9 @@ from judge.report.parts import (
     text,
     verdict,
 )
-from judge.report.picture import LEAST_ROWS, case_picture, has_room, picture_rows
+from judge.report.picture import LEAST_ROWS, case_picture, drawing
 from judge.report.published_cases import CaseTried, HackStanding, HackTurn, PageWritten
-from judge.report.screen import Screen, drawn, note
+from judge.report.screen import Screen, drawn
 from judge.report.tell import obstacle_text
 from judge.report.words import arguments, counted, shown_name
 from judge.run.result import Failure, Obstacle
@@ -71,14 +71,14 @@ def _fitted(
     screen: Screen,
 ) -> RenderableType:
     """The case between what is above and below it, with its picture; on a low screen less is said of it."""
-    picture = _picture(tried, said, heading) if has_room(screen) else None
+    picture = drawing(partial(picture_of, tried, said, heading), screen, "the case")
     fit: list[RenderableType] = []
     for brief in (False, True):
         middle = indented(facts(_facts(tried, said, brief)))
         laid = blocks(above, middle, below)
         rows = (screen.rows or 0) - drawn(laid, screen).count("\n")
         if picture is not None and rows - 2 >= LEAST_ROWS:  # an empty one, the prompt
-            return blocks(above, middle, Group(*picture_rows(picture, rows - 2)), below)
+            return blocks(above, middle, Group(*picture(rows - 2)), below)
         fit += [laid] if rows > 0 or not screen.rows else []
     return fit[0] if fit else laid
 
@@ -144,14 +144,6 @@ def _plain(exact: Any) -> str:
 
 def _listed(parts: Iterable[Any]) -> str:
     return ", ".join(map(_plain, parts))
-
-
-def _picture(tried: Tried, said: Said | None, heading: str) -> Picture | None:
-    try:
-        return picture_of(tried, said, heading)
-    except Exception as fault:  # the answer is known, and worth more
-        note(f"the case is not drawn: {told(fault)}")
-        return None
 
 
 def picture_of(tried: Tried, said: Said | None, heading: str) -> Picture | None:

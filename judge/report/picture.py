@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import partial
 from typing import TYPE_CHECKING
 
 from judge.drawing import Picture
@@ -9,11 +11,11 @@ from judge.drawing.braille import COLUMNS, ROWS, to_braille
 from judge.drawing.braille import LEAST_ROWS as LEAST_ROWS
 from judge.drawing.chart import Axis, Chart, Series, chart_braille
 from judge.drawing.shapes import Role
-from judge.errors import JudgeError
+from judge.errors import JudgeError, told
 from judge.problem import Problem
 from judge.problem.declare import InvalidCase, Shown
 from judge.problem.model import EXAMPLES, case_of
-from judge.report.screen import Screen, is_terminal
+from judge.report.screen import Screen, is_terminal, note
 from judge.report.tell import grows
 from judge.report.words import seconds
 from judge.run.result import Failure, Growth
@@ -63,6 +65,18 @@ def picture_rows(picture: Picture | Chart, rows: int = ROWS, *, answered: bool =
     else:
         drawn = to_braille(picture, rows, answered=answered)
     return [Text.assemble(*((each.text, _COLOURS.get(each.role, "")) for each in row)) for row in drawn]
+
+
+def drawing(
+    make: Callable[[], Picture | Chart | None], screen: Screen, what: str
+) -> Callable[[int], list[Text]] | None:
+    """What draws a picture in about so many rows; None where there is none, or no room on the screen."""
+    try:
+        picture = make() if has_room(screen) else None
+    except Exception as fault:  # what is known without it is worth more
+        note(f"{what} is not drawn: {told(fault)}")
+        return None
+    return partial(picture_rows, picture) if picture else None
 
 
 FIGURE = "figure.svg"

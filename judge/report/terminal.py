@@ -7,10 +7,8 @@ import os
 import re
 import select
 import threading
-from collections.abc import Callable, Sequence
-from contextlib import suppress
-from types import TracebackType
-from typing import Any
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager, suppress
 
 from judge.report.screen import Screen, is_terminal
 
@@ -42,70 +40,54 @@ def reprompt(screen: Screen, prompt: str) -> None:
     screen.write(f"\r{prompt}{_REST_OF_SCREEN}")
 
 
-class Keys:
-    """Tells every key that is pressed, from a thread of its own; a context manager.
+@contextmanager
+def keys(terminal: int, tell: Callable[[str], None]) -> Iterator[Callable[[], None]]:
+    """Tells every key that is pressed, from a thread of its own, while the block runs.
 
-    The terminal gives keys at once and does not show them while it lasts, and is what it was afterwards.
+    The terminal gives keys at once and does not show them meanwhile, and is what it was afterwards. What is
+    given has that done again, after the process was stopped and goes on. Ctrl-C stays as it is.
     """
+    import termios
 
-    def __init__(self, terminal: int, tell: Callable[[str], None]) -> None:
-        self._terminal = terminal
-        self._tell = tell
-        self._before: list[Any] = []
-        self._end, self._stop = -1, -1
-        self._thread = threading.Thread(target=self._read, name="keys", daemon=True)
+    before = termios.tcgetattr(terminal)
+    end, stop = os.pipe()
 
-    def __enter__(self) -> Keys:
-        import termios
-
-        self._before = termios.tcgetattr(self._terminal)
-        self._end, self._stop = os.pipe()
-        atexit.register(self._give_back)  # should a second Ctrl-C come before the first is dealt with
-        self.take()
-        self._thread.start()
-        return self
-
-    def __exit__(
-        self, kind: type[BaseException] | None, fault: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        try:
-            self._give_back()
-            atexit.unregister(self._give_back)
-        finally:
-            os.write(self._stop, b"\0")  # closing would not do: a child may hold a copy
-            self._thread.join()
-            os.close(self._stop)
-            os.close(self._end)
-
-    def take(self) -> None:
-        """Have keys given at once; again after the process was stopped and goes on. Ctrl-C stays as it is."""
-        import termios
-
-        now = [*self._before]
+    def take() -> None:
+        now = [*before]
         now[3] = now[3] & ~(termios.ICANON | termios.ECHO)
         now[6] = [*now[6]]
         now[6][termios.VMIN], now[6][termios.VTIME] = 1, 0
-        termios.tcsetattr(self._terminal, termios.TCSANOW, now)
+        termios.tcsetattr(terminal, termios.TCSANOW, now)
 
-    def _give_back(self) -> None:
-        import termios
-
+    def give_back() -> None:
         with suppress(termios.error):  # the terminal is gone
-            termios.tcsetattr(self._terminal, termios.TCSANOW, self._before)
+            termios.tcsetattr(terminal, termios.TCSANOW, before)
 
-    def _read(self) -> None:
-        while True:
-            ready = select.select([self._terminal, self._end], [], [])[0]
-            if self._end in ready:
+    def read() -> None:
+        while end not in select.select([terminal, end], [], [])[0]:
+            found = b""
+            with suppress(OSError):
+                found = os.read(terminal, 64)
+            for key in _keys(found):
+                tell(key)
+            if not found:
                 return
-            try:
-                read = os.read(self._terminal, 64)
-            except OSError:
-                read = b""
-            for key in _keys(read):
-                self._tell(key)
-            if not read:
-                return
+
+    thread = threading.Thread(target=read, name="keys", daemon=True)
+    atexit.register(give_back)  # should a second Ctrl-C come before the first is dealt with
+    take()
+    thread.start()
+    try:
+        yield take
+    finally:
+        try:
+            give_back()
+            atexit.unregister(give_back)
+        finally:
+            os.write(stop, b"\0")  # closing would not do: a child may hold a copy
+            thread.join()
+            os.close(stop)
+            os.close(end)
 
 
 def _keys(read: bytes) -> Sequence[str]:
