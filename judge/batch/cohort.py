@@ -47,14 +47,13 @@ def cohort_of(
     failures = [(row.file, row.result.failure) for row in rows if row.verdict == Verdict.JE.value]
     return Cohort(
         people=tuple(students),
-        problems=met,
         marks=marks,
-        views=tuple(_view(each, counts, order) for each in met),
+        problems=tuple(_view(each, counts, order) for each in met),
         stuck=tuple(_stuck(met, _in_turn([*history, *rows]), order)),
-        unaccepted=tuple(each for each in order if each in handed_in - solved),
-        silent=tuple(each for each in order if each not in handed_in),
+        nothing_accepted=tuple(each for each in order if each in handed_in - solved),
+        nothing_handed_in=tuple(each for each in order if each not in handed_in),
         machines=_machines(rows),
-        equal=tuple(equal),
+        equal_files=tuple(equal),
         unjudged=tuple((file, failure.message if failure else "") for file, failure in failures),
         left=left,
     )

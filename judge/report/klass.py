@@ -55,19 +55,19 @@ def cohort(found: Cohort, screen: Screen) -> RenderableType:
     return blocks(
         *_tables(found, letters, screen.width),
         Group(*below, strong(_sum(found))),
-        *(Group(*_kata(view, len(found.people), whole=whole)) for view in found.views),
+        *(Group(*_kata(view, len(found.people), whole=whole)) for view in found.problems),
         *_need_help(found, whole=whole),
     )
 
 
 def _need_help(found: Cohort, *, whole: bool) -> Iterator[RenderableType]:
     """Who is stuck, who has solved nothing, and whose files are equal."""
-    some = f"{len(found.unaccepted)} of {counted(len(found.people), 'student')}"
+    some = f"{len(found.nothing_accepted)} of {counted(len(found.people), 'student')}"
     stuck = [(f"{each.problem}  {each.mistake}: ", each.students) for each in found.stuck]
-    equal = [(f"{each.problem}  {each.how}: ", each.students) for each in found.equal]
+    equal = [(f"{each.problem}  {each.how}: ", each.students) for each in found.equal_files]
     for title, about, rows in (
         ("stuck", "the same mistake in the last two submissions", stuck),
-        ("no accepted solution yet", some, [("", found.unaccepted)] if found.unaccepted else []),
+        ("no accepted solution yet", some, [("", found.nothing_accepted)] if found.nothing_accepted else []),
         ("equal files", EQUAL_CAUTION, equal),
     ):
         if rows:
@@ -81,8 +81,8 @@ def _tables(
     """The columns beside the names, as many at a time as there is room for."""
     names = [fitted(each.id, _NAME) + ("" if each.known else _UNKNOWN) for each in found.people]
     columns: list[tuple[str, list[Text]]] = [
-        (problem, [_mark(found.marks.get((each.id, problem)), letters) for each in found.people])
-        for problem in found.problems
+        (view.problem, [_mark(found.marks.get((each.id, view.problem)), letters) for each in found.people])
+        for view in found.problems
     ]
     if len(columns) > 1:
         of = f" of {len(columns)}"
@@ -129,8 +129,8 @@ def _footnotes(found: Cohort, letters: dict[tuple[str, str], str]) -> Iterator[s
     for (machine, isolation), letter in letters.items():
         what = f"{isolation} isolation on {machine or 'a machine without a name'}"
         yield f"{letter} {what}" if letter else f"judged with {what}"
-    if found.silent and not found.left:
-        yield f"nothing submitted: {', '.join(found.silent)}"
+    if found.nothing_handed_in and not found.left:
+        yield f"nothing submitted: {', '.join(found.nothing_handed_in)}"
 
 
 def _sum(found: Cohort) -> str:

@@ -27,23 +27,22 @@ def stages(label: str) -> Iterator[Stage | None]:
     A bar is shown while the block runs long; None where nobody is looking.
     """
     with Live() as live:
-        begun = monotonic()
-
-        def stage(what: str, done: int, total: int) -> None:
-            if done >= total:  # what comes after it may have a bar of its own
-                live.hide()
-            elif monotonic() - begun >= _PATIENCE:
-                bar = f"[{'#' * (_BAR * done // total):.<{_BAR}}] {done}/{total}"
-                live.show(lambda: f"{bar}  {label}{f': {what}' if what else ''}")
-
-        yield stage if live.terminal else None
+        yield partial(_advance, live, label, monotonic()) if live.terminal else None
 
 
 @contextmanager
 def progress(label: str) -> Iterator[Advance | None]:
     """As `stages`, for work in one part."""
-    with stages(label) as stage:
-        yield partial(stage, "") if stage else None
+    with Live() as live:
+        yield partial(_advance, live, label, monotonic(), "") if live.terminal else None
+
+
+def _advance(live: Live, label: str, begun: float, what: str, done: int, total: int) -> None:
+    if done >= total:  # what comes after it may have a bar of its own
+        live.hide()
+    elif monotonic() - begun >= _PATIENCE:
+        bar = f"[{'#' * (_BAR * done // total):.<{_BAR}}] {done}/{total}"
+        live.show(lambda: f"{bar}  {label}{f': {what}' if what else ''}")
 
 
 class Live:

@@ -57,7 +57,7 @@ class ClassPages:
                     for place, bar in enumerate(view.mistakes, 1)
                 ],
             )
-            for at, view in enumerate(cohort.views, 1)
+            for at, view in enumerate(cohort.problems, 1)
         ]
         return page(
             "class.html.j2",
@@ -85,11 +85,11 @@ class ClassPages:
             name = _file(person.id, taken)
             marks = [
                 (
-                    self._called(problem),
-                    cohort.marks.get((person.id, problem)),
-                    self._case(person.id, problem, f"case-{at}"),
+                    self._called(view.problem),
+                    cohort.marks.get((person.id, view.problem)),
+                    self._case(person.id, view.problem, f"case-{at}"),
                 )
-                for at, problem in enumerate(cohort.problems, 1)
+                for at, view in enumerate(cohort.problems, 1)
             ]
             given = [mark for _, mark, _ in marks if mark]
             if given:
