@@ -30,14 +30,16 @@ from judge.report.parts import (
     verdict_style,
 )
 from judge.report.published_look import Standing
+from judge.report.published_result import Judged, Several
 from judge.report.screen import Screen, drawn
-from judge.report.tell import Told, place_of
+from judge.report.tell import Told, place_of, tell
 from judge.report.words import counted, shown_name, times
 from judge.run.result import GroupResult, Result
 
 Drawing = Callable[[int], Sequence[Text]]  # the picture of the failing case in about so many rows
 _LABELS = {"got": BAD, "expected": GOOD}
 _LEAST, _MOST = 9, 14  # rows of a picture
+_ROWS = 60  # of a result, on whatever screen
 _GAP = 3  # columns between the case and its picture
 
 
@@ -73,6 +75,24 @@ _CUTS = (
     _Cut(values=1, advice=1, fails=False),
     _Cut(values=1, advice=0, fails=False),
 )
+
+
+def judged(found: Judged, screen: Screen) -> RenderableType:
+    """The screen of one result, or its line."""
+    told = tell(found.problem, found.result, found.source)
+    if found.several and not found.whole:
+        return _line(found.result, told, kata=found.several > 1)
+    if found.quiet:
+        return verdict_line(told, found.result.submission)
+    after: RenderableType | None = None
+    if found.fresh:
+        after = indented(facts([("fresh", found.fresh)]))
+    elif found.result.solved and found.commands:
+        after = accepted(found.result.problem, found.standing, screen.width)
+    groups = found.result.groups if found.whole else ()
+    drawing = found.drawing(screen) if found.drawing else None
+    rows = None if found.whole else min(screen.height - 1, _ROWS)
+    return result(Shown(told, found.result.submission, groups, drawing, after, found.commands), screen, rows)
 
 
 def result(shown: Shown, screen: Screen, rows: int | None) -> RenderableType:
@@ -188,7 +208,7 @@ def _row(group: GroupResult) -> tuple[Cell, ...]:
     )
 
 
-def row(found: Result, told: Told, *, kata: bool = False) -> Text:
+def _line(found: Result, told: Told, *, kata: bool = False) -> Text:
     """One of several submissions on a line, which is written as soon as it is judged."""
     ratio = f"{times(found.time.ratio.median)} ×" if found.time.ratio else ""
     first = _first(found, told)
@@ -209,14 +229,15 @@ def _first(found: Result, told: Told) -> str:
     return place or told.happened or told.last
 
 
-def last(found: Sequence[Result], left: int) -> Text:
+def several(found: Several, _screen: Screen) -> Text:
     """How many of several submissions were accepted, and how many could not be, or are not yet, judged."""
-    accepted = sum(each.verdict is Verdict.AC for each in found)
-    unjudged = left + sum(each.verdict is Verdict.JE for each in found)
-    said = f"{accepted} of {len(found) + left} accepted" + (f", {unjudged} not judged" if unjudged else "")
-    partial = dict.fromkeys(each.partial for each in found if each.partial)
+    accepted = sum(each.verdict is Verdict.AC for each in found.results)
+    unjudged = found.left + sum(each.verdict is Verdict.JE for each in found.results)
+    every = len(found.results) + found.left
+    said = f"{accepted} of {every} accepted" + (f", {unjudged} not judged" if unjudged else "")
+    partial = dict.fromkeys(each.partial for each in found.results if each.partial)
     said += f", on {', '.join(partial)} only" if partial else ""
-    return text(said, GOOD if accepted == len(found) and not left else BAD)
+    return text(said, GOOD if accepted == every else BAD)
 
 
 def accepted(problem: str, standing: Standing | None, width: int | None, key: str = "") -> RenderableType:

@@ -81,19 +81,19 @@ def test_the_schema_is_made_of_the_type():
 
 SHOWN = {
     "cases": "CaseTried HackStanding HackTurn PageWritten",
-    "judged": "Judged Several",
     "klass": "Cohort",
     "look": "Begun Document Home KataList KataShown Mentions PageShown Topics",
     "practice": "HintShown Restored RunList RunRow RunsCompared SolutionShown",
     "progress": "DueShown ProgressPage ProgressWritten QuestionShown",
     "quiz": "CardList Interviewed Quizzed",
+    "result": "Judged Several",
     "setter": "DecksVerified Doctor Exported FilesWritten NewKata Verified VerifySummary",
 }
 
 
 def test_every_value_has_a_view():
     for module, names in SHOWN.items():
-        values = import_module(f"judge.report.{'' if module == 'judged' else 'published_'}{module}")
+        values = import_module(f"judge.report.published_{module}")
         views = import_module(f"judge.report.{module}")
         for name in names.split():
             assert view_of(getattr(values, name)) in vars(views).values(), name

@@ -33,8 +33,9 @@ from judge.practice.sets import USUAL
 from judge.practice.stub import write_stub
 from judge.problem.find import find_problem
 from judge.report import quiz
-from judge.report.judged import Judged, judged
 from judge.report.published_quiz import Interviewed, interviewed
+from judge.report.published_result import Judged
+from judge.report.result import judged
 from judge.report.screen import Screen, drawn, err, is_terminal, note, out, show
 from judge.report.wait import progress
 

@@ -24,7 +24,7 @@ from judge.cli.wish import Wish
 from judge.errors import ExitCode, JudgeError, UsageError, told
 from judge.judging.api import RunOptions
 from judge.problem.model import LEVELS, chosen_groups
-from judge.report.judged import AtLines, Judged, Several
+from judge.report.published_result import AtLines, Judged, Several
 from judge.run.result import Result, judge_fault
 
 if TYPE_CHECKING:

@@ -1,4 +1,4 @@
-"""What `judge run` returns, a result or what several came to, and how a screen shows it."""
+"""What `judge run` returns: a result, what several came to, lines for another program."""
 
 from __future__ import annotations
 
@@ -12,13 +12,9 @@ from judge.problem import Problem
 from judge.run.result import Result, exit_code
 
 if TYPE_CHECKING:
-    from rich.console import RenderableType
-
     from judge.report.published_look import Standing
     from judge.report.result import Drawing
     from judge.report.screen import Screen
-
-_MOST = 60  # rows of a result, on whatever screen
 
 
 class Judged(Struct, frozen=True):
@@ -74,33 +70,3 @@ class AtLines(Struct, frozen=True):
 
     plain: str
     exit_code: ExitCode
-
-
-def judged(found: Judged, screen: Screen) -> RenderableType:
-    """The screen of one result, or its line."""
-    from judge.report.parts import facts, indented
-    from judge.report.result import Shown, accepted, result, row, verdict_line
-    from judge.report.tell import tell
-
-    told = tell(found.problem, found.result, found.source)
-    if found.several and not found.whole:
-        return row(found.result, told, kata=found.several > 1)
-    name = found.result.submission
-    if found.quiet:
-        return verdict_line(told, name)
-    after: RenderableType | None = None
-    if found.fresh:
-        after = indented(facts([("fresh", found.fresh)]))
-    elif found.result.solved and found.commands:
-        after = accepted(found.result.problem, found.standing, screen.width)
-    groups = found.result.groups if found.whole else ()
-    drawing = found.drawing(screen) if found.drawing else None
-    rows = None if found.whole else min(screen.height - 1, _MOST)
-    return result(Shown(told, name, groups, drawing, after, found.commands), screen, rows)
-
-
-def several(found: Several, _screen: Screen) -> RenderableType:
-    """The last line of several."""
-    from judge.report.result import last
-
-    return last(found.results, found.left)
