@@ -32,9 +32,18 @@ from judge.report.picture import has_room
 from judge.report.result import Shown, accepted, magnified, result, verdict_line
 from judge.report.screen import Screen, drawn, out
 from judge.report.tell import Told, tell
-from judge.report.terminal import GONE, keys, redraw, reprompt
 from judge.report.views import view
-from judge.report.watch import begun_text, keys_text, note_text, place_text, waiting_text
+from judge.report.watch import (
+    GONE,
+    begun_text,
+    keys,
+    keys_text,
+    note_text,
+    place_text,
+    redraw,
+    reprompt,
+    waiting_text,
+)
 
 if TYPE_CHECKING:
     from rich.console import Group, RenderableType

@@ -135,6 +135,11 @@ def is_terminal(stream: IO[str]) -> bool:
         return False
 
 
+def draws(screen: Screen) -> bool:
+    """Whether lines can be drawn over there: a terminal that obeys more than text."""
+    return is_terminal(screen.stream) and os.environ.get("TERM", "dumb") != "dumb"
+
+
 def out() -> Screen:
     """The screen of standard output, looked up now: tests and shells replace it."""
     return Screen.of(sys.stdout)

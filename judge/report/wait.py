@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import os
-import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from functools import partial
 from time import monotonic
 
-from judge.report.screen import Screen, err, fitted, is_terminal, note
+from judge.report.screen import Screen, draws, err, fitted, note
 
 Advance = Callable[[int, int], None]
 Stage = Callable[[str, int, int], None]
@@ -53,7 +51,7 @@ class Live:
     """
 
     def __init__(self) -> None:
-        self.terminal = is_terminal(sys.stderr) and os.environ.get("TERM") != "dumb"
+        self.terminal = draws(err())
         self._shown = False
         self._last = -_EACH if self.terminal else monotonic()
 

@@ -24,8 +24,7 @@ from judge.problem import Problem
 from judge.problem.find import find_problem, id_of, sound_problems
 from judge.problem.model import LEVELS
 from judge.report.published_look import Begun
-from judge.report.screen import is_terminal, out
-from judge.report.terminal import draws
+from judge.report.screen import draws, is_terminal, out
 
 
 class StartAsk(Struct, frozen=True):
