@@ -28,6 +28,7 @@ from judge.report.parts import (
     label,
     table,
     text,
+    under,
     verdict,
 )
 from judge.report.picture import LEAST_ROWS, case_picture, drawing
@@ -42,6 +43,7 @@ from judge.values import show
 Interval = tuple[str, float, float]  # a number's place in the answer, and the least and greatest accepted
 
 _MOST = 12  # numbers whose interval is shown
+_PRINTED = 10  # lines
 _ANSWERS = 3  # of several that are right, which are shown
 _STATES = {HackState.BROKEN: good("broken"), HackState.GIVEN_UP: faint("given up")}
 
@@ -97,7 +99,7 @@ def _facts(tried: Tried, said: Said | None, brief: bool) -> Iterator[tuple[Cell,
         yield "in doubles", good(tried.expected)
         rows = [f"{f'{place}  ' if place else ''}{low!r} to {high!r}" for place, low, high in ends[:_MOST]]
         rows += ["and so on for the other numbers"] if len(ends) > _MOST else []
-        yield from zip(("accepted", *[""] * len(rows)), rows, strict=False)
+        yield from under("accepted", rows)
     if said is None:
         return
     yield "got", text(said.got, "" if said.verdict is Verdict.AC else BAD)
@@ -107,7 +109,7 @@ def _facts(tried: Tried, said: Said | None, brief: bool) -> Iterator[tuple[Cell,
         yield "why", f"{f'line {line}: ' if line else ''}{why}"
     elif said.message:
         yield "why", said.message
-    yield from zip(("printed", *[""] * 9), said.printed.splitlines(), strict=False)
+    yield from under("printed", said.printed.splitlines()[:_PRINTED])
 
 
 def _intervals(exact: Any, accepted: Any, place: str) -> Iterator[Interval]:

@@ -6,7 +6,7 @@ Text of others (names, messages, sources) goes in as it is: each part writes out
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
 from rich.console import Console, ConsoleOptions, Group, RenderableType, RenderResult
@@ -163,6 +163,11 @@ def paragraph(said: Cell) -> RenderableType:
 def facts(pairs: Iterable[tuple[Cell, Cell]]) -> RenderableType:
     """Labels, each with what is said of it."""
     return table([(faint(label), said) for label, said in pairs])
+
+
+def under(name: Cell, rows: Iterable[Cell]) -> Iterator[tuple[Cell, Cell]]:
+    """Rows for `facts`, of which the first alone has a label."""
+    yield from ((name if at == 0 else "", row) for at, row in enumerate(rows))
 
 
 def commands(pairs: Iterable[tuple[str, str]]) -> RenderableType:

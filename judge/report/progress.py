@@ -35,6 +35,7 @@ from judge.report.parts import (
     strong,
     table,
     text,
+    under,
 )
 from judge.report.published_progress import (
     DueShown,
@@ -92,11 +93,13 @@ def _skills(told: ProgressShown) -> Iterator[tuple[Cell, Cell]]:
 def _now(found: ProgressPage) -> Iterator[tuple[Cell, Cell]]:
     """What is unfinished, what comes again today, and the next kata."""
     due = found.due
-    for at, tried in enumerate(due.now[-_LISTED:]):
-        yield "" if at else strong("now"), joined(tried.problem, "  ", faint(_points(tried.best)))
-    for at, each in enumerate(due.due[:_LISTED]):
-        ago = f"  last time {day(each.last)}; write it again from memory"
-        yield "" if at else strong("again"), joined(each.name, faint(ago))
+    now = [joined(each.problem, "  ", faint(_points(each.best))) for each in due.now[-_LISTED:]]
+    again = [
+        joined(each.name, faint(f"  last time {day(each.last)}; write it again from memory"))
+        for each in due.due[:_LISTED]
+    ]
+    yield from under(strong("now"), now)
+    yield from under(strong("again"), again)
     if cards := len(due.cards.due):
         yield strong("cards"), f"{counted(cards, 'card')} due: judge quiz"
     if following := found.shown.next:
@@ -185,11 +188,10 @@ def question_shown(found: QuestionShown, _screen: Screen) -> RenderableType:
     asked = found.question
     said = "lost" if asked.state is State.LOST else "not yet"
     said = f"since {day(asked.since)}" if asked.since else said
-    labels = ("practise with", *[""] * len(asked.drills))
     return blocks(
         table([(strong(asked.row), head(asked.ask, said))]),
         indented(table(map(_evidence, asked.by), "by", "", "since", "name")),
-        facts([*zip(labels, asked.drills, strict=False)]),
+        facts(under("practise with", asked.drills)),
     )
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from datetime import datetime
+from typing import ClassVar
 
 from msgspec import Struct
 
@@ -144,8 +145,4 @@ class SolutionShown(Published, frozen=True, kw_only=True):
     program: str
     approaches: tuple[ApproachRow, ...]
     yours: Yours | None
-
-    @property
-    def paged(self) -> bool:
-        """It is longer than most terminals."""
-        return True
+    paged: ClassVar[bool] = True  # longer than most terminals

@@ -118,7 +118,7 @@ def mistake_text(pitfall: Pitfall) -> str:
 
 def _advice(pitfall: Pitfall) -> tuple[str, ...]:
     several = len(pitfall.names) > 1
-    pairs = zip(pitfall.names, pitfall.advice, strict=True)
+    pairs = zip(pitfall.names, pitfall.advice, strict=False)  # a kept result may be damaged
     return tuple(f"{name}: {text}" if several else text for name, text in pairs if text)
 
 
@@ -183,7 +183,7 @@ def _source(result: Result, source: bytes) -> tuple[str, ...]:
 
 def _case(result: Result, shown: Failure | None) -> str:
     first, small = result.failure, result.counterexample
-    if shown is None or first is None or (shown.input is None and shown.group is None):
+    if shown is None or first is None:
         return ""
     place = f" ({first.group}, case {first.case})" if first.group and first.case else ""
     if shown.input is None:
