@@ -32,7 +32,7 @@ from judge.report.parts import (
     verdict,
 )
 from judge.report.picture import LEAST_ROWS, case_picture, drawing
-from judge.report.published_cases import CaseTried, HackStanding, HackTurn, PageWritten
+from judge.report.published_cases import CaseTried, HackTurn, PageWritten
 from judge.report.screen import Screen, drawn
 from judge.report.tell import obstacle_text
 from judge.report.words import arguments, counted, shown_name
@@ -158,9 +158,9 @@ def picture_of(tried: Tried, said: Said | None, heading: str) -> Picture | None:
 
 
 def hack_turn(found: HackTurn, screen: Screen) -> RenderableType:
-    """The program and what is asked; or what it answers to a case, and whether that breaks it."""
-    if found.outcome == "shown":
-        return _program(found)
+    """The program and what is asked, or how all of them stand; or whether a case breaks it."""
+    if found.outcome in ("shown", "listed"):
+        return _program(found) if found.outcome == "shown" else _standing(found)
     if found.tried is None:
         return _ended(found)
     return _fitted(found.tried, found.said, "smallest case", None, _ended(found), screen)
@@ -192,9 +192,9 @@ def _ended(found: HackTurn) -> RenderableType:
     return blocks(mistake, facts([(label(Verdict.AC, "WON"), said)]))
 
 
-def hack_standing(found: HackStanding, _screen: Screen) -> RenderableType:
+def _standing(found: HackTurn) -> RenderableType:
     """A row for each program that was broken or given up, with its mistake; the open ones by number."""
-    name, puzzles, states = found.turn.problem.id, found.turn.puzzles, found.turn.states
+    name, puzzles, states = found.problem.id, found.puzzles, found.states
     left = [each.number for each in puzzles if states[each.mistake] is HackState.OPEN]
     rows = [
         (str(each.number), _STATES[states[each.mistake]], faint(each.mistake))
@@ -202,7 +202,7 @@ def hack_standing(found: HackStanding, _screen: Screen) -> RenderableType:
         if each.number not in left
     ]
     return blocks(
-        head(name, f"{found.turn.done} of {len(puzzles)} wrong programs broken"),
+        head(name, f"{found.done} of {len(puzzles)} wrong programs broken"),
         indented(table(rows, "program", "state", "mistake", right=[0])) if rows else None,
         indented(facts([("open", _runs(left)), ("next", f"judge hack {name} {left[0]}")])) if left else None,
     )

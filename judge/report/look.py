@@ -80,16 +80,16 @@ def _newcomer(found: Home) -> RenderableType:
 
 
 def _returning(found: Home, screen: Screen) -> RenderableType:
-    rows: list[tuple[Cell, Cell, Cell]] = []
+    rows: list[tuple[str, str, str]] = []
     if found.now:
-        rows += [("Now", strong(found.now.problem), _last(found.now)), _go_on(found.now)]
+        rows += [("Now", found.now.problem, _last(found.now)), _go_on(found.now)]
     if found.again:
         days = found.again.days
         ago = "today" if not days else "yesterday" if days == 1 else f"{days} days ago"
-        rows += [("Again", strong(found.again.problem), f"solved {ago}; solve it once more from memory")]
+        rows += [("Again", found.again.problem, f"solved {ago}; solve it once more from memory")]
         rows += [("", "", f"judge start {found.again.problem} --reset")]
     if found.next:
-        rows += [("Next", strong(found.next.problem), found.next.summary)]
+        rows += [("Next", found.next.problem, found.next.summary)]
         rows += [] if found.now and not found.now.folder else [("", "judge start", "creates its file")]
     elif not found.now:
         rows += [("Next", "", "All katas are solved.")]
@@ -97,7 +97,7 @@ def _returning(found: Home, screen: Screen) -> RenderableType:
     due = f"{counted(cards, 'card')} {'is' if cards == 1 else 'are'} due" if cards else "interview questions"
     more = commands([("judge progress", "what you can do so far"), ("judge quiz", due)])
     done = solved_bar(found.solved, found.katas, found.stars, screen.width)
-    return blocks(done, _rows(rows), indented(more))
+    return blocks(done, _rows(rows, STRONG), indented(more))
 
 
 def _last(now: Now) -> str:
@@ -106,7 +106,7 @@ def _last(now: Now) -> str:
     return f"{now.points} of 100 points" + (f", likely mistake: {now.mistake}" if now.mistake else "")
 
 
-def _go_on(now: Now) -> tuple[Cell, Cell, Cell]:
+def _go_on(now: Now) -> tuple[str, str, str]:
     file = shown_name(now.file)
     if not now.folder:
         return "", "judge start", f"goes on with {file} in this folder"
@@ -122,14 +122,11 @@ def begun(found: Begun, _screen: Screen) -> RenderableType:
     return joined(strong(f"Created {file}."), f"{kept} Write {found.entry}, then: judge run")
 
 
-def _rows(rows: Iterable[tuple[Cell, Cell, Cell]]) -> RenderableType:
+def _rows(rows: Iterable[tuple[str, str, str]], style: str = "") -> RenderableType:
     """Labels, names and what is said of them, in columns that are the same for all."""
-    laid = []
-    for label, name, about in rows:
-        padded = faint(label).copy(), text(name).copy()
-        for cell, width in zip(padded, (9, 15), strict=True):
-            cell.pad_right(max(0, width - cell.cell_len))
-        laid.append((*padded, about))
+    laid = [
+        (faint(f"{name:<9}"), text(f"{what:<15}", style if name else ""), about) for name, what, about in rows
+    ]
     return indented(table(laid))
 
 

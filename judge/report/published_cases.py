@@ -112,7 +112,7 @@ class CaseTried(Struct, frozen=True):
 
 
 class HackTurn(Struct, frozen=True):
-    """A wrong program that is shown, attacked or given up, among all those of the kata.
+    """A wrong program that is shown, attacked or given up, among all those of the kata; or these are listed.
 
     `states` is by mistake. `why` says why a case does not break it. With `goes_on` a terminal asks for more.
     """
@@ -146,8 +146,15 @@ class HackTurn(Struct, frozen=True):
         return ExitCode.NOT_ACCEPTED if ended else ExitCode.ACCEPTED
 
     @property
-    def published(self) -> tuple[HackLine]:
+    def published(self) -> tuple[HackLine | HackList]:
         """The line of JSON."""
+        if self.outcome == "listed":
+            rows = ((each, self.states[each.mistake]) for each in self.puzzles)
+            programs = (
+                HackProgram(each.number, state, None if state is HackState.OPEN else each.mistake)
+                for each, state in rows
+            )
+            return (HackList(self.problem.id, tuple(programs)),)
         state = self.states[self.puzzle.mistake]
         told = state is not HackState.OPEN
         line = HackLine(
@@ -163,22 +170,6 @@ class HackTurn(Struct, frozen=True):
             said=_said(self.said),
         )
         return (line,)
-
-
-class HackStanding(Struct, frozen=True):
-    """How all wrong programs of a kata stand."""
-
-    turn: HackTurn
-
-    @property
-    def published(self) -> tuple[HackList]:
-        """The line of JSON."""
-        rows = ((each, self.turn.states[each.mistake]) for each in self.turn.puzzles)
-        programs = tuple(
-            HackProgram(each.number, state, None if state is HackState.OPEN else each.mistake)
-            for each, state in rows
-        )
-        return (HackList(problem=self.turn.problem.id, programs=programs),)
 
 
 def _case(tried: Tried) -> CaseRow:

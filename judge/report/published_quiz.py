@@ -47,10 +47,8 @@ class CardList(Struct, frozen=True):
         return tuple(self._row(card, self.reviews.get(card.key)) for card in self.cards)
 
     def _row(self, card: Card, review: Review | None) -> CardRow:
-        last, rating, due = (
-            (review.last, review.rating.name.lower(), review.due) if review else (None, None, None)
-        )
-        return copied(CardRow, card, card=card.key, last=last, rating=rating, due=due)
+        rated = (review.last, review.rating.name.lower(), review.due) if review else (None, None, None)
+        return CardRow(card.key, card.form, card.rows, card.sets, card.front, *rated)
 
 
 class Answered(Struct, frozen=True):

@@ -80,7 +80,7 @@ def test_the_schema_is_made_of_the_type():
 
 
 SHOWN = {
-    "cases": "CaseTried HackStanding HackTurn PageWritten",
+    "cases": "CaseTried HackTurn PageWritten",
     "klass": "Cohort",
     "look": "Begun Document Home KataList KataShown Mentions PageShown Topics",
     "practice": "HintShown Restored RunList RunRow RunsCompared SolutionShown",

@@ -41,7 +41,6 @@ from judge.report.published_cases import (
     CaseTried,
     HackLine,
     HackList,
-    HackStanding,
     HackTurn,
     PageWritten,
 )
@@ -250,7 +249,7 @@ def hack(name: str, words: tuple[str, ...], ask: HackAsk, common: Common) -> Ite
     )
     puzzle = puzzle or puzzles[0]
     if ask.listed:
-        yield HackStanding(hacking.turn(puzzle, "shown"))
+        yield hacking.turn(puzzle, "listed")
     elif ask.give_up:
         yield hacking.given_up(puzzle)
     elif text is not None:
