@@ -87,8 +87,8 @@ def _json(value: Struct) -> str:
 
 
 def _show(value: Struct) -> None:
-    from judge.report.screen import out, show, show_paged  # --json does without the screen
+    from judge.report.screen import out, show  # --json does without the screen
     from judge.report.views import view
 
     screen = out()
-    (show_paged if getattr(value, "paged", False) else show)(view(value, screen), screen)
+    show(view(value, screen), screen, paged=getattr(value, "paged", False))

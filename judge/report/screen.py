@@ -64,15 +64,11 @@ class Screen(Struct, frozen=True):
         self.stream.flush()
 
 
-def show(what: RenderableType, screen: Screen) -> None:
-    """Draw what a view returned."""
-    screen.write(drawn(what, screen))
-
-
-def show_paged(what: RenderableType, screen: Screen) -> None:
-    """Draw it; what is longer than the terminal is shown by the pager, without colours."""
-    if screen.rows is None or drawn(what, screen).count("\n") < screen.rows:
-        show(what, screen)
+def show(what: RenderableType, screen: Screen, *, paged: bool = False) -> None:
+    """Draw what a view returned; with `paged`, what is too long goes to the pager, without colours."""
+    text = drawn(what, screen)
+    if not (paged and screen.rows and text.count("\n") >= screen.rows):
+        screen.write(text)
         return
     import click
 
