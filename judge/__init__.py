@@ -63,7 +63,7 @@ def __getattr__(name: str) -> Any:
 
 
 def _notebook(result: Any) -> str:
-    from judge.report.notebook import notebook
+    from judge.report.html.case import notebook
 
     return notebook(result)
 

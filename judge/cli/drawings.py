@@ -16,8 +16,6 @@ from judge.data.load import ProblemData
 from judge.errors import told
 from judge.judging.session import Session
 from judge.problem import Problem
-from judge.problem.declare import Shown
-from judge.problem.model import case_of
 from judge.report.screen import Notes, Screen, note
 from judge.report.wait import Advance, progress
 from judge.run.result import Result
@@ -111,33 +109,23 @@ class Drawing(Struct, frozen=True):
         found = self.result
         if found.hurdle or (found.failure is None and found.time.growth is None):
             return None
-        from judge.report.picture import has_room, picture_rows
+        from judge.report.picture import drawing
 
-        try:
-            picture = self.picture() if has_room(screen) else None
-        except Exception as fault:  # the verdict is known, and worth more
-            note(f"the failing case is not drawn: {told(fault)}")
-            return None
-        return (lambda rows: picture_rows(picture, rows)) if picture else None
+        return drawing(self.picture, screen, "the failing case")
 
     def picture(self) -> Picture | Chart | None:
         """The smallest case found that fails, or else the first one; None where there is nothing to draw."""
-        failure, growth = self.result.failure, self.result.time.growth
-        if growth is not None and (failure is None or failure.input is None):
-            from judge.report.picture import growth_chart
+        from judge.report.picture import case_picture, growth_chart
 
+        failure, small, growth = self.result.failure, self.result.counterexample, self.result.time.growth
+        if growth is not None and (failure is None or failure.input is None):
             return growth_chart(growth)
-        group = self.problem.group(failure.group) if failure and failure.group else None
-        draw = self.data.module.hooks.picture
-        if failure is None or group is None or draw is None:
+        if failure is None:
             return None
-        shown, heading = failure, f"{group.name}, case {failure.case}"
-        if self.result.counterexample is not None and self.result.counterexample.input:
-            shown, heading = self.result.counterexample, "counterexample"
-        if not shown.input:
-            return None
-        exact, _ = self.data.exact(case_of(shown.input), group)
-        return draw(Shown(self.problem, shown.input, exact, shown.expected, shown.got, shown.given, heading))
+        shown, heading = failure, f"{failure.group}, case {failure.case}"
+        if small is not None and small.input:
+            shown, heading = small, "counterexample"
+        return case_picture(self.problem, self.data.module, shown, failure.group, heading)
 
     def save(self, target: OutFile) -> None:
         """Write the SVG, if one was asked for. Raises UsageError where that cannot be done."""

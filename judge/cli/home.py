@@ -14,7 +14,7 @@ from judge.practice.progress import levels, solved, stars, tried
 from judge.practice.syllabus import next_kata, sound_sets
 from judge.problem import Problem
 from judge.problem.find import sound_problems
-from judge.report.published_start import Again, Home, Next, Now, Standing
+from judge.report.published_look import Again, Home, Next, Now, Standing
 
 if TYPE_CHECKING:
     from judge.cli.options import Common

@@ -30,20 +30,28 @@ from judge.practice.stub import make_stub, write_stub
 from judge.practice.syllabus import PracticeSet, next_kata, set_of, sound_sets
 from judge.problem import Problem
 from judge.problem.find import sound_problems
-from judge.report.parts import FAINT, GOOD, WARNING
+from judge.report.parts import FAINT, GOOD, WARNING, prose
 from judge.report.picture import has_room
 from judge.report.result import Shown, accepted, magnified, result, verdict_line
 from judge.report.screen import Screen, drawn, out
-from judge.report.statement import prose
 from judge.report.tell import Told, tell
-from judge.report.terminal import GONE, Keys, height, redraw, reprompt
 from judge.report.views import view
-from judge.report.watch import begun_text, keys_text, note_text, place_text, waiting_text
+from judge.report.watch import (
+    GONE,
+    begun_text,
+    keys,
+    keys_text,
+    note_text,
+    place_text,
+    redraw,
+    reprompt,
+    waiting_text,
+)
 
 if TYPE_CHECKING:
     from rich.console import Group
 
-    from judge.report.published_start import Standing
+    from judge.report.published_look import Standing
 
 _SAVED, _RESIZED = "saved", "resized"
 _END = ("q", "\x04", GONE)
@@ -58,7 +66,7 @@ View = Callable[[Screen], str]
 def loop(kata: Kata, level: str | None, common: Common) -> None:
     """Judge a kata on every save, and those that are gone on to, until the person has enough."""
     screen = out()
-    screen.write("\n" * (height(screen) - 1))  # what stood there can be scrolled back to
+    screen.write("\n" * (screen.height - 1))  # what stood there can be scrolled back to
     following: Kata | None = kata
     with _handled(_leave, signal.SIGTERM, signal.SIGHUP):
         while following is not None:
@@ -122,11 +130,11 @@ class _Loop:
     def watch(self) -> Kata | None:
         """Judge on every save and obey the keys; the kata to go on to, or None to end."""
         try:
-            with closing(self._file), Keys(sys.stdin.fileno(), self._pressed) as keys:
+            with closing(self._file), keys(sys.stdin.fileno(), self._pressed) as take:
 
                 def resized(number: int, _frame: object) -> None:
                     if number == signal.SIGCONT:
-                        keys.take()
+                        take()
                     self._events.put(_RESIZED)
 
                 with (
@@ -197,7 +205,7 @@ class _Loop:
 
     def _begun(self, screen: Screen) -> str:
         """The kata, whose file is still to be written."""
-        rows = height(screen) - _BELOW
+        rows = screen.height - _BELOW
         return begun_text(self._place(screen), self._kata.problem, self._kata.name, screen, rows)
 
     def _place(self, screen: Screen) -> Group:
@@ -258,7 +266,7 @@ class _Loop:
     def katas(self) -> View:
         """The katas by set."""
         from judge.cli.commands.look import ListAsk, listed
-        from judge.report.katas import kata_list
+        from judge.report.look import kata_list
 
         found = listed(None, ListAsk(), self._common)
         return lambda screen: drawn(kata_list(found, screen), screen)
@@ -273,7 +281,7 @@ class _Loop:
             drawing = found.rows(screen) if found else None
             if found is None or drawing is None:
                 return note_text("There is no failing case to draw.", screen)
-            rows = height(screen) - _BELOW - 2
+            rows = screen.height - _BELOW - 2
             return drawn(magnified(_told(found), drawing, rows, screen.width), screen)
 
         return shown
@@ -305,7 +313,7 @@ class _Loop:
             after = accepted(self._kata.problem.id, self._standing, screen.width, key="n")
         told, name, rows = _told(self._found), self._found.result.submission, self._found.rows(screen)
         shown = Shown(told, name, drawing=rows, after=after, commands=False)
-        return drawn(result(shown, screen, height(screen) - _BELOW - self._notes.count("\n")), screen)
+        return drawn(result(shown, screen, screen.height - _BELOW - self._notes.count("\n")), screen)
 
     def _end(self, screen: Screen) -> str:
         """The last lines, whatever else is shown: the verdict."""

@@ -38,7 +38,6 @@ from judge.report.published_cases import (
     CaseTried,
     HackLine,
     HackList,
-    HackStanding,
     HackTurn,
     PageWritten,
 )
@@ -173,7 +172,7 @@ def _page(_path: Path, problem: Problem, found: CaseTried | None) -> str:
 
 def _svg(_path: Path, _problem: Problem, found: CaseTried | None) -> str:
     from judge.drawing.svg import to_svg
-    from judge.report.trying import picture_of
+    from judge.report.cases import picture_of
 
     picture = picture_of(found.tried, found.said, "your case") if found else None
     if picture is None:
@@ -227,8 +226,8 @@ def hack(name: str, words: tuple[str, ...], ask: HackAsk, common: Common) -> Ite
     elif text is not None and not ask.listed:
         yield hacking.attempted(puzzle, sys.stdin.read(1 << 16) if text == "-" else text)
     else:
-        turn = hacking.turn(puzzle, "shown")
-        yield HackStanding(turn) if ask.listed else turn
+        turn = hacking.turn(puzzle, "listed" if ask.listed else "shown")
+        yield turn
         asked = not (common.json or ask.listed) and is_terminal(sys.stdin) and is_terminal(sys.stdout)
         while asked and (typed := _typed()):
             try:

@@ -19,7 +19,7 @@ from judge.cli.options import Common, command, opt
 from judge.errors import UsageError, unwritable
 from judge.problem.find import find_problem
 from judge.problem.model import LEVELS
-from judge.report.cohort import ClassLine, ClassRow, Cohort, gradebook, is_gradebook
+from judge.report.published_klass import ClassLine, ClassRow, Cohort, gradebook, is_gradebook
 from judge.report.screen import note
 from judge.report.words import counted
 
@@ -112,14 +112,14 @@ def _write_pages(
     classroom: Classroom, cohort: Cohort, html: OutFile, feedback: Path | None, title: str
 ) -> None:
     """Write the page of the class, and each student's. Raises UsageError."""
-    from judge.report.html.klass import class_page, feedback_pages
+    from judge.report.html.klass import ClassPages
 
     results = classroom.results(cohort, everybody=feedback is not None)
-    problems, generated = classroom.problems(), moment()
+    pages = ClassPages(cohort, results, classroom.problems(), title, moment())
     if html.path:
-        html.write(class_page(cohort, results, problems, title=title, generated=generated))
+        html.write(pages.whole())
     if feedback:
-        for name, content in feedback_pages(cohort, results, problems, title=title, generated=generated):
+        for name, content in pages.students():
             page = OutFile(feedback / name, "--feedback", "feedback page", partial(_is_page, "FEEDBACK"))
             page.write(content)
 

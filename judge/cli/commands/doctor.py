@@ -16,7 +16,7 @@ from judge.files import cache_folder
 from judge.judging.containment import every_hidden_folder, keep_level
 from judge.languages.find import found as found_of
 from judge.languages.model import languages
-from judge.report.published_setter import AttackRow, Attacks, Doctor, LanguageRow, LevelRow
+from judge.report.published_setter import AttackRow, Attacks, Doctor
 from judge.report.screen import note
 from judge.report.wait import progress
 from judge.sandbox import Boxes, levels
@@ -60,8 +60,8 @@ def doctor(ask: DoctorAsk, common: Common) -> Doctor:
             note(failed)
     return Doctor(
         best,
-        levels=tuple(LevelRow(**level._asdict()) for level in found),
-        languages=tuple(LanguageRow(**each._asdict()) for each in programs),
+        levels=tuple(found),
+        languages=tuple(programs),
         attacks=_attacked(common.isolation or best, hidden) if ask.attack else None,
         judge=__version__,
         python=f"{platform.python_version()} at {sys.executable}",

@@ -15,7 +15,7 @@ from judge.cli.emit import schema_of
 from judge.cli.options import Common, Option, command, opt
 from judge.cli.table import COMMANDS
 from judge.errors import UsageError, nearest
-from judge.report.published import Document, Mention, Mentions, PageShown, PageText, Topics
+from judge.report.published_look import Document, Mention, Mentions, PageShown, PageText, Topics
 from judge.schema import files, schema_of_file
 
 if TYPE_CHECKING:

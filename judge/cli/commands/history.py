@@ -16,7 +16,8 @@ from judge.files import new_file, read_ordinary, replace_file
 from judge.practice.events import Run
 from judge.practice.history import History
 from judge.problem.find import find_problem
-from judge.report.published_practice import GroupChange, Restored, RunList, RunRow, RunsCompared, RunShown
+from judge.report.published_practice import GroupChange, Restored, RunList, RunRow, RunsCompared
+from judge.report.views import copied
 
 _ON_SCREEN = 18  # runs, unless it is said how many
 
@@ -58,7 +59,7 @@ def history(words: tuple[str, ...], ask: HistoryAsk, common: Common) -> Struct:
         runs = [(found.run(number), found.source(number)) for number in numbers]
     if ask.restore:
         return _restored(*runs[0], ask.out)
-    return _compared(*runs) if len(runs) == 2 else RunShown(runs[0][0])
+    return _compared(*runs) if len(runs) == 2 else copied(RunRow, runs[0][0])
 
 
 def _listed(name: str, ask: HistoryAsk, common: Common, history: History) -> RunList:

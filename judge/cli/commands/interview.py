@@ -321,7 +321,8 @@ class _Interview(Round):
                     self.show(texts.time_over())
 
     def _judge(self, watched: WatchedFile) -> None:
-        from judge.report.judged import Judged, judged
+        from judge.report.published_result import Judged
+        from judge.report.result import judged
 
         found = watched.judge()
         if isinstance(found, str):
@@ -330,7 +331,7 @@ class _Interview(Round):
         if self._common.json:
             note(f"{found.result.submission}: {found.result.verdict.value}")
         else:
-            shown = Judged(found.result, found.source, found.problem, found, commands=False)
+            shown = Judged(found.result, found.source, found.problem, found.rows, commands=False)
             self.show(judged(shown, self.screen))
             self.screen.write("\n")
         self.held = self.held.after(found.result)

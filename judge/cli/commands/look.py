@@ -15,8 +15,9 @@ from judge.practice.progress import levels, solved, stars, tried
 from judge.practice.syllabus import USUAL, sound_sets
 from judge.problem.find import find_problem, listed_problems
 from judge.problem.model import Listed
-from judge.report.published import KataInFull, KataList, KataRow, KataShown, SetRow, kata_row
+from judge.report.published_look import KataInFull, KataList, KataRow, KataShown, SetRow
 from judge.report.screen import note
+from judge.report.views import copied
 
 _OTHERS = "others"  # the set of the katas that are in none
 
@@ -67,8 +68,21 @@ def _rows(problems: Sequence[Listed], db: Path | None) -> tuple[tuple[KataRow, .
         note(str(fault))
         runs, taken_up = [], None
     done, won = solved(runs), stars(levels(problems, tried(runs)))
-    rows = tuple(kata_row(each, solved=each.id in done, stars=won[each.id]) for each in problems)
+    rows = tuple(_row(each, solved=each.id in done, stars=won[each.id]) for each in problems)
     return rows, taken_up.problem if taken_up else ""
+
+
+def _row(problem: Listed, *, solved: bool, stars: int) -> KataRow:
+    return copied(
+        KataRow,
+        problem,
+        problem=problem.id,
+        groups=len(problem.groups),
+        cases=sum(group.count for group in problem.groups),
+        points=sum(group.points for group in problem.groups),
+        solved=solved,
+        stars=stars,
+    )
 
 
 def _sets(

@@ -35,10 +35,9 @@ from judge.problem import Problem
 from judge.problem.find import find_problem, id_of, sound_problems
 from judge.problem.model import LEVELS
 from judge.problem.texts import read_hints
+from judge.report.published_look import Begun
 from judge.report.published_practice import ApproachRow, HintShown, SolutionShown, Yours
-from judge.report.published_start import Begun
-from judge.report.screen import is_terminal, out
-from judge.report.terminal import draws
+from judge.report.screen import draws, is_terminal, out
 from judge.run.result import Taken
 
 _ROUNDS = 3

@@ -22,7 +22,7 @@ from judge.errors import ExitCode, JudgeError, UsageError, told
 from judge.judging.api import RunOptions
 from judge.problem import Problem
 from judge.problem.model import LEVELS, chosen_groups
-from judge.report.judged import AtLines, Judged, Several
+from judge.report.published_result import AtLines, Judged, Several
 from judge.run.result import Result, judge_fault
 
 _SEEDS = 10**9  # a fresh seed is below it: short enough to be typed again
@@ -166,7 +166,7 @@ def _judged(
                             done += 1
                             if advance:
                                 advance(done, total)
-                            row = shown(each.result, each.source, problem, each, whole=ask.whole)
+                            row = shown(each.result, each.source, problem, each.rows, whole=ask.whole)
                             alone = total == 1 and not (ask.quiet or common.json)
                             yield _with_standing(row, ask, common) if alone else row
                             each.save(svg)
@@ -232,7 +232,7 @@ def _fresh(
         result.noting(again),
         submission.source,
         problem,
-        drawing,
+        drawing.rows,
         quiet=ask.quiet,
         whole=ask.whole,
         fresh=again,
