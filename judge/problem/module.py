@@ -31,7 +31,6 @@ from judge.problem.model import (
     Group,
     KataLevel,
     Problem,
-    is_name,
 )
 from judge.problem.toml import read_text, told
 from judge.values.answers import Tolerance
@@ -233,8 +232,6 @@ def _checked(problem: Problem, declared: Declared, level: KataLevel | None, usua
     except msgspec.ValidationError as why:
         said, remedy, _ = told(why, raw, Group)
         raise fault(f"{what}: {said}", remedy) from None
-    if not is_name(name):
-        raise fault(f"{name!r} is no name for a group", "use small letters, digits and single hyphens")
     if not callable(draw):
         raise fault(f"{what} draws from {draw!r}", "give a function that takes a draw")
     if group.size is not None and group.neighbours:

@@ -13,7 +13,7 @@ import msgspec
 
 from judge.errors import ProblemError, nearest
 from judge.files import read_ordinary_text
-from judge.problem.model import Problem
+from judge.problem.model import FORMS, Problem
 
 T = TypeVar("T")
 KeyPath = Sequence[str | int]  # ("parameters", "cx", "low")
@@ -134,7 +134,7 @@ def line_of(text: str, path: KeyPath) -> int:
 def told(why: msgspec.ValidationError, raw: Any, shape: Any) -> tuple[str, str, KeyPath]:
     """What is wrong with what msgspec refused to make that shape of, what to do about it, and where it is."""
     said, place = re.fullmatch(_REFUSED, str(why)).groups()  # type: ignore[union-attr]
-    path = [key or int(number) for key, number in re.findall(_STEP, place or "")]
+    path = [key or int(number) for key, number in re.findall(_STEP, (place or "").replace("[...]", ""))]
     key = ".".join(part for part in path if isinstance(part, str)) or "the file"
     given = _at(raw, path)
     what, nul, remedy = said.partition("\0")
@@ -142,12 +142,10 @@ def told(why: msgspec.ValidationError, raw: Any, shape: Any) -> tuple[str, str, 
         return what.replace("{key}", key), remedy, path
     if expected := re.fullmatch(_EXPECTED, said):
         kind, got, bound = expected.groups()
-        what = (
-            f"is {_KINDS.get(got, f'a {got}')}"
-            if got
-            else f"= {repr(given) if isinstance(given, str) else given}"
-        )
-        return f"{key} {what}", f"give {_KINDS.get(kind, kind)}{bound}", path
+        shown = repr(given) if isinstance(given, str) else given
+        what = f"{key} is {_KINDS.get(got, f'a {got}')}" if got else f"{key} = {shown}"
+        form = next((f"use {form}" for pattern, form in FORMS.items() if repr(pattern) in bound), None)
+        return what, form or f"give {_KINDS.get(kind, kind)}{bound}", path
     from msgspec import inspect  # only for who mistyped something
 
     known = list(_known(inspect.type_info(shape), path, given))

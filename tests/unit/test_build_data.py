@@ -88,7 +88,8 @@ def test_a_broken_file_of_pins_is_a_fault(copy, text):
 
 def parameters(*types):
     return tuple(
-        Parameter(f"p{at}", parse(text), Fraction(-5), Fraction(11, 2), "") for at, text in enumerate(types)
+        Parameter(f"p{at}", parse(text), "", Fraction(-5), Fraction(11, 2), Fraction(0))
+        for at, text in enumerate(types)
     )
 
 

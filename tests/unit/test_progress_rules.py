@@ -95,7 +95,7 @@ def test_a_new_problem_joins_sets_and_skills_from_its_own_folder(problem):
     ("head", "tail", "wanted"),
     [
         ('sets = "path"', "", r"mine/problem.toml:1: sets is text; give a list"),
-        ('sets = ["Path"]', "", r"mine/problem.toml:1: 'Path' is no name for a practice set; use small"),
+        ('sets = ["Path"]', "", r"mine/problem.toml:1: sets = 'Path'; use small letters"),
         ('sets = ["path", "path"]', "", r"mine/problem.toml:1: 'path' is there twice in sets; remove one"),
         ("", '[skills]\na = ["half"]', r"mine/problem.toml:\d+: unknown key 'skills'; the keys are"),
     ],
