@@ -210,7 +210,7 @@ def _read(folder: Path) -> Problem:
         raise file.fault("test groups are declared in problem.py now", remedy, "groups", 0)
 
     def hook(wanted: Any, value: Any) -> Any:
-        return made(wanted, value, types)
+        return exact(wanted, value, types)
 
     head = file.read(Head, hook)
     parameters = []
@@ -230,7 +230,7 @@ def _read(folder: Path) -> Problem:
     return with_groups(problem, head.tolerance if head.answer.measured else Tolerance())
 
 
-def made(wanted: Any, value: Any, types: Path) -> Any:
+def exact(wanted: Any, value: Any, types: Path) -> Any:
     """A Fraction or a Type of what a setter writes, for `msgspec.convert`; a pack's types are in `types`."""
     from judge.problem.toml import refusal
     from judge.values.grammar import TypeFault
