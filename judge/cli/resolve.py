@@ -23,7 +23,7 @@ from msgspec import Struct
 from judge.errors import JudgeError, StoreError, UsageError
 from judge.languages import file_name, is_program
 from judge.problem import Problem
-from judge.problem.find import find_problem, near_problem_folders, problem_folders, shipped_problems
+from judge.problem.find import find_problem, problem_folders, shipped_problems
 from judge.problem.model import is_name
 
 if TYPE_CHECKING:
@@ -259,7 +259,7 @@ def is_problem(word: str, folders: Sequence[Path]) -> bool:
     """Whether a kata has that name; installed packs are searched where no nearer one has."""
     if not is_name(word):
         return False
-    near = [folder.name for folder in near_problem_folders(folders)]
+    near = [folder.name for folder in problem_folders(folders, installed=False)]
     return word in near or word in [folder.name for folder in problem_folders(folders)]
 
 

@@ -23,7 +23,7 @@ from judge.files import new_file
 from judge.mistakes.computed import Computer, Program
 from judge.mistakes.makers import read_makers
 from judge.problem import Problem
-from judge.problem.find import near_problem_folders
+from judge.problem.find import problem_folders
 from judge.problem.load import load_problem
 from judge.problem.model import is_name
 from judge.run.verify import ENOUGH
@@ -106,7 +106,7 @@ def _check_free(name: str, places: list[Path]) -> None:
         if place.is_symlink() or (place.exists() and not (place.is_dir() and not any(place.iterdir()))):
             what, remedy = "it is there already", "choose another name, or take it away first"
             raise UsageError(what, where=str(place), remedy=remedy)
-    for other in near_problem_folders():
+    for other in problem_folders(installed=False):
         if other.name == name:
             what, remedy = f"a kata is called {name!r} already", "choose another name: runs are kept by it"
             raise UsageError(what, where=str(other), remedy=remedy)
