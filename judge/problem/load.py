@@ -24,6 +24,8 @@ from msgspec.structs import replace
 from judge.cache import DISK, Store, code_files, code_key, content_key, digest, stamp
 from judge.errors import ProblemError
 from judge.problem.model import (
+    FORMS,
+    NAME,
     GroupLimits,
     Listed,
     Name,
@@ -40,7 +42,7 @@ from judge.values.answers import Tolerance, Words
 from judge.values.atoms import Type
 
 P = TypeVar("P", bound=Listed)
-_FORMAT = "2"  # raise it when the form of the file changes
+_FORMAT = "3"  # raise it when the form of the file changes
 _ROOMS = ("exact", "values", "problem", "data", "geometry")  # what groups and data depend on
 _OWN = (".toml", ".md", ".py", "pins.json")
 _MOST_DIGITS = 4_000  # of a number's exponent: Python reads and writes no integer above 4,300 digits
@@ -64,7 +66,7 @@ class Shelf:
     def __init__(self, root: Path, store: Store = DISK) -> None:
         self._store = store
         self._name = f"problems/{digest(os.fsencode(root))[:16]}"
-        self._heads = self._store.read(self._name, _FORMAT, dict[str, tuple[str, str, msgspec.Raw]]) or {}
+        self._heads = self._store.read(self._name, _FORMAT, dict[str, tuple[str, str, Listed]]) or {}
         self._shared = [_code_stamp(), stamp(_files(root / "types", (".py",)))]
         self._changed = False
 
@@ -72,32 +74,50 @@ class Shelf:
         """The problem of a folder in it, as much of it as `kind` has. Raises ProblemError."""
         name = folder.name
         if not is_name(name):
-            what, remedy = (
-                f"{name!r} is no name for a problem",
-                "use small letters, digits and single hyphens",
-            )
+            what, remedy = f"{name!r} is no name for a problem", f"use {FORMS[NAME]}"
             raise ProblemError(what, where=str(folder), remedy=remedy)
-        was, key, head = self._heads.get(name, ("", "", msgspec.Raw()))
+        was, key, head = self._heads.get(name, ("", "", None))
         stamps = [*self._shared, stamp(_files(folder, _OWN))]
         now = "".join(stamps) if all(stamps) else ""
-        problem = None
+        found: Listed | None = None
         if (now and now == was) or problem_key(folder) == key:
-            body = head if kind is Listed else self._store.read(f"{self._name}-{name}", key, bytes)
-            problem = _decoded(body or b"", folder, kind)
-        if problem is None:
+            found = head if kind is Listed else self._decoded(folder, key)
+        if found is None:
             key = problem_key(folder)
-            whole = replace(_read(folder), key=key)
-            problem = cast("P", whole)
+            found = whole = replace(_read(folder), key=key)
             if not key or problem_key(folder) != key:  # its files changed meanwhile
-                return replace(problem, key="")
-            plain = msgspec.to_builtins(replace(whole, folder=Path(), solutions=Path()), enc_hook=_encoded)
-            head = msgspec.Raw(msgspec.json.encode(msgspec.convert(plain, Listed)))
-            self._store.write(f"{self._name}-{name}", key, msgspec.json.encode(plain))
+                return cast("P", replace(whole, key=""))
+            head = msgspec.convert(whole, Listed, from_attributes=True)
+            kept = msgspec.json.encode(replace(whole, folder=Path(), solutions=Path()), enc_hook=_encoded)
+            self._store.write(f"{self._name}-{name}", key, kept)
             was = "nothing sound"
-        if now != was:
+        if head and now != was:
             self._heads[name] = now, key, head
             self._changed = True
-        return problem
+        return cast("P", found)
+
+    def _decoded(self, folder: Path, key: str) -> Problem | None:
+        """The whole problem that was kept, in its folder; None where there is none."""
+
+        def made(wanted: Any, value: Any) -> Any:
+            if wanted is Fraction:
+                return _fraction(value)
+            if wanted is Path:
+                return folder
+            return _type(value["type"], folder.parent / "types", Words(**value["words"]))
+
+        plain = self._store.read(f"{self._name}-{folder.name}", key, bytes)
+        try:
+            problem = msgspec.json.decode(plain or b"", type=Problem, dec_hook=made)
+        except (ValueError, TypeError, KeyError):  # msgspec's and TypeFault are ValueErrors
+            return None
+        from judge.values.parameters import listed
+
+        examples = tuple(
+            replace(each, case=tupled(each.case), wanted=listed(problem.answer, tupled(each.wanted)))
+            for each in problem.examples
+        )
+        return replace(problem, solutions=_solutions(folder), examples=examples)
 
     def keep(self) -> None:
         """Write what changed to the cache."""
@@ -129,32 +149,6 @@ def problem_key(folder: Path) -> str:
 @cache
 def _code_stamp() -> str:
     return stamp(code_files(*_ROOMS))
-
-
-def _decoded(plain: bytes | msgspec.Raw, folder: Path, kind: type[P]) -> P | None:
-    """The problem that was kept, in its folder; None where it is none."""
-
-    def made(wanted: Any, value: Any) -> Any:
-        if wanted is Fraction:
-            return _fraction(value)
-        if wanted is Path:
-            return folder
-        return _type(value["type"], types, Words(**value["words"]))
-
-    types = folder.parent / "types"
-    try:
-        problem = msgspec.json.decode(plain, type=kind, dec_hook=made)
-    except (ValueError, TypeError, KeyError):  # msgspec's and TypeFault are ValueErrors
-        return None
-    if not isinstance(problem, Problem):
-        return problem
-    from judge.values.parameters import listed
-
-    examples = tuple(
-        replace(each, case=tupled(each.case), wanted=listed(problem.answer, tupled(each.wanted)))
-        for each in problem.examples
-    )
-    return replace(problem, solutions=_solutions(folder), examples=examples)
 
 
 _fraction = cache(Fraction)  # a problem has hundreds of them, most of them alike

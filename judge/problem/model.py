@@ -25,26 +25,26 @@ MOST_INPUT_MB = 72  # what a container's memory has room for beside the answers
 _MEGABYTE = 2**20
 Bound = Annotated[float, Meta(ge=1e-3, le=1e6)]
 # Patterns of texts, each with what to use.
-_NAME = r"^[a-z][a-z0-9]*(-[a-z0-9]+)*\Z"
+NAME = r"^[a-z][a-z0-9]*(-[a-z0-9]+)*\Z"
 _PYTHON = rf"^(?!(?:{'|'.join(keyword.kwlist)})\Z)[A-Za-z_]\w*\Z"
 _FILE = r"^[^./\\][^/\\]*\Z"
 _LINE = r"^(\S[^\x00-\x1f]*)?\Z"
 _AUTHOR = r"^\S[^\x00-\x1f,&]*\Z"
 FORMS = {
-    _NAME: "small letters, digits and single hyphens",
+    NAME: "small letters, digits and single hyphens",
     _PYTHON: "a plain Python name",
     _FILE: "the name of a file of the accepted solutions",
     _LINE: "a line of text, or leave the key out",
     _AUTHOR: "each author's name by itself",
 }
-Name = Annotated[str, Meta(pattern=_NAME)]
+Name = Annotated[str, Meta(pattern=NAME)]
 PythonName = Annotated[str, Meta(pattern=_PYTHON)]
 FileName = Annotated[str, Meta(pattern=_FILE)]
 
 
 def is_name(text: str) -> bool:
     """Whether a problem, a group or a set may be called so."""
-    return re.match(_NAME, text) is not None
+    return re.match(NAME, text) is not None
 
 
 def is_solution(path: str, problem: str) -> bool:
