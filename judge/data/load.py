@@ -45,18 +45,16 @@ class GroupData(Struct, frozen=True):
     choices: tuple[tuple[int, ...] | None, ...] = ()
 
 
-class ProblemData:
-    """All groups' data of one problem; `notes` are sentences for the person about how they came to be."""
+class ProblemData(Struct, eq=False):
+    """All groups' data of one problem; `notes` are sentences for the person about how they came to be.
 
-    def __init__(
-        self,
-        problem: Problem,
-        groups: tuple[GroupData, ...],
-        notes: tuple[str, ...] = (),
-        module: Module | None = None,
-    ) -> None:
-        self.problem, self.groups, self.notes = problem, groups, notes
-        self._module = module
+    `loaded` is the module, where it is.
+    """
+
+    problem: Problem
+    groups: tuple[GroupData, ...]
+    notes: tuple[str, ...] = ()
+    loaded: Module | None = None
 
     def exact(self, case: Case, group: Group) -> tuple[Exact, Tolerance]:
         """The exact answer to a case of that group, and its tolerance. Raises ProblemError.
@@ -70,9 +68,9 @@ class ProblemData:
         """What problem.py defines; it is loaded on the first use. Raises ProblemError."""
         from judge.problem.module import load_module
 
-        if self._module is None:
-            self._module = load_module(self.problem)
-        return self._module
+        if self.loaded is None:
+            self.loaded = load_module(self.problem)
+        return self.loaded
 
 
 def reseeded(group: Group, seed: int | None) -> Group:
@@ -165,4 +163,4 @@ def _data(plain: Any, problem: Problem, seed: int | None) -> ProblemData | None:
             groups.append(GroupData(group, cases, targets))
     except (KeyError, TypeError, ValueError, IndexError, AttributeError, ProblemError):
         return None  # whatever a foreign file can hold
-    return ProblemData(problem, tuple(groups), module=module)
+    return ProblemData(problem, tuple(groups), loaded=module)

@@ -34,6 +34,7 @@ HINTS = "hints.md"
 _BRIEF = 80  # characters of what is wrong: a message is one line, whatever stands in the file
 # What reading a text as Python raises: MemoryError if nested deeply, TypeError for {[]} and its like.
 _UNREADABLE = (SyntaxError, ValueError, TypeError, RecursionError, MemoryError)
+_PROMPT = r"(?m)^[ \t]*>>>(.*(?:\n[ \t]*\.\.\..*)*)((?:\n(?![ \t]*(?:>>>|```|$)).+)*)"
 _PLACEHOLDER = re.compile(r"\{\{\s*(.*?)\s*\}\}")
 
 
@@ -42,16 +43,16 @@ def read_statement(problem: Problem, raw: Mapping[str, Any]) -> tuple[str, tuple
 
     `raw` are the tables of problem.toml, with Decimals.
     """
-    text = _filled(problem, "statement.md", _words(raw))
+    text = "\n".join([*_filled(problem, "statement.md", _words(raw)), ""])
     examples = [
         Example(
             _call(call, problem, where := f"{problem.id}/statement.md:{line}"),
-            _wanted(wanted, problem.answer, where),
+            _wanted(wanted.strip(), problem.answer, where),
             line,
         )
         for line, call, wanted in _prompts(text)
     ]
-    return "\n".join(text) + "\n", tuple(examples)
+    return text, tuple(examples)
 
 
 def _filled(problem: Problem, file: str, words: Mapping[str, str]) -> list[str]:
@@ -90,21 +91,15 @@ def _written(number: Any) -> str:
     return (f"{number:e}" if small else str(number)).replace("E", "e").replace("e+", "e")
 
 
-def _prompts(text: list[str]) -> Iterator[tuple[int, str, str]]:
+def _prompts(text: str) -> Iterator[tuple[int, str, str]]:
     """Each example: the line it starts on, its call and the answer below it, as text."""
-    lines = [line.strip() for line in text]
-    for start, line in enumerate(lines):
-        if not line.startswith(">>>"):
-            continue
-        call, wanted = line[3:], ""
-        for below in lines[start + 1 :]:
-            if not wanted and below.startswith("..."):
-                call += below[3:]
-            elif not below or below.startswith((">>>", "```")):
-                break
-            else:
-                wanted += below + " "
-        yield start + 1, call.strip(), wanted.strip()
+    for found in re.finditer(_PROMPT, text):
+        call = re.sub(r"\n[ \t]*\.\.\.", "", found[1])
+        yield (
+            text.count("\n", 0, found.start()) + 1,
+            call.strip(),
+            " ".join(map(str.strip, found[2].split("\n"))),
+        )
 
 
 def _call(text: str, problem: Problem, where: str) -> Case:

@@ -180,8 +180,10 @@ class Atom(Type):
         return str(value)
 
     def value_from(self, token: str) -> Any:
-        """The value of a token; raises ValueError."""
-        raise NotImplementedError
+        """The value of a token, which may be the token itself; raises ValueError."""
+        if wrong := self.why_not(token):
+            raise ValueError(wrong)
+        return token
 
     def aim(self, exact: Exact, tolerance: Tolerance) -> Target:
         """What answers are held against; raises Unfit."""
@@ -385,9 +387,3 @@ class WordType(Atom):
         if len(token) > LONGEST_WORD:
             raise Unreadable(f"{quoted(token)} where {self.noun} is meant")
         return {"word": token}
-
-    def value_from(self, token: str) -> Any:
-        """One of the choice."""
-        if token not in self.samples:
-            raise ValueError(f"none of the words: {token[:40]!r}")
-        return token
