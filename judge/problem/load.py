@@ -21,7 +21,7 @@ import msgspec
 from msgspec import Meta, Struct
 from msgspec.structs import replace
 
-from judge.cache import DISK, Store, code_files, code_key, content_key, digest, stamp
+from judge.cache import DISK, code_files, code_key, content_key, digest, stamp
 from judge.errors import ProblemError
 from judge.problem.model import (
     FORMS,
@@ -63,10 +63,9 @@ def load_problem(folder: Path, solutions: Path | None = None) -> Problem:
 class Shelf:
     """The problems of one folder, from the cache as far as that holds. Call `keep` when all are asked for."""
 
-    def __init__(self, root: Path, store: Store = DISK) -> None:
-        self._store = store
+    def __init__(self, root: Path) -> None:
         self._name = f"problems/{digest(os.fsencode(root))[:16]}"
-        self._heads = self._store.read(self._name, _FORMAT, dict[str, tuple[str, str, Listed]]) or {}
+        self._heads = DISK.read(self._name, _FORMAT, dict[str, tuple[str, str, Listed]]) or {}
         self._shared = [_code_stamp(), stamp(_files(root / "types", (".py",)))]
         self._changed = False
 
@@ -89,7 +88,7 @@ class Shelf:
                 return cast("P", replace(whole, key=""))
             head = msgspec.convert(whole, Listed, from_attributes=True)
             kept = msgspec.json.encode(replace(whole, folder=Path(), solutions=Path()), enc_hook=_encoded)
-            self._store.write(f"{self._name}-{name}", key, kept)
+            DISK.write(f"{self._name}-{name}", key, kept)
             was = "nothing sound"
         if head and now != was:
             self._heads[name] = now, key, head
@@ -106,7 +105,7 @@ class Shelf:
                 return folder
             return _type(value["type"], folder.parent / "types", Words(**value["words"]))
 
-        plain = self._store.read(f"{self._name}-{folder.name}", key, bytes)
+        plain = DISK.read(f"{self._name}-{folder.name}", key, bytes)
         try:
             problem = msgspec.json.decode(plain or b"", type=Problem, dec_hook=made)
         except (ValueError, TypeError, KeyError):  # msgspec's and TypeFault are ValueErrors
@@ -122,7 +121,7 @@ class Shelf:
     def keep(self) -> None:
         """Write what changed to the cache."""
         if self._changed:
-            self._store.write(self._name, _FORMAT, msgspec.json.encode(self._heads))
+            DISK.write(self._name, _FORMAT, msgspec.json.encode(self._heads))
 
 
 def own_files(folder: Path) -> list[str]:

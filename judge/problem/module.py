@@ -125,16 +125,13 @@ def _solver(module: ModuleType, problem: Problem) -> Callable[..., Exact]:
     InvalidCase alone goes through. Raises ProblemError where there is no such function, or it takes other
     parameters than problem.toml names.
     """
-    function = getattr(module, "solve", None)
-    remedy = f"define solve({', '.join(each.name for each in problem.parameters)})"
-    if not callable(function):
-        raise _fault(problem, "problem.py defines no function 'solve'", remedy)
-    code = getattr(function, "__code__", None)
-    line = code.co_firstlineno if code is not None else 1
+    function: Any = getattr(module, "solve", None)
+    line = getattr(getattr(function, "__code__", None), "co_firstlineno", None)
     try:
         inspect.signature(function).bind(*problem.parameters)
     except TypeError:
-        what = f"solve does not take the {len(problem.parameters)} parameters of problem.toml"
+        what = "there is no function 'solve' of the parameters of problem.toml"
+        remedy = f"define solve({', '.join(each.name for each in problem.parameters)})"
         raise _fault(problem, what, remedy, line) from None
 
     def solve(*case: Any) -> Exact:

@@ -73,8 +73,8 @@ def test_pins_notice_drift_new_groups_and_old_ones(copy):
     pins["small"]["hash"] = "0" * 64
     pins["large"] = pins.pop("examples")
     assert differences(pins, found) == [
-        "the data of group 'small' differ from their pinned hash",
         "group 'examples' has no pinned hash",
+        "the data of group 'small' differ from their pinned hash",
         "the pinned hash of 'large' belongs to no group",
     ]
 
