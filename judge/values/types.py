@@ -134,6 +134,8 @@ class TupleType(Composite):
         if self.is_vector:
             self.noun, self.plural = f"({', '.join(self.names)})", "points"
             self.one, self.several = "point", "points"
+            for part in parts:  # which are made for it
+                part.noun = "a coordinate"
 
     def word(self, at: int) -> str:
         """Its name."""
