@@ -235,8 +235,6 @@ def exact(wanted: Any, value: Any, types: Path) -> Any:
             return _type(value, types)
         except TypeFault as fault:
             raise refusal(f"{{key}} = {fault.what}", fault.remedy) from None
-    if wanted is not Fraction:
-        raise NotImplementedError(wanted)
     if isinstance(value, bool) or not isinstance(value, int | float | Decimal | Fraction):
         raise refusal("{key} is not a number", "give a number")
     number = Decimal(str(value)) if isinstance(value, float) else value

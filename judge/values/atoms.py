@@ -87,6 +87,10 @@ class Place(NamedTuple):
         name = self.name()
         return f"{name}: " if name else ""
 
+    def mismatch(self, why: str) -> Mismatch:
+        """Why what is here is wrong."""
+        return Mismatch(self.prefix() + why, self.name())
+
 
 ROOT = Place()
 
@@ -209,8 +213,9 @@ class Atom(Type):
 
     def why(self, value: Value, target: Target, words: Words, place: Place) -> Mismatch:
         """Why a value that is wrong is so: it may even be none of this type."""
-        message = self.why_not(value) or f"{self.shown(target)} wanted, {self.shown(value)} given"
-        return Mismatch(place.prefix() + message, place.name())
+        return place.mismatch(
+            self.why_not(value) or f"{self.shown(target)} wanted, {self.shown(value)} given"
+        )
 
     def take(self, tokens: Tokens, meant: str) -> Raw:
         """The answer that the next token holds, as JSON; raises Unreadable."""

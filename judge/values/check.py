@@ -180,7 +180,7 @@ def _off_any(type_: Type, value: Value, target: Target, ask: _Ask, place: Place)
     if "such as" in target:
         judged, _ = ask.at(place)
         why = judged.why_not(_plain(value), judged.group)
-        return NOTHING if why is None else _Miss(place, lambda: Mismatch(place.prefix() + why, place.name()))
+        return NOTHING if why is None else _Miss(place, partial(place.mismatch, why))
     misses = []
     for step, each in enumerate(target["any"]):
         found = _off(type_, value, each, ask, Place(place, step))
@@ -211,7 +211,7 @@ def _none(type_: Type, value: Value, target: Target, ask: _Ask, place: Place) ->
         message = f"None given, {ask.words.missing}: {name}{wanted(type_, target)}"
     else:
         message = f"{wanted(type_, target)} wanted, None given"
-    return Mismatch(place.prefix() + message, place.name())
+    return place.mismatch(message)
 
 
 def _of_several(type_: Type, value: Value, target: Target, place: Place, misses: Sequence[_Miss]) -> Mismatch:
@@ -219,7 +219,7 @@ def _of_several(type_: Type, value: Value, target: Target, place: Place, misses:
     inner = lasting(type_)
     if value is None or (isinstance(inner, Atom) and not inner.measured):
         given = inner.shown(value) if isinstance(inner, Atom) and value is not None else "None"
-        return Mismatch(f"{place.prefix()}{wanted(type_, target)} wanted, {given} given", place.name())
+        return place.mismatch(f"{wanted(type_, target)} wanted, {given} given")
     longest = max(each.place.steps()[len(place.steps()) + 1 :] for each in misses)
     told = [each.tell() for each in misses if each.place.steps()[len(place.steps()) + 1 :] == longest]
     return min(told, key=lambda why: inf if why.errors[0] is None else why.errors[0])
@@ -232,7 +232,7 @@ def _other_count(type_: ListType, value: Value, target: Target, ask: _Ask, place
     message = f"{count} wanted, {len(value) or 'none'} given"
     if size == 1 and len(value) == 2 and all(_fits(type_, each, target, 0, ask, place) for each in value):
         message += f": the same {type_.one} twice"
-    return Mismatch(place.prefix() + message, place.name())
+    return place.mismatch(message)
 
 
 def _other_items(
