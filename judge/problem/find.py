@@ -91,9 +91,7 @@ def listed_problems(extra: Sequence[Path], kind: type[P]) -> tuple[list[P], list
     for shelf in shelves.values():
         shelf.keep()
     tiers = list(Tier)
-    return sorted(
-        problems, key=lambda each: (tiers.index(each.tier), each.place is None, each.place or 0, each.id)
-    ), faults
+    return sorted(problems, key=lambda each: (tiers.index(each.tier), each.place, each.id)), faults
 
 
 # -- folders -----------------------------------------------------------------------------------------------

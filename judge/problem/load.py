@@ -188,7 +188,7 @@ class Head(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     growth: Annotated[float, Meta(gt=0, le=3)] | None = None  # an exponent's excess over the reference's
     words: Words = Words()
     sets: tuple[Name, ...] = ()
-    place: int | None = None
+    place: int = 1_000_000
     source: Source = Source()
 
 

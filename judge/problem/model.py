@@ -250,7 +250,7 @@ class Listed(Struct, frozen=True, kw_only=True, omit_defaults=True):
     entry: str
     groups: tuple[ListedGroup, ...]
     sets: tuple[str, ...] = ()  # the practice sets that it is in
-    place: int | None = None  # in its tier's order; without one it comes last
+    place: int = 1_000_000  # in its tier's order
 
     @property
     def levels(self) -> tuple[KataLevel, ...]:

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from array import array
 from collections.abc import Callable, Iterator
-from fractions import Fraction
 from itertools import chain
 from typing import Any, Protocol
 
@@ -62,23 +61,6 @@ def leaves(type_: Type, value: Value) -> Iterator[tuple[Type, Value]]:
     else:
         for part, each in inner.pairs(value):
             yield from leaves(part, each)
-
-
-def outside(
-    type_: Type, value: Value, low: Fraction | int, high: Fraction | int
-) -> tuple[Any, Any, Any] | None:
-    """The first number of a well-shaped value beyond the bounds, with these; None if there is none."""
-    for atom, each in leaves(type_, value):
-        if isinstance(atom, NumberType):
-            least = low if atom.least is None else max(low, atom.least)
-            if not least <= each <= high:
-                return each, least, high
-    return None
-
-
-def reals(type_: Type, value: Value) -> Iterator[Number]:
-    """The numbers of a well-shaped value that are of the type `real`."""
-    return (each for atom, each in leaves(type_, value) if atom.measured)
 
 
 def tokens(type_: Type, value: Value) -> Iterator[str]:
