@@ -94,20 +94,6 @@ def _form() -> Any:
 _FORM = _form()
 
 
-def _in_tuples(plain: Any) -> Any:
-    """A file that has more than the form allows, such as several right answers, as the form would read it."""
-
-    def tuples(value: Any) -> Any:
-        if isinstance(value, dict):
-            return {key: tuples(each) for key, each in value.items()}
-        return tuple(map(tuples, value)) if isinstance(value, list) else value
-
-    return {
-        name: [[*map(tuples, each)] for each in group] if isinstance(group, list) else group
-        for name, group in (plain or {}).items()
-    }
-
-
 def load_data(
     problem: Problem,
     *,
@@ -121,7 +107,8 @@ def load_data(
     Without a `store` they are built afresh and not kept. Raises ProblemError.
     """
     place = data_name("data", problem, seed), data_key(problem, seed)
-    plain = store and (store.read(*place, _FORM) or _in_tuples(store.read(*place, dict[str, Any])))
+    # The form has no place for several right answers: they are read without one.
+    plain = store and (store.read(*place, _FORM) or tupled(store.read(*place, dict[str, Any])))
     kept = _data(plain, problem, seed) if plain else None
     if kept is not None:
         return kept
@@ -175,7 +162,7 @@ def _data(plain: Any, problem: Problem, seed: int | None) -> ProblemData | None:
                 cases, targets = from_seeds(kept, problem, module, group), list(map(tupled, kept["targets"]))
             if len(cases) != group.count or len(targets) != group.count:
                 return None
-            groups.append(GroupData(group, cases, targets))
+            groups.append(GroupData(group, list(cases), list(targets)))
     except (KeyError, TypeError, ValueError, IndexError, AttributeError, ProblemError):
         return None  # whatever a foreign file can hold
     return ProblemData(problem, tuple(groups), loaded=module)

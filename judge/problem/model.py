@@ -59,6 +59,8 @@ def case_of(arguments: Mapping[str, Any]) -> Case:
 
 def tupled(value: Any) -> Any:
     """The value with a tuple in place of every list, at every level."""
+    if isinstance(value, dict):
+        return {key: tupled(each) for key, each in value.items()}
     return tuple(map(tupled, value)) if isinstance(value, tuple | list) else value
 
 
