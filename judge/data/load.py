@@ -106,7 +106,7 @@ def load_data(
     With `seed`, each group's own seed is derived from it. `progress` hears how many cases are built.
     Without a `store` they are built afresh and not kept. Raises ProblemError.
     """
-    place = data_name("data", problem, seed), data_key(problem, seed)
+    place = kept_place("data", problem, seed)
     # The form has no place for several right answers: they are read without one.
     plain = store and (store.read(*place, _FORM) or tupled(store.read(*place, dict[str, Any])))
     kept = _data(plain, problem, seed) if plain else None
@@ -130,19 +130,17 @@ def load_data(
 
 def is_kept(problem: Problem, seed: int | None) -> bool:
     """Whether the data are in the cache."""
-    name, key = data_name("data", problem, seed), data_key(problem, seed)
-    return DISK.read(name, key, dict[str, Any]) is not None
+    return DISK.read(*kept_place("data", problem, seed), dict[str, Any]) is not None
 
 
-def data_name(folder: str, problem: Problem, seed: int | None) -> str:
-    """The name in that folder of the store of what is kept for this problem, in this place, for a seed."""
+def kept_place(folder: str, problem: Problem, seed: int | None) -> tuple[str, str]:
+    """The name in that folder of the store of what is kept for this problem, in this place, for a seed.
+
+    After it the key of all that the data are made from.
+    """
     place = digest(os.fsencode(problem.folder))[:8]
-    return f"{folder}/{problem.id}-{place}-{'own' if seed is None else 'seeded'}"
-
-
-def data_key(problem: Problem, seed: int | None) -> str:
-    """The key of all that the data are made from."""
-    return f"{FORMAT}/{seed}/{problem.key}"
+    name = f"{folder}/{problem.id}-{place}-{'own' if seed is None else 'seeded'}"
+    return name, f"{FORMAT}/{seed}/{problem.key}"
 
 
 def _data(plain: Any, problem: Problem, seed: int | None) -> ProblemData | None:

@@ -12,7 +12,7 @@ from typing import Annotated, Any
 
 from msgspec import Meta, Struct
 
-from judge.errors import UsageError, nearest
+from judge.errors import UsageError
 from judge.values.answers import Tolerance
 from judge.values.atoms import Type
 
@@ -346,9 +346,9 @@ def chosen_groups(problem: Problem, names: Sequence[str], level: str | None = No
     known = [group.name for group in problem.groups]
     for name in names:
         if name not in known:
-            meant = nearest(name, known)
-            remedy = f"did you mean {meant!r}?" if meant else f"it has {', '.join(known)}"
-            raise UsageError(f"{problem.id} has no group {name!r}", remedy=remedy)
+            from judge.problem.toml import meant
+
+            raise UsageError(f"{problem.id} has no group {name!r}", remedy=meant(name, known, "it has"))
     chosen = tuple(group for group in problem.groups if not names or group.name in names)
     if level is None:
         return chosen

@@ -109,8 +109,7 @@ def argument(type_: Type, value: Value) -> Any:
 
 def literal(type_: Type, value: Value) -> str:
     """The value as it is written in Python."""
-    is_array = value is not None and isinstance(lasting(type_), ArrayType)
-    return f"array('d', {list(value)!r})" if is_array else repr(listed(type_, value))
+    return repr(argument(type_, value))
 
 
 def simpler(type_: Type, value: Value) -> Iterator[Value]:
