@@ -26,7 +26,7 @@ from judge.cli.files import Submission, Unjudged, gathered, read_submissions
 from judge.errors import JudgeError, StoreError, UsageError
 from judge.languages import file_name, is_program
 from judge.problem import Problem
-from judge.problem.find import find_problem, near_problem_folders, problem_folders, shipped_problems
+from judge.problem.find import find_problem, problem_folders, shipped_problems
 from judge.problem.model import is_name
 
 if TYPE_CHECKING:
@@ -268,8 +268,8 @@ def problem_of_file(submission: Submission, command: str, common: Common) -> Pro
 
 def is_problem(word: str, common: Common) -> bool:
     """Whether a kata has that name; installed packs are searched where no nearer one has."""
-    searches = (near_problem_folders, problem_folders)
-    return is_name(word) and any(word == each.name for find in searches for each in find(common.problems))
+    found = (problem_folders(common.problems, installed=installed) for installed in (False, True))
+    return is_name(word) and any(word == each.name for folders in found for each in folders)
 
 
 def usual_file(problem: str, db: Path | None) -> str:
