@@ -1,11 +1,28 @@
 """A judge and kata kit for circle-line geometry.
 
-    import judge
+>>> import judge
+>>> problem = judge.find_problem("count")
+>>> options = judge.RunOptions(groups=("examples",), timed=False, diagnosed=False, named=False)
+>>> source = "def line_count(cx, cy, r, A, B): return 2"
+>>> result = judge.judge(problem, source, name="mine.py", options=options)  # a judge.Result
+>>> result.verdict.value, result.failure.case, result.failure.got
+('WA', 2, '2')
 
-    result = judge.judge("count", pathlib.Path("mine.py"))
+For many submissions, a session builds the data once; a job is a submission that can be sent elsewhere:
+
+>>> job = judge.Job.of(problem, source.encode(), "mine.py", options)
+>>> with judge.Session(problem, options) as session:
+...     session.judge(job.source, job.name).verdict.value
+'WA'
+
+What a person is told in one line is a JudgeError: a UsageError, a ProblemError or a ShortageError.
+
+>>> judge.find_problem("cuont")
+Traceback (most recent call last):
+judge.errors.UsageError: no problem is called 'cuont'; did you mean 'count'?
 
 Nothing of it is imported before it is asked for; judge/manual/testing.md has more examples. Imports
-point one way: cli → batch → judging → report → kata → geometry → mistakes → diagnose → run → data →
+point one way: cli → batch → judging → report → practice → geometry → mistakes → diagnose → run → data →
 problem → drawing, values → exact → errors. `sandbox` knows nothing of problems, `exact` nothing of judging,
 and none of them but `geometry` what a problem is about.
 
@@ -20,16 +37,16 @@ if TYPE_CHECKING:
 
 __version__ = "0.1.0"
 _FROM = {
-    "Job": "judge.judging.job",
+    "Job": "judge.judging.api",
     "JudgeError": "judge.errors",
     "ProblemError": "judge.errors",
     "Result": "judge.run.result",
-    "RunOptions": "judge.judging.job",
+    "RunOptions": "judge.judging.api",
     "Session": "judge.judging.session",
     "ShortageError": "judge.errors",
     "UsageError": "judge.errors",
     "find_problem": "judge.problem.find",
-    "judge": "judge.judging.public",
+    "judge": "judge.judging.api",
 }
 __all__ = [*_FROM, "__version__"]
 

@@ -1,11 +1,10 @@
 """What can go wrong that a person is told about.
 
-    JudgeError            anything the judge says in one line instead of a traceback
+    JudgeError            anything the judge says in one line instead of a traceback (exit 3)
     ├── UsageError        the caller's: an unknown problem, a missing file (exit 2)
-    ├── ProblemError      a problem folder's own fault: a misspelt key, a wrong example (exit 3)
-    ├── ShortageError     this machine has too little of something just now: processes, memory (exit 3)
-    ├── HistoryError      the file of past runs cannot be read or written (exit 3)
-    └── StoreError        a class's file of results cannot be (exit 3)
+    ├── ProblemError      a problem folder's own fault: a misspelt key, a wrong example
+    ├── ShortageError     this machine has too little of something just now: processes, memory
+    └── StoreError        the file of past runs, or of a class's results, cannot be read or written
 
 A submission's faults are not errors: they are verdicts.
 """
@@ -42,20 +41,12 @@ class JudgeError(Exception):
 
     def __init__(self, what: str, *, where: str | None = None, remedy: str | None = None) -> None:
         super().__init__(what)
-        self.what = what
-        self.where = where
-        self.remedy = remedy
+        self.what, self.where, self.remedy = what, where, remedy
 
     def __str__(self) -> str:
         place = f"{self.where}: " if self.where else ""
         advice = f"; {self.remedy}" if self.remedy else ""
         return f"{place}{self.what}{advice}"
-
-
-def told(fault: Exception) -> str:
-    """What to tell a person about a fault that costs less than the whole run: a line, whatever it was."""
-    line = fault if isinstance(fault, JudgeError) else shortage(fault)
-    return f"internal fault: {fault!r}" if line is None else str(line)
 
 
 class UsageError(JudgeError):
@@ -64,32 +55,39 @@ class UsageError(JudgeError):
     exit_code = ExitCode.USAGE
 
 
+class ProblemError(JudgeError):
+    """A problem's folder contradicts itself or the format."""
+
+
 class ShortageError(JudgeError):
     """The machine, or a limit set for the judge, has no room for what one submission needs."""
 
-    exit_code = ExitCode.FAULT
+
+class StoreError(JudgeError):
+    """A file of results fails: a full disk, a newer judge's file, no database, another judge that writes."""
 
 
 NO_THREAD = "can't start new thread"  # all that Python says of it
 LIMIT_ON_TASKS = "raise the limit on processes (ulimit -u, a container's pids limit)"
+_FEWER = "use a smaller -j"
 _SHORTAGES = {
-    errno.EAGAIN: (
-        "no further process or thread can be started",
-        f"use a smaller -j, or {LIMIT_ON_TASKS}",
-    ),
+    errno.EAGAIN: ("no further process or thread can be started", f"{_FEWER}, or {LIMIT_ON_TASKS}"),
     errno.ENOMEM: (
         "there is no memory left",
-        "use a smaller -j, end other programs, or raise the limit (ulimit -v, a container's memory)",
+        f"{_FEWER}, end other programs, or raise the limit (ulimit -v, a container's memory)",
     ),
-    errno.EMFILE: (
-        "the judge has no file descriptor left",
-        "use a smaller -j, or raise the limit (ulimit -n)",
-    ),
-    errno.ENFILE: ("the system has no file descriptor left", "use a smaller -j, or end other programs"),
+    errno.EMFILE: ("the judge has no file descriptor left", f"{_FEWER}, or raise the limit (ulimit -n)"),
+    errno.ENFILE: ("the system has no file descriptor left", f"{_FEWER}, or end other programs"),
     errno.EFBIG: ("a file may not become as large as it must", "raise the limit (ulimit -f unlimited)"),
     errno.ENOSPC: ("there is no space left for a file", "free some"),
     errno.EDQUOT: ("your quota leaves no space for a file", "free some"),
 }
+
+
+def told(fault: Exception) -> str:
+    """What to tell a person about a fault that costs less than the whole run: a line, whatever it was."""
+    line = fault if isinstance(fault, JudgeError) else shortage(fault)
+    return str(line or f"internal fault: {fault!r}")
 
 
 def shortage(fault: BaseException) -> ShortageError | None:
@@ -122,27 +120,8 @@ def unwritable(path: Path, fault: OSError, remedy: str | None = None) -> UsageEr
     return UsageError(f"cannot be written ({reason})", where=str(path), remedy=remedy)
 
 
-class ProblemError(JudgeError):
-    """A problem's folder contradicts itself or the format."""
-
-    exit_code = ExitCode.FAULT
-
-
-class HistoryError(JudgeError):
-    """The history of runs cannot be read or written: a full disk, a newer judge's file, no database."""
-
-    exit_code = ExitCode.FAULT
-
-
-class StoreError(JudgeError):
-    """A class's file of results cannot be read or written, or another judge is writing to it."""
-
-    exit_code = ExitCode.FAULT
-
-
 def nearest(name: str, names: Iterable[str]) -> str | None:
     """The one of `names` that `name` was most likely meant to be, or None."""
     import difflib  # late: only who mistyped something waits for it
 
-    matches = difflib.get_close_matches(name, list(names), n=1, cutoff=0.6)
-    return matches[0] if matches else None
+    return next(iter(difflib.get_close_matches(name, list(names), n=1)), None)

@@ -17,10 +17,8 @@ from typing import Any
 
 import msgspec
 
-from judge.atomic import put_file
 from judge.digest import digest_of
-from judge.folders import CACHE_VARIABLE
-from judge.reading import read_ordinary
+from judge.files import CACHE_VARIABLE, read_ordinary, replace_file
 
 
 def read_kept(path: Path, key: str, folder: Path) -> bytes | None:
@@ -36,7 +34,7 @@ def read_kept(path: Path, key: str, folder: Path) -> bytes | None:
 def write_kept(path: Path, key: str, body: bytes) -> None:
     """Keep that. Raises OSError."""
     path.parent.mkdir(parents=True, exist_ok=True)
-    put_file(path, _checksum(key, body) + b"\n" + body)
+    replace_file(path, _checksum(key, body) + b"\n" + body, follow_links=False)
 
 
 def _checksum(key: str, body: bytes) -> bytes:

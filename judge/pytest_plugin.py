@@ -42,11 +42,11 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
     if _FIXTURE not in metafunc.fixturenames:
         return
     try:
-        groups = _groups(metafunc.config, metafunc.definition)
+        groups: Any = _groups(metafunc.config, metafunc.definition)
+        names = [group.name for group in groups]
     except _Misused as fault:  # this test fails with it when it is run, and the others are collected
-        metafunc.parametrize(_FIXTURE, [str(fault)], ids=[_MARKER], indirect=True)
-        return
-    metafunc.parametrize(_FIXTURE, groups, ids=[group.name for group in groups], indirect=True)
+        groups, names = [str(fault)], [_MARKER]
+    metafunc.parametrize(_FIXTURE, groups, ids=names, indirect=True)
 
 
 @pytest.fixture
@@ -71,7 +71,7 @@ def _groups(config: pytest.Config, item: Any) -> list[JudgeGroup]:
         raise _Misused(f"the marker {_MARKER} cannot be understood: {_USE}") from None
     try:
         problem = _problem(config, name, folders)
-        return [problem.group(each) for each in (problem.groups if chosen is None else chosen)]
+        return [problem.group(each) for each in chosen or problem.groups]
     except JudgeError as fault:
         raise _Misused(f"{_MARKER}: {fault}") from None
 

@@ -22,17 +22,16 @@ from typing import Any
 
 from msgspec import Struct
 
-from judge.data.load import load_data
-from judge.data.model import ProblemData
+from judge.data.load import ProblemData, load_data
 from judge.errors import UsageError
-from judge.judging.routine import Held, Routine, explained, held, routine_name
+from judge.judging.inprocess import Held, Routine, check_routine, explain_routine, routine_name
 from judge.mistakes.told import told_mistakes
-from judge.problem import Group, Problem
+from judge.problem import Problem
 from judge.problem.find import find_problem
 from judge.problem.model import chosen_groups
 from judge.report.tell import tell
 from judge.report.words import counted, printable
-from judge.run.result import GroupResult, Result
+from judge.run.result import Result
 
 __all__ = ["JudgeGroup", "JudgeProblem", "judge_problem"]
 
@@ -64,8 +63,8 @@ class JudgeProblem:
 
     def group(self, name: str) -> JudgeGroup:
         """One of its test groups. Raises UsageError if it has none of that name."""
-        chosen_groups(self.problem, [name])
-        return JudgeGroup(self, name)
+        (group,) = chosen_groups(self.problem, [name])
+        return JudgeGroup(self, name, group.about)
 
     def check(self, routine: Routine, groups: str | Iterable[str] | None = None) -> None:
         """Call `routine` with every case of the groups, all of them where none are named.
@@ -86,11 +85,12 @@ class JudgeProblem:
         chosen_groups(self.problem, chosen)
         if not chosen:
             raise UsageError("no group is named", remedy="leave groups out for all of them")
-        judged = held(self.data, routine, chosen)
-        failed = next((each for each in judged if each.failure is not None), None)
+        judged = check_routine(self.data, routine, chosen)
+        failed = next((each for each in judged if each.run.failure is not None), None)
         if failed is not None:
-            results = [each.result for each in judged]
-            text = _text(_lines(self.problem, routine, failed, results, self._explained(routine)))
+            lines = _lines(self.problem, routine, judged, failed, self._explained(routine))
+            rows = (printable(row) for text in lines for row in text.splitlines() or [""])
+            text = "\n".join(part for row in rows for part in wrap(row, _WIDTH) or [""])
             raise AssertionError(text) from failed.raised
 
     def _explained(self, routine: Routine) -> Result | None:
@@ -98,7 +98,7 @@ class JudgeProblem:
         key = _sameness(routine)
         if key not in self._found:
             try:
-                self._found[key] = explained(self.data, routine)
+                self._found[key] = explain_routine(self.data, routine)
             except Exception:  # what is known of the failure is worth more than what could be
                 self._found[key] = None
         return self._found[key]
@@ -110,29 +110,19 @@ class JudgeProblem:
 
 
 class JudgeGroup(Struct, frozen=True):
-    """One test group of a problem: what the fixture `judge_group` is."""
+    """One test group of a problem, and what it probes in a sentence: what the fixture `judge_group` is."""
 
     problem: JudgeProblem
     name: str
+    about: str
 
     def __repr__(self) -> str:
         return f"{self.problem!r}.group({self.name!r})"
-
-    @property
-    def about(self) -> str:
-        """What the group probes, in a sentence."""
-        return self._group.about
 
     def check(self, routine: Routine) -> None:
         """Call `routine` with every case of the group; see `JudgeProblem.check`."""
         __tracebackhide__ = True
         self.problem.check(routine, [self.name])
-
-    @property
-    def _group(self) -> Group:
-        group = self.problem.problem.group(self.name)
-        assert group is not None  # only JudgeProblem.group makes one
-        return group
 
 
 def _sameness(routine: Routine) -> Any:
@@ -144,8 +134,9 @@ def _sameness(routine: Routine) -> Any:
 
 
 def _lines(
-    problem: Problem, routine: Routine, failed: Held, results: Sequence[GroupResult], found: Result | None
+    problem: Problem, routine: Routine, judged: Sequence[Held], failed: Held, found: Result | None
 ) -> Iterator[str]:
+    results = [each.run.result() for each in judged]
     wrong = [result for result in results if result.passed < result.cases]
     lost = sum(result.cases - result.passed for result in wrong)
     cases = counted(sum(result.cases for result in results), "case")
@@ -155,24 +146,12 @@ def _lines(
     yield f"{problem.id}: {name} fails {groups}{lost:,} of {cases}"
     if several:
         yield f"  fails  {', '.join(f'{each.name} {each.passed}/{each.cases}' for each in wrong)}"
-    first = Result(problem=problem.id, submission=name, verdict=failed.result.verdict, failure=failed.failure)
+    run = failed.run
+    first = Result(problem=problem.id, submission=name, verdict=run.verdict, failure=run.failure)
     told = tell(problem, found or first)
     yield from ("", *told.lines)
-    if not told.mistake:
-        yield from _hints(problem, failed.group)
-
-
-def _hints(problem: Problem, group: Group) -> Iterator[str]:
-    """The known mistakes that the failing group should catch."""
-    mistakes = told_mistakes(problem)
-    if not group.kills:
-        return
-    yield f"{group.name} should catch"
-    for name in group.kills:
-        yield f"  {name}: {mistakes[name].sentence}" if name in mistakes else f"  {name}"
-
-
-def _text(lines: Iterable[str]) -> str:
-    """The lines, wrapped, with nothing in them that a terminal obeys."""
-    rows = (printable(row) for text in lines for row in text.splitlines() or [""])
-    return "\n".join(part for row in rows for part in wrap(row, _WIDTH) or [""])
+    if run.group.kills and not told.mistake:
+        mistakes = told_mistakes(problem)
+        yield f"{run.group.name} should catch"
+        for kill in run.group.kills:
+            yield f"  {kill}: {mistakes[kill].sentence}" if kill in mistakes else f"  {kill}"

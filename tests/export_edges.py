@@ -12,13 +12,13 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import judge.packs.export as export
-from judge.data.model import GroupData, ProblemData
+from judge.data.load import GroupData, ProblemData
 from judge.exact import Surd
 from judge.packs.export.forms import accepted_form, answer_form
 from judge.run.program import ProgramRunner
 from judge.sandbox.boundary import Limits, ProgramResult, Stop, Usage
-from judge.values import Accepted, show
-from judge.values.lines import check_line
+from judge.values import show
+from judge.values.check import Accepted, check_line
 
 WIDE = Context(prec=1200)  # of its own: every other test in this process has what it had
 VALIDATOR = runpy.run_path(str(Path(export.__file__).parent / "validators" / "output_validator.py"))

@@ -17,8 +17,7 @@ from judge.batch.run import Classroom, class_options
 from judge.batch.shards import Shard, merged
 from judge.batch.store import Store, store_of
 from judge.errors import ExitCode, JudgeError
-from judge.judging.executors import Here
-from judge.judging.processes import Processes
+from judge.judging.pool import Here, Processes
 from judge.problem.model import LEVELS
 from judge.report.screen import note
 from judge.sandbox.boundary import LEVELS as ISOLATION

@@ -24,8 +24,8 @@ from urllib.parse import urlsplit
 import msgspec
 
 from judge.errors import JudgeError, UsageError
-from judge.judging.executors import ATTEMPTS, Finished, Lost, lost_for, told_of
-from judge.reading import read_ordinary
+from judge.files import read_ordinary
+from judge.judging.pool import ATTEMPTS, Finished, Lost, Outcome, attempt
 from judge.sandbox.boundary import LEVELS
 
 T = TypeVar("T")
@@ -98,12 +98,12 @@ class Elsewhere:
         """One worker of each machine."""
         return sorted({self._hosts[worker]: worker for worker in self._fit()}.values())
 
-    def finished(self, work: Callable[[T], R], items: Sequence[T], lost: Lost[T, R]) -> Finished[R]:
-        """See `Executor.finished`; but a UsageError costs its worker, and ends the work when none is left."""
+    def run(self, work: Callable[[T], R], items: Sequence[T], lost: Lost[T, R]) -> Finished[R]:
+        """See `Executor.run`; but a UsageError costs its worker, and ends the work when none is left."""
         yield from self._run(work, items, lost, deque((place, "") for place in range(len(items))))
 
     def everywhere(self, work: Callable[[T], R], items: Sequence[T], lost: Lost[T, R]) -> Finished[R]:
-        """As `finished`, but each item once on each machine, unless that is lost meanwhile."""
+        """As `run`, but each item once on each machine, unless that is lost meanwhile."""
         machines = self.machines()
         pairs = deque((place, worker) for place in range(len(items)) for worker in machines)
         yield from self._run(work, items, lost, pairs)
@@ -159,11 +159,11 @@ class Elsewhere:
         return [future] if future in flying else []
 
     def _sent(self, worker: str, work: Callable[[T], R], item: T) -> Any:
-        """The future of `_attempt` on that worker. No key comes twice."""
+        """The future of `attempt` on that worker. No key comes twice."""
         key = f"judge-{uuid.uuid4().hex}"
-        return self._client.submit(_attempt, work, item, key=key, workers=[worker], pure=False)
+        return self._client.submit(attempt, work, item, key=key, workers=[worker], pure=False)
 
-    def _fetched(self, worker: str, future: Any) -> tuple[Any, JudgeError | str | None]:
+    def _fetched(self, worker: str, future: Any) -> Outcome:
         """The result of a task, or its fault: a UsageError where its worker cannot judge."""
         from distributed.scheduler import KilledWorker
 
@@ -179,7 +179,7 @@ class Elsewhere:
             raise self._lost() from lost
         except Exception as other:  # there or at the scheduler is no judge, or one that cannot read the task
             return None, UsageError(_cannot(other))
-        return result, lost_for(fault) if isinstance(fault, str) else fault
+        return result, fault
 
     def _fit(self) -> set[str]:
         """The workers that are there and can judge."""
@@ -279,16 +279,6 @@ def levels_here() -> tuple[str, ...]:
     from judge.sandbox import levels
 
     return tuple(each.name for each in levels(every_hidden_folder()) if each.available)
-
-
-def _attempt(work: Callable[[T], R], item: T) -> tuple[R | None, JudgeError | str | None]:
-    """What a worker does: the result, or the fault. Nothing is raised, for that would be the worker's."""
-    try:
-        return work(item), None
-    except JudgeError as fault:
-        return None, fault
-    except BaseException as fault:  # SystemExit too: it would end the worker
-        return None, told_of(fault)
 
 
 def scheduler_at(where: str) -> str:

@@ -14,8 +14,8 @@ from judge.batch.model import Handin
 from judge.batch.normal import NormalForm, normal_form
 from judge.digest import digest_of
 from judge.errors import ProblemError
-from judge.kata.stub import make_stub
 from judge.languages import SUFFIX
+from judge.practice.stub import make_stub
 from judge.problem import Problem
 from judge.report.cohort import EqualFiles
 

@@ -23,18 +23,20 @@ from msgspec.structs import replace
 
 from judge.batch.model import Handin
 from judge.errors import JudgeError, UsageError
-from judge.judging.sources import (
+from judge.files import (
     DANGLING,
     ENVIRONMENT,
     LARGEST,
+    LedOutError,
     is_dangling,
+    read_inside,
+    real_within,
     why_unreadable,
     within_limit,
 )
 from judge.languages import SUFFIX, is_program, language_of
 from judge.problem.find import problem_folders
 from judge.problem.fit import fitting_problems, id_of, signs
-from judge.reading import LedOutError, read_inside, real_within
 
 _DEEPEST = 20  # levels of folders
 _MOST = 100_000  # files

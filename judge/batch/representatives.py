@@ -12,9 +12,8 @@ from msgspec.structs import replace
 
 from judge.batch.model import Handin, Row
 from judge.errors import JudgeError
-from judge.judging.job import RunOptions
-from judge.judging.naming import Bars
-from judge.judging.session import Session, silent
+from judge.judging.api import RunOptions
+from judge.judging.session import Bars, Session, silent
 from judge.problem import Problem, Verdict
 from judge.report.cohort import Cohort
 from judge.run.result import Result

@@ -17,7 +17,7 @@ from pathlib import Path
 from judge.batch.folder import legible
 from judge.batch.model import Handin, Student
 from judge.errors import UsageError
-from judge.reading import read_ordinary
+from judge.files import read_ordinary
 
 _LARGEST = 2**24  # bytes
 _LONGEST = 500  # characters of an id

@@ -23,9 +23,8 @@ from judge.batch.store import Store
 from judge.batch.work import fault_done, judge_task, learn_task, release
 from judge.data.cache import DataCache
 from judge.errors import JudgeError, ProblemError, UsageError
-from judge.judging.executors import Executor
-from judge.judging.job import RunOptions
-from judge.judging.processes import Processes
+from judge.judging.api import RunOptions
+from judge.judging.pool import Executor, Processes
 from judge.mistakes.known import is_kept
 from judge.problem import Problem
 from judge.problem.find import find_problem
@@ -285,7 +284,7 @@ def learnt(
         return
     total = len(missing) * (len(elsewhere.machines()) if elsewhere else 1)
     yield missing[0].problem, 0, total
-    spread = elsewhere.everywhere if elsewhere else executor.finished
+    spread = elsewhere.everywhere if elsewhere else executor.run
     outcomes = spread(learn_task, missing, lambda _task, why: why)
     with closing(outcomes):  # what cannot be learnt is told with each row
         for done, (place, _) in enumerate(outcomes, 1):
@@ -302,7 +301,7 @@ def judged(plan: Plan, store: Store, executor: Executor) -> Generator[Row, None,
     store.keep_all(plan.rows)
     yield from plan.rows
     tasks = [work.task for work in plan.work]
-    outcomes = executor.finished(judge_task, tasks, fault_done)
+    outcomes = executor.run(judge_task, tasks, fault_done)
     with closing(outcomes):
         for place, text in outcomes:
             rows = rows_of(plan.work[place], text)

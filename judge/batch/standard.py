@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import sys
-from functools import cache
 
 import msgspec
 from msgspec.structs import replace
@@ -11,11 +10,11 @@ from msgspec.structs import replace
 from judge import __version__
 from judge.batch.model import Standard
 from judge.digest import digest_of
-from judge.judging.containment import Containment
-from judge.judging.job import RunOptions, judged_by
+from judge.judging.api import RunOptions, code_version, judged_by
+from judge.judging.session import Session
 from judge.languages import file_name
 from judge.problem import Problem
-from judge.problem.keys import all_code_files, content_key
+from judge.problem.keys import content_key
 
 _EMPTY = file_name("empty")
 _SIGNS = 12  # of a hash; they tell versions apart, and nobody would forge one
@@ -31,7 +30,9 @@ _WORDS = {
 def standard_of(problem: Problem, options: RunOptions, isolation: str) -> Standard:
     """By what this process judges the problem at that level of isolation. Raises ProblemError."""
     data = content_key("standard/", judged_by(problem))[:_SIGNS]
-    return Standard(_own_version(), data, _python(), isolation, terms_digest(options))
+    return Standard(
+        f"{__version__}+{code_version()[:_SIGNS]}", data, _python(), isolation, terms_digest(options)
+    )
 
 
 def terms_digest(options: RunOptions) -> str:
@@ -46,9 +47,9 @@ def level_here(problem: Problem, options: RunOptions) -> tuple[str, tuple[str, .
         UsageError: the one that is demanded cannot be had.
         JudgeError: none can.
     """
-    with Containment(problem, options.isolation) as containment, containment.take(b"", _EMPTY) as box:
+    with Session(problem, options) as session, session.take(b"", _EMPTY) as box:
         box.inspect()
-        return box.isolation, containment.notes(box.isolation)
+        return box.isolation, session.notes(box.isolation)
 
 
 def differing(one: Standard, other: Standard) -> str:
@@ -56,11 +57,6 @@ def differing(one: Standard, other: Standard) -> str:
     pairs = {part: (getattr(one, part), getattr(other, part)) for part in _WORDS}
     apart = {part: pair for part, pair in pairs.items() if all(pair) and pair[0] != pair[1]}
     return ", ".join(f"{_WORDS[part]} ({before} → {now})" for part, (before, now) in apart.items())
-
-
-@cache
-def _own_version() -> str:
-    return f"{__version__}+{content_key('judge/', all_code_files())[:_SIGNS]}"
 
 
 def _python() -> str:

@@ -50,7 +50,6 @@ STORE = Kind(
     0x4A55434C,  # "JUCL"
     (_ROWS,),
     "move it away, or copy the folder to another place",
-    StoreError,
     synchronous="FULL",
 )
 

@@ -21,7 +21,7 @@ from msgspec.structs import replace
 from judge.batch.model import Done, Standard, Task
 from judge.batch.standard import differing, standard_of
 from judge.errors import ProblemError, UsageError
-from judge.judging.job import RunOptions
+from judge.judging.api import RunOptions
 from judge.judging.session import Session
 from judge.problem import Group, Problem
 from judge.problem.find import find_problem
@@ -62,9 +62,7 @@ def learn_task(task: Task) -> str:
     """
     try:
         session = _benches().session(task)
-        session.prepare()
-        if session.options.named:
-            session.naming.learn()
+        session.learn()
     except ProblemError as fault:
         return str(fault)
     return ""
@@ -101,7 +99,7 @@ class _Benches:
         if key not in self._open:
             session = _opened(task)
             while len(self._open) >= _WARM:
-                self._open.popitem(last=False)[1].__exit__()
+                self._open.popitem(last=False)[1].close()
             self._open[key] = session
         self._open.move_to_end(key)
         return self._open[key]
@@ -109,7 +107,7 @@ class _Benches:
     def close(self) -> None:
         """End what the sessions hold."""
         while self._open:
-            self._open.popitem()[1].__exit__()
+            self._open.popitem()[1].close()
 
 
 @cache

@@ -2,35 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Generator, Iterator, Sequence
+from collections.abc import Generator, Iterator, Sequence
 from contextlib import AbstractContextManager
 
 from judge.cli.kept import Recording
 from judge.cli.picture import Drawing
 from judge.cli.submissions import Submission
 from judge.cli.wish import Wish
-from judge.judging.containment import Containment
 from judge.judging.session import Session
-from judge.problem import Problem
 from judge.report.screen import Notes
 from judge.report.wait import Advance, progress
 from judge.run.result import Result
-
-
-def opened(problem: Problem, wish: Wish, containment: Containment) -> Session:
-    """What judges the submissions to a problem."""
-    return Session(problem, wish.options, containment, bars=progress)
-
-
-def one_by_one(problem: Problem, wish: Wish, containment: Containment) -> Callable[[Submission], Drawing]:
-    """Judges one submission after another as they come, with all that they share."""
-    session = opened(problem, wish, containment)
-
-    def judged(submission: Submission) -> Drawing:
-        (drawing,) = drawings(session, [submission], wish)
-        return drawing
-
-    return judged
 
 
 def drawings(
@@ -42,8 +24,7 @@ def drawings(
         return progress(f"{done + 1} of {wish.total}: {label}")
 
     done = wish.before
-    if wish.total > 1:
-        session.bars = numbered
+    session.bars = numbered if wish.total > 1 else progress
     said = Notes()
     with Recording(wish.db, wanted=wish.kept) as recording:
         recording.open()  # while the box boots
@@ -63,7 +44,7 @@ def _results(
     jobs = min(wish.jobs, len(submissions))
     if jobs > 1:
         from judge.cli.several import judged_at_once  # most runs are of one file
-        from judge.judging.processes import Processes
+        from judge.judging.pool import Processes
 
         pool = Processes(jobs)
         said.say([pool.short] if pool.short else [])

@@ -25,7 +25,7 @@ def hints_of(problem: Problem) -> list[HintShown]:
 def hints_seen(problem: str, db: Path | None) -> int:
     """How many of the kata's hints have been seen."""
     from judge.cli.kept import history_at
-    from judge.kata.events import Help
+    from judge.practice.events import Help
 
     with history_at(db, reading=True) as history:
         return max((each.hints for each in history.events(Help, problem)), default=0)
@@ -34,7 +34,7 @@ def hints_seen(problem: str, db: Path | None) -> int:
 def note_seen(hint: HintShown, db: Path | None) -> None:
     """Remember that the hints up to this one have been seen."""
     from judge.cli.kept import history_at
-    from judge.kata.events import Help
+    from judge.practice.events import Help
 
     if hint.step > hints_seen(hint.problem, db):
         with history_at(db) as history:

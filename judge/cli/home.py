@@ -10,22 +10,22 @@ from typing import TYPE_CHECKING
 
 from judge.cli.kept import history_at
 from judge.cli.resolve import current, this_folder
-from judge.kata import events
-from judge.kata.events import Answer, Help
-from judge.kata.sets import USUAL, sound_sets
+from judge.practice import events
+from judge.practice.events import Answer, Help
+from judge.practice.sets import USUAL, sound_sets
 from judge.problem import Problem
 from judge.problem.find import sound_problems
 from judge.report.published_start import Again, Home, Next, Now, Standing
 
 if TYPE_CHECKING:
     from judge.cli.options import Common
-    from judge.kata.events import Run, Started
-    from judge.kata.history import History
-    from judge.kata.sets import PracticeSet
+    from judge.practice.events import Run, Started
+    from judge.practice.history import History
+    from judge.practice.sets import PracticeSet
 
 
 def home(common: Common) -> Home:
-    """Where a person stands, and what to do now. Raises HistoryError."""
+    """Where a person stands, and what to do now. Raises StoreError."""
     problems, _ = sound_problems(common.problems)
     with history_at(common.db, reading=True) as history:
         runs = [run for run in history.runs() if run.counts]
@@ -124,7 +124,7 @@ def _now(at: Started, runs: Sequence[Run], *, elsewhere: bool) -> Now:
 
 def _again(history: History, open_at: str, problems: Sequence[Problem]) -> Again | None:
     """The kata that is due the longest, of those that were solved."""
-    from judge.kata.review import reviews
+    from judge.practice.review import reviews
 
     today, names = events.now().astimezone(), _names(problems)
     for each in reviews(history.runs(), history.events(Help)):
@@ -137,8 +137,8 @@ def _cards_due(answers: Sequence[Answer], folders: Sequence[Path]) -> int:
     """How many cards that were answered before are due today, of those that are still there."""
     if not answers:
         return 0
-    from judge.kata.quiz.cards import read_decks
-    from judge.kata.review import card_reviews
+    from judge.practice.quiz.cards import read_decks
+    from judge.practice.review import card_reviews
 
     found = card_reviews(answers)
     keys = {card.key for deck in read_decks(folders)[0] for card in deck.cards}

@@ -5,7 +5,7 @@ Containers are started as early as can be: most of what judging and showing need
 
 from __future__ import annotations
 
-from collections.abc import Callable, Generator, Sequence
+from collections.abc import Generator, Sequence
 from contextlib import suppress
 from typing import TYPE_CHECKING
 
@@ -13,7 +13,7 @@ from msgspec.structs import replace
 
 from judge.cli.submissions import Submission
 from judge.cli.wish import Wish
-from judge.judging.containment import Containment
+from judge.judging.session import Session
 from judge.problem import Problem, Verdict
 from judge.problem.keys import own_files
 
@@ -26,13 +26,13 @@ def judged(problem: Problem, submissions: Sequence[Submission], wish: Wish) -> G
 
     Close it, so that what was started for the rest ends. Raises JudgeError.
     """
-    first, options = submissions[0], wish.options
-    with Containment(problem, options.isolation, had=wish.had, program=options.program) as containment:
+    first = submissions[0]
+    with Session(problem, wish.options, had=wish.had) as session:
         if min(wish.jobs, len(submissions)) == 1:
-            containment.boot(first.source, first.name)
-        from judge.cli.drawings import drawings, opened  # while it boots
+            session.boot(first.source, first.name)
+        from judge.cli.drawings import drawings  # while it boots
 
-        yield from drawings(opened(problem, wish, containment), submissions, wish)
+        yield from drawings(session, submissions, wish)
 
 
 class Sitting:
@@ -43,8 +43,7 @@ class Sitting:
     def __init__(self, problem: Problem, wish: Wish) -> None:
         self._problem = problem
         self._wish = wish
-        self._containment: Containment | None = None
-        self._judge: Callable[[Submission], Drawing] | None = None
+        self._session: Session | None = None
         self._seen: list[tuple[str, int, int]] = []
 
     def judged(self, submission: Submission) -> Drawing:
@@ -55,16 +54,12 @@ class Sitting:
         clean = False
         try:
             self._look_at_problem()
-            if self._containment is None:
-                self._containment = Containment(
-                    self._problem, self._wish.options.isolation, had=self._wish.had
-                )
-            self._containment.boot(submission.source, submission.name)
-            from judge.cli.drawings import one_by_one  # while it boots
+            if self._session is None:
+                self._session = Session(self._problem, self._wish.options, had=self._wish.had)
+            self._session.boot(submission.source, submission.name)
+            from judge.cli.drawings import drawings  # while it boots
 
-            if self._judge is None:
-                self._judge = one_by_one(self._problem, self._wish, self._containment)
-            drawn = self._judge(submission)
+            (drawn,) = drawings(self._session, [submission], self._wish)
             if drawn.result.verdict is not Verdict.JE:  # that one was held nowhere
                 self._wish = replace(self._wish, had=drawn.result.isolation or self._wish.had)
                 clean = True
@@ -86,6 +81,6 @@ class Sitting:
 
     def close(self) -> None:
         """End what was kept; judging goes on without."""
-        containment, self._containment, self._judge = self._containment, None, None
-        if containment is not None:
-            containment.close()
+        session, self._session = self._session, None
+        if session is not None:
+            session.close()

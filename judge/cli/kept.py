@@ -14,14 +14,14 @@ from judge.report.screen import note
 
 if TYPE_CHECKING:
     from judge.cli.submissions import Submission
-    from judge.kata.history import History
+    from judge.practice.history import History
     from judge.run.result import Result
 
 
 @contextmanager
 def history_at(path: Path | None, *, reading: bool = False) -> Iterator[History]:
     """As `History.open`; afterwards a note says what was left out or set aside."""
-    from judge.kata.history import History
+    from judge.practice.history import History
 
     with History.open(path, reading=reading) as history:
         try:
@@ -72,7 +72,7 @@ class Recording:
     def open(self) -> None:
         """Open the history, which takes longer than all that is added to it."""
         if self._wanted:
-            from judge.kata.history import History
+            from judge.practice.history import History
 
             with self._spared():
                 self._history = History.open(self._path)
@@ -81,7 +81,7 @@ class Recording:
         """Keep one result; it is committed when this returns."""
         if not self._wanted:
             return
-        from judge.kata.history import run_of
+        from judge.practice.history import run_of
 
         with self._spared():
             if self._history is not None:

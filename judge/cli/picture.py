@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from msgspec import Struct
 
 from judge.cli.target import svg_target
-from judge.data.model import ProblemData
+from judge.data.load import ProblemData
 from judge.errors import told
 from judge.problem import Problem
 from judge.problem.declare import Shown

@@ -20,7 +20,7 @@ from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
-from judge.errors import HistoryError, JudgeError, UsageError
+from judge.errors import JudgeError, StoreError, UsageError
 from judge.languages import file_name, is_program
 from judge.problem import Problem
 from judge.problem.find import find_problem, near_problem_folders, problem_folders, shipped_problems
@@ -29,8 +29,8 @@ from judge.problem.names import is_name
 if TYPE_CHECKING:
     from judge.cli.options import Common
     from judge.cli.submissions import Submission, Unjudged
-    from judge.kata.events import Started
-    from judge.kata.history import History
+    from judge.practice.events import Started
+    from judge.practice.history import History
 
 
 class Task(Struct, frozen=True):
@@ -79,7 +79,7 @@ def current(folder: Path, history: History) -> Started | None:
 
 
 def here(db: Path | None) -> Started:
-    """The current file of this folder. Raises UsageError, which says where the last one is; HistoryError."""
+    """The current file of this folder. Raises UsageError, which says where the last one is; StoreError."""
     from judge.cli.kept import history_at
 
     folder = this_folder()
@@ -138,12 +138,12 @@ def _within(place: Started, folder: Path) -> bool:
 
 def _places(db: Path | None) -> list[Started]:
     """All files that were started or judged; none where the history fails: whoever needs it says so."""
-    from judge.kata.history import History
+    from judge.practice.history import History
 
     try:
         with History.open(db, reading=True) as history:
             return history.places()
-    except HistoryError:
+    except StoreError:
         return []
 
 

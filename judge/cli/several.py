@@ -10,10 +10,8 @@ from pathlib import Path
 from msgspec import Struct
 
 from judge.cli.submissions import Submission
-from judge.judging.containment import Containment
-from judge.judging.executors import results
-from judge.judging.job import RunOptions
-from judge.judging.processes import Processes
+from judge.judging.api import RunOptions
+from judge.judging.pool import Processes, in_order
 from judge.judging.session import Session
 from judge.problem import Problem
 from judge.problem.load import load_problem
@@ -36,7 +34,7 @@ def judged_at_once(
 ) -> Iterator[Result]:
     """The results, in order. Raises JudgeError."""
     tasks = [_Task(each, problem.folder, problem.solutions, options, had, pool.count) for each in submissions]
-    return results(
+    return in_order(
         pool, judge_one, tasks, lambda task, why: judge_fault(problem.id, task.submission.name, why)
     )
 
@@ -49,7 +47,6 @@ def judge_one(task: _Task) -> Result:
 
 @cache
 def _session(folder: Path, solutions: Path, options: RunOptions, had: str | None, jobs: int) -> Session:
-    problem = load_problem(folder, solutions)
-    containment = Containment(problem, options.isolation, jobs, had, program=options.program)
-    atexit.register(containment.close)
-    return Session(problem, options, containment)
+    session = Session(load_problem(folder, solutions), options, jobs=jobs, had=had)
+    atexit.register(session.close)
+    return session

@@ -12,17 +12,21 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from judge.errors import UsageError, nearest
-from judge.judging.sources import (
+from judge.files import (
     DANGLING,
     ENVIRONMENT,
     LARGEST,
     LED_OUT,
+    LedOutError,
     is_dangling,
+    read_inside,
+    read_ordinary,
+    read_pipe,
+    real_within,
     why_unreadable,
     within_limit,
 )
 from judge.languages import NAME, PATTERN, is_program
-from judge.reading import LedOutError, read_inside, read_ordinary, read_pipe, real_within
 
 _MOST, _DEEPEST = 10_000, 20  # files in a folder, and levels of folders: a class is smaller
 _SILENCE = 30.0  # seconds without a byte after which a pipe is given up

@@ -10,9 +10,8 @@ from pathlib import Path
 
 from msgspec import Struct
 
-from judge.atomic import replace_file
 from judge.errors import UsageError, unwritable
-from judge.reading import read_ordinary
+from judge.files import read_ordinary, replace_file
 
 _LOOKED_AT = 2000  # bytes of a file in which it says what it is
 _EPOCH = "SOURCE_DATE_EPOCH"  # the usual way to ask for the same bytes every time

@@ -21,10 +21,10 @@ from judge.cli.picture import Drawing
 from judge.cli.watching import Kata, WatchedFile, await_event, handled, take_up
 from judge.cli.wish import Wish
 from judge.errors import JudgeError
-from judge.judging.job import RunOptions
-from judge.kata.saves import Saves
-from judge.kata.stub import make_stub, write_stub
+from judge.judging.api import RunOptions
 from judge.languages import file_name, language_of
+from judge.practice.saves import Saves
+from judge.practice.stub import make_stub, write_stub
 from judge.problem import Problem
 from judge.problem.find import sound_problems
 from judge.report.parts import FAINT, GOOD, WARNING

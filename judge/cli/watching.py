@@ -17,8 +17,8 @@ from judge.cli.judging import Sitting
 from judge.cli.resolve import folder_to_keep, shown
 from judge.cli.submissions import read_submissions
 from judge.cli.wish import Wish
-from judge.errors import HistoryError, JudgeError, UsageError
-from judge.kata.saves import SavedMark, mark, settled
+from judge.errors import JudgeError, StoreError, UsageError
+from judge.practice.saves import SavedMark, mark, settled
 from judge.problem import Problem
 from judge.report.screen import note
 
@@ -43,12 +43,12 @@ class Kata(Struct, frozen=True):
 def take_up(kata: Kata, db: Path | None) -> None:
     """Note that the kata was started; a history that fails does not stand in the way."""
     from judge.cli.kept import history_at
-    from judge.kata.events import Started
+    from judge.practice.events import Started
 
     try:
         with history_at(db) as history:
             history.keep(Started(kata.problem.id, str(kata.path), folder_to_keep(kata.problem)))
-    except HistoryError as fault:
+    except StoreError as fault:
         note(f"not kept in the history: {fault}")
 
 

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from msgspec import Struct
 
-from judge.judging.job import RunOptions
+from judge.judging.api import RunOptions
 
 
 class Wish(Struct, frozen=True):

@@ -1,32 +1,54 @@
-"""Building a problem's cases from its builders, and their targets from its exact answers.
+"""Cases that are drawn, proved and solved, and what their answers are held against, with nothing rounded.
 
 Case i of a group is drawn from the seed text `seed/group/i/attempt`; attempts go on until one is neither
-rejected by its builder, nor out of bounds, nor against the promise, nor already in the group. So a case
-depends on nothing but the group's own declaration and the cases before it (neighbours.py: it may take all
-parameters but one from the last of them).
+rejected by its draw, nor against the promise, nor already in the group. So a case depends on nothing but the
+group's own row and the cases before it.
+
+A group whose cases take turns catches what a program keeps between calls by a key that leaves a parameter
+out: a case differs from the one before in a single parameter, the next one in turn. The new value is that of
+a case which is drawn, and the exact answer is to be another one.
 """
 
 from __future__ import annotations
 
+import hashlib
 import marshal
+import math
 from collections import Counter
-from collections.abc import Callable, Container
-from functools import partial
-from typing import Any
+from collections.abc import Callable, Container, Iterator, Sequence
+from fractions import Fraction
+from functools import cache, partial
+from itertools import count
+from typing import TYPE_CHECKING, Any, NamedTuple
 
-from judge.data.draw import Draw, RecordedDraw, Rejected, SeededDraw
-from judge.data.model import GroupData, Progress, reseeded
-from judge.data.neighbours import follows, may_agree, neighbour
-from judge.data.validate import Validator
-from judge.errors import ProblemError
+from msgspec import Struct
+
+from judge.data.draw import Draw, Pick, Rejected, quick, seeded
+from judge.data.load import GroupData, Progress, reseeded
+from judge.errors import ProblemError, UsageError
 from judge.problem import Case, Example, Group, Problem, Tolerance
-from judge.problem.model import EXAMPLES, group_place
+from judge.problem.declare import InvalidCase
+from judge.problem.model import EXAMPLES, Parameter, group_place
 from judge.problem.module import Module, blaming
-from judge.values import Exact, Rejection, Target, check
+from judge.values import check, parameters
 
+if TYPE_CHECKING:
+    from judge.values.answers import Exact, Target
+
+FRESH = 32  # cases of a series: no more than a pinned group has
 _ATTEMPTS = 1_000  # for one case
+_ROUNDS = 2  # of all parameters, until a case that takes turns stands for itself again
+_CONTENT = 100  # attempts after which it may have the answer of the case before, as where nothing changes it
+_FORM = 2  # of marshal: every version of Python writes it alike, bit by bit
 
-SolvedCase = tuple[Case, Exact]
+
+class Made(NamedTuple):
+    """A valid case with its exact answer: which attempt at it this was, and the choices of a small one."""
+
+    case: Case
+    exact: Exact
+    attempt: int = 0
+    choices: tuple[int, ...] = ()
 
 
 def build(
@@ -35,183 +57,161 @@ def build(
     """Every group's data. Raises ProblemError, also where a worked example contradicts `solve`."""
     examples = _solved_examples(problem, module)
     total = sum(group.count for group in problem.groups)
-    done = 0
-    built = []
+    built: list[GroupData] = []
     for declared in problem.groups:
         group = reseeded(declared, seed)
-        solved, attempts = (examples, ()) if group.name == EXAMPLES else build_cases(problem, module, group)
-        _check_size(problem, group, [case for case, _ in solved])
-        targets = [target_of(problem, answer, group.tolerance) for _, answer in solved]
-        built.append(GroupData(group, [case for case, _ in solved], targets, attempts))
-        done += len(solved)
+        made = examples if group.name == EXAMPLES else draw_cases(problem, module, group)
+        built.append(_aimed(problem, group, made))
+        _check_size(problem, built[-1])
         if progress is not None:
-            progress(done, total)
+            progress(sum(len(each.cases) for each in built), total)
     return built
 
 
-def build_cases(problem: Problem, module: Module, group: Group) -> tuple[list[SolvedCase], tuple[int, ...]]:
-    """The cases of one group with their exact answers, each proved, and which attempt made it.
-
-    Raises ProblemError.
-    """
-    validator = Validator(problem, module.solve)
-    builder = module.draws[group.name]
-    cases: dict[Case, Exact] = {}  # equal cases differ in type at most: 1 and 1.0 are one case
-    attempts = [0] * group.count
-
-    def source(number: int, attempt: int) -> Draw:
-        attempts[number] = attempt
-        return SeededDraw(case_seed(group, number, attempt))
-
+def draw_cases(problem: Problem, module: Module, group: Group) -> list[Made]:
+    """The cases of one group, no two of them equal: 1 and 1.0 are one case. Raises ProblemError."""
+    made: list[Made] = []
+    taken: set[Case] = set()
     what = f"group {group.name!r}: its draw fails"
     with blaming(problem, what, lambda: group_place(problem, group.name)):
         for number in range(group.count):
-            draws = partial(source, number)
-            last = next(reversed(cases.items()), None)
-            case, answer = new_case(problem, group, builder, validator, draws, number + 1, cases, last)
-            cases[case] = answer
-    return list(cases.items()), tuple(attempts)
-
-
-def _check_size(problem: Problem, group: Group, cases: list[Case]) -> None:
-    """Hold a group's cases, as a function receives them, against the limit on its input."""
-    sent = len(marshal.dumps([tuple(arguments) for arguments in problem.calls(cases)]))
-    most = problem.limits.input_bytes
-    if sent > most:
-        raise ProblemError(
-            f"group {group.name!r} has {sent / 2**20:.1f} MB of cases; input_mb is {most / 2**20:g}",
-            where=group_place(problem, group.name),
-            remedy="raise input_mb in [limits], or make fewer or smaller cases",
-        )
-
-
-def case_seed(group: Group, number: int, attempt: int) -> str:
-    """The seed text of an attempt at case `number` (from 0) of a group."""
-    return f"{group.seed}/{group.name}/{number}/{attempt}"
-
-
-def choices_of(
-    group: Group, builder: Callable[[Draw], Any], number: int, case: Case
-) -> tuple[int, ...] | None:
-    """The choices that case `number` (from 0) of the group was built from; None if it was not."""
-    if group.neighbours:
-        return None
-    attempt = attempt_of(group, builder, number, case)
-    if attempt is None:
-        return None
-    draw = RecordedDraw(SeededDraw(case_seed(group, number, attempt)))
-    builder(draw)
-    return tuple(draw.choices)
-
-
-def attempt_of(group: Group, builder: Callable[[Draw], Any], number: int, case: Case) -> int | None:
-    """The attempt that made case `number` (from 0) of the group; None if it was not made there."""
-    shown = repr(case)  # 1 and 1.0 are two cases here
-    for attempt in range(_ATTEMPTS):
-        try:
-            if repr(builder(SeededDraw(case_seed(group, number, attempt)))) == shown:
-                return attempt
-        except Rejected:
-            continue
-    return None
+            made.append(new_case(problem, module, group, partial(_pick, group, number), made, taken))
+            taken.add(made[-1].case)
+    return made
 
 
 def new_case(
     problem: Problem,
+    module: Module,
     group: Group,
-    builder: Callable[[Draw], Any],
-    validator: Validator,
-    draws: Callable[[int], Draw],
-    number: int,
+    pick: Callable[[int], Pick],
+    before: Sequence[Made] = (),
     taken: Container[Case] = (),
-    last: SolvedCase | None = None,
-) -> SolvedCase:
-    """Case `number` (from 1) of a group and its exact answer: the case is proved and not `taken`.
+) -> Made:
+    """A case of a group after those `before`, valid and not `taken`; `pick` has the choices of each attempt.
 
-    `draws` gives the source for each attempt, `last` is the case before. Raises ProblemError where none of
-    the attempts makes a case.
+    Raises ProblemError where none of the attempts makes a case.
     """
-    changed = follows(group, number, len(problem.parameters)) if last is not None else None
-    failures: Counter[str] = Counter()
-    latest: dict[str, str] = {}  # for each reason, what the last such fault was
+    turn = len(before) % (_ROUNDS * len(problem.parameters) + 1) if group.neighbours else 0
+    last = before[-1] if turn else None
+    vain: Counter[str] = Counter()
+    broken = ""
     for attempt in range(_ATTEMPTS):
+        draw = Draw(pick(attempt))
         try:
-            case = builder(draws(attempt))
+            case = module.draws[group.name](draw)
         except Rejected:
-            failures["rejected by its draw"] += 1
+            vain["rejected by its draw"] += 1
             continue
-        if fault := validator.shape(case):
+        if fault := shape_fault(problem, case):
             raise ProblemError(
                 f"group {group.name!r}: its draw gives no case: {fault}",
                 where=f"{problem.id}/problem.py",
                 remedy="correct what it returns",
             )
-        if last is not None and changed is not None:
-            case = neighbour(last[0], case, changed)
-        if fault := validator.bounds(case):
+        if last is not None:
+            at = (turn - 1) % len(case)
+            case = (*last.case[:at], case[at], *last.case[at + 1 :])
+        if fault := bounds_fault(problem, case):
             raise ProblemError(
                 f"group {group.name!r} draws a case out of bounds: {fault}",
                 where=group_place(problem, group.name),
                 remedy="draw smaller numbers, or widen the parameter's bounds",
             )
-        proof = validator.promise(case)
-        if proof.fault:
-            failures["against the promise"] += 1
-            latest["against the promise"] = f" ({proof.fault})"
-        elif case in taken or (last is not None and changed is not None and case == last[0]):
-            failures["already in the group"] += 1
-        elif last is not None and changed is not None and proof.answer == last[1] and not may_agree(attempt):
-            failures["with the answer of the case before"] += 1
+        try:
+            exact = _solved(module, case)
+        except InvalidCase as fault:
+            vain["against the promise"] += 1
+            broken = f" ({fault})"
+            continue
+        if case in taken or (last is not None and case == last.case):
+            vain["already in the group"] += 1
+        elif last is not None and exact == last.exact and attempt < _CONTENT:
+            vain["with the answer of the case before"] += 1
         else:
-            return case, proof.answer
-    reason, times = failures.most_common(1)[0]
+            return Made(case, exact, attempt, () if group.size else tuple(draw.choices))
+    reason, times = vain.most_common(1)[0]
     raise ProblemError(
-        f"group {group.name!r}: its draw gives no case {number} of {group.count} "
-        f"in {_ATTEMPTS} attempts, {times} of them {reason}{latest.get(reason, '')}",
+        f"group {group.name!r}: its draw gives no case {len(before) + 1} of {group.count} in {_ATTEMPTS} "
+        f"attempts, {times} of them {reason}{broken if reason == 'against the promise' else ''}",
         where=group_place(problem, group.name),
         remedy="draw more of them, or lower cases",
     )
 
 
-def _solved_examples(problem: Problem, module: Module) -> list[SolvedCase]:
-    """The worked examples and their exact answers, proved; each shows a right answer. Raises ProblemError.
-
-    They are looked at whether or not a group judges by them.
-    """
-    group = next((each for each in problem.groups if each.name == EXAMPLES), problem.groups[0])
-    validator = Validator(problem, module.solve)
-    solved = []
-    for example in problem.examples:
-        where = f"{problem.id}/statement.md:{example.line}"
-        proof = validator.proof(example.case)
-        if proof.fault:
-            what = f"the example is invalid: {proof.fault}"
-            raise ProblemError(what, where=where, remedy="correct the example")
-        _check_example(problem, example, proof.answer, group.tolerance, where)
-        solved.append((example.case, proof.answer))
-    return solved
+def choices_of(
+    group: Group, draw_case: Callable[[Draw], Case], number: int, case: Case
+) -> tuple[int, ...] | None:
+    """The choices that case `number` (from 0) of the group was drawn from; None if it was not drawn alone."""
+    shown = repr(case)  # 1 and 1.0 are two cases here
+    for attempt in range(0 if group.neighbours else _ATTEMPTS):
+        draw = Draw(_pick(group, number, attempt))
+        try:
+            if repr(draw_case(draw)) == shown:
+                return tuple(draw.choices)
+        except Rejected:
+            continue
+    return None
 
 
-def _check_example(
-    problem: Problem, example: Example, answer: Exact, tolerance: Tolerance, where: str
-) -> None:
-    target = target_of(problem, answer, tolerance)
-    outcome = check.check(problem.answer, _as_json(example.wanted), target, lambda: (answer, tolerance))
-    if isinstance(outcome, Rejection):
-        raise ProblemError(
-            f"the example contradicts solve: {outcome.message}",
-            where=where,
-            remedy="correct the example's answer, or solve",
-        )
+def _pick(group: Group, number: int, attempt: int) -> Pick:
+    return seeded(f"{group.seed}/{group.name}/{number}/{attempt}")
+
+
+def _aimed(problem: Problem, group: Group, made: Sequence[Made]) -> GroupData:
+    return GroupData(
+        group,
+        [each.case for each in made],
+        [target_of(problem, each.exact, group.tolerance) for each in made],
+        tuple(each.attempt for each in made),
+        tuple(None if group.neighbours else each.choices for each in made),
+    )
 
 
 def target_of(problem: Problem, answer: Exact, tolerance: Tolerance) -> Target:
     """What an answer is held against. Raises ProblemError where `solve` gave one of another type."""
-    try:
+    with blaming(problem, "solve's answer cannot be used"):
         return check.target(problem.answer, answer, tolerance)
-    except Exception:
-        with blaming(problem, "solve's answer cannot be used"):
-            raise
+
+
+def _check_size(problem: Problem, data: GroupData) -> None:
+    """Hold a group's cases, as a function receives them, against the limit on its input."""
+    sent = len(marshal.dumps([*map(tuple, problem.calls(data.cases))]))
+    most = problem.limits.input_bytes
+    if sent > most:
+        raise ProblemError(
+            f"group {data.group.name!r} has {sent / 2**20:.1f} MB of cases; input_mb is {most / 2**20:g}",
+            where=group_place(problem, data.group.name),
+            remedy="raise input_mb in [limits], or make fewer or smaller cases",
+        )
+
+
+def _solved_examples(problem: Problem, module: Module) -> list[Made]:
+    """The worked examples; each shows a right answer. Raises ProblemError.
+
+    They are looked at whether or not a group judges by them.
+    """
+    group = next((each for each in problem.groups if each.name == EXAMPLES), problem.groups[0])
+    made = []
+    for example in problem.examples:
+        where = f"{problem.id}/statement.md:{example.line}"
+        try:
+            exact = validate(problem, module, example.case)
+        except InvalidCase as fault:
+            what = f"the example is invalid: {fault}"
+            raise ProblemError(what, where=where, remedy="correct the example") from None
+        if wrong := _contradicted(problem, example, exact, group.tolerance):
+            what = f"the example contradicts solve: {wrong}"
+            raise ProblemError(what, where=where, remedy="correct the example's answer, or solve")
+        made.append(Made(example.case, exact))
+    return made
+
+
+def _contradicted(problem: Problem, example: Example, exact: Exact, tolerance: Tolerance) -> str | None:
+    """Why the answer that the example shows is wrong, or None."""
+    target = target_of(problem, exact, tolerance)
+    outcome = check.check(problem.answer, _as_json(example.wanted), target, lambda: (exact, tolerance))
+    return outcome.message if isinstance(outcome, check.Rejection) else None
 
 
 def _as_json(value: Any) -> Any:
@@ -219,3 +219,131 @@ def _as_json(value: Any) -> Any:
     if isinstance(value, str):
         return {"word": value}
     return [_as_json(each) for each in value] if isinstance(value, list | tuple) else value
+
+
+# -- what a case must be ------------------------------------------------------------------------------------
+
+
+def validate(problem: Problem, module: Module, case: Any) -> Exact:
+    """The exact answer to what may be a case: its shape, its bounds, then the promise, which `solve` keeps.
+
+    Raises InvalidCase with what is wrong, for a person; ProblemError where `solve` itself fails.
+    """
+    if fault := shape_fault(problem, case) or bounds_fault(problem, case):
+        raise InvalidCase(fault)
+    return _solved(module, case)
+
+
+def shape_fault(problem: Problem, case: Any) -> str | None:
+    """What keeps it from being a tuple of values of the parameters' types, their numbers finite, or None."""
+    if type(case) is not tuple or len(case) != len(problem.parameters):
+        return f"a case must be a tuple of {len(problem.parameters)} arguments"
+    pairs = zip(problem.parameters, case, strict=True)
+    faults = (parameters.fault(each.type, each.name, value) for each, value in pairs)
+    return next(filter(None, faults), None)
+
+
+def bounds_fault(problem: Problem, case: Case) -> str | None:
+    """What number of a well-shaped case is beyond its parameter's bounds, or too near to 0, or None."""
+    for parameter, value in zip(problem.parameters, case, strict=True):
+        low, high, smallest = _bounds(parameter)
+        if found := parameters.outside(parameter.type, value, low, high):
+            number, low, high = found
+            return f"{parameter.name} has {number!r}, outside {_text(low)} to {_text(high)}"
+        for number in parameters.reals(parameter.type, value) if smallest else ():
+            if 0 < abs(number) < smallest:
+                least = float(parameter.smallest)
+                return f"{parameter.name} has {number!r}, nearer to 0 than {least:g} but not 0"
+    return None
+
+
+def _solved(module: Module, case: Case) -> Exact:
+    try:
+        return module.solve(*case)
+    except InvalidCase as broken:
+        raise InvalidCase(str(broken).removesuffix(".")) from None
+
+
+@cache
+def _bounds(parameter: Parameter) -> tuple[Fraction | int, Fraction | int, float]:
+    """A parameter's bounds, as ints where they are, which Python compares much faster; and the least double
+    that is not below `smallest`: a double is below the one just when it is below the other.
+    """
+    low, high, smallest = parameter.low, parameter.high, float(parameter.smallest)
+    if smallest < parameter.smallest:
+        smallest = math.nextafter(smallest, math.inf)
+    return low if low.denominator > 1 else int(low), high if high.denominator > 1 else int(high), smallest
+
+
+def _text(bound: Fraction | int) -> str:
+    text = str(bound)
+    return text if len(text) <= 24 else f"{text[:4]}… ({len(text.lstrip('-'))} digits)"
+
+
+# -- fresh cases --------------------------------------------------------------------------------------------
+
+
+class Fresh(Struct, frozen=True):
+    """Fresh cases without end of some groups of a problem; they depend on the seed alone.
+
+    Raises UsageError where none of the groups has such: the examples are what they are.
+    """
+
+    problem: Problem
+    module: Module
+    groups: Sequence[Group]
+    seed: int
+
+    def __post_init__(self) -> None:
+        if not any(map(_is_fresh, self.groups)):
+            names = ", ".join(group.name for group in self.problem.groups if _is_fresh(group))
+            raise UsageError(
+                "these groups have no fresh cases: the examples are no builder's, big cases take too long",
+                remedy=f"name one of {names}",
+            )
+
+    def series(self) -> Iterator[GroupData]:
+        """Some cases of every group in turn, for ever. Raises ProblemError where the problem's code fails."""
+        for number in count(1):
+            for group in filter(_is_fresh, self.groups):
+                yield self._drawn(group, quick(f"{self.seed}/{number}/{group.name}"))
+
+    def _drawn(self, group: Group, pick: Pick) -> GroupData:
+        made: list[Made] = []
+        what = f"group {group.name!r}: the problem's own code fails on a fresh case"
+        with blaming(self.problem, what, lambda: group_place(self.problem, group.name)):
+            for _ in range(FRESH):
+                made.append(new_case(self.problem, self.module, group, lambda _: pick, made))
+            return _aimed(self.problem, group, made)
+
+
+def _is_fresh(group: Group) -> bool:
+    return group.name != EXAMPLES and group.size is None
+
+
+# -- big cases, kept as the attempt that made each, and a hash of the inputs ---------------------------------
+
+
+def as_seeds(data: GroupData) -> dict[str, Any]:
+    """What the cases of a group that was just built are built from, as JSON; the targets are kept as ever."""
+    return {"attempts": data.attempts, "inputs": _hash(data.cases), "targets": data.targets}
+
+
+def from_seeds(plain: dict[str, Any], problem: Problem, module: Module, group: Group) -> list[Case]:
+    """The cases that `as_seeds` wrote.
+
+    Raises ValueError where they are other ones now, or this is none of its objects; ProblemError where the
+    draw fails.
+    """
+    with blaming(problem, f"group {group.name!r}: the builder fails"):
+        cases = [
+            module.draws[group.name](Draw(_pick(group, number, attempt)))
+            for number, attempt in enumerate(plain["attempts"])
+        ]
+    if _hash(cases) != plain["inputs"]:
+        raise ValueError("the builder makes other cases")
+    return cases
+
+
+def _hash(cases: Sequence[Case]) -> str:
+    return hashlib.sha256(marshal.dumps(list(cases), _FORM)).hexdigest()  # 1 and 1.0 are two inputs

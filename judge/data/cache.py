@@ -12,7 +12,7 @@ from __future__ import annotations
 import os
 
 from judge.digest import digest_of
-from judge.folders import cache_folder
+from judge.files import cache_folder
 from judge.kept import KeptFile
 from judge.problem import Problem
 from judge.problem.keys import code_key, content_key, own_files

@@ -2,20 +2,79 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, Union
 
 import msgspec
+from msgspec import Struct
+from msgspec.structs import replace
 
 from judge.data.cache import DataCache
-from judge.data.model import GroupData, ProblemData, Progress, reseeded
 from judge.errors import ProblemError
-from judge.problem import Group, Problem
-from judge.problem.model import tupled
+from judge.problem import Case, Group, Problem, Tolerance
+from judge.problem.model import EXAMPLES, tupled
+from judge.values.answers import within
 
 if TYPE_CHECKING:
     from judge.problem.module import Module
+    from judge.values.answers import Exact, Target
 
+Progress = Callable[[int, int], None]  # cases done, cases in all
 _DEEPEST = 12  # lists in lists that are read as tuples at once
+
+
+class GroupData(Struct, frozen=True):
+    """A group's cases and, for each, what an answer is held against.
+
+    `attempts` are those that made the cases (see build.py), and `choices` what each was drawn from, None
+    where it was not drawn alone; both are empty where the cases come from the cache.
+    """
+
+    group: Group
+    cases: list[Case]
+    targets: list[Target]
+    attempts: tuple[int, ...] = ()
+    choices: tuple[tuple[int, ...] | None, ...] = ()
+
+
+class ProblemData:
+    """All groups' data of one problem; `notes` are sentences for the person about how they came to be."""
+
+    def __init__(
+        self,
+        problem: Problem,
+        groups: tuple[GroupData, ...],
+        notes: tuple[str, ...] = (),
+        module: Module | None = None,
+    ) -> None:
+        self.problem, self.groups, self.notes = problem, groups, notes
+        self._module = module
+
+    def exact(self, case: Case, group: Group) -> tuple[Exact, Tolerance]:
+        """The exact answer to a case of that group, and its tolerance. Raises ProblemError.
+
+        Only a rejection's reason and an answer within a hair of the edge need it.
+        """
+        return within(self.module.solve(*case), group.name), group.tolerance
+
+    @property
+    def module(self) -> Module:
+        """What problem.py defines; it is loaded on the first use. Raises ProblemError."""
+        from judge.problem.module import load_module
+
+        if self._module is None:
+            self._module = load_module(self.problem)
+        return self._module
+
+
+def reseeded(group: Group, seed: int | None) -> Group:
+    """The group as a run with its own seed has it; None stands for the declared one."""
+    if seed is None or group.name == EXAMPLES:
+        return group
+    import hashlib  # only for who builds other cases
+
+    digest = hashlib.sha256(f"{seed}/{group.name}".encode()).digest()
+    return replace(group, seed=int.from_bytes(digest[:8], "big"))
 
 
 def _decoder(depth: int) -> msgspec.json.Decoder[Any]:
@@ -54,7 +113,7 @@ def load_data(
 
 
 def _as_plain(groups: tuple[GroupData, ...]) -> dict[str, Any]:
-    from judge.data.rebuilt import as_seeds
+    from judge.data.build import as_seeds
 
     return {
         data.group.name: [data.cases, data.targets] if data.group.size is None else as_seeds(data)
@@ -88,7 +147,7 @@ def _from_plain(plain: Any, problem: Problem, seed: int | None) -> ProblemData |
 def _group(plain: Any, group: Group, problem: Problem, module: Module | None) -> GroupData:
     cases: Any
     if group.size is not None and module is not None:
-        from judge.data.rebuilt import from_seeds
+        from judge.data.build import from_seeds
 
         plain = _plain(plain)
         cases, targets = (

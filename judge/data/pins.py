@@ -16,14 +16,12 @@ from collections.abc import Collection, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from judge.atomic import replace_file
-from judge.data.model import GroupData
+from judge.data.load import GroupData
 from judge.errors import ProblemError
+from judge.files import read_ordinary, replace_file
 from judge.problem import Problem
-from judge.reading import read_ordinary
 
 Kills = Mapping[str, Collection[str]]  # by the group's name: the mistakes that it rejects
-_REMEDY = "write it with: judge verify {} --pin"
 
 
 def hash_of(data: GroupData) -> str:
@@ -39,22 +37,18 @@ def pins_file(problem: Problem) -> Path:
 
 def read_pins(problem: Problem) -> dict[str, Any] | None:
     """What is pinned of each group, or None if there is no such file. Raises ProblemError."""
-    path = pins_file(problem)
-    where = f"{problem.id}/{path.name}"
-    remedy = _REMEDY.format(problem.id)
+    what, remedy = "not the form of pins", f"write it with: judge verify {problem.id} --pin"
     try:
-        content = json.loads(read_ordinary(path))
+        content = json.loads(read_ordinary(pins_file(problem)))
+        if isinstance(content, dict):
+            return content
     except FileNotFoundError:
         return None
     except OSError as error:
-        raise ProblemError(
-            f"cannot be read: {error.strerror}", where=where, remedy="make it readable"
-        ) from None
+        what, remedy = f"cannot be read: {error.strerror}", "make it readable"
     except ValueError as error:
-        raise ProblemError(f"no JSON: {error}", where=where, remedy=remedy) from None
-    if not isinstance(content, dict):
-        raise ProblemError("not the form of pins", where=where, remedy=remedy)
-    return content
+        what = f"no JSON: {error}"
+    raise ProblemError(what, where=f"{problem.id}/pins.json", remedy=remedy)
 
 
 def pins_of(groups: Sequence[GroupData], kills: Kills) -> dict[str, Any]:
@@ -72,20 +66,17 @@ def pins_of(groups: Sequence[GroupData], kills: Kills) -> dict[str, Any]:
 def write_pins(problem: Problem, pins: Mapping[str, Any]) -> None:
     """Pin the data as they are. Raises ProblemError if the file cannot be written."""
     rows = ",\n".join(f"{json.dumps(name)}: {json.dumps(pin)}" for name, pin in pins.items())
-    text = f"{{\n{rows}\n}}"
-    path = pins_file(problem)
     try:
-        replace_file(path, f"{text}\n".encode())
+        replace_file(pins_file(problem), f"{{\n{rows}\n}}\n".encode())
     except OSError as error:
-        where = f"{problem.id}/{path.name}"
-        what = f"cannot be written: {error.strerror}"
-        raise ProblemError(what, where=where, remedy=f"make {problem.folder} writable") from None
+        what, remedy = f"cannot be written: {error.strerror}", f"make {problem.folder} writable"
+        raise ProblemError(what, where=f"{problem.id}/pins.json", remedy=remedy) from None
 
 
 def differences(pins: Mapping[str, Any], found: Mapping[str, Any]) -> list[str]:
     """What the pins and the data disagree about, a sentence each."""
     drifted = [
-        _drift(name, pins[name], found[name]) for name in found if name in pins and found[name] != pins[name]
+        _drift(name, pins[name], pin) for name, pin in found.items() if name in pins and pin != pins[name]
     ]
     unpinned = [f"group {name!r} has no pinned hash" for name in found if name not in pins]
     stale = [f"the pinned hash of {name!r} belongs to no group" for name in pins if name not in found]

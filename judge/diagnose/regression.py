@@ -1,7 +1,7 @@
 """Cases as a pytest file of their own: it imports the submission by its path and needs no judge.
 
-A function in another language than Python cannot be imported, and where the problem itself decides which
-answers are right, there are no bounds: such a test runs `judge try`.
+A function in another language than Python cannot be imported, and where several answers are right, bounds do
+not say it: such a test runs `judge try`.
 """
 
 from __future__ import annotations
@@ -14,7 +14,8 @@ from pathlib import Path
 from judge.diagnose.replay import encode
 from judge.languages import language_of
 from judge.run.tried import Tried
-from judge.values import Target, parameters, show
+from judge.values import parameters, show
+from judge.values.answers import Target
 
 MARK = b"# Written by `judge "  # how the file begins, those of earlier versions too
 _HEAD = '''# Written by `judge try --pytest`, which adds more cases at the end.
@@ -79,10 +80,8 @@ def _body(place: str, replay: str, tried: Tried) -> str:
 
 
 def _is_decided(target: Target) -> bool:
-    """Whether the problem itself decides which answers are right, of the whole or of a part."""
-    if type(target) is dict:
-        return "such as" in target or any(map(_is_decided, target.values()))
-    return isinstance(target, list | tuple) and any(map(_is_decided, target))
+    """Whether several answers are right, of the whole or of a part."""
+    return type(target) is dict or (isinstance(target, list | tuple) and any(map(_is_decided, target)))
 
 
 def _free_name(place: str, replay: str, content: str) -> str:

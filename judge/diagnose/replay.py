@@ -14,14 +14,15 @@ import hashlib
 import re
 from typing import TYPE_CHECKING, NamedTuple
 
-from judge.data.validate import Validator
+from judge.data.build import validate
 from judge.errors import UsageError
 from judge.problem import Case, Group, Problem
+from judge.problem.declare import InvalidCase
 from judge.problem.module import Module
 from judge.values import parameters
 
 if TYPE_CHECKING:
-    from judge.values import Exact
+    from judge.values.answers import Exact
 
 _ID = re.compile(r"([\w-]+):([\w-]+):([vc])([^:\s]*):([0-9a-f]{6})", re.ASCII)
 LONGEST = 16_000  # characters of an id: a case of the longest integers has fewer
@@ -63,10 +64,11 @@ def decode(replay: str, problem: Problem, module: Module) -> Decoded:
     case = _from_values(payload, problem)
     if case is None or _check(case) != check:
         raise _fault("it does not fit its own check digits", "copy it whole; other versions have other ids")
-    proof = Validator(problem, module.solve).proof(case)
-    if proof.fault:
-        raise _fault(f"its case is none of the problem's: {proof.fault}", "other versions have other ids")
-    return Decoded(group, case, proof.answer)
+    try:
+        return Decoded(group, case, validate(problem, module, case))
+    except InvalidCase as fault:
+        remedy = "other versions have other ids"
+        raise _fault(f"its case is none of the problem's: {fault}", remedy) from None
 
 
 def _parts(replay: str) -> tuple[str, str, str, str, str]:

@@ -20,34 +20,16 @@ from judge.problem import Case, Group
 _KEY = b"the failing case"
 
 
-class HypothesisDraw(Draw):
-    """Choices that Hypothesis makes: integers that shrink towards 0; `draw` is that of `composite`."""
-
-    __slots__ = ("_draw",)
-
-    def __init__(self, draw: Callable[[Any], Any]) -> None:
-        self._draw = draw
-
-    def integer(self, low: int, high: int) -> int:
-        """The integer from low to high, both included, that Hypothesis likes next; ValueError for none."""
-        from hypothesis.strategies import integers
-
-        if low > high:
-            raise ValueError(f"no integer from {low} to {high}")
-        number: int = self._draw(integers(low, high))
-        return number
-
-
 def strategy(builder: Callable[[Draw], Any]) -> Any:
     """The cases of a builder as Hypothesis draws them; choices that make none are left out."""
     from hypothesis import reject
     from hypothesis.errors import HypothesisException
-    from hypothesis.strategies import composite
+    from hypothesis.strategies import composite, integers
 
     @composite
     def cases(draw: Any) -> Any:
         try:
-            return builder(HypothesisDraw(draw))
+            return builder(Draw(lambda low, high: draw(integers(low, high))))
         except HypothesisException:
             raise
         except Exception:  # a shrunk choice may break what the recipe counts on, as a divisor that becomes 0

@@ -20,8 +20,8 @@ from typing import Any
 from msgspec.structs import replace
 
 from judge.data.build import choices_of
-from judge.data.draw import Draw, SeededDraw
-from judge.data.model import GroupData, ProblemData
+from judge.data.draw import Draw, seeded
+from judge.data.load import GroupData, ProblemData
 from judge.diagnose.polish import polished, rounded
 from judge.diagnose.replay import LONGEST, encode
 from judge.diagnose.simple import ladder
@@ -30,12 +30,13 @@ from judge.diagnose.trial import LIMITED, Finding, SearchBudget, Trial, sort_of
 from judge.problem import Case, Group, Problem, Verdict
 from judge.problem.model import EXAMPLES
 from judge.run.group import named_input
-from judge.run.result import Failure, short_answer
+from judge.run.reference import Reference
+from judge.run.result import Failure, Result, short_answer
 from judge.run.runner import Runner
 from judge.sandbox.boundary import Box
 from judge.values.outline import right
 
-SHRUNK = (Verdict.WA, Verdict.RTE, Verdict.TLE, Verdict.MLE)  # the verdicts that one call can earn
+_SHRUNK = (Verdict.WA, Verdict.RTE, Verdict.TLE, Verdict.MLE)  # the verdicts that one call can earn
 _SOUGHT = 40  # cases of a group, among which one is looked for that fails alone
 _SORTS = 6  # of right answers, above which a wanted 5 is like a wanted 3, and a Monday like a Friday
 SIMPLE = 7  # the measure's digits up to which a failing case needs no shrinking by parameters
@@ -48,32 +49,39 @@ def shrink(
     data: ProblemData,
     box: Box,
     runner: Runner,
-    verdict: Verdict,
-    failure: Failure,
+    result: Result,
     *,
-    reference: Callable[[], Box | None] = lambda: None,
+    reference: Reference | None = None,
     budget: SearchBudget | None = None,
     choices: Choices | None = None,
 ) -> Failure | None:
-    """The simplest case that the submission in `box` gets wrong, in the way that it failed.
+    """The simplest case that the submission in `box` gets wrong, in the way that it failed in its `result`.
 
     None where the failure has no case of its own, is the sum of many calls, or is too long for a replay id.
-    `reference` opens the box of the problem's reference solution. `choices` tells what case `number` (from 0)
+    `reference` has the problem's reference solutions. `choices` tells what case `number` (from 0)
     of a group was built from; without it they are sought as those of pinned data. The result depends on the
     submission alone, unless the budget's guard ends the search.
 
     Raises:
         ProblemError: the problem's own code fails on a case.
     """
-    problem = data.problem
+    problem, verdict, failure = data.problem, result.verdict, result.failure
+    if verdict not in _SHRUNK or failure is None:
+        return None
     group_data = next((each for each in data.groups if each.group.name == failure.group), None)
-    if verdict not in SHRUNK or group_data is None or group_data.group.size is not None:
+    if group_data is None or group_data.group.size is not None:
         return None
     if failure.case is None and (verdict is not Verdict.WA or runner.calls):
         return None
     budget = budget or SearchBudget()
     coarse = _has_many_answers(problem, data)
-    trial = Trial(data.module, box, runner, verdict, budget, reference, coarse=coarse)
+    rule = problem.time
+    name = runner.reference(rule) if rule else None
+
+    def judge_box() -> Box | None:
+        return reference.open(name) if reference else None
+
+    trial = Trial(data.module, box, runner, verdict, budget, judge_box, coarse=coarse)
     if failure.case is None:  # a program's lines are too few or too many: is there a case for which they are?
         first = trial.simplest(group_data.cases[:_SOUGHT], group_data.group, fair=False)
         if first is None:
@@ -150,7 +158,7 @@ class _Search:
             if self._trial.budget.spent:
                 break
             cases = [
-                rung.case(SeededDraw(f"{rung}/{number}"), self._problem)
+                rung.case(Draw(seeded(f"{rung}/{number}")), self._problem)
                 for rung, count in step
                 for number in range(count)
             ]

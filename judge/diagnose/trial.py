@@ -13,18 +13,21 @@ from typing import Any
 from msgspec import Struct
 from msgspec.structs import replace
 
-from judge.data.build import target_of
-from judge.data.validate import Proof, Validator
+from judge.data.build import target_of, validate
 from judge.diagnose.simplicity import Simplicity, measure
 from judge.errors import ProblemError
 from judge.problem import Case, Group, Tolerance, Verdict
+from judge.problem.declare import InvalidCase
 from judge.problem.module import Module
 from judge.run.printed import message_of, text_of
 from judge.run.replies import VERDICTS, Breakdown
 from judge.run.runner import Runner
 from judge.sandbox.boundary import Box, Limits, Stop, Usage
-from judge.values import Exact, Outline, Raw, Rejection, Target, outline
-from judge.values.answers import within
+from judge.values import outline
+from judge.values.answers import Exact, Target, within
+from judge.values.check import Rejection
+from judge.values.outline import Outline
+from judge.values.wire import Raw
 
 Clock = Callable[[], float]
 
@@ -99,7 +102,7 @@ class Guard:
         self._clock = clock
         self._end = clock() + wall
         self._left = cpu
-        self._began = time.thread_time()
+        self._began = time.process_time()
 
     def used(self, usage: Usage) -> None:
         """Book what the submission has used."""
@@ -108,7 +111,7 @@ class Guard:
     @property
     def over(self) -> bool:
         """Whether either is up."""
-        return time.thread_time() - self._began >= self._left or self._clock() >= self._end
+        return time.process_time() - self._began >= self._left or self._clock() >= self._end
 
 
 class Trial:
@@ -132,11 +135,10 @@ class Trial:
         self.budget = budget
         self._box = box
         self._runner = runner
-        self._validator = Validator(runner.problem, module.solve)
         self._judge_box = judge_box
         self._coarse = coarse
         self._known: dict[tuple[str, str], Finding | None] = {}
-        self._proofs: dict[str, Proof] = {}
+        self._answers: dict[str, Exact | InvalidCase] = {}
         self._targets: dict[tuple[str, str], Target] = {}
         self._kind: tuple[str, ...] | None = None
 
@@ -158,10 +160,8 @@ class Trial:
         One on which the problem's own code fails is passed over: no group would hold it.
         """
         try:
-            if self._proof(case).fault is not None:
-                return False
             self._target(case, group)
-        except ProblemError:
+        except (InvalidCase, ProblemError):
             return False
         return True
 
@@ -239,17 +239,22 @@ class Trial:
     def _verdict_of_a_run(self) -> bool:
         return self.verdict is not Verdict.WA and not self._runner.tells_where
 
-    def _proof(self, case: Case) -> Proof:
-        """The case proved and solved; once, for the search comes back to it."""
+    def _answer(self, case: Case) -> Exact:
+        """The case's exact answer, sought once: the search comes back to it. Raises as `validate`."""
         key = repr(case)
-        if key not in self._proofs:
-            self._proofs[key] = self._validator.proof(case)
-        return self._proofs[key]
+        if key not in self._answers:
+            try:
+                self._answers[key] = validate(self.problem, self.module, case)
+            except InvalidCase as fault:
+                self._answers[key] = fault
+        if isinstance(self._answers[key], InvalidCase):
+            raise self._answers[key]
+        return self._answers[key]
 
     def _target(self, case: Case, group: Group) -> Target:
         key = (group.name, repr(case))
         if key not in self._targets:
-            self._targets[key] = target_of(self.problem, self._proof(case).answer, group.tolerance)
+            self._targets[key] = target_of(self.problem, self._answer(case), group.tolerance)
         return self._targets[key]
 
     def _limits(self, cases: int, *, whole: bool) -> Limits:
@@ -310,7 +315,7 @@ class Trial:
         return replace(found, kind=(_NOT_A_LINE,)) if verdict is Verdict.WA else found
 
     def _exact(self, case: Case, group: Group) -> Callable[[], tuple[Exact, Tolerance]]:
-        return lambda: (within(self._proof(case).answer, group.name), group.tolerance)
+        return lambda: (within(self._answer(case), group.name), group.tolerance)
 
     def _rejected(self, case: Case, target: Target, group: Group, outcome: Rejection, answer: Any) -> Finding:
         way = _way(

@@ -2,23 +2,10 @@
 
 from __future__ import annotations
 
-from math import isqrt
-
-# Bit i is set where i is a square modulo 64; five of six non-squares end here without an isqrt.
-_SQUARES_MOD_64 = sum(1 << residue for residue in {i * i % 64 for i in range(64)})
-
 
 def sign(value: int) -> int:
     """-1, 0 or +1."""
     return (value > 0) - (value < 0)
-
-
-def exact_root(value: int) -> int | None:
-    """The integer square root of `value` >= 0 where it is a whole number, else None."""
-    if not (_SQUARES_MOD_64 >> (value & 63)) & 1:
-        return None
-    root = isqrt(value)
-    return root if root * root == value else None
 
 
 def root_sign(p: int, q: int, d: int) -> int:

@@ -1,22 +1,26 @@
-"""Real numbers (p + q·√d)/s over Python's integers: sign, order, rounding and text, all of it exact."""
+"""Real numbers (p + q·√d)/s over Python's integers: sign, order, rounding and text, all of it exact.
+
+Python's own numbers are taken as the rationals that they are: every finite double is an integer over a power
+of two.
+"""
 
 from __future__ import annotations
 
 from decimal import MAX_EMAX, MIN_EMIN, ROUND_HALF_EVEN, Context, Decimal, Inexact
 from fractions import Fraction
-from math import inf, isinf, isnan
-from typing import Any, NoReturn, TypeGuard
+from math import inf, isinf, isnan, isqrt, nextafter
+from typing import Any
 
-from judge.exact import rounding
-from judge.exact.dyadic import Rational, ratio
-from judge.exact.signs import exact_root, root_sign, two_root_sign
+from judge.exact.signs import root_sign, two_root_sign
 
-_MOST_DIGITS = 4000  # Python itself refuses to print integers much longer
-_BITS = 56  # enough for a double and a sticky bit
+Rational = int | float | Fraction | Decimal
+
+_LEAST_EXPONENT = -1074  # of the least subnormal, and of every double's last bit at least
+_BITS = 56  # enough for a double and what tells on which side of it or of a tie a number is
 
 
 class Surd:
-    """The number (p + q·√d)/s; immutable, s > 0, d >= 0, and irrational exactly where q != 0.
+    """The number (p + q·√d)/s, never changed; s > 0, d >= 0, and irrational exactly where q != 0.
 
     A radicand that is a perfect square is folded into p. Compares with any other Surd, int, float, Fraction
     and Decimal by value, and hashes like them. `float()` rounds correctly, ties to even.
@@ -24,10 +28,6 @@ class Surd:
     """
 
     __slots__ = ("d", "p", "q", "s")
-    p: int
-    q: int
-    d: int
-    s: int
 
     def __init__(self, p: int, q: int = 0, d: int = 0, s: int = 1) -> None:
         for part in (p, q, d, s):
@@ -39,14 +39,9 @@ class Surd:
             raise ZeroDivisionError("a Surd with denominator 0")
         if s < 0:
             p, q, s = -p, -q, -s
-        if q:
-            root = exact_root(d)
-            if root is not None:
-                p, q = p + q * root, 0
-        _set_p(self, p)
-        _set_q(self, q)
-        _set_d(self, d if q else 0)
-        _set_s(self, s)
+        if q and (root := isqrt(d)) ** 2 == d:
+            p, q = p + q * root, 0
+        self.p, self.q, self.d, self.s = p, q, d if q else 0, s
 
     @classmethod
     def of(cls, value: Rational | Surd) -> Surd:
@@ -55,15 +50,6 @@ class Surd:
             return value
         top, bottom = ratio(value)
         return make(top, 0, 0, bottom)
-
-    def __setattr__(self, name: str, value: object) -> NoReturn:
-        raise AttributeError("a Surd is immutable")
-
-    def __delattr__(self, name: str) -> NoReturn:
-        raise AttributeError("a Surd is immutable")
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return Surd, (self.p, self.q, self.d, self.s)
 
     def __repr__(self) -> str:
         return f"Surd({self.p}, {self.q}, {self.d}, {self.s})"
@@ -84,7 +70,7 @@ class Surd:
         return -self if self.sign() < 0 else self
 
     def __add__(self, other: int | Fraction) -> Surd:
-        if not _is_exact(other):
+        if not isinstance(other, int | Fraction):
             return NotImplemented
         n, m = other.as_integer_ratio()
         return make(self.p * m + n * self.s, self.q * m, self.d, self.s * m)
@@ -92,13 +78,13 @@ class Surd:
     __radd__ = __add__
 
     def __sub__(self, other: int | Fraction) -> Surd:
-        return self + -other if _is_exact(other) else NotImplemented
+        return self + -other if isinstance(other, int | Fraction) else NotImplemented
 
     def __rsub__(self, other: int | Fraction) -> Surd:
-        return -self + other if _is_exact(other) else NotImplemented
+        return -self + other
 
     def __mul__(self, other: int | Fraction) -> Surd:
-        if not _is_exact(other):
+        if not isinstance(other, int | Fraction):
             return NotImplemented
         n, m = other.as_integer_ratio()
         return make(self.p * n, self.q * n, self.d, self.s * m)
@@ -106,14 +92,7 @@ class Surd:
     __rmul__ = __mul__
 
     def __truediv__(self, other: int | Fraction) -> Surd:
-        if not _is_exact(other):
-            return NotImplemented
-        n, m = other.as_integer_ratio()
-        if n == 0:
-            raise ZeroDivisionError("a Surd divided by 0")
-        if n < 0:
-            n, m = -n, -m
-        return make(self.p * m, self.q * m, self.d, self.s * n)
+        return self * (1 / Fraction(other)) if isinstance(other, int | Fraction) else NotImplemented
 
     # -- order ---------------------------------------------------------------------------------------
 
@@ -124,33 +103,33 @@ class Surd:
         """
         if isinstance(other, Surd):
             mine, its = self.s, other.s
-            return two_root_sign(
-                self.p * its - other.p * mine, self.q * its, self.d, -other.q * mine, other.d
-            )
-        if isinstance(other, (float, Decimal)) and isinf(other):
+            p = self.p * its - other.p * mine
+            return two_root_sign(p, self.q * its, self.d, -other.q * mine, other.d)
+        if isinstance(other, float | Decimal) and isinf(other):
             return -1 if other > 0 else 1
         n, m = ratio(other)
         return root_sign(self.p * m - n * self.s, self.q * m, self.d)
 
+    def _is(self, other: Any, *wanted: int) -> bool:
+        if isinstance(other, float | Decimal) and isnan(other):
+            return False
+        known = isinstance(other, (Surd, int, float, Fraction, Decimal)) and not isinstance(other, bool)
+        return self.compare(other) in wanted if known else NotImplemented
+
     def __eq__(self, other: object) -> bool:
-        return self.compare(other) == 0 if _is_comparable(other) else NotImplemented
+        return self._is(other, 0)
 
     def __lt__(self, other: Surd | Rational) -> bool:
-        return self._order(other, (-1,))
+        return self._is(other, -1)
 
     def __le__(self, other: Surd | Rational) -> bool:
-        return self._order(other, (-1, 0))
+        return self._is(other, -1, 0)
 
     def __gt__(self, other: Surd | Rational) -> bool:
-        return self._order(other, (1,))
+        return self._is(other, 1)
 
     def __ge__(self, other: Surd | Rational) -> bool:
-        return self._order(other, (0, 1))
-
-    def _order(self, other: Surd | Rational, wanted: tuple[int, ...]) -> bool:
-        if isinstance(other, (float, Decimal)) and isnan(other):
-            return False
-        return self.compare(other) in wanted if _is_comparable(other) else NotImplemented
+        return self._is(other, 0, 1)
 
     def __bool__(self) -> bool:
         return self.q != 0 or self.p != 0
@@ -161,99 +140,95 @@ class Surd:
 
     # -- rounding ------------------------------------------------------------------------------------
 
+    def _near(self, bits: int) -> tuple[int, int]:
+        """A numerator and a denominator > 0: the number itself where it is rational.
+
+        Else both lie between the same two neighbouring multiples of a power of two, and are at least
+        2**(bits - 1) of it: so their first bits are the same, and they round alike.
+        """
+        p, q, s = self.p, self.q, self.s
+        if q == 0:
+            return p, s
+        square = q * q * self.d
+        # |x| = |p² − q²d| / (s·|p − q√d|) tells how small it is where p and q√d cancel each other.
+        reach = max(p.bit_length(), (square.bit_length() + 1) // 2)
+        k = max(0, bits + 1 + reach + s.bit_length() - (p * p - square).bit_length())
+        root = isqrt(square << 2 * k)  # never exact, so that floor(−√…) is −root − 1
+        return 2 * (((p << k) + (root if q > 0 else -root - 1)) // s) + 1, 2 << k
+
     def __float__(self) -> float:
-        if self.q == 0:
-            try:
-                return self.p / self.s  # int / int is correctly rounded
-            except OverflowError:
-                return inf if self.p > 0 else -inf
-        side, m, k, exact = rounding.magnitude(self.p, self.q, self.d, self.s, _BITS)
-        value = rounding.to_nearest(m, k, exact)
-        return value if side > 0 else -value
+        top, bottom = self._near(_BITS)
+        try:
+            return top / bottom  # int / int is correctly rounded
+        except OverflowError:
+            return inf if top > 0 else -inf
 
     def round_down(self) -> float:
         """The greatest double <= self; a number that is a double stays itself, -inf below the least."""
-        side, m, k, exact = rounding.magnitude(self.p, self.q, self.d, self.s, _BITS)
-        return rounding.downward(m, k) if side >= 0 else -rounding.upward(m, k, exact)
+        near = float(self)
+        return near if self.compare(near) >= 0 else nextafter(near, -inf)
 
     def round_up(self) -> float:
         """The least double >= self; a number that is a double stays itself, inf above the largest."""
-        side, m, k, exact = rounding.magnitude(self.p, self.q, self.d, self.s, _BITS)
-        return rounding.upward(m, k, exact) if side >= 0 else -rounding.downward(m, k)
-
-    # -- ulps ----------------------------------------------------------------------------------------
+        near = float(self)
+        return near if self.compare(near) <= 0 else nextafter(near, inf)
 
     def ulp_exponent(self) -> int:
-        """The exponent of `ulp()`: floor(log2|x|) − 52, at least −1074 (also for 0)."""
-        side, m, k, _ = rounding.magnitude(self.p, self.q, self.d, self.s, 2)
-        if side == 0:
-            return rounding.LEAST_EXPONENT
-        return max(m.bit_length() - 53 - k, rounding.LEAST_EXPONENT)
-
-    def ulp(self) -> Fraction:
-        """The unit in the last place of the exact number: 2**(floor(log2|x|) − 52), at least 2**−1074."""
-        exponent = self.ulp_exponent()
-        return Fraction(1 << exponent) if exponent >= 0 else Fraction(1, 1 << -exponent)
-
-    # -- text ----------------------------------------------------------------------------------------
+        """The exponent of the last bit of a double of its size: floor(log2|x|) − 52, at least −1074."""
+        top, bottom = self._near(2)
+        if not top:
+            return _LEAST_EXPONENT
+        top = abs(top)
+        size = top.bit_length() - bottom.bit_length()
+        size -= top << max(-size, 0) < bottom << max(size, 0)
+        return max(size - 52, _LEAST_EXPONENT)
 
     def decimal(self, digits: int) -> str:
-        """The number in decimal, correctly rounded (ties to even) to `digits` >= 1 significant digits.
+        """The number in decimal, rounded (ties to even) to `digits` >= 1 significant digits.
 
         Laid out like a float's repr. Numbers that need fewer digits print whole ("0.5", "3"); trailing zeros
-        of the others are kept, since they are known. Raises ValueError for digits outside 1 … 4000.
+        of the others are kept, since they are known.
         """
-        if not 1 <= digits <= _MOST_DIGITS:
-            raise ValueError(f"between 1 and {_MOST_DIGITS} digits, not {digits}")
-        if not self:
-            return "0"
-        top, bottom = abs(self.p), self.s
-        if self.q:
-            _, m, k, _ = rounding.magnitude(self.p, self.q, self.d, self.s, digits * 10 // 3 + 80)
-            top, bottom = 2 * m + 1, 2 << k if k >= 0 else 1  # a sticky bit: what was cut off lies above m
-            top <<= max(-k - 1, 0)
         context = Context(digits, ROUND_HALF_EVEN, MIN_EMIN, MAX_EMAX, traps=[])
-        rounded = context.divide(Decimal(top), Decimal(bottom))
-        text = "".join(map(str, rounded.as_tuple().digits))
-        exact = not self.q and not context.flags[Inexact]
-        return ("-" if self.sign() < 0 else "") + _layout(text, rounded.adjusted(), exact)
-
-
-_set_p = Surd.__dict__["p"].__set__
-_set_q = Surd.__dict__["q"].__set__
-_set_d = Surd.__dict__["d"].__set__
-_set_s = Surd.__dict__["s"].__set__
-_blank = object.__new__
+        found = context.divide(*map(Decimal, self._near(digits * 10 // 3 + 80)))
+        if not self.q and not context.flags[Inexact]:
+            found = found.normalize(context)
+        if -5 < found.adjusted() < 16:
+            return f"{found:f}"
+        digits_, _, exponent = f"{found:e}".partition("e")
+        return f"{digits_}e{int(exponent):+03d}"
 
 
 def make(p: int, q: int, d: int, s: int) -> Surd:
     """A Surd of parts known to be normal: s > 0, and √d irrational unless q == 0. Nothing is checked."""
-    surd = _blank(Surd)
-    _set_p(surd, p)
-    _set_q(surd, q)
-    _set_d(surd, d if q else 0)
-    _set_s(surd, s)
+    surd = object.__new__(Surd)
+    surd.p, surd.q, surd.d, surd.s = p, q, d if q else 0, s
     return surd
 
 
-def _is_exact(value: object) -> bool:
-    return isinstance(value, (int, Fraction)) and not isinstance(value, bool)
+def ratio(value: object) -> tuple[int, int]:
+    """`value` (int, float, Fraction or Decimal) as numerator and denominator > 0.
+
+    Raises ValueError for nan and infinities, TypeError for a bool or anything else.
+    """
+    if isinstance(value, bool) or not isinstance(value, Rational):
+        raise TypeError(f"{type(value).__name__} is not a number that can be taken exactly")
+    try:
+        return value.as_integer_ratio()
+    except (ValueError, OverflowError):
+        raise ValueError(f"{value} is not a finite number") from None
 
 
-def _is_comparable(value: object) -> TypeGuard[Surd | Rational]:
-    if isinstance(value, float):
-        return not isnan(value)
-    return isinstance(value, (Surd, int, Fraction, Decimal)) and not isinstance(value, bool)
+def integers(*values: int | float) -> tuple[list[int], int]:
+    """All `values` over one power of two: value i is result[i] / 2**shift, exactly, shift >= 0 least.
 
-
-def _layout(text: str, exponent: int, exact: bool) -> str:
-    """Digits as a float's repr would set them: plain from 1e-4 to 1e16, else with an exponent."""
-    if exact:
-        text = text.rstrip("0") or "0"
-    if -5 < exponent < 0:
-        return "0." + "0" * (-exponent - 1) + text
-    if 0 <= exponent < 16:
-        whole, part = text[: exponent + 1].ljust(exponent + 1, "0"), text[exponent + 1 :]
-        return f"{whole}.{part}" if part else whole
-    part = f".{text[1:]}" if len(text) > 1 else ""
-    return f"{text[0]}{part}e{'-' if exponent < 0 else '+'}{abs(exponent):02d}"
+    Raises ValueError for nan and infinities, TypeError for a bool or anything but int and float.
+    """
+    kinds = {*map(type, values)}
+    for kind in kinds - {int, float}:
+        raise TypeError(f"{kind.__name__} is not an int or a float")
+    if float not in kinds:
+        return [*map(int, values)], 0
+    ratios = [ratio(value) for value in values]
+    bits = max([bottom for _, bottom in ratios]).bit_length()
+    return [top << (bits - bottom.bit_length()) for top, bottom in ratios], bits - 1

@@ -12,8 +12,7 @@ from itertools import chain
 from math import isqrt
 from typing import NamedTuple
 
-from judge.exact.dyadic import integers
-from judge.exact.surd import make
+from judge.exact.surd import integers, make
 from judge.geometry.quadratic import Number, Quadratic, on_circle
 from judge.geometry.sure import BITS, Sure, Words
 from judge.problem.declare import InvalidCase

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 
-from judge.exact.dyadic import integers
+from judge.exact.surd import integers
 from judge.geometry.sure import Sure, Words
 from judge.problem.declare import InvalidCase
 

@@ -8,8 +8,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from judge.exact.dyadic import integers
-from judge.exact.surd import Surd, make
+from judge.exact.surd import Surd, integers, make
 from judge.geometry.quadratic import LEAST_RADIUS, Number, Quadratic, Vector, on_circle
 from judge.geometry.sure import Sure
 from judge.values.answers import Real

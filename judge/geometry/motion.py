@@ -11,9 +11,8 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
-from judge.exact.dyadic import integers
 from judge.exact.signs import root_sign, two_root_sign
-from judge.exact.surd import make
+from judge.exact.surd import integers, make
 from judge.geometry.quadratic import Number, Quadratic
 from judge.geometry.sure import Sides, Sure, Words
 from judge.problem.declare import InvalidCase

@@ -10,8 +10,7 @@ from __future__ import annotations
 from enum import Enum
 from fractions import Fraction
 
-from judge.exact.dyadic import integers
-from judge.exact.surd import Surd
+from judge.exact.surd import Surd, integers
 from judge.geometry.quadratic import Number, Vector
 from judge.geometry.sure import Sure, Words
 from judge.values.answers import Real

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from judge.exact.dyadic import integers
+from judge.exact.surd import integers
 from judge.geometry.quadratic import Number, Quadratic, Vector, on_circle, tangent
 from judge.geometry.sure import Sure
 from judge.problem.declare import InvalidCase

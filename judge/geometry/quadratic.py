@@ -12,9 +12,8 @@ from collections.abc import Sequence
 from fractions import Fraction
 from math import isqrt
 
-from judge.exact.dyadic import integers
 from judge.exact.signs import root_sign
-from judge.exact.surd import make
+from judge.exact.surd import integers, make
 from judge.geometry.sure import Sure, Words
 from judge.values.answers import Real
 

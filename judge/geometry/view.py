@@ -13,11 +13,10 @@ from fractions import Fraction
 from typing import Any
 
 from judge.drawing.shapes import Role
-from judge.exact.dyadic import integers
-from judge.exact.surd import Surd
+from judge.exact.surd import Surd, integers
 from judge.geometry.quadratic import TANGENT
 from judge.geometry.sure import Words
-from judge.values.answers import AnyOf, Real, Run
+from judge.values.answers import AnyOf, Real
 from judge.values.wire import Fault, Written, number, word
 
 Place = tuple[Decimal, Decimal]
@@ -197,7 +196,7 @@ def wanted(exact: Any) -> Plain:
     if isinstance(exact, AnyOf):
         return wanted(exact.answers[0])
     if isinstance(exact, list | tuple):
-        return [wanted(part) for each in exact for part in (each.items if isinstance(each, Run) else [each])]
+        return list(map(wanted, exact))
     if isinstance(exact, int | float | Fraction | Surd):
         return decimal(exact)
     return exact if isinstance(exact, str) else None

@@ -10,9 +10,8 @@ from functools import partial
 
 from msgspec import Struct
 
-from judge.exact.dyadic import integers
 from judge.exact.signs import sign
-from judge.exact.surd import Surd
+from judge.exact.surd import Surd, integers
 from judge.problem.declare import InvalidCase
 from judge.values.answers import Judged, Real
 

@@ -1,23 +1,21 @@
-"""The boxes that submissions to one problem are judged in: how held, how many at once, what stays hidden."""
+"""What holds submissions here: the folders hidden from them, and the level of isolation that `judge doctor`
+found on this machine, kept for the commands that come after it."""
 
 from __future__ import annotations
 
+import os
 from contextlib import suppress
+from datetime import date
 from pathlib import Path
 
-from judge.errors import JudgeError, ShortageError
-from judge.folders import cache_folder
-from judge.judging.isolation import kept_level
-from judge.languages.boxes import AnyBoxes
-from judge.languages.signature import signature_of
+from judge import __version__
+from judge.digest import digest_of
+from judge.errors import JudgeError
+from judge.files import cache_folder
+from judge.kept import KeptFile
 from judge.problem import Problem
 from judge.problem.find import problem_roots
-from judge.run.reference import Reference
-from judge.sandbox import Boxes, room
-from judge.sandbox.boundary import Box, BoxFactory
-
-_SHORT = (ShortageError, OSError, MemoryError, RuntimeError)  # it shows when the box is needed
-WEAK = "isolation is 'limits': submissions can read your files and use the network; see 'judge doctor'"
+from judge.sandbox import LEVELS
 
 
 def hidden_folders(problem: Problem) -> tuple[Path, ...]:
@@ -25,8 +23,8 @@ def hidden_folders(problem: Problem) -> tuple[Path, ...]:
     cache = cache_folder()
     with suppress(OSError):  # whoever builds the data says so
         cache.mkdir(parents=True, exist_ok=True)
-    own = (problem.folder, problem.solutions)  # they may be symlinks to another place than their parents
-    return (*own, *(folder.parent for folder in own), cache)
+    folder, solutions = problem.folder, problem.solutions  # they may be links to elsewhere than their parents
+    return folder, solutions, folder.parent, solutions.parent, cache
 
 
 def every_hidden_folder() -> tuple[Path, ...]:
@@ -38,70 +36,29 @@ def every_hidden_folder() -> tuple[Path, ...]:
     return (*roots, *(root.parent / "solutions" for root in roots), cache_folder())
 
 
-def room_for(jobs: int) -> tuple[int, str]:
-    """How many things may be done at once in the room that is left, and why not as many as asked for."""
-    room.raise_descriptors()
-    fit, limit = room.measure().at_once(jobs)
-    return fit, f"{fit} at once, not {jobs}: there is no room for more ({limit})" if limit else ""
+def keep_level(level: str) -> str | None:
+    """Keep it, in place of what was found before; a note for the person if that fails."""
+    return _file("level").write(level)
 
 
-class Containment:
-    """The boxes of one session; a context manager that ends those that were never used.
+def kept_level() -> str | None:
+    """The level found by this version of the judge for this user, on this machine with this kernel."""
+    level = _file("level").read()
+    return level if level in LEVELS else None
 
-    The first submission's box boots while the judge still reads its data. `open_box` opens another one at the
-    same level.
-    """
 
-    def __init__(
-        self,
-        problem: Problem,
-        level: str | None,
-        jobs: int = 1,
-        had: str | None = None,
-        *,
-        program: bool = False,
-    ) -> None:
-        """`level` is demanded; `had` is the level that this command has had before. `jobs` processes of this
-        command judge at once, and share what the machine has left.
+def first_today() -> bool:
+    """Whether this is asked for the first time today; where nothing can be kept, it is every time."""
+    file, today = _file("asked"), date.today().isoformat()
+    if file.read() == today:
+        return False
+    file.write(today)
+    return True
 
-        With `program`, what is compiled is a program even where it defines the problem's function.
-        """
-        room.raise_descriptors()
-        self._level = level
-        least = None if level else kept_level()
-        boxes = Boxes(level, hidden_folders(problem), least=least, had=had, share=room.measure().share(jobs))
-        self.open_box: BoxFactory = AnyBoxes(boxes, None if program else signature_of(problem))
-        self.reference = Reference(problem, self.open_box)
-        self._ahead: dict[tuple[bytes, str], Box] = {}
 
-    def __enter__(self) -> Containment:
-        return self
-
-    def __exit__(self, *exc: object) -> None:
-        self.close()
-
-    def close(self) -> None:
-        """End the boxes that are open or were started ahead."""
-        self.reference.close()
-        for box in self._ahead.values():
-            box.__exit__(None, None, None)
-        self._ahead.clear()
-
-    def boot(self, source: bytes, name: str) -> None:
-        """Start the box of a submission that will be judged soon."""
-        with suppress(*_SHORT):
-            box = self._ahead[source, name] = self.open_box(source, name)
-            box.warm_up()
-
-    def boot_reference(self) -> None:
-        """Start the box of the reference, which will be wanted if a submission is accepted."""
-        with suppress(*_SHORT):
-            self.reference.warm_up()
-
-    def take(self, source: bytes, name: str) -> Box:
-        """The submission's box, started ahead or now."""
-        return self._ahead.pop((source, name), None) or self.open_box(source, name)
-
-    def notes(self, isolation: str) -> tuple[str, ...]:
-        """A warning where a submission was held by limits only and nobody asked for that."""
-        return (WEAK,) if isolation == "limits" and self._level is None else ()
+def _file(what: str) -> KeptFile:
+    """The machine and the user are in its stem, so that a cache that machines share keeps a level of each."""
+    system = os.uname()
+    place = digest_of(f"{system.nodename}\0{os.geteuid()}".encode())[:8]
+    key = digest_of(f"{__version__}\0{system}".encode())[:32]
+    return KeptFile(cache_folder, "isolation", f"{what}-{place}-", key, "levels of isolation")

@@ -1,37 +1,47 @@
-"""Judging submissions to one problem, one after another or several at once, with all that they share.
+"""Judging submissions to one problem, one after another, with all that they share.
 
     with Session(problem, RunOptions(named=False)) as session:
         result = session.judge(source, "mine.py")
 
-Shared are the cases, the box of the reference, the known mistakes, and the turnstile that keeps races alone.
+Shared are the cases, the box of the reference, the known mistakes, and the lock of who measures. Much of what
+judging needs is imported when it is needed, while the first box boots.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from contextlib import AbstractContextManager, nullcontext
+from collections.abc import Callable
+from contextlib import AbstractContextManager, nullcontext, suppress
+from functools import cached_property, partial
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from msgspec.structs import replace
 
-from judge.data.load import load_data
-from judge.data.model import ProblemData
-from judge.errors import JudgeError, UsageError, shortage, told
-from judge.judging.containment import Containment
-from judge.judging.diagnosis import diagnosed
-from judge.judging.job import Job, RunOptions
-from judge.judging.naming import Bars, Naming
+from judge.errors import JudgeError, ShortageError, UsageError, shortage, told
+from judge.judging.api import RunOptions
+from judge.judging.containment import hidden_folders, kept_level
+from judge.languages.boxes import AnyBoxes
+from judge.languages.signature import signature_of
 from judge.problem import Problem, Verdict
-from judge.run.alone import Machine
-from judge.run.execute import run_in
-from judge.run.hurdle import with_hurdle
-from judge.run.printed import with_printed
-from judge.run.reference import check_needs
-from judge.run.result import Result, judge_fault
+from judge.run.alone import MeasureLock
+from judge.run.reference import Reference, check_needs
+from judge.run.result import Behaviour, Result, judge_fault
 from judge.run.settings import Progress, Settings
+from judge.sandbox import Boxes, room
+from judge.sandbox.boundary import Box, BoxFactory
 
+if TYPE_CHECKING:
+    from judge.data.load import ProblemData
+    from judge.diagnose.shrink import Choices
+    from judge.mistakes.namer import Namer
+    from judge.run.execute import Judged
+
+NAMED = (Verdict.WA, Verdict.RTE)  # the other verdicts do not come from wrong answers
+Bars = Callable[[str], AbstractContextManager[Progress | None]]  # opens a bar for work of that label
+_SHORT = (ShortageError, OSError, MemoryError, RuntimeError)  # it shows when the box is needed
 _UNTIMED = "there is no reference solution in {}: only the limits on CPU time bound it"
 _WAITING = "waiting for another of your judges"
+_WEAK = "isolation is 'limits': submissions can read your files and use the network; see 'judge doctor'"
 _PACKAGE = str(Path(__file__).resolve().parent.parent)
 
 
@@ -41,66 +51,92 @@ def silent(_label: str) -> AbstractContextManager[Progress | None]:
 
 
 class Session:
-    """A context manager, for one thread.
+    """A context manager, for one thread; it ends the boxes that are open.
 
-    `containment` is one in which the first submission's box may have been started. `bars` opens what is told
-    how far the work is, by its label. Nothing is printed: what a person should know is in the results' notes.
+    `bars` opens what is told how far the work is, by its label. Nothing is printed: what a person should know
+    is in the results' notes. `open_box` opens a box for any source, at the session's level of isolation.
     """
 
     def __init__(
         self,
         problem: Problem,
         options: RunOptions = RunOptions(),  # noqa: B008 - frozen
-        containment: Containment | None = None,
         *,
+        jobs: int = 1,
+        had: str | None = None,
         bars: Bars = silent,
     ) -> None:
+        """`jobs` processes of this command judge at once, and share what the machine has left; `had` is the
+        level of isolation that the command has had before.
+        """
+        room.raise_descriptors()
+        least = None if options.isolation else kept_level()
+        share, hidden = room.measure().share(jobs), hidden_folders(problem)
+        boxes = Boxes(options.isolation, hidden, least=least, had=had, share=share)
         self.problem = problem
         self.options = options
-        self.containment = containment or Containment(problem, options.isolation, program=options.program)
-        self.turnstile = Machine(waiting=lambda: self.bars(_WAITING))
-        self.settings = Settings(
-            box_factory=self.containment.take,
-            measured=options.timed,
-            turnstile=self.turnstile,
-            reference=self.containment.reference,
-            program=options.program,
-        )
         self.bars = bars
-        self._data: ProblemData | None = None
-        self._naming: Naming | None = None
+        self.open_box: BoxFactory = AnyBoxes(boxes, None if options.program else signature_of(problem))
+        self.reference = Reference(problem, self.open_box)
+        self.lock = MeasureLock(waiting=lambda: self.bars(_WAITING))
+        self.settings = Settings(self.take, options.timed, self.lock, self.reference, options.program)
+        self.untimed = replace(self.settings, measured=False)
+        self._ahead: dict[tuple[bytes, str], Box] = {}
+        self._namer: Namer | None = None
 
     def __enter__(self) -> Session:
         return self
 
     def __exit__(self, *exc: object) -> None:
-        self.containment.__exit__(*exc)
+        self.close()
+
+    def close(self) -> None:
+        """End the boxes that are open or were started ahead; the session can go on, with others."""
+        self.reference.close()
+        while self._ahead:
+            self._ahead.popitem()[1].__exit__(None, None, None)
 
     def boot(self, source: bytes, name: str) -> None:
-        """Start the box of the submission that will be judged first, and prepare.
+        """Start the box of a submission that will be judged soon.
 
-        Raises:
-            UsageError: the level of isolation that is asked for cannot be had.
-            ProblemError: the data cannot be built.
+        Raises UsageError where the level of isolation that is asked for cannot be had.
         """
-        self.containment.boot(source, name)
-        self.prepare()
+        with suppress(*_SHORT):
+            box = self._ahead[source, name] = self.open_box(source, name)
+            box.warm_up()
+
+    def take(self, source: bytes, name: str) -> Box:
+        """The submission's box, started ahead or now."""
+        return self._ahead.pop((source, name), None) or self.open_box(source, name)
 
     def prepare(self) -> None:
         """Read the problem's data, and start the reference, not wanted yet. Raises as `judge` does."""
-        if self.options.timed:
-            check_needs(self.problem)
         _ = self.data
         if self.options.timed:
-            self.containment.boot_reference()
+            with suppress(*_SHORT):
+                self.reference.warm_up()
 
-    @property
+    def learn(self) -> None:
+        """`prepare`, and find what the known mistakes answer, which is kept; a fault in that is told when it
+        is needed.
+        """
+        self.prepare()
+        if self.options.named:
+            with suppress(Exception):
+                self._mistakes("").learn()
+
+    @cached_property
     def data(self) -> ProblemData:
-        """The cases and what their answers are held against; read or built when first asked for."""
-        if self._data is None:
-            with self.bars(f"building {self.problem.id}") as advance:
-                self._data = load_data(self.problem, seed=self.options.seed, progress=advance)
-        return self._data
+        """The cases and what their answers are held against; read or built when first asked for.
+
+        Raises as `judge`.
+        """
+        from judge.data.load import load_data
+
+        if self.options.timed:
+            check_needs(self.problem)
+        with self.bars(f"building {self.problem.id}") as advance:
+            return load_data(self.problem, seed=self.options.seed, progress=advance)
 
     def judge(self, source: bytes, name: str) -> Result:
         """Judge one submission as the options say.
@@ -111,77 +147,107 @@ class Session:
             UsageError: the level of isolation that is asked for cannot be had, or what the reference needs.
             ProblemError: the data cannot be built.
         """
-        if self.options.timed:
-            check_needs(self.problem)
-        data = self.data
+        notes = self.data.notes
         try:
-            result = self._judged(data, source, name)
+            result = self._judged(source, name)
         except UsageError:
             raise
-        except JudgeError as fault:  # such as a reference that fails on a case
-            result = judge_fault(self.problem.id, name, str(fault))
-        except Exception as fault:
-            place = "" if shortage(fault) else _place(fault)  # of the machine, and not of the code there
-            result = judge_fault(self.problem.id, name, f"{told(fault)}{place}")
-        if result.verdict is Verdict.JE:  # it was not held at any level, perhaps
-            return result.noting(*data.notes)
-        return result.noting(*data.notes, *self.containment.notes(result.isolation))
+        except Exception as fault:  # such as a reference that fails on a case
+            known = isinstance(fault, JudgeError) or shortage(fault)  # of the machine, not of the code there
+            result = judge_fault(self.problem.id, name, told(fault) + ("" if known else _place(fault)))
+        return result.noting(*notes, *self.notes(result.isolation))
 
-    def run(self, job: Job) -> Result:
-        """`judge` with what a job holds; it must be of this session's problem and options."""
-        return self.judge(job.source, job.name)
+    def notes(self, isolation: str) -> tuple[str, ...]:
+        """A warning where a submission was held by limits only and nobody asked for that."""
+        return (_WEAK,) if isolation == "limits" and self.options.isolation is None else ()
 
-    @property
-    def naming(self) -> Naming:
-        """What names mistakes by their answers to the session's cases."""
-        if self._naming is None:
-            self._naming = Naming(self.data, self.options.seed, self.settings, lambda label: self.bars(label))
-        return self._naming
+    def _judged(self, source: bytes, name: str) -> Result:
+        from judge.run.execute import judge_submission
+        from judge.run.hurdle import with_hurdle
+        from judge.run.printed import with_printed
 
-    def _judged(self, data: ProblemData, source: bytes, name: str) -> Result:
-        options = self.options
-        with self.containment.take(source, name) as box:
+        options, settings, groups = self.options, self.settings, self.options.chosen(self.problem)
+        with self.take(source, name) as box:
             with self.bars(name) as advance:
-                settings, groups = self.settings, options.chosen(self.problem)
-                judged = run_in(
-                    box,
-                    self.problem,
-                    data,
-                    source,
-                    name,
-                    settings=settings,
-                    groups=groups,
-                    on_progress=advance,
+                judged = judge_submission(
+                    self.data, source, name, settings, box=box, groups=groups, on_progress=advance
                 )
-            left_out = len(self.problem.groups) > len(judged.result.groups) > 0
-            result = replace(judged.result, out_of=len(self.problem.groups) if left_out else 0)
-            runner = judged.runner
-            if runner is not None:
-                result = with_hurdle(result, runner, box, source)
-                if result.hurdle is not None:
-                    return result
-                result = with_printed(result, data, runner, box)
-                if options.timed and runner.language:
-                    result = result.noting(*_of_its_race(result, runner.language))
-            if options.diagnosed and runner is not None:
-                with self.turnstile.judging():
-                    result = diagnosed(result, data, runner, box, self.containment.open_box, judged.behaviour)
-        return self.naming.named(result, judged.behaviour, source) if options.named else result
+            result, runner, does = judged
+            every = len(self.problem.groups)
+            result = replace(result, out_of=every if every > len(result.groups) > 0 else 0)
+            if runner is None:
+                return result
+            result = with_hurdle(result, runner, box, source)
+            if result.hurdle is not None:
+                return result
+            result = with_printed(result, self.data, runner, box)
+            if options.timed and runner.language:
+                unbound = result.verdict is Verdict.AC and not result.time.reference
+                why = result.time.why or (_UNTIMED.format(runner.language) if unbound else "")
+                result = result.noting(why) if why else result
+            if options.diagnosed:
+                result = self.diagnosed(judged._replace(result=result), self.data, box)
+        return self.named(result, does, source) if options.named else result
 
+    def diagnosed(
+        self, judged: Judged, data: ProblemData, box: Box, choices: Choices | None = None
+    ) -> Result:
+        """The result with the smallest case that breaks the submission in `box`, if there is one.
 
-def _of_its_race(result: Result, language: str) -> Iterator[str]:
-    """What is to be said of the time of a submission in another language."""
-    if result.time.why:
-        yield result.time.why
-    elif not result.time.reference and result.verdict is Verdict.AC:
-        yield _UNTIMED.format(language)
+        `choices` say what fresh cases are built from. A fault in the search is a note and leaves the verdict
+        alone.
+        """
+        result, runner, does = judged
+        if result.failure is None or runner is None:
+            return result
+        from judge.diagnose.shrink import shrink  # only after a wrong answer
+
+        try:
+            with self.lock.judging():
+                found = shrink(data, box, runner, result, reference=self.reference, choices=choices)
+        except Exception as fault:
+            return result.noting(f"no smaller case for {result.submission}: {told(fault)}")
+        if found is not None and found.replay is not None:
+            found = runner.explained(found, does)
+        return replace(result, counterexample=found)
+
+    def named(self, result: Result, does: Behaviour, source: bytes) -> Result:
+        """The result with its pitfall where there is one; what goes wrong with that is only a note.
+
+        `does` is what the submission answers to the session's cases.
+        """
+        if result.verdict not in NAMED:
+            return result
+        # Whoever waits for the learning sees the verdict meanwhile.
+        namer = self._mistakes(f"{result.verdict.value}  {result.submission}; ")
+        try:
+            result = namer.named(result, does, source, partial(self._fails_alone, source, result.submission))
+        except Exception as fault:  # the verdict is known, and worth more
+            result = result.noting(f"the mistake is not named: {told(fault)}")
+        notes, namer.notes = namer.notes, []
+        return result.noting(*notes)
+
+    def _mistakes(self, told: str) -> Namer:
+        """What names mistakes, with a bar for the learning that begins so; imported with the first one."""
+        from judge.mistakes.namer import Namer
+
+        if self._namer is None:
+            bar = partial(self.bars, f"{told}learning the mistakes of {self.problem.id}, once")
+            self._namer = Namer(self.data, self.options.seed, self.untimed, bar)
+        return self._namer
+
+    def _fails_alone(self, source: bytes, name: str, group: str, case: int) -> bool:
+        """Whether the submission fails one case when nothing was called before it."""
+        from judge.run.execute import judge_submission
+        from judge.run.group import one_case
+
+        alone = judge_submission(one_case(self.data, group, case), source, name, self.untimed)
+        return alone.result.verdict is not Verdict.AC
 
 
 def _place(fault: Exception) -> str:
     """The innermost line of the judge's own that led to a fault, for whoever is to mend it."""
-    import traceback  # hardly ever
+    from traceback import extract_tb  # hardly ever
 
-    for step in reversed(traceback.extract_tb(fault.__traceback__)):
-        if step.filename.startswith(_PACKAGE):
-            return f" (judge{step.filename[len(_PACKAGE) :]}:{step.lineno})"
-    return ""
+    own = [step for step in extract_tb(fault.__traceback__) if step.filename.startswith(_PACKAGE)]
+    return f" (judge{own[-1].filename.removeprefix(_PACKAGE)}:{own[-1].lineno})"

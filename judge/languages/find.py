@@ -16,7 +16,7 @@ from typing import Any, NamedTuple
 
 from judge.digest import digest_of
 from judge.errors import JudgeError
-from judge.folders import cache_folder
+from judge.files import cache_folder
 from judge.kept import KeptFile
 from judge.languages.model import Language
 

@@ -9,8 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from typing import NamedTuple
 
-from judge.values.atoms import IntType, RealType, WordType
-from judge.values.base import LONGEST, Type
+from judge.values.atoms import LONGEST, IntType, RealType, Type, WordType
 from judge.values.types import ArrayType, ListType, OptionalType, TupleType
 
 _SHORT = {"Point": "Pt", "Point3": "Pt3", "IntPoint": "IntPt"}  # as the files of many challenges call them
@@ -57,7 +56,7 @@ def shape_of(type_: Type, *, big: bool = False) -> Shape:
         item = shape_of(type_.item, big=big)
         return Shape("list", (item,), most=type_.high, packed=type_.most > LONGEST and not item.parts)
     if isinstance(type_, TupleType):
-        parts = tuple(shape_of(part, big=big) for part in type_.fixed)
+        parts = tuple(shape_of(part, big=big) for part in type_.made_of)
         return Shape("tuple", parts, _fields(type_), _name(type_, parts))
     raise Unsupported(type_.text)
 
@@ -83,7 +82,7 @@ def _tuples(shape: Shape) -> Iterator[Shape]:
 
 def _fields(type_: TupleType) -> tuple[str, ...]:
     named = all(name.isidentifier() for name in type_.names)
-    return type_.names if named else _ORDINALS[: len(type_.fixed)]
+    return type_.names if named else _ORDINALS[: len(type_.made_of)]
 
 
 def _name(type_: TupleType, parts: Iterable[Shape]) -> str:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import NamedTuple, Protocol
 
-from judge.values.base import Type
+from judge.values.atoms import Type
 
 _LONG = 1 << 63
 

@@ -17,7 +17,7 @@ from pathlib import Path
 import msgspec
 
 from judge.digest import digest_of
-from judge.folders import cache_folder
+from judge.files import cache_folder
 from judge.kept import KeptFile, read_kept, write_kept
 from judge.sandbox.boundary import Usage
 

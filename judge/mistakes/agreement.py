@@ -20,8 +20,9 @@ import math
 from collections.abc import Sequence
 from enum import IntEnum
 
-from judge.values import Outline, Type, Usual, outline
-from judge.values.outline import CLOSE, SAME, largest
+from judge.values import outline
+from judge.values.atoms import Type
+from judge.values.outline import CLOSE, SAME, Outline, Usual, largest
 
 _ENDED = "ended"
 _SAME_POWERS = 1.5  # powers of ten between two errors of digits that pass for the same

@@ -15,13 +15,12 @@ from typing import Any
 
 from msgspec import Struct
 
-from judge.data.model import GroupData, ProblemData
+from judge.data.load import GroupData, ProblemData
 from judge.errors import ProblemError
 from judge.problem import Problem
 from judge.run.result import Answers, Behaviour
 from judge.sandbox.encode import encode
-from judge.values import Outline
-from judge.values.outline import wrong_outline
+from judge.values.outline import Outline, wrong_outline
 
 _PROTOCOL = 5
 

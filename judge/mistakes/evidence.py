@@ -23,7 +23,8 @@ from judge.mistakes.agreement import WrongAnswer, is_ended
 from judge.mistakes.likeness import Overlap
 from judge.mistakes.packed import PackedWrong
 from judge.run.result import Answers
-from judge.values import Outline, Type, Usual
+from judge.values.atoms import Type
+from judge.values.outline import Outline, Usual
 
 _INDEPENDENT = 6.0  # cases that a group is worth at most
 _BOUND = math.log(100)

@@ -11,10 +11,10 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from msgspec import Struct
 
-from judge.data.model import ProblemData
+from judge.data.load import ProblemData
 from judge.run.result import Behaviour, Pitfall, Result
-from judge.values import Outline, outline
-from judge.values.outline import UNREADABLE, only_digits
+from judge.values import outline
+from judge.values.outline import UNREADABLE, Outline, only_digits
 
 _MOST = 0.5  # of the wrong answers, from which on a fault of form is what is wrong
 _ALL = 0.9

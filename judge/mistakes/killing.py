@@ -13,12 +13,12 @@ from collections.abc import Mapping, Sequence
 from functools import cached_property, lru_cache, partial
 from typing import Any
 
-from judge.data.build import target_of
-from judge.data.validate import Validator
+from judge.data.build import target_of, validate
 from judge.errors import ProblemError
 from judge.mistakes.computed import Program, entry_of
 from judge.mistakes.puzzles import Puzzle, read_puzzles
 from judge.problem import Case, Problem
+from judge.problem.declare import InvalidCase
 from judge.problem.model import tupled
 from judge.problem.module import load_module
 from judge.sandbox.encode import encode
@@ -48,7 +48,9 @@ class Jury:
             return "no case is given"
         tupled_cases: list[Case] = [tupled(case) for case in cases]
         for place, case in enumerate(tupled_cases, 1):
-            if fault := self._validator.proof(case).fault:
+            try:
+                validate(self._problem, self._module, case)
+            except InvalidCase as fault:
                 return f"case {place} is no case of {self._problem.id}: {fault}"
         wanted = self._families.get(family, ())
         killed = self.killed(tupled_cases)
@@ -95,10 +97,6 @@ class Jury:
             name: (puzzles[name], entry_of(problem, Program(puzzles[name].source, name, trusted=True)))
             for name in wanted
         }
-
-    @cached_property
-    def _validator(self) -> Validator:
-        return Validator(self._problem, self._module.solve)
 
     @cached_property
     def _module(self) -> Any:

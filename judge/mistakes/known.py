@@ -17,8 +17,8 @@ from itertools import chain
 from typing import Any
 
 from judge.data.cache import data_key, kept_stem
-from judge.data.model import ProblemData
-from judge.folders import cache_folder
+from judge.data.load import ProblemData
+from judge.files import cache_folder
 from judge.kept import KeptFile
 from judge.mistakes.agreement import kind_of
 from judge.mistakes.computed import Computer, Program
@@ -28,7 +28,7 @@ from judge.problem import Problem
 from judge.problem.keys import code_key, content_key
 from judge.run.result import Behaviour
 from judge.run.settings import Settings
-from judge.values import Outline, Usual
+from judge.values.outline import Outline, Usual
 
 FORMAT = 3  # raise it when the form of the file changes
 
@@ -82,8 +82,7 @@ class KnownAnswers:
         def judge(program: Program) -> Behaviour:
             from judge.run.execute import judge_submission
 
-            source, file = program.source, program.file
-            return judge_submission(data.problem, data, source, file, settings=settings).behaviour
+            return judge_submission(data, program.source, program.file, settings).behaviour
 
         computer = Computer(data)
         trusted = ((key, computer.behaviour(each)) for key, each in missing.items() if each.trusted)

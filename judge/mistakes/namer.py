@@ -11,7 +11,7 @@ from functools import cached_property
 from msgspec import Struct
 from msgspec.structs import replace
 
-from judge.data.model import ProblemData
+from judge.data.load import ProblemData
 from judge.languages import language_of
 from judge.mistakes.computed import Computer, Program
 from judge.mistakes.family import Choice, Family
@@ -24,13 +24,11 @@ from judge.mistakes.nearest import nearest
 from judge.mistakes.rights import right_outlines
 from judge.mistakes.same import Cases, Joint, Same, as_match, twins, wrong_answers
 from judge.mistakes.vetoes import Vetoes
-from judge.problem import Verdict
 from judge.run.result import Behaviour, Pitfall, Result
 from judge.run.settings import Settings
-from judge.values import Outline
+from judge.values.outline import Outline
 
 _SENTENCE = re.compile(r".*?(?:[.!?](?=\s)|$)", re.DOTALL)  # the first one of a text
-NAMED = (Verdict.WA, Verdict.RTE)  # the others do not come from wrong answers
 
 Alone = Callable[[str, int], bool]  # whether a submission fails that case of the group, called for it alone
 
@@ -62,7 +60,7 @@ class Namer:
     ) -> None:
         self.notes: list[str] = []
         self._data = data
-        self._answers = KnownAnswers(data, seed, replace(settings, measured=False))
+        self._answers = KnownAnswers(data, seed, settings)
         self._computer = Computer(data)  # of what makes two mistakes at once
         self._progress = progress
         self._made: _Ready | None = None
@@ -78,7 +76,7 @@ class Namer:
         `does` is what the submission answers, `source` its text; of one that is longer than any that a person
         writes nothing is said. Raises JudgeError where the mistakes' programs cannot be judged.
         """
-        if result.verdict not in NAMED or not any(answers.wrong for answers in does.values()):
+        if not any(answers.wrong for answers in does.values()):
             return result
         with _collecting_later():
             return self._named(result, does, source, alone)

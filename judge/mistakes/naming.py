@@ -22,11 +22,13 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from msgspec import Struct
 from msgspec.structs import replace
 
-from judge.data.model import GroupData
+from judge.data.load import GroupData
 from judge.mistakes.evidence import Evidence, log_sum
 from judge.mistakes.likeness import BOTH, IN_PART, NEEDED, Likeness
 from judge.run.result import Answers, Behaviour
-from judge.values import Outline, Type, Usual, outline
+from judge.values import outline
+from judge.values.atoms import Type
+from judge.values.outline import Outline, Usual
 
 LEAST = 0.7  # the score below which nothing is named
 

@@ -11,10 +11,10 @@ from math import isclose
 
 from msgspec import Struct
 
-from judge.data.model import GroupData
+from judge.data.load import GroupData
 from judge.mistakes.naming import Known
 from judge.run.result import Behaviour
-from judge.values import Outline
+from judge.values.outline import Outline
 
 _LIKE = 0.45  # of the cases that either fails, that both fail, for a program to be worth comparing
 _BY_CHANCE = 0.2  # the same where chance decides which cases fail

@@ -14,7 +14,7 @@ from functools import cached_property
 from typing import Any
 
 from judge.run.result import Answers
-from judge.values import Outline
+from judge.values.outline import Outline
 
 KindOf = Callable[[int, Outline], str]  # of a wrong answer to a case
 

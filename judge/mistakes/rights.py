@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from judge.data.model import ProblemData
-from judge.values import Outline, outline
+from judge.data.load import ProblemData
+from judge.values import outline
+from judge.values.outline import Outline
 
 
 def right_outlines(data: ProblemData) -> dict[str, Sequence[Outline]]:

@@ -11,12 +11,13 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cached_property
 from itertools import islice
 
-from judge.data.model import GroupData
+from judge.data.load import GroupData
 from judge.mistakes.evidence import Evidence
 from judge.mistakes.likeness import NEEDED, Likeness
 from judge.mistakes.naming import Known, Match, Rights, gather
 from judge.run.result import Answers, Behaviour
-from judge.values import Type, Usual
+from judge.values.atoms import Type
+from judge.values.outline import Usual
 
 Cases = Mapping[str, Sequence[int]]  # by the group's name
 # what the program answers that makes two known mistakes, in some cases; None where nobody can write it

@@ -14,7 +14,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 
 from msgspec import Struct
 
-from judge.data.model import ProblemData
+from judge.data.load import ProblemData
 from judge.data.pins import Kills
 from judge.errors import ProblemError
 from judge.mistakes.catalogue import FILE
@@ -137,7 +137,7 @@ def _on_big_cases(maker: Maker, data: ProblemData, box_factory: BoxFactory) -> B
         return {}
     settings = Settings(box_factory=box_factory, measured=False)
     source = maker.program.source
-    return judge_submission(problem, data, source, "mistake.py", settings=settings, groups=big).behaviour
+    return judge_submission(data, source, "mistake.py", settings, groups=big).behaviour
 
 
 def _wrong_right_ways(family: Family, computer: Computer) -> Iterator[Fault]:

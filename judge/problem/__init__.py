@@ -16,7 +16,7 @@ from judge.problem.model import (
     Verdict,
 )
 from judge.values.answers import Tolerance
-from judge.values.base import Number
+from judge.values.atoms import Number
 
 __all__ = [
     "Argument",

@@ -1,6 +1,6 @@
 """All that a problem.py needs of the engine.
 
-    solve(*case) -> answer              exact (judge.values.tree); raises InvalidCase where the case breaks
+    solve(*case) -> answer              exact (judge.values.answers); raises InvalidCase where the case breaks
                                         the statement's promise
     INTERVIEW, PRODUCTION = [...]       the test groups of each level, a row each; GROUPS alone in a kata
                                         without levels

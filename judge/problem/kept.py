@@ -19,11 +19,13 @@ from msgspec.structs import replace
 
 from judge.digest import digest_of
 from judge.errors import ProblemError
-from judge.folders import cache_folder
+from judge.files import cache_folder
 from judge.kept import KeptFile
 from judge.problem.keys import code_key, content_key, own_files
 from judge.problem.model import Problem, tupled
-from judge.values import Type, TypeFault, Words, parse
+from judge.values.answers import Words
+from judge.values.atoms import Type
+from judge.values.grammar import TypeFault, parse
 
 _CODE = ("exact", "values", "data", "problem", "geometry")  # the packages that groups depend on
 _NO_FOLDER = Path()
@@ -71,15 +73,15 @@ class KeptProblem:
             return _fraction(value)
         if wanted is Path:
             return Path(value)
-        return _type(value["type"], self._folder.parent / "types").worded(Words(**value["words"]))
+        return _type(value["type"], self._folder.parent / "types", Words(**value["words"]))
 
 
 _fraction = cache(Fraction)  # a problem has hundreds of them, most of them alike
 
 
 @cache
-def _type(text: str, folder: Path) -> Type:
-    return parse(text, folder if folder.is_dir() else None)
+def _type(text: str, folder: Path, words: Words) -> Type:
+    return parse(text, folder if folder.is_dir() else None, words)
 
 
 def _encoded(value: Any) -> Any:

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from judge.digest import Digest
 from judge.errors import ProblemError
-from judge.reading import read_ordinary
+from judge.files import read_ordinary
 
 _PACKAGE = Path(__file__).resolve().parent.parent
 _OWN_FILES = ("*.toml", "*.md", "*.py")  # of the problem's folder

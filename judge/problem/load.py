@@ -22,7 +22,10 @@ from judge.problem.model import GroupLimits, Parameter, Problem, Source, Tier, T
 from judge.problem.names import is_name
 from judge.problem.statement import read_statement
 from judge.problem.tables import TomlFile, meant, refusal
-from judge.values import Tolerance, Type, TypeFault, Words, parse
+from judge.values.answers import Tolerance, Words
+from judge.values.atoms import Type
+from judge.values.grammar import TypeFault, parse
+from judge.values.types import ArrayType, lasting
 
 _MOST_DIGITS = 4_000  # of a number's exponent: Python reads and writes no integer above 4,300 digits
 _PLAIN = "use a plain Python name"
@@ -95,7 +98,7 @@ def _read(folder: Path, solutions: Path) -> Problem:
         tier=head.tier,
         summary=head.summary,
         entry=head.entry,
-        answer=head.answer.worded(head.words),
+        answer=parse(head.answer.text, own, head.words),
         parameters=tuple(_parameter(file, name, row) for name, row in head.parameters.items()),
         limits=head.limits,
         groups=(),
@@ -138,7 +141,7 @@ def _check(file: TomlFile, head: Head) -> None:
     """What the shape alone does not say."""
     if not _is_plain_name(head.entry):
         raise file.fault(f"entry {head.entry!r} is no function's name", _PLAIN, "entry")
-    if not head.answer.is_answer:
+    if isinstance(lasting(head.answer), ArrayType):
         what = f"no answer can be of the type {head.answer}"
         raise file.fault(what, "an array is a parameter's; write a list, which may be one too", "answer")
     if head.growth is not None and head.time is None:

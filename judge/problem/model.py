@@ -13,8 +13,8 @@ from msgspec import Meta, Struct
 from judge.errors import UsageError, nearest
 from judge.values import parameters
 from judge.values.answers import Tolerance as Tolerance
-from judge.values.base import Number as Number
-from judge.values.base import Type
+from judge.values.atoms import Number as Number
+from judge.values.atoms import Type
 
 Point = tuple[Number, Number]
 Argument = Any  # a number, a word, None, or a tuple of such: what the parameter's type says

@@ -15,6 +15,7 @@ from typing import Any, NoReturn
 from msgspec.structs import replace
 
 from judge.errors import ProblemError
+from judge.files import read_ordinary
 from judge.problem.declare import Declared
 from judge.problem.model import (
     EXAMPLES,
@@ -28,8 +29,7 @@ from judge.problem.model import (
 )
 from judge.problem.module import load_module
 from judge.problem.names import is_name
-from judge.reading import read_ordinary
-from judge.values import Tolerance
+from judge.values.answers import Tolerance
 
 _MOST_CASES = 1_000_000
 _MOST_SIZE = 10**9

@@ -23,10 +23,10 @@ from typing import TYPE_CHECKING, NamedTuple, assert_never
 from msgspec import Struct
 
 from judge.errors import ProblemError
+from judge.files import read_ordinary
 from judge.languages import SUFFIX, is_program, language_of
 from judge.problem.model import Problem, Verdict
 from judge.problem.program import tree_of
-from judge.reading import read_ordinary
 
 if TYPE_CHECKING:
     from judge.languages.model import Language

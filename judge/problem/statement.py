@@ -17,7 +17,8 @@ from typing import Any
 from judge.errors import ProblemError, nearest
 from judge.problem.model import EXAMPLES, Argument, Case, Example, Problem
 from judge.problem.text import read_text
-from judge.values import Type, parameters
+from judge.values import parameters
+from judge.values.atoms import Type
 
 _BRIEF = 80  # characters of what is wrong
 # What reading a text as Python raises: MemoryError if nested deeply, TypeError for {[]} and its like.

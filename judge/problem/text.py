@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from judge.errors import ProblemError
-from judge.reading import read_ordinary_text
+from judge.files import read_ordinary_text
 
 
 def read_text(path: Path) -> str:

@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any
 
 from judge.digest import digest_of
 from judge.errors import ProblemError
-from judge.folders import cache_folder
+from judge.files import cache_folder
 from judge.kept import KeptFile
 
 if TYPE_CHECKING:

@@ -8,9 +8,9 @@ from datetime import date, datetime
 from rich.console import Group, RenderableType
 from rich.text import Text
 
-from judge.errors import HistoryError
-from judge.kata.events import Run
-from judge.kata.stub import usual_name
+from judge.errors import StoreError
+from judge.practice.events import Run
+from judge.practice.stub import usual_name
 from judge.problem.model import FULL_SCORE, Verdict
 from judge.report.parts import (
     BAD,
@@ -85,7 +85,7 @@ def _remark(run: Run) -> str:
     """The level that it passed without the other, and its mistake, first failed group, or its only groups."""
     try:
         passed: Sequence[str] = () if run.whole else run.levels
-    except HistoryError:  # of a damaged result the other columns are still true
+    except StoreError:  # of a damaged result the other columns are still true
         passed = ()
     partial = run.verdict is Verdict.AC and not run.whole
     left_out = f"only {', '.join(run.passed)}" if partial else ""

@@ -18,7 +18,7 @@ from judge.report.published import KataList, KataRow, KataShown
 from judge.report.screen import Screen
 from judge.report.statement import prose
 from judge.report.words import counted
-from judge.values import Words
+from judge.values.answers import Words
 
 
 def kata_list(found: KataList, screen: Screen) -> RenderableType:

@@ -9,10 +9,10 @@ from itertools import groupby
 from rich.console import Group, RenderableType
 from rich.text import Text
 
-from judge.kata.events import Rating
-from judge.kata.progress import Covered, Evidence, Kind, Question, SkillProgress, State
-from judge.kata.review import Review
 from judge.languages import file_name
+from judge.practice.events import Rating
+from judge.practice.progress import Covered, Evidence, Kind, Question, SkillProgress, State
+from judge.practice.review import Review
 from judge.problem.model import FULL_SCORE, KataLevel
 from judge.report.history import day
 from judge.report.parts import (

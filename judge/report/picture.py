@@ -83,11 +83,7 @@ def figure(problem: Problem) -> str | None:
     for example in problem.examples:
         values = dict(zip(names, example.case, strict=True))
         exact = module.solve(*example.case)
-        picture = draw(
-            Shown(
-                problem, values, exact, str(show.exact_text(problem.answer, exact)), None, heading="example"
-            )
-        )
+        picture = draw(Shown(problem, values, exact, str(show.exact_text(exact)), None, heading="example"))
         if picture is not None:
             return panel_svg(picture.whole, "figure", picture.description, alone=True) + "\n"
     return None

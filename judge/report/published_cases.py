@@ -7,11 +7,11 @@ from typing import Any
 
 from msgspec import Struct
 
-from judge.data.given import line_of
+from judge.data.parse import line_of
 from judge.diagnose.replay import encode
 from judge.errors import ExitCode
-from judge.kata.hacks import HackState
 from judge.mistakes.puzzles import Puzzle
+from judge.practice.hacks import HackState
 from judge.problem import Problem, Verdict
 from judge.report.published import Published
 from judge.run.tried import Said, Tried
@@ -188,7 +188,7 @@ def _case(tried: Tried) -> CaseRow:
         tried.group.name,
         problem.named(tried.case),
         line_of(problem, tried.case),
-        show.exact_text(problem.answer, tried.exact),
+        show.exact_text(tried.exact),
         tried.expected,
         show.accepted(problem.answer, tried.target),
     )

@@ -6,7 +6,7 @@ from datetime import datetime
 
 from msgspec import Struct
 
-from judge.kata.events import Run
+from judge.practice.events import Run
 from judge.problem import Verdict
 from judge.report.published import Published
 from judge.run.result import Mode, Result, Taken
@@ -41,7 +41,7 @@ _COLUMNS = RunRow.__struct_fields__[1:]  # without the schema
 
 
 def run_row(run: Run) -> RunRow:
-    """The row of a run. Raises HistoryError where its result is damaged."""
+    """The row of a run. Raises StoreError where its result is damaged."""
     return RunRow(**{name: getattr(run, name) for name in _COLUMNS})
 
 

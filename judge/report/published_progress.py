@@ -6,9 +6,9 @@ from datetime import datetime
 
 from msgspec import Struct
 
-from judge.kata.hacks import HackShare
-from judge.kata.progress import Covered, Question, SkillProgress
-from judge.kata.review import Review
+from judge.practice.hacks import HackShare
+from judge.practice.progress import Covered, Question, SkillProgress
+from judge.practice.review import Review
 from judge.report.published import Published
 
 

@@ -7,17 +7,17 @@ from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
-from judge.kata.events import Rating
-from judge.kata.quiz.cards import Card
-from judge.kata.quiz.choose import Practise
-from judge.kata.review import Review
+from judge.practice.events import Rating
+from judge.practice.quiz.cards import Card
+from judge.practice.quiz.choose import Practise
+from judge.practice.review import Review
 from judge.report.published import Published
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
-    from judge.kata.interview import Held
-    from judge.kata.quiz.questions import Question
+    from judge.practice.interview import Held
+    from judge.practice.quiz.questions import Question
 
 
 class CardRow(Published, frozen=True):

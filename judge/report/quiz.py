@@ -26,10 +26,10 @@ from judge.report.screen import Screen, drawn
 from judge.report.words import counted, shown_name
 
 if TYPE_CHECKING:
-    from judge.kata.events import Rating
-    from judge.kata.interview import Held, Plan
-    from judge.kata.quiz.choose import Practise
-    from judge.kata.quiz.questions import Question, Reply
+    from judge.practice.events import Rating
+    from judge.practice.interview import Held, Plan
+    from judge.practice.quiz.choose import Practise
+    from judge.practice.quiz.questions import Question, Reply
 
 RATE = "How well? 1 again, 2 hard, 3 good, 4 easy: "
 SAVE = "Save the file. Enter judges it, q goes on: "

@@ -9,7 +9,7 @@ from typing import Any
 from rich.console import Group, RenderableType
 from rich.text import Text
 
-from judge.data.given import line_of
+from judge.data.parse import line_of
 from judge.drawing.braille import LEAST_ROWS, to_braille
 from judge.drawing.shapes import Picture, Role
 from judge.errors import told
@@ -28,6 +28,7 @@ from judge.values import show
 Interval = tuple[str, float, float]  # a number's place in the answer, and the least and greatest accepted
 
 _MOST = 12  # numbers whose interval is shown
+_ANSWERS = 3  # of several that are right, which are shown
 _COLOURS = {Role.WANTED: GOOD, Role.GOT: BAD, Role.CASE: STRONG, Role.BEYOND: FAINT}
 
 
@@ -72,7 +73,7 @@ def fitted(
 def _facts(tried: Tried, said: Said | None, brief: bool) -> Iterator[tuple[Cell, Cell]]:
     """What is known of the case; `brief` leaves out its other forms and what is accepted."""
     problem = tried.problem
-    exact = show.exact_text(problem.answer, tried.exact)
+    exact = show.exact_text(tried.exact)
     ends = list(islice(_intervals(exact, show.accepted(problem.answer, tried.target), ""), _MOST + 1))
     if tried.case:
         yield "case", arguments(problem.named(tried.case))
@@ -107,9 +108,8 @@ def _intervals(exact: Any, accepted: Any, place: str) -> Iterator[Interval]:
         if isinstance(accepted, list) and len(accepted) == 2:
             yield place, accepted[0], accepted[1]
     elif isinstance(exact, dict) and isinstance(accepted, dict):
-        for key in ("run", "any"):
-            if key in exact and key in accepted:
-                yield from _intervals(exact[key], accepted[key], f"{place}{' or ' if key == 'any' else ''}")
+        if "any" in exact and "any" in accepted:
+            yield from _intervals(exact["any"], accepted["any"], f"{place} or ")
     elif isinstance(exact, list) and isinstance(accepted, list):
         for at, (one, ends) in enumerate(zip(exact, accepted, strict=True)):
             yield from _intervals(one, ends, f"{place}[{at}]")
@@ -120,9 +120,8 @@ def _plain(exact: Any) -> str:
     if isinstance(exact, dict):
         if "such as" in exact:
             return f"such as {_plain(exact['such as'])}"
-        if "any" in exact:
-            return " or ".join(map(_plain, exact["any"]))
-        return f"{_listed(exact['run'])} (in any order)"
+        answers = exact["any"]
+        return " or ".join([*map(_plain, answers[:_ANSWERS]), *["…"] * (len(answers) > _ANSWERS)])
     if isinstance(exact, list):
         point = 2 <= len(exact) <= 3 and all(isinstance(each, str) for each in exact)
         return f"({_listed(exact)})" if point else f"[{_listed(exact)}]"

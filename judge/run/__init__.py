@@ -31,7 +31,7 @@ _FROM = {
     "Timing": "result",
     "exit_code": "result",
     "judge_fault": "result",
-    "run_submission": "execute",
+    "judge_submission": "execute",
 }
 
 

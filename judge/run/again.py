@@ -10,7 +10,7 @@ from judge.run.group import GroupRun
 from judge.run.replies import VERDICTS, Replies
 from judge.run.runner import Runner
 from judge.sandbox.boundary import Limits, Stop
-from judge.values import Accepted
+from judge.values.check import Accepted
 
 _AGAIN = "when it was run again to be timed"
 

@@ -7,14 +7,13 @@ The folder is the one that $JUDGE_LOCKS names, else `judge` in $XDG_RUNTIME_DIR,
 among the temporary files. One that is a link, another user's, or open to others is not used: whoever can
 plant it could keep us waiting. So the locks are of one user, and two users' judges do not know each other.
 
-A lock belongs to an open file: every use opens the files anew, and threads exclude each other as processes
-do. The kernel gives it back when the process ends, however that ends. Whoever holds one for ever, stopped
-perhaps, keeps nobody for ever: patience is bounded, and what is measured then is known not to be alone.
+A lock belongs to an open file: every use opens the files anew. The kernel gives it back when the process
+ends, however that ends. Whoever holds one for ever, stopped perhaps, keeps nobody for ever: patience is
+bounded, and what is measured then is known not to be alone.
 """
 
 from __future__ import annotations
 
-import math
 import os
 import stat
 import tempfile
@@ -31,7 +30,7 @@ except ImportError:  # nothing to lock with: each process is alone as far as it 
 
 VARIABLE = "JUDGE_LOCKS"
 PATIENCE_SECONDS = 30.0  # longer than an honest queue, short enough for a person
-_LITTLE_PATIENCE_SECONDS = 0.5  # once that was in vain, until it is not
+_LITTLE_SECONDS = 0.5  # once that was in vain, until it is not
 _SHORTEST_PAUSE, _LONGEST_PAUSE = 0.001, 0.02  # seconds between two tries
 _FOLDER = os.O_RDONLY | getattr(os, "O_DIRECTORY", 0) | getattr(os, "O_NOFOLLOW", 0)
 _FILE = os.O_RDWR | os.O_CREAT | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0)
@@ -39,7 +38,7 @@ _OTHERS_WRITE = stat.S_IWGRP | stat.S_IWOTH
 
 
 class Admitted(NamedTuple):
-    """What was had, and after how many seconds; who measures is `alone` unless it is known that it is not."""
+    """Who measures is `alone` unless it is known that it is not; `waited` is for how many seconds."""
 
     alone: bool = True
     waited: float = 0.0
@@ -49,7 +48,7 @@ Tell = Callable[[int, int], None]  # seconds waited, seconds at most
 Waiting = Callable[[], AbstractContextManager[Tell | None]]
 
 
-class Machine:
+class MeasureLock:
     """The two locks of the user's judges; without a folder for them everyone is let in at once.
 
     `waiting` opens what a person who waits is told by, once there is somebody to wait for.
@@ -67,37 +66,27 @@ class Machine:
         self._clock = clock
         self._patience = patience  # little, once it was in vain
 
+    def judging(self) -> AbstractContextManager[Admitted]:
+        """Be one of those who judge; not to be asked for by who has a place already."""
+        return self._placed(alone=False)
+
+    def measuring(self) -> AbstractContextManager[Admitted]:
+        """Be the only one; not to be asked for by who has a place already."""
+        return self._placed(alone=True)
+
     @contextmanager
-    def judging(self) -> Iterator[Admitted]:
-        """Be one of those who judge; not to be asked for by a thread that has a place already."""
-        begun = self._clock()
+    def _placed(self, *, alone: bool) -> Iterator[Admitted]:
+        begun, had = self._clock(), True
         until = begun + self._patience
         with ExitStack() as held:
             folder = _opened(held)
             if folder is not None:
                 with ExitStack() as passing:
-                    through = self._take("door", folder, until, alone=True, held=passing)
-                    within = self._take("room", folder, until, alone=False, held=held)
-                self._learn(in_vain=not (through and within))
-            yield Admitted(waited=self._clock() - begun)
-
-    @contextmanager
-    def measuring(self) -> Iterator[Admitted]:
-        """Be the only one; not to be asked for by a thread that has a place already."""
-        begun = self._clock()
-        until = begun + self._patience
-        with ExitStack() as held:
-            folder = _opened(held)
-            alone = folder is None or (
-                self._take("door", folder, until, alone=True, held=held)
-                and self._take("room", folder, until, alone=True, held=held)
-            )
-            self._learn(in_vain=not alone)
-            yield Admitted(alone, self._clock() - begun)
-
-    def _learn(self, *, in_vain: bool) -> None:
-        """Who hangs may hang for ever: only the first wait for it is long."""
-        self._patience = min(self._whole_patience, _LITTLE_PATIENCE_SECONDS if in_vain else math.inf)
+                    through = self._take("door", folder, until, alone=True, held=held if alone else passing)
+                    had = self._take("room", folder, until, alone=alone, held=held) and through
+                # Who hangs may hang for ever: only the first wait for it is long.
+                self._patience = self._whole_patience if had else min(_LITTLE_SECONDS, self._patience)
+            yield Admitted(had, self._clock() - begun)
 
     def _take(self, name: str, folder: int, until: float, *, alone: bool, held: ExitStack) -> bool:
         """Hold the lock as long as `held` does; whether it was had in time. Nothing is held where it was not.

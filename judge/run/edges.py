@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from itertools import combinations
 from typing import Any
 
-from judge.data.model import ProblemData
+from judge.data.load import ProblemData
 from judge.problem.declare import InvalidCase, decisions
 
 NEARLY = 1e-5  # of the size: a decision that is less than this and not exact

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from msgspec.structs import replace
 
 from judge.problem import Problem, Verdict
-from judge.run.alone import Admitted, Machine
+from judge.run.alone import Admitted
 from judge.run.budget import Budget
 from judge.run.group import GroupRun
 from judge.run.groups import run_groups
@@ -23,7 +23,7 @@ from judge.run.timing import BESIDE, Decision, disturbed
 from judge.sandbox import Box, SourceFault, Usage
 
 if TYPE_CHECKING:
-    from judge.data.model import GroupData, ProblemData
+    from judge.data.load import GroupData, ProblemData
 
 _LONG_WAIT_SECONDS = 2.0
 _WAITED = "waited {:.0f} s for other judges of yours on this machine: times are measured alone"
@@ -38,75 +38,47 @@ class Judged(NamedTuple):
 
 
 def judge_submission(
-    problem: Problem,
     data: ProblemData,
     source: bytes,
     name: str,
+    settings: Settings | None = None,
     *,
+    box: Box | None = None,
     groups: Collection[str] | None = None,
     on_progress: Progress | None = None,
-    settings: Settings | None = None,
 ) -> Judged:
-    """Judge one submission on a problem's data, in a box of its own.
+    """Judge one submission on a problem's data.
 
     Args:
         source: the bytes of its file.
         name: the file's name, for tracebacks and the result.
+        settings: how.
+        box: one that is open already and holds the submission; without it one is opened and ended.
         groups: the names of the groups to run; all where it is None.
         on_progress: called after each group.
-        settings: how.
 
     Raises:
         ProblemError: the reference fails on a case.
         JudgeError: nothing can be run on this machine.
     """
     settings = settings or Settings()
-    with settings.box_factory(source, name) as box:
-        return run_in(
-            box, problem, data, source, name, settings=settings, groups=groups, on_progress=on_progress
-        )
-
-
-def run_submission(
-    problem: Problem,
-    data: ProblemData,
-    source: bytes,
-    name: str,
-    *,
-    groups: Collection[str] | None = None,
-    on_progress: Progress | None = None,
-    settings: Settings | None = None,
-) -> Result:
-    """The result alone of `judge_submission`, with the same arguments."""
-    return judge_submission(
-        problem, data, source, name, groups=groups, on_progress=on_progress, settings=settings
-    ).result
-
-
-def run_in(
-    box: Box,
-    problem: Problem,
-    data: ProblemData,
-    source: bytes,
-    name: str,
-    *,
-    settings: Settings,
-    groups: Collection[str] | None = None,
-    on_progress: Progress | None = None,
-) -> Judged:
-    """As `judge_submission`, in a box that is open already and holds the submission."""
+    if box is None:
+        with settings.box_factory(source, name) as box:
+            return judge_submission(
+                data, source, name, settings, box=box, groups=groups, on_progress=on_progress
+            )
+    problem = data.problem
     chosen = [group for group in data.groups if groups is None or group.group.name in groups]
-    turnstile = settings.turnstile or Machine()
     runner = opened(box, problem, source, program=settings.program)
     if isinstance(runner, Failure):
         return Judged(uncompiled(problem, name, runner, box), None, {})
     budget = Budget(problem)
     judging = _Judging(data, runner, on_progress, budget)
-    with turnstile.judging() as place:
+    with settings.lock.judging() as place:
         runs = judging.groups(box, chosen)
     timing, waited = Timed(Decision(None)), place.waited
     if settings.measured and worth_racing(problem, runs):
-        timing, place = _race(runner, runs, box, settings, turnstile, budget)
+        timing, place = _race(runner, runs, box, settings, budget)
         waited += place.waited
     result = _result(problem, name, runner, runs, timing, box.isolation)
     notes = [_WAITED.format(waited)] if waited >= _LONG_WAIT_SECONDS else []
@@ -180,17 +152,12 @@ def _close(timing: Timed) -> bool:
 
 
 def _race(
-    runner: Runner,
-    runs: Sequence[GroupRun],
-    box: Box,
-    settings: Settings,
-    turnstile: Machine,
-    budget: Budget,
+    runner: Runner, runs: Sequence[GroupRun], box: Box, settings: Settings, budget: Budget
 ) -> tuple[Timed, Admitted]:
     problem = runner.problem
     with ExitStack() as stack:
         shared = settings.reference or stack.enter_context(Reference(problem, settings.box_factory))
-        place = stack.enter_context(turnstile.measuring())
+        place = stack.enter_context(settings.lock.measuring())
         timing = race_all(problem, runner, runs, box, shared, budget)
         if not place.alone:
             timing = timing._replace(decision=disturbed(timing.decision, BESIDE))

@@ -12,7 +12,11 @@ from judge.problem import Case, Problem, TimeRule
 from judge.run.replies import Replies
 from judge.run.result import NOTHING, Behaviour, Failure, Mode
 from judge.sandbox.boundary import Box, CallsResult, Limits, Stop
-from judge.values import ExactOf, Outcome, Outline, Raw, Target, check, outline, show
+from judge.values import check, outline, show
+from judge.values.answers import Target
+from judge.values.check import ExactOf, Outcome
+from judge.values.outline import Outline
+from judge.values.wire import Raw
 
 
 class FunctionRunner(Struct, frozen=True):

@@ -10,17 +10,20 @@ from typing import TYPE_CHECKING, Any
 
 from msgspec.structs import replace
 
+from judge.data.load import GroupData, ProblemData
 from judge.problem import Case, Group, Problem, Verdict
 from judge.run.replies import VERDICTS, Replies
 from judge.run.result import Answers, Failure, GroupResult, short_answer
 from judge.sandbox.boundary import Limits, Stop, Usage
-from judge.values import Accepted
+from judge.values.check import Accepted
 
 if TYPE_CHECKING:
-    from judge.data.model import GroupData, ProblemData
     from judge.problem import Tolerance
     from judge.run.runner import Runner
-    from judge.values import Exact, Outline, Raw, Rejection
+    from judge.values.answers import Exact
+    from judge.values.check import Rejection
+    from judge.values.outline import Outline
+    from judge.values.wire import Raw
 
 _ALL_BUT = 0.95  # of a limit, whatever the clocks say of the last milliseconds
 _EXCEPTION = re.compile(r"[A-Za-z_.]{1,40}")  # the type's name, with which the detail of an exception begins
@@ -166,6 +169,13 @@ class GroupRun:
     def answers(self) -> Answers:
         """What was answered wrongly so far."""
         return Answers(self.reached, self.wrong)
+
+
+def one_case(data: ProblemData, group: str, case: int) -> ProblemData:
+    """The data with nothing but one case, counted from 0, of the group of that name."""
+    (own,) = (each for each in data.groups if each.group.name == group)
+    own = replace(own, cases=[own.cases[case]], targets=[own.targets[case]])
+    return ProblemData(data.problem, (own,))
 
 
 def failure_of(outcome: Rejection, given: Raw) -> Failure:

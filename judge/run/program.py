@@ -20,9 +20,12 @@ from judge.problem.model import Parameter, tupled
 from judge.run.replies import VERDICTS, Breakdown, Replies
 from judge.run.result import NOTHING, Behaviour, Failure, Mode
 from judge.sandbox.boundary import Box, Limits, ProgramResult, Reply, Stop
-from judge.values import ExactOf, Outcome, Outline, Raw, Target, lines, outline, parameters, show
-from judge.values.outline import UNREADABLE
+from judge.values import check, outline, parameters, reading, show
+from judge.values.answers import Target
+from judge.values.check import ExactOf, Outcome
+from judge.values.outline import UNREADABLE, Outline
 from judge.values.types import is_pair
+from judge.values.wire import Raw
 
 SHOWN = 80  # characters of a line that is quoted
 _READS = (b"stdin", b"input", b"open(0", b"os.read")  # what a program that is meant as one has somewhere
@@ -72,7 +75,7 @@ class ProgramRunner(Struct, frozen=True):
     @property
     def decide(self) -> Callable[[Any, Target, ExactOf], Outcome]:
         """Compares a line of output."""
-        return partial(lines.check_line, self.problem.answer)
+        return partial(check.check_line, self.problem.answer)
 
     def wanted(self, target: Target) -> str:
         """The line that a perfect program prints."""
@@ -84,7 +87,7 @@ class ProgramRunner(Struct, frozen=True):
 
     def raw(self, answer: Any) -> Raw:
         """What the line holds; None, too, where it holds no answer."""
-        read = lines.read_line(self.problem.answer, answer)
+        read = reading.read_line(self.problem.answer, answer)
         return None if isinstance(read, str) else read[0]
 
     def reference(self, rule: TimeRule) -> str | None:

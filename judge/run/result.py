@@ -15,7 +15,8 @@ from msgspec.structs import replace
 from judge.errors import ExitCode
 from judge.problem import Verdict
 from judge.problem.model import KataLevel
-from judge.values import Outline, Raw
+from judge.values.outline import Outline
+from judge.values.wire import Raw
 
 SCHEMA = 2
 _IMPORT_SECONDS = 0.02  # of CPU time, from which on an import is told of

@@ -15,7 +15,10 @@ from judge.run.program import ProgramRunner
 from judge.run.replies import Replies
 from judge.run.result import NOTHING, Behaviour, Failure, Mode
 from judge.sandbox.boundary import Box, Inspection, Limits
-from judge.values import ExactOf, Outcome, Outline, Raw, Target
+from judge.values.answers import Target
+from judge.values.check import ExactOf, Outcome
+from judge.values.outline import Outline
+from judge.values.wire import Raw
 
 
 class Runner(Protocol):
@@ -70,7 +73,7 @@ class Runner(Protocol):
 
     @property
     def decide(self) -> Callable[[Any, Target, ExactOf], Outcome]:
-        """What holds a reply's answer against a target; see `judge.values.Type.check`."""
+        """What holds a reply's answer against a target; see `judge.values.check`."""
         ...
 
     def wanted(self, target: Target) -> str:

@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from msgspec import Struct, field
 
-from judge.run.alone import Machine
+from judge.run.alone import MeasureLock
 from judge.run.reference import Reference
 from judge.sandbox.boundary import BoxFactory
 from judge.sandbox.factory import Boxes
@@ -18,12 +18,12 @@ class Settings(Struct, frozen=True):
     """How to judge, whatever is judged.
 
     `box_factory` opens the containment; `measured` says whether an accepted submission is raced against the
-    reference; `turnstile` keeps races alone; `reference` is there where several submissions share it; a
+    reference, and `lock` keeps races alone; `reference` is there where several submissions share it; a
     `program` is run as one even where it defines the problem's function.
     """
 
     box_factory: BoxFactory = field(default_factory=Boxes)
     measured: bool = True
-    turnstile: Machine | None = None
+    lock: MeasureLock = field(default_factory=MeasureLock)
     reference: Reference | None = None
     program: bool = False

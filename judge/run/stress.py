@@ -14,10 +14,10 @@ from itertools import islice
 from msgspec import Struct
 from msgspec.structs import replace
 
-from judge.data.fresh import Fresh, Series
-from judge.data.model import ProblemData
+from judge.data.build import Fresh
+from judge.data.load import GroupData, ProblemData
 from judge.problem import Problem, Verdict
-from judge.run.alone import Machine
+from judge.run.alone import MeasureLock
 from judge.run.budget import Budget
 from judge.run.execute import opened, uncompiled
 from judge.run.group import GroupRun
@@ -35,7 +35,7 @@ OnCases = Callable[[int, float], None]  # cases so far, seconds so far
 class Broken(Struct, frozen=True):
     """What broke: the series, and the failure with its case counted from 1 there."""
 
-    series: Series
+    series: GroupData
     failure: Failure
 
 
@@ -64,13 +64,13 @@ def stress(
     *,
     seconds: float,
     on_cases: OnCases | None = None,
-    turnstile: Machine | None = None,
+    lock: MeasureLock | None = None,
     clock: Callable[[], float] = time.monotonic,
 ) -> Stressed:
     """Judge the submission in `box` on the problem's fresh cases for so many seconds; Ctrl-C ends it early.
 
-    `data` answers for the problem's exact answers; its own cases are not judged. Who waits at the `turnstile`
-    to measure gets in between two handfuls of series.
+    `data` answers for the problem's exact answers; its own cases are not judged. Who waits at the `lock` to
+    measure gets in between two handfuls of series.
 
     Raises:
         ProblemError: a builder, the promise or the reference fails.
@@ -80,11 +80,11 @@ def stress(
     if isinstance(runner, Failure):
         return Stressed(uncompiled(data.problem, name, runner, box), fresh.seed, 0.0)
     run = _Run(data, fresh, box, runner, clock, clock() + seconds)
-    turnstile = turnstile or Machine()
+    lock = lock or MeasureLock()
     begun, interrupted = clock(), False
     try:
         while not run.over:
-            with turnstile.judging():
+            with lock.judging():
                 run.some()
             if on_cases:
                 on_cases(run.cases, clock() - begun)
@@ -149,15 +149,15 @@ class _Run:
         self._usage = Usage()
         self._totals = {group.name: _Total(group.name) for group in fresh.groups}
         self._failure: Failure | None = None
-        self._series: Iterator[Series] = fresh.series()
+        self._series: Iterator[GroupData] = fresh.series()
         self._at_once = 1
-        self._now: Sequence[tuple[Series, GroupRun]] = ()
+        self._now: Sequence[tuple[GroupData, GroupRun]] = ()
 
     def some(self) -> None:
         """Judge the next few series."""
         begun = self._clock()
         self._now = [
-            (series, GroupRun(self._data, series.data, self._runner))
+            (series, GroupRun(self._data, series, self._runner))
             for series in islice(self._series, self._at_once)
         ]
         run_groups(
@@ -181,7 +181,7 @@ class _Run:
         for series, run in now:
             if not run.ended and run.failure is None:
                 continue
-            total = self._totals[series.data.group.name]
+            total = self._totals[series.group.name]
             if run.failure and self.broken is None:
                 self.broken = Broken(series, run.failure)
                 place = run.failure.case
@@ -196,7 +196,7 @@ class _Run:
 
     def stressed(self, name: str, seconds: float, *, interrupted: bool) -> Stressed:
         """What it has come to."""
-        failing = self._totals[self.broken.series.data.group.name] if self.broken else None
+        failing = self._totals[self.broken.series.group.name] if self.broken else None
         result = Result(
             problem=self._data.problem.id,
             submission=name,

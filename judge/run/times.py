@@ -13,10 +13,10 @@ from statistics import median
 
 from msgspec import Struct
 
-from judge.data.model import ProblemData
+from judge.data.load import ProblemData
 from judge.errors import JudgeError
 from judge.problem import Case, Problem
-from judge.run.alone import Machine
+from judge.run.alone import MeasureLock
 from judge.run.execute import opened
 from judge.run.laps import course, passes_for
 from judge.run.result import Failure, Taken
@@ -54,10 +54,10 @@ def measure(
     slopes: list[list[float]] = [[] for _ in programs]
     ready: dict[int, _Slope] = {}
     why_not = {at: each.missing for at, each in enumerate(programs) if each.missing}
-    machine, turns, done = Machine(), (rounds + 1) * len(programs), 0
+    lock, turns, done = MeasureLock(), (rounds + 1) * len(programs), 0
     with ExitStack() as stack:
         for turn in range(rounds + 1):
-            with machine.measuring() if turn else machine.judging():
+            with lock.measuring() if turn else lock.judging():
                 for at, program in enumerate(programs):
                     try:
                         if not turn and not program.missing:

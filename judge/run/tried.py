@@ -6,10 +6,11 @@ from typing import Any
 
 from msgspec import Struct
 
-from judge.data.model import ProblemData
+from judge.data.load import ProblemData
 from judge.problem import Case, Group, Problem, Verdict
 from judge.run.result import Hurdle, Mode
-from judge.values import Exact, Target, show
+from judge.values import show
+from judge.values.answers import Exact, Target
 
 
 class Tried(Struct, frozen=True):

@@ -18,10 +18,8 @@ from typing import Any
 from msgspec import Struct
 from msgspec.structs import replace
 
-from judge.data.load import load_data
-from judge.data.model import ProblemData
+from judge.data.load import ProblemData, load_data
 from judge.data.pins import Kills, differences, pins_file, pins_of, read_pins, write_pins
-from judge.data.validate import Validator, prove
 from judge.errors import ProblemError, UsageError
 from judge.languages import NAME as PYTHON
 from judge.languages import file_name, language_of
@@ -30,7 +28,6 @@ from judge.languages.model import Language
 from judge.languages.signature import signature_of
 from judge.problem import Problem, Verdict
 from judge.problem.model import group_place
-from judge.problem.module import load_module
 from judge.problem.solutions import Kind, Solution, read_solutions
 from judge.problem.tables import KeyPath, key_place, meant
 from judge.run.execute import Judged, judge_submission
@@ -129,8 +126,6 @@ def verify_problem(
     tell = progress or (lambda *_told: None)
     try:
         pinned, *others = data or [fresh_data(problem, progress)]
-        for drawn in (pinned, *others):
-            _prove_data(problem, drawn)
     except ProblemError as error:
         return VerifyReport(problem.id, 0, 0, "differing", (), (_fault_of(error, problem),))
     solutions, unsound = read_solutions(problem)
@@ -152,7 +147,7 @@ def verify_problem(
             told = f"not judged here: {lacking}"
             reports.append(SolutionReport(each.file, each.kind, each.name, None, unjudged=told))
             continue
-        judged = judge_submission(problem, pinned, each.source, each.path.name, settings=settings)
+        judged = judge_submission(pinned, each.source, each.path.name, settings)
         result, report = judged.result, _solution_report(each, judged)
         reports.append(report)
         if not report.ok and not (partial and result.verdict is Verdict.AC):
@@ -186,13 +181,6 @@ def fresh_data(problem: Problem, progress: Progress | None = None, seed: int | N
         tell("building data", done, total)
 
     return load_data(problem, seed=seed, progress=told, cache=False)
-
-
-def _prove_data(problem: Problem, data: ProblemData) -> None:
-    """A second, independent look at every case, after all builders have had their say."""
-    validator = Validator(problem, load_module(problem).solve)
-    for group in data.groups:
-        prove(validator, group.group.name, group.cases, f"{problem.id}/problem.py")
 
 
 def _fault_of(error: ProblemError, problem: Problem) -> Fault:
@@ -325,7 +313,7 @@ def _on_other_seeds(
     for number, data in enumerate(others, start=1):
         if solution.kind is Kind.SLOW:
             return
-        judged = judge_submission(problem, data, solution.source, solution.path.name, settings=untimed)
+        judged = judge_submission(data, solution.source, solution.path.name, untimed)
         if not solution.kind.allows(judged.result.verdict):
             report = _solution_report(solution, judged)
             fault = _verdict_fault(report, judged.result, problem)

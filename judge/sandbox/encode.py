@@ -12,7 +12,7 @@
     a tuple of a single item                   {"tuple": [item]}
     anything else, a wrong type                {"type": "bool", "text": "True"}
 
-The mirror image is `judge.values.decode`, which believes nothing of what it reads. Standard library only,
+The mirror image is `judge.values.wire`, which believes nothing of what it reads. Standard library only,
 and no import of judge: this file is handed to the contained process by itself.
 """
 

@@ -4,7 +4,6 @@ An exact answer is a tree of None, ints, words (str), tuples for fixed parts, an
 elements. Its leaves and wrappers:
 
     Real(x, unit)      a number x, and the size that a tolerance's `extent` counts in
-    Run(items)         neighbouring elements of a list, in any order
     AnyOf(answers)     any of these
     Judged(why_not)    whatever a function of the problem accepts
 """
@@ -26,6 +25,7 @@ if TYPE_CHECKING:
     from judge.exact import Surd
 
 Exact = Any  # such a tree
+Target = Any  # what answers are held against, made of an exact one (judge.values.check)
 _LARGEST = float_info.max
 
 
@@ -37,16 +37,6 @@ class Real(Struct, frozen=True):
 
     x: Surd | Fraction | int
     unit: Surd | Fraction | int = 0
-
-
-class Run(Struct, frozen=True):
-    """Elements of the list around it that may come in any order, such as those of a tie.
-
-    The elements of a run differ in their ints or words: each given one is held against the first wanted one
-    left that accepts it.
-    """
-
-    items: Sequence[Exact]
 
 
 class AnyOf(Struct, frozen=True):
@@ -127,37 +117,20 @@ def exact_ends(real: Real, tolerance: Tolerance) -> tuple[Surd, Surd]:
     Raises ProblemError where an `extent` is asked of an irrational unit: the sum of two different roots is no
     Surd, and no problem needs it.
     """
-    from judge.exact import Surd, root_sign
-    from judge.exact.surd import make
+    from judge.exact import Surd
 
     x, unit = Surd.of(real.x), Surd.of(real.unit)
-    ulps_n, ulps_d = tolerance.ulps.as_integer_ratio()
-    exponent = x.ulp_exponent() if ulps_n else 0
-    slack_n, slack_d = (ulps_n << exponent, ulps_d) if exponent >= 0 else (ulps_n, ulps_d << -exponent)
+    slack = tolerance.ulps * Fraction(2) ** x.ulp_exponent() if tolerance.ulps else 0
     side = x.sign()
     if side == 0:
-        reach = unit * max(tolerance.extent, tolerance.zero) + Fraction(slack_n, slack_d)
+        reach = unit * max(tolerance.extent, tolerance.zero) + slack
         return -reach, reach
-    extent_n, extent_d = tolerance.extent.as_integer_ratio()
-    if extent_n and unit.q:
+    if tolerance.extent and unit.q:
         raise ProblemError(
             "the tolerance extent needs an exact answer with a rational unit",
             remedy="give such a unit, or the tolerance as relative, zero and ulps",
         )
-    reach_n, reach_d = extent_n * unit.p, extent_d * unit.s
-    rel_n, rel_d = tolerance.relative.as_integer_ratio()
-    p, q, d, s = x.p, x.q, x.d, x.s
-    # Which of the two is the wider, relative·|x| or extent·unit?
-    scale = side * rel_n * reach_d
-    if root_sign(scale * p - reach_n * rel_d * s, scale * q, d) > 0:
-        low_n, high_n = rel_d - side * rel_n, rel_d + side * rel_n
-        s *= rel_d
-        low, high = (p * low_n, q * low_n), (p * high_n, q * high_n)
-    else:
-        low, high = (p * reach_d - reach_n * s, q * reach_d), (p * reach_d + reach_n * s, q * reach_d)
-        s *= reach_d
-    shift, bottom = slack_n * s, s * slack_d
-    return (
-        make(low[0] * slack_d - shift, low[1] * slack_d, d, bottom),
-        make(high[0] * slack_d + shift, high[1] * slack_d, d, bottom),
-    )
+    wide, share = tolerance.extent * Fraction(unit.p, unit.s), side * tolerance.relative
+    if x * share > wide:
+        return x * (1 - share) - slack, x * (1 + share) + slack
+    return x - (wide + slack), x + (wide + slack)

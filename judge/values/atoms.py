@@ -1,31 +1,22 @@
-"""The atoms: ints, real numbers and words."""
+"""What a type is, and the atoms: ints, real numbers and words.
+
+A new atom is a file of a pack that derives from `Atom`.
+"""
 
 from __future__ import annotations
 
-import math
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import cached_property
-from typing import Any
+from math import ulp
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple
 
-from judge.values.answers import Exact, Real, Tolerance, Words, accepted_doubles
-from judge.values.base import (
-    COORDINATES,
-    NOTHING,
-    Atom,
-    Draws,
-    Leaf,
-    Mismatch,
-    Number,
-    Place,
-    Quick,
-    Target,
-    Unfit,
-    Value,
-)
+from judge.values.answers import NO_WORDS, Exact, Real, Target, Tolerance, Words, accepted_doubles
 from judge.values.wire import (
     LONGEST_WORD,
     Bounds,
+    Errors,
     Fault,
     Raw,
     Tokens,
@@ -34,6 +25,7 @@ from judge.values.wire import (
     accepts,
     cut_digits,
     errors,
+    fault,
     near,
     number,
     quoted,
@@ -41,28 +33,237 @@ from judge.values.wire import (
     word,
 )
 
-_DECIMALS = 6  # in a doctest
+if TYPE_CHECKING:
+    from judge.values.types import Composite
+
+Number = int | float
+Value = Any  # an answer that was read, or a parameter's
+Leaf = Callable[[], tuple[Real, Tolerance]]  # an exact number and its tolerance
+Quick = Callable[[Raw, Target], float | None]
+
+NOTHING = -1.0  # where nothing is measured in ulps
+COORDINATES = ("x", "y", "z")
+LONGEST = 20_000  # items of all levels, where the type sets no bound above that
 _FLOAT = re.compile(r"-?[0-9]{1,400}(\.[0-9]{1,400})?(e[+-]?[0-9]{1,3})?", re.ASCII)
 _INTEGER = re.compile(r"-?(0|[1-9][0-9]{0,999})", re.ASCII)
 
 
-class _Numeric(Atom):
-    """Numbers, which have bounds."""
+class Place(NamedTuple):
+    """Where in an answer something is: the part `at` of so many of a composite, which is at `outer`.
+
+    Without a composite it is a step of the exact answer alone: into one of several that are right.
+    """
+
+    outer: Place | None = None
+    at: int = 0
+    composite: Composite | None = None
+    of: int = 0
+
+    def steps(self) -> tuple[int, ...]:
+        """The indices that lead there in the exact answer."""
+        return () if self.outer is None else (*self.outer.steps(), self.at)
+
+    def words(self, *, short: bool = False) -> list[str]:
+        """The names of the part, of that around it, and so on; a `short` one leaves out an only point."""
+        if self.outer is None:
+            return []
+        around = self.outer.words(short=short)
+        alone = short and self.of == 1 and not around and self.composite and self.composite.one == "point"
+        return around if self.composite is None or alone else [self.composite.word(self.at), *around]
+
+    def name(self, *, short: bool = False) -> str:
+        """The place in words, "y of point 2"; empty for the whole answer."""
+        return " of ".join(self.words(short=short))
+
+    def told(self) -> str:
+        """The place of a number, short; a coordinate of no point comes last: "part 2 of item 3: x"."""
+        first, *rest = self.words(short=True) or [""]
+        if first in COORDINATES and rest and not rest[0].startswith("point"):
+            return f"{' of '.join(rest)}: {first}"
+        return " of ".join([first, *rest])
+
+    def prefix(self) -> str:
+        """How a sentence about the whole of this place begins: "part 2 of item 3: ", nothing for the root."""
+        name = self.name()
+        return f"{name}: " if name else ""
+
+
+ROOT = Place()
+
+
+class Mismatch(NamedTuple):
+    """Why an answer of the right form is wrong, where, and the errors of the number that decided."""
+
+    message: str
+    where: str = ""
+    errors: Errors | tuple[None, None, None] = (None, None, None)
+
+
+class Unfit(Exception):  # noqa: N818 - it never reaches a person but as its text
+    """An exact answer that is none of its type; its text says why."""
+
+
+class Type:
+    """A type of answers and of parameters. Types are equal if they are written alike; they never change."""
+
+    text = ""  # as problem.toml has it
+    words: Words = NO_WORDS  # of the problem, on the type of its whole answer
+    folder: Path | None = None  # a pack's own types, without which the text may mean nothing
+    is_parameter = True  # whether simple values are known, which the search for simple cases needs
+    is_plain = True  # whether a submission receives a parameter's value as it is kept here
+    settled = True  # whether an example shows the right answer, and not one of many that differ widely
+    measured = False  # whether it holds real numbers, which have a tolerance
+    optional = False  # whether the first token of a value may be `none`
+    width: int | None = 1  # tokens on a line; None where that varies
+    most = 1  # items of all levels in the longest answer, where the type bounds them
+    lengths = 1  # that the longest of its lists may have, as many as are told apart
+    noun = "a value"  # what is meant, "a number"
+    plural = "values"  # "a list of numbers"
+    one, several = "item", "items"  # what one and several of them in a list are called
+    annotation = "object"  # in a stub
+
+    def __str__(self) -> str:
+        return self.text
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Type) and self.__reduce__() == other.__reduce__()
+
+    def __hash__(self) -> int:
+        return hash(self.__reduce__())
+
+    def __reduce__(self) -> tuple[Callable[..., Type], tuple[str, Path | None, Words]]:
+        from judge.values.grammar import parse
+
+        return parse, (self.text, self.folder, self.words)
+
+    @property
+    def items(self) -> int:
+        """How many items an answer is read with, right or wrong."""
+        return max(LONGEST, self.most)
+
+    @cached_property
+    def quick(self) -> Quick:
+        """Accepts the usual right answer and says how far off it is in ulps; None where one must look closer.
+
+        NOTHING where there is nothing to be off. May raise TypeError or ValueError instead of None.
+        """
+        return lambda _raw, _target: None
+
+
+# -- atoms -------------------------------------------------------------------------------------------------
+
+
+class Atom(Type):
+    """Values of one piece, right if they equal the wanted one: target, exact answer and value are the same.
+
+    A type of this kind says which values there are (`why_not`), how one arrives as JSON (`value_of`, `sent`)
+    and how it is written as a token (`text_of`, `value_from`).
+    """
+
+    samples: Sequence[Any] = ()  # a few values, the simplest first; without any, no parameter is of this type
+    is_parameter = property(lambda self: bool(self.samples))
+
+    def why_not(self, value: Any) -> str | None:
+        """Why a value is none of this type, "'up' where left or right is meant"; None where it is one."""
+        raise NotImplementedError
+
+    def value_of(self, raw: Raw) -> Any:
+        """The value of what a submission sent, or of a worked example's literal; raises ValueError."""
+        raise NotImplementedError
+
+    def sent(self, value: Any) -> Raw:
+        """The JSON in which a submission's value arrives: what `value_of` reads."""
+        return value
+
+    def text_of(self, value: Any) -> str:
+        """The value as a token, without blanks."""
+        return str(value)
+
+    def value_from(self, token: str) -> Any:
+        """The value of a token; raises ValueError."""
+        raise NotImplementedError
+
+    def aim(self, exact: Exact, tolerance: Tolerance) -> Target:
+        """What answers are held against; raises Unfit."""
+        if wrong := self.why_not(exact):
+            raise Unfit(wrong)
+        return exact
+
+    def best(self, target: Target) -> Value:
+        """The value that a perfect answer has."""
+        return target
+
+    def read(self, raw: Raw, place: Place, noun: str) -> Value:
+        """The value that `raw` stands for; raises Unreadable. `noun` is what the whole answer may be."""
+        try:
+            return self.value_of(raw)
+        except ValueError:
+            name = f" for {place.name()}" if place.name() else ""
+            raise Unreadable(fault(raw).where(f"{self.noun} is meant{name}")) from None
+
+    def off(self, value: Value, target: Target, leaf: Leaf) -> float | None:
+        """How many ulps the value is off, NOTHING where that is not measured; None where it is wrong."""
+        return NOTHING if value == target else None
+
+    def why(self, value: Value, target: Target, words: Words, place: Place) -> Mismatch:
+        """Why a value that is wrong is so: it may even be none of this type."""
+        message = self.why_not(value) or f"{self.shown(target)} wanted, {self.shown(value)} given"
+        return Mismatch(place.prefix() + message, place.name())
+
+    def take(self, tokens: Tokens, meant: str) -> Raw:
+        """The answer that the next token holds, as JSON; raises Unreadable."""
+        token = tokens.next()
+        try:
+            return self.sent(self.value_from(token))
+        except ValueError:
+            raise Unreadable(f"{quoted(token)} where {meant} is meant") from None
+
+    def shown(self, value: Value) -> str:
+        """A value as a person would write it in Python."""
+        return repr(value)
+
+    def fault(self, name: str, value: Any) -> str | None:
+        """What is wrong with a parameter's value, for a person, or None."""
+        wrong = self.why_not(value)
+        return f"{name} has {wrong}" if wrong else None
+
+
+class NumberType(Atom):
+    """Ints and reals; as a parameter they have a bound from below in any case, unless that is None."""
 
     is_parameter = True
+    kinds: tuple[type[int | float], ...]  # of a parameter's value
 
     def __init__(self, *, least: int | None = None) -> None:
         self.least = least
 
-    def simple(self, draw: Draws, number: Callable[[bool], Number], *, positive: bool) -> Value:
-        """The next simple number."""
-        return number(positive or (self.least is not None and self.least >= 0))
+    def shown(self, value: Value) -> str:
+        """In full, unless it is absurdly long."""
+        return show(value)
+
+    def fault(self, name: str, value: Any) -> str | None:
+        """Exactly an int or a float: a bool would not come back from the cache as it went in."""
+        kind = type(value)
+        if kind not in (int, float):
+            return f"{name} has {value!r}, a {kind.__name__}, where a number is meant"
+        if kind not in self.kinds:
+            meant = "an int" if kind is float else "a float"
+            return f"{name} has the {kind.__name__} {value!r} where {meant} is meant"
+        return None if value - value == 0 else f"{name} has {value!r}, which is not finite"
+
+    def value_from(self, token: str) -> Any:
+        """An int as `repr` writes it, or else a float."""
+        if int in self.kinds and _INTEGER.fullmatch(token):
+            return int(token)
+        if float in self.kinds and _FLOAT.fullmatch(token):
+            return float(token)
+        raise ValueError(f"no number: {token[:40]!r}")
 
 
-class IntType(_Numeric):
+class IntType(NumberType):
     """`int`: no bool, and no float that is whole."""
 
-    text, noun, plural, annotation = "int", "an int", "ints", "int"
+    text, noun, plural, annotation, kinds = "int", "an int", "ints", "int", (int,)
 
     @cached_property
     def quick(self) -> Quick:
@@ -75,8 +276,7 @@ class IntType(_Numeric):
 
     def read(self, raw: Raw, place: Place, noun: str) -> Value:
         """An int of any size."""
-        given = number(raw)
-        name = place.name()
+        given, name = number(raw), place.name()
         if isinstance(given, Fault):
             raise Unreadable(given.where(f"{name or self.noun} is meant"))
         if not isinstance(given, int):
@@ -88,48 +288,15 @@ class IntType(_Numeric):
         """A plain integer."""
         return tokens.integer(meant)
 
-    def shown_target(self, target: Target) -> str:
-        """In full, unless it is absurdly long."""
-        return show(target)
 
-    def asserts(self, what: str, target: Target) -> str:
-        """A bool or a float may be equal to an int."""
-        return f"{what} == {target} and not isinstance({what}, (bool, float))"
-
-    def form(self, value: Any) -> str:
-        """An int is a count of something."""
-        return "count"
-
-    def double(self, value: Any, *, target: bool) -> float | None:
-        """The double next to it."""
-        return near(value)
-
-    def fault(self, name: str, value: Any) -> str | None:
-        """Exactly an int."""
-        if type(value) is float:
-            return f"{name} has the float {value!r} where an int is meant"
-        return _no_number(name, value)
-
-    def value_from(self, token: str) -> Any:
-        """An int as `repr` writes it."""
-        if not _INTEGER.fullmatch(token):
-            raise ValueError(f"no int: {token[:40]!r}")
-        return int(token)
-
-    def simple(self, draw: Draws, number: Callable[[bool], Number], *, positive: bool) -> Value:
-        """The next simple number."""
-        return int(super().simple(draw, number, positive=positive))
-
-
-class RealType(_Numeric):
+class RealType(NumberType):
     """`real`: an int or a float among others, held against (lo, hi, nearest); `double`: floats alone."""
 
     text, noun, plural, annotation, measured = "real", "a number", "numbers", "float", True
-    rounded = f"round({{0}}, {_DECIMALS}) + 0.0"
 
     def __init__(self, *, least: int | None = None, double: bool = False) -> None:
         super().__init__(least=least)
-        self._double = double
+        self.kinds = (float,) if double else (int, float)
 
     def aim(self, exact: Exact, tolerance: Tolerance) -> Target:
         """The least and the greatest double that is accepted, and the nearest one."""
@@ -139,10 +306,13 @@ class RealType(_Numeric):
             raise Unfit(f"{exact!r} holds a float; write Fraction(x) where a double is the exact number")
         return accepted_doubles(exact, tolerance)
 
+    def best(self, target: Bounds) -> Value:
+        """The nearest double."""
+        return target[2]
+
     @cached_property
     def quick(self) -> Quick:
         """Two comparisons, and the error."""
-        ulp = math.ulp
 
         def quick(raw: Raw, target: Target) -> float | None:
             lo, hi, nearest = target
@@ -160,17 +330,17 @@ class RealType(_Numeric):
         """An int, a float, a Fraction or a Written."""
         given = number(raw)
         if isinstance(given, Fault):
-            is_point = place.word in COORDINATES and given.type.startswith("complex")
+            is_point = place.name()[:1] in COORDINATES and given.type.startswith("complex")
             remedy = "return a point as (x, y)" if is_point else ""
             raise Unreadable(given.where(f"{place.name() or noun} is meant", remedy))
         return given
 
     def off(self, value: Value, target: Bounds, leaf: Leaf) -> float | None:
         """Its error, as its double has it; 0 where x is 0, which has no scale."""
-        lo, hi, nearest = target
-        if not (lo <= value <= hi if type(value) is float else accepts(value, target, leaf)):
+        if not accepts(value, target, leaf):
             return None
-        return abs(near(value) - nearest) / math.ulp(nearest) if nearest else 0.0
+        nearest = target[2]
+        return abs(near(value) - nearest) / ulp(nearest) if nearest else 0.0
 
     def why(self, value: Value, target: Bounds, words: Words, place: Place) -> Mismatch:
         """How far off it is."""
@@ -185,71 +355,6 @@ class RealType(_Numeric):
     def take(self, tokens: Tokens, meant: str) -> Raw:
         """A decimal."""
         return tokens.number(meant)
-
-    def token(self, target: Bounds) -> str:
-        """The nearest double."""
-        return repr(target[2])
-
-    def shown_target(self, target: Bounds) -> str:
-        """The nearest double."""
-        return repr(target[2])
-
-    def exact_text(self, exact: Exact) -> Any:
-        """Decimal text of up to 40 digits."""
-        from judge.exact import Surd
-
-        return Surd.of(exact.x).decimal(40)
-
-    def accepted(self, target: Bounds) -> Any:
-        """The ends."""
-        return list(target[:2])
-
-    def asserts(self, what: str, target: Bounds) -> str:
-        """Between the ends."""
-        return f"{target[0]!r} <= {what} <= {target[1]!r}"
-
-    def form(self, value: Any) -> str:
-        """All numbers are alike."""
-        return "number"
-
-    def double(self, value: Any, *, target: bool) -> float | None:
-        """The double next to it."""
-        return value[2] if target else near(value)
-
-    def fault(self, name: str, value: Any) -> str | None:
-        """Exactly an int or a float: a bool would not come back from the cache as it went in."""
-        if type(value) is float:
-            return None if math.isfinite(value) else f"{name} has {value!r}, which is not finite"
-        if self._double and type(value) is int:
-            return f"{name} has the int {value!r} where a float is meant"
-        return _no_number(name, value)
-
-    def text_of(self, value: Any) -> str:
-        """As `repr` writes it."""
-        return repr(value)
-
-    def value_from(self, token: str) -> Any:
-        """An int, or else a float."""
-        if _INTEGER.fullmatch(token) and not self._double:
-            return int(token)
-        if not _FLOAT.fullmatch(token):
-            raise ValueError(f"no number: {token[:40]!r}")
-        return float(token)
-
-    def simple(self, draw: Draws, number: Callable[[bool], Number], *, positive: bool) -> Value:
-        """The next simple number."""
-        found = super().simple(draw, number, positive=positive)
-        return float(found) if self._double else found
-
-    def round(self, value: Value) -> Value:
-        """To a few decimals."""
-        return round(value, _DECIMALS) + 0.0
-
-
-def _no_number(name: str, value: Any) -> str | None:
-    if type(value) is int:
-        return None
-    return f"{name} has {value!r}, a {type(value).__name__}, where a number is meant"
 
 
 class WordType(Atom):
@@ -277,25 +382,9 @@ class WordType(Atom):
 
     def value_of(self, raw: Raw) -> Any:
         """Any word: a wrong one is a wrong answer."""
-        given = word(raw)
-        if given is None:
+        if (given := word(raw)) is None:
             raise ValueError("no word")
         return given
-
-    def why(self, value: Value, target: Target, words: Words, place: Place) -> Mismatch:
-        """A word that is no choice at all is told as that."""
-        wrong = self.why_not(value)
-        if wrong:
-            return Mismatch(f"{place.prefix()}{wrong}", place.name())
-        return super().why(value, target, words, place)
-
-    def sent(self, value: Any) -> Raw:
-        """As a word."""
-        return {"word": value}
-
-    def shown(self, raw: Raw) -> str:
-        """Between quotation marks."""
-        return repr(raw) if type(raw) is str else show(raw)
 
     def take(self, tokens: Tokens, meant: str) -> Raw:
         """Any word of the usual length."""

@@ -13,20 +13,20 @@ arguments, or a text of the language, for which its name then stands.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from pathlib import Path
 from types import ModuleType
-from typing import Any
+from typing import Any, TypeVar
 
 from judge.errors import nearest
 from judge.values.answers import NO_WORDS, Words
-from judge.values.atoms import IntType, RealType, WordType
-from judge.values.base import COORDINATES, Type
+from judge.values.atoms import COORDINATES, IntType, RealType, Type, WordType
 from judge.values.types import ArrayType, ListType, OptionalType, TupleType
 
 _MOST_TEXT = 2_000  # characters of a type's text
-_TOKEN = re.compile(r"\s*(?:([A-Za-z_][A-Za-z0-9_-]*)|(\d+)|(\.\.|[()\[\]{},;?|]))")
+_TOKEN = re.compile(r"[A-Za-z_][\w-]*|\d+|\.\.|\S", re.ASCII)
 _DEEPEST = 12
+_T = TypeVar("_T")
 _LONGEST = 1_000_000_000  # of a list
 
 ATOMS: dict[str, Callable[..., Type]] = {
@@ -43,6 +43,8 @@ ALIASES = {
     "parameter": "real?",
     "number": "real",
     "integer": "int",
+    "point": "vec2",
+    "point3": "vec3",
 }
 
 # What people write who know other languages, and what it is called here.
@@ -55,9 +57,9 @@ _FOREIGN = {
 }
 
 
-def _vector(name: str, size: int, alias: str) -> Callable[[_Parser], Type]:
-    def made(parser: _Parser) -> Type:
-        parts = [parser.named(name) for _ in range(size)]
+def _vector(atom: Callable[[], Type], size: int, alias: str) -> Callable[[], Type]:
+    def made() -> Type:
+        parts = [atom() for _ in range(size)]
         for part in parts:  # which are made for it
             part.noun = "a coordinate"
         return TupleType(parts, COORDINATES[:size], alias)
@@ -66,11 +68,9 @@ def _vector(name: str, size: int, alias: str) -> Callable[[_Parser], Type]:
 
 
 VECTORS = {
-    "vec2": _vector("real", 2, "Point"),
-    "vec3": _vector("real", 3, "Point3"),
-    "point": _vector("real", 2, "Point"),
-    "point3": _vector("real", 3, "Point3"),
-    "integer-point": _vector("int", 2, "IntPoint"),
+    "vec2": _vector(RealType, 2, "Point"),
+    "vec3": _vector(RealType, 3, "Point3"),
+    "integer-point": _vector(IntType, 2, "IntPoint"),
 }
 
 
@@ -89,8 +89,8 @@ def parse(text: str, folder: Path | None = None, words: Words = NO_WORDS) -> Typ
         raise TypeFault(f"a text of {len(text):,} characters is no type", "write a shorter one")
     found = _Parser(text, folder).whole()
     found.text = text.strip()
-    found.folder = folder
-    return found.worded(words)
+    found.folder, found.words = folder, words
+    return found
 
 
 def names(folder: Path | None) -> list[str]:
@@ -106,17 +106,10 @@ class _Parser:
         self._text = text
         self._folder = folder
         self._depth = depth
-        self._tokens = list(self._split())
-        self._at = 0
-
-    def _split(self) -> Iterator[str]:
-        at, end = 0, len(self._text.rstrip())
-        while at < end:
-            found = _TOKEN.match(self._text, at)
-            if found is None:
-                raise self._fault(f"{self._text[at:].strip()[:1]!r} belongs in no type")
-            yield found[1] or found[2] or found[3]
-            at = found.end()
+        self._tokens = _TOKEN.findall(text)
+        foreign = re.search(r"[^\w\s()\[\],;?|.-]", text, re.ASCII)
+        if foreign:
+            raise self._fault(f"{foreign[0]!r} belongs in no type")
 
     def _fault(self, why: str, remedy: str = "") -> TypeFault:
         usual = "write it as a name, (T, T), [T; low..high] or T?"
@@ -125,23 +118,19 @@ class _Parser:
     def whole(self) -> Type:
         """The type of the whole text."""
         found = self._type()
-        if self._at < len(self._tokens):
-            raise self._fault(f"{self._tokens[self._at]!r} comes after its end")
+        if self._tokens:
+            raise self._fault(f"{self._tokens[0]!r} comes after its end")
         return found
 
     def _next(self, wanted: str = "") -> str:
-        token = self._tokens[self._at] if self._at < len(self._tokens) else ""
+        token = self._tokens.pop(0) if self._tokens else ""
         if not token or (wanted and token != wanted):
             found = repr(token) if token else "its end"
             raise self._fault(f"{found} where {repr(wanted) if wanted else 'a type'} is meant")
-        self._at += 1
         return token
 
     def _take(self, token: str) -> bool:
-        if self._at < len(self._tokens) and self._tokens[self._at] == token:
-            self._at += 1
-            return True
-        return False
+        return self._tokens[:1] == [token] and bool(self._tokens.pop(0))
 
     def _type(self) -> Type:
         self._depth += 1
@@ -149,22 +138,25 @@ class _Parser:
             raise self._fault("it is nested too deep")
         token = self._next()
         if token == "(":
-            found = self._made(TupleType, self._parts())
+            found = self._made(TupleType, self._several(self._type, ","))
         elif token == "[":
             found = self._list()
-        elif token[0].isalpha() or token[0] == "_":
-            found = self.named(token, self._arguments())
+        elif token.replace("-", "_").isidentifier():
+            arguments = self._several(self._next, "|;,") if self._take("(") else []
+            found = self._named(token, arguments)
         else:
             raise self._fault(f"none begins with {token!r}")
         self._depth -= 1
         return self._made(OptionalType, found) if self._take("?") else found
 
-    def _parts(self) -> list[Type]:
-        parts = [self._type()]
-        while self._take(","):
-            parts.append(self._type())
-        self._next(")")
-        return parts
+    def _several(self, each: Callable[[], _T], between: str) -> list[_T]:
+        """What is parted by any of these signs, up to the closing parenthesis."""
+        found = [each()]
+        while not self._take(")"):
+            if not any(map(self._take, between)):
+                self._next(")")  # it is no such sign
+            found.append(each())
+        return found
 
     def _list(self) -> Type:
         item = self._type()
@@ -182,16 +174,6 @@ class _Parser:
             raise self._fault(f"{token!r} is no length of a list")
         return int(token)
 
-    def _arguments(self) -> list[str]:
-        arguments: list[str] = []
-        if self._take("("):
-            arguments.append(self._next())
-            while not self._take(")"):
-                if not (self._take("|") or self._take(";") or self._take(",")):
-                    self._next(")")
-                arguments.append(self._next())
-        return arguments
-
     def _made(self, make: Callable[..., Any], *arguments: Any) -> Type:
         try:
             made: Type = make(*arguments)
@@ -201,29 +183,22 @@ class _Parser:
             raise self._fault(str(why)) from None
         return made
 
-    def named(self, name: str, arguments: list[str] | None = None) -> Type:
+    def _named(self, name: str, arguments: list[str]) -> Type:
         """The type of that name."""
-        found: Any = VECTORS.get(name)
-        if found is not None:
-            type_ = found(self)
-        else:
-            found = ALIASES.get(name) or ATOMS.get(name) or _found(name, self._folder)
-            if found is None:
-                raise self._unknown(name)
-            if isinstance(found, str):
-                type_ = _Parser(found, self._folder, self._depth).whole()
-            else:
-                type_ = self._made(found, *(arguments or []))
-                arguments = []
+        found = ALIASES.get(name) or (VECTORS | ATOMS).get(name) or _found(name, self._folder)
+        if found is None:
+            raise self._unknown(name)
+        if not isinstance(found, str):
+            return self._made(found, *arguments)
         if arguments:
             raise self._fault(f"{name} takes nothing in parentheses")
-        return type_  # type: ignore[no-any-return]
+        return _Parser(found, self._folder, self._depth).whole()
 
     def _unknown(self, name: str) -> TypeFault:
         own = names(self._folder)
         meant = _FOREIGN.get(name) or nearest(name, own)
         remedy = f"did you mean {meant!r}?" if meant else f"use one of {', '.join(own)}"
-        if self._tokens == [name]:
+        if self._text.strip() == name:
             return TypeFault(f"{name!r} is unknown", remedy)
         return TypeFault(f"{self._text.strip()!r} is no type: {name!r} is unknown", remedy)
 

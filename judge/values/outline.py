@@ -14,7 +14,7 @@ Other types make forms of their own in the same manner. A run that ended without
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from itertools import islice
 from math import isfinite
 from operator import sub
@@ -23,11 +23,11 @@ from typing import Any
 from msgspec import Struct
 
 from judge.digest import digest_of
-from judge.values.atoms import IntType, RealType
-from judge.values.base import LONGEST, Atom, Target, Type, Value
-from judge.values.check import Ask, ExactOf, off, quick_off, read
-from judge.values.lines import read_line
-from judge.values.show import first_of, flat_runs
+from judge.values.answers import Target
+from judge.values.atoms import LONGEST, Atom, IntType, NumberType, RealType, Type, Value
+from judge.values.check import ExactOf, is_right
+from judge.values.reading import read, read_line
+from judge.values.show import best
 from judge.values.types import Composite, ListType, TupleType, lasting
 from judge.values.wire import Fault, Raw, Unreadable, items, near, number, word
 
@@ -52,16 +52,8 @@ def outline(type_: Type, raw: Raw) -> Outline:
 
 
 def wrong_outline(type_: Type, raw: Raw, target: Target, exact: ExactOf) -> Outline | None:
-    """None for a right answer, and else its outline; it is read once for both."""
-    if quick_off(type_, raw, target) is not None:
-        return None
-    try:
-        value = read(type_, raw)
-    except Unreadable:
-        return outline(type_, raw)
-    if off(type_, value, target, Ask(exact, type_.words), None) is not None:
-        return None
-    return ("none", ()) if raw is None else _of(type_, value)
+    """None for a right answer, and else its outline."""
+    return None if is_right(type_, raw, target, exact) else outline(type_, raw)
 
 
 def line_outline(type_: Type, line: str) -> Outline:
@@ -72,60 +64,35 @@ def line_outline(type_: Type, line: str) -> Outline:
 
 def right(type_: Type, target: Target) -> Outline:
     """The outline of the right answer; of several the first."""
-    return _of(type_, first_of(target), target=True)
+    return _of(type_, best(type_, target))
 
 
-def _of(type_: Type, value: Value, *, target: bool = False) -> Outline:
-    numbers = islice(_flat(type_, value, target=target), _MOST)
-    return short(_form(type_, value, target=target)), tuple(numbers)
+def _of(type_: Type, value: Value) -> Outline:
+    numbers: list[float] = []
+    form = _form(type_, value, numbers)
+    if len(form) > 2 * _LONGEST:  # cut, but so that different ones stay different
+        form = f"{form[:_LONGEST]}… {digest_of(form.encode(errors='replace'))[:8]}"
+    return form, tuple(numbers[:_MOST])
 
 
-def short(form: str) -> str:
-    """A form, cut where it is long, but so that different ones stay different."""
-    if len(form) <= 2 * _LONGEST:
-        return form
-    return f"{form[:_LONGEST]}… {digest_of(form.encode(errors='replace'))[:8]}"
-
-
-def _parts(type_: Composite, value: Value, *, target: bool) -> Iterator[tuple[Type, Value]]:
-    found = [first_of(each) for each in flat_runs(value)] if target else value
-    return zip(type_.parts(len(found)), found, strict=True)
-
-
-def _form(type_: Type, value: Value, *, target: bool) -> str:
-    """The form of an answer that was read, or of a target, without its real numbers."""
+def _form(type_: Type, value: Value, numbers: list[float]) -> str:
+    """The form of a value without its numbers, which are added to the list."""
     if value is None:
         return "none"
     type_ = lasting(type_)
+    if isinstance(type_, NumberType):
+        numbers.append(near(value))
+        return "count" if isinstance(type_, IntType) else "number"
     if isinstance(type_, Atom):
-        return type_.form(value)
-    if isinstance(type_, TupleType) and type_.is_vector:
-        return "point"
+        return f"{type(type_).__name__.removesuffix('Type').lower()} {type_.text_of(value)}"
     assert isinstance(type_, Composite)
-    forms = [
-        _form(part, each, target=target)
-        for part, each in islice(_parts(type_, value, target=target), LONGEST)
-    ]
+    count = len(value)
+    parts = islice(zip(type_.parts(count), value, strict=True), LONGEST)
+    forms = [_form(part, each, numbers) for part, each in parts]
     if isinstance(type_, TupleType):
-        return f"({', '.join(forms)})"
-    count = len(list(flat_runs(value))) if target else len(value)
+        return "point" if type_.is_vector else f"({', '.join(forms)})"
     plain = set(forms) <= {"point", "number", "count"}
     return f"{type_.several} {count}" if plain else f"{type_.several} {count} {' '.join(forms)}"
-
-
-def _flat(type_: Type, value: Value, *, target: bool) -> Iterator[float]:
-    """The numbers of an answer that was read, or of a target, as doubles."""
-    type_ = lasting(type_)
-    if value is None:
-        return
-    if isinstance(type_, Atom):
-        found = type_.double(value, target=target)
-        if found is not None:
-            yield found
-    else:
-        assert isinstance(type_, Composite)
-        for part, each in _parts(type_, value, target=target):
-            yield from _flat(part, each, target=target)
 
 
 def _misread(type_: Type, raw: Raw) -> Outline:
@@ -135,9 +102,8 @@ def _misread(type_: Type, raw: Raw) -> Outline:
     given = number(raw)
     if isinstance(given, Fault):
         return _wrong_type(raw)
-    if type_.measured:
-        return ("number", (near(given),))
-    return ("count" if isinstance(given, int) else "type float", (near(given),))
+    form = "number" if type_.measured else "count" if isinstance(given, int) else "type float"
+    return form, (near(given),)
 
 
 def _shape(found: Sequence[Raw]) -> Outline:
@@ -146,13 +112,14 @@ def _shape(found: Sequence[Raw]) -> Outline:
             if isinstance(number(inner), Fault) and items(inner) is None:
                 return _wrong_type(inner)
     given = [number(item) for item in found[:4]]
-    return (f"shape {len(found)}", tuple(near(each) for each in given if not isinstance(each, Fault)))
+    return f"shape {len(found)}", tuple(near(each) for each in given if not isinstance(each, Fault))
 
 
 def _wrong_type(raw: Any) -> Outline:
+    name = type(raw).__name__
     if type(raw) is dict and type(raw.get("type")) is str:
-        return (f"type {raw['type'][:_LONGEST]}", ())
-    return ("type str" if word(raw) is not None else f"type {type(raw).__name__}", ())
+        name = raw["type"][:_LONGEST]
+    return f"type {'str' if word(raw) is not None else name}", ()
 
 
 # -- kinds of wrong answers --------------------------------------------------------------------------------

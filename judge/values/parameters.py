@@ -9,11 +9,18 @@ from array import array
 from collections.abc import Callable, Iterator
 from fractions import Fraction
 from itertools import chain, repeat
-from typing import Any
+from typing import Any, Protocol
 
-from judge.values.atoms import IntType, RealType
-from judge.values.base import Atom, Draws, Number, Type, Value
+from judge.values.atoms import LONGEST, Atom, Number, NumberType, Type, Value
 from judge.values.types import ArrayType, Composite, ListType, OptionalType, TupleType, lasting
+
+
+class Draws(Protocol):
+    """Where the search for simple cases takes its choices from; `judge.data.draw.Draw` is one."""
+
+    def integer(self, low: int, high: int) -> int:
+        """An int from `low` to `high`."""
+        ...
 
 
 def parts_of(type_: Type, value: Value) -> Iterator[tuple[Type, Value]]:
@@ -30,8 +37,11 @@ def fault(type_: Type, name: str, value: Any) -> str | None:
     if isinstance(type_, Atom):
         return type_.fault(name, value)
     if isinstance(type_, TupleType):
-        if type(value) is not tuple or len(value) != len(type_.fixed):
-            return f"{name} must be {_meant(type_)}, not {value!r}"
+        if type(value) is not tuple or len(value) != len(type_.made_of):
+            meant = f"a tuple {type_.text}"
+            if all(isinstance(part, NumberType) for part in type_.made_of):
+                meant = "a pair of numbers" if len(type_.made_of) == 2 else f"{len(type_.made_of)} numbers"
+            return f"{name} must be {meant}, not {value!r}"
     elif isinstance(type_, ListType):
         if type(value) is not tuple:
             return f"{name} must be a tuple of {type_.several}, not {value!r}"
@@ -40,13 +50,7 @@ def fault(type_: Type, name: str, value: Any) -> str | None:
     return next((wrong for part, each in parts_of(type_, value) if (wrong := fault(part, name, each))), None)
 
 
-def _meant(type_: TupleType) -> str:
-    if all(isinstance(part, IntType | RealType) for part in type_.fixed):
-        return "a pair of numbers" if len(type_.fixed) == 2 else f"{len(type_.fixed)} numbers"
-    return f"a tuple {type_.text}"
-
-
-def leaves(type_: Type, value: Value) -> Iterator[tuple[Atom, Value]]:
+def leaves(type_: Type, value: Value) -> Iterator[tuple[Type, Value]]:
     """The atoms of a well-shaped value, each with its value."""
     type_ = lasting(type_)
     if value is None:
@@ -65,8 +69,8 @@ def outside(
 ) -> tuple[Any, Any, Any] | None:
     """The first number of a well-shaped value beyond the bounds, with these; None if there is none."""
     for atom, each in leaves(type_, value):
-        if isinstance(atom, IntType | RealType):
-            least = atom.least if atom.least is not None and low < atom.least else low
+        if isinstance(atom, NumberType):
+            least = low if atom.least is None else max(low, atom.least)
             if not least <= each <= high:
                 return each, least, high
     return None
@@ -84,11 +88,10 @@ def tokens(type_: Type, value: Value) -> Iterator[str]:
         yield "none"
     elif isinstance(inner, Atom):
         yield inner.text_of(value)
-    else:
-        if isinstance(inner, ListType):
-            yield str(len(value))
-        for part, each in parts_of(inner, value):
-            yield from tokens(part, each)
+    elif isinstance(inner, ListType):
+        yield str(len(value))
+    for part, each in parts_of(inner, value):
+        yield from tokens(part, each)
 
 
 def from_tokens(type_: Type, words: Iterator[str]) -> Value:
@@ -99,52 +102,38 @@ def from_tokens(type_: Type, words: Iterator[str]) -> Value:
     if isinstance(type_, Atom):
         return type_.value_from(next(words))
     assert isinstance(type_, Composite)
-    count = 0
-    if isinstance(type_, ListType):
-        count = int(next(words))
-        if not 0 <= count <= (type_.most if type_.high is None else type_.high):
-            raise ValueError("no such length")
+    count = int(next(words)) if isinstance(type_, ListType) else 0
+    if isinstance(type_, ListType) and not 0 <= count <= (LONGEST if type_.high is None else type_.high):
+        raise ValueError("no such length")
     return tuple([from_tokens(part, words) for part in type_.parts(count)])
 
 
 def listed(type_: Type, value: Value) -> Any:
     """The value with lists for lists and arrays, as JSON can hold it."""
-    return _rebuilt(type_, value, listed)
-
-
-def _rebuilt(type_: Type, value: Value, of: Callable[[Type, Value], Any]) -> Any:
     inner = lasting(type_)
-    if value is None or not isinstance(inner, Composite):
+    if type_.is_plain or value is None or not isinstance(inner, Composite):
         return value
-    return inner.kind([of(part, each) for part, each in parts_of(inner, value)])
+    if isinstance(inner, ListType) and inner.item.is_plain:
+        return list(value)
+    return inner.kind([listed(part, each) for part, each in parts_of(inner, value)])
 
 
 def argument(type_: Type, value: Value) -> Any:
     """The value as a submission receives it."""
-    inner = lasting(type_)
-    if type_.is_plain or value is None:
-        return value
-    if isinstance(inner, ArrayType):
+    if value is not None and isinstance(lasting(type_), ArrayType):
         return array("d", value)
-    if isinstance(inner, ListType) and inner.item.is_plain:
-        return list(value)
-    return _rebuilt(inner, value, argument)
+    return listed(type_, value)
 
 
 def literal(type_: Type, value: Value) -> str:
     """The value as it is written in Python."""
-    inner = lasting(type_)
-    if value is None or not isinstance(inner, Composite):
-        return repr(value)
-    if isinstance(inner, ArrayType):
-        return f"array('d', {list(value)!r})"
-    written = ", ".join(literal(part, each) for part, each in parts_of(inner, value))
-    return f"[{written}]" if inner.kind is list else f"({written})"
+    is_array = value is not None and isinstance(lasting(type_), ArrayType)
+    return f"array('d', {list(value)!r})" if is_array else repr(listed(type_, value))
 
 
 def simpler(type_: Type, value: Value) -> Iterator[Value]:
     """Values of the same shape or a smaller one that say less: numbers are left as they are."""
-    if value is None or isinstance(type_, Atom):
+    if value is None:
         return
     if isinstance(type_, OptionalType):
         yield None
@@ -163,10 +152,13 @@ def simpler(type_: Type, value: Value) -> Iterator[Value]:
 
 def simple(type_: Type, draw: Draws, number: Callable[[bool], Number], *, positive: bool) -> Value:
     """A simple value: `number(positive)` gives its numbers, `positive` says that none may be negative."""
-    if isinstance(type_, Atom):
-        return type_.simple(draw, number, positive=positive)
     if isinstance(type_, OptionalType):  # None as often as not
         return simple(type_.inner, draw, number, positive=positive) if draw.integer(0, 1) else None
+    if isinstance(type_, NumberType):
+        found = number(positive or (type_.least is not None and type_.least >= 0))
+        return found if type(found) in type_.kinds else type_.kinds[0](found)
+    if isinstance(type_, Atom):
+        return type_.samples[draw.integer(0, len(type_.samples) - 1)]
     assert isinstance(type_, Composite)
     count = 0
     if isinstance(type_, ListType):
@@ -175,11 +167,3 @@ def simple(type_: Type, draw: Draws, number: Callable[[bool], Number], *, positi
     elif isinstance(type_, TupleType) and type_.is_vector:  # a coordinate may always be negative
         positive = False
     return tuple([simple(part, draw, number, positive=positive) for part in type_.parts(count)])
-
-
-def rounded(type_: Type, value: Value) -> Any:
-    """What the expression `type.rounded` makes of a value."""
-    inner = lasting(type_)
-    if isinstance(inner, Atom):
-        return None if value is None else inner.round(value)
-    return _rebuilt(inner, value, rounded)

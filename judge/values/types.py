@@ -2,50 +2,49 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from functools import cached_property
+from itertools import repeat
 from typing import Any
 
-from judge.values.atoms import IntType, RealType
-from judge.values.base import (
-    COORDINATES,
-    LONGEST,
-    MANY_LENGTHS,
-    NOTHING,
-    Place,
-    Quick,
-    Target,
-    Type,
-)
+from judge.values.answers import Target
+from judge.values.atoms import COORDINATES, LONGEST, NOTHING, Place, Quick, RealType, Type
 from judge.values.wire import Raw, items
 
+MANY_LENGTHS = 1000  # of a list without a bound
 
-class OptionalType(Type):
+
+class Made(Type):
+    """A type that is made of others."""
+
+    def _made(self, *parts: Type) -> None:
+        if any(isinstance(part, ArrayType) for part in parts) and not self.optional:
+            raise ValueError("an array is a whole parameter")
+        self.measured = any(part.measured for part in parts)
+        self.lengths = max(part.lengths for part in parts)
+        for name in ("is_parameter", "is_plain", "settled"):
+            setattr(self, name, all(getattr(part, name) for part in parts))
+
+
+class OptionalType(Made):
     """`T?`: None, or what `inner` says."""
 
     optional = True
 
     def __init__(self, inner: Type) -> None:
-        if inner.optional or (isinstance(inner, TupleType) and inner.begins_optional):
+        if inner.optional:
             raise ValueError("as text it does not say whether all of it is none or only its first part")
+        self._made(inner)
         self.inner = inner
         self.text, self.noun = f"{inner.text}?", f"{inner.noun} or None"
-        self.measured, self.settled, self.is_answer = inner.measured, inner.settled, inner.is_answer
-        self.is_parameter, self.is_plain = inner.is_parameter, inner.is_plain
+        self.annotation = f"{inner.annotation} | None"
         self.width = 1 if inner.width == 1 else None
-        self.depth, self.most, self.lengths = inner.depth, inner.most, inner.lengths
-        self.plural, self.one, self.several = inner.plural, inner.one, inner.several
-        self.variable, self.annotation = inner.variable, f"{inner.annotation} | None"
-        self.rounded = f"None if {{0}} is None else {inner.rounded}" if inner.rounded else ""
+        self.most, self.plural, self.one, self.several = inner.most, inner.plural, inner.one, inner.several
 
     @cached_property
     def quick(self) -> Quick:
         """Whether both are None, or the inner answer."""
         inner = self.inner.quick
-        if isinstance(self.inner, IntType):  # asked most often
-            return lambda raw, target: (
-                NOTHING if raw == target and (raw is None or type(raw) is int) else None
-            )
 
         def quick(raw: Raw, target: Target) -> float | None:
             if raw is None or target is None:
@@ -54,27 +53,54 @@ class OptionalType(Type):
 
         return quick
 
-    def aliases(self) -> Mapping[str, str]:
-        """Those of the inner type."""
-        return self.inner.aliases()
 
+class Composite(Made):
+    """A type of several parts: those of a tuple are `made_of` one type each, those of a list all of the one.
 
-class Composite(Type):
-    """A type of several parts: how many a value has is asked of `wrong_count`, what they are of `parts`."""
+    How many parts a value has is asked of `wrong_count`.
+    """
 
     kind: type[tuple[Any, ...]] | type[list[Any]]  # of an answer that was read
+    made_of: tuple[Type, ...]
 
     def parts(self, count: int) -> Sequence[Type]:
         """The types of the parts of a value that has so many."""
-        raise NotImplementedError
+        return self.made_of * count if self.kind is list else self.made_of
 
-    def down(self, place: Place, at: int, count: int) -> Place:
-        """The place of the part `at` of so many."""
-        raise NotImplementedError
+    def word(self, at: int) -> str:
+        """What the part `at` is called."""
+        return f"{self.one} {at + 1}"
 
     def wrong_count(self, count: int, place: Place) -> str | None:
         """Why an answer cannot have so many parts."""
         raise NotImplementedError
+
+    @cached_property
+    def quick(self) -> Quick:
+        """All parts, one after the other; of several right answers to a part the first that accepts it."""
+        each = [part.quick for part in self.made_of]
+        quicks = repeat(each[0]) if self.kind is list else each
+
+        def quick(raw: Raw, target: Target) -> float | None:
+            if type(raw) is dict:  # many numbers, sent as bytes; or what is no list at all
+                found = items(raw)
+                raw = None if found is None else list(found)
+            if type(raw) is not list or type(target) is dict or len(raw) != len(target):
+                return None
+            worst = NOTHING
+            for part, given, wanted in zip(quicks, raw, target):  # noqa: B905  # the lengths are equal
+                if type(wanted) is dict:
+                    ways = (part(given, one) for one in wanted.get("any", ()))
+                    off = next((one for one in ways if one is not None), None)
+                else:
+                    off = part(given, wanted)
+                if off is None:
+                    return None
+                if off > worst:
+                    worst = off
+            return worst
+
+        return quick
 
 
 class TupleType(Composite):
@@ -89,70 +115,32 @@ class TupleType(Composite):
     def __init__(self, parts: Sequence[Type], names: Sequence[str] = (), alias: str = "") -> None:
         if len(parts) < 2:
             raise ValueError("a tuple has two parts or more")
-        self.fixed = tuple(parts)
+        self._made(*parts)
+        self.made_of = tuple(parts)
         self.names = tuple(names) or tuple(f"part {place}" for place in range(1, len(parts) + 1))
         self.is_vector = self.names == COORDINATES[: len(parts)]
         self.text = f"({', '.join(part.text for part in parts)})"
-        self.measured = any(part.measured for part in parts)
-        self.settled, self.is_answer, self.is_parameter, self.is_plain = (
-            all(getattr(part, name) for part in parts)
-            for name in ("settled", "is_answer", "is_parameter", "is_plain")
-        )
-        self.is_parameter = self.is_parameter and self.is_answer
-        self.begins_optional = parts[0].optional or getattr(parts[0], "begins_optional", False)
+        self.optional = parts[0].optional
         widths = [part.width for part in parts]
         self.width = None if None in widths else sum(filter(None, widths))
-        self.depth = 1 + max(part.depth for part in parts)
-        self.most = sum(part.most + (part.depth > 0) for part in parts)
-        self.lengths = max(part.lengths for part in parts)
-        self._alias, self._spelled = alias, f"tuple[{', '.join(part.annotation for part in parts)}]"
-        self.annotation = alias or self._spelled
-        self.noun = f"a {self._spelled}"  # as the file to begin with spells it
+        self.most = sum(part.most + isinstance(lasting(part), Composite) for part in parts)
+        self.spelled = f"tuple[{', '.join(part.annotation for part in parts)}]"
+        self.alias, self.annotation = alias, alias or self.spelled
+        self.noun = f"a {self.spelled}"  # as the file to begin with spells it
         if self.is_vector:
             self.noun, self.plural = f"({', '.join(self.names)})", "points"
             self.one, self.several = "point", "points"
-        if self.measured:
-            rounded = (part.rounded.format(f"{{0}}[{at}]") or f"{{0}}[{at}]" for at, part in enumerate(parts))
-            self.rounded = f"({', '.join(rounded)})"
 
-    def parts(self, count: int) -> Sequence[Type]:
-        """The same always."""
-        return self.fixed
-
-    def down(self, place: Place, at: int, count: int) -> Place:
-        """By its name."""
-        return Place(place, at, self.names[at])
+    def word(self, at: int) -> str:
+        """Its name."""
+        return self.names[at]
 
     def wrong_count(self, count: int, place: Place) -> str | None:
         """As many as there are."""
-        if count == len(self.fixed):
+        if count == len(self.made_of):
             return None
         what = f"{count} {'coordinate' if self.is_vector else 'part'}{'' if count == 1 else 's'}"
         return f"{place.name() or 'the answer'} has {what} where {self.noun} is meant"
-
-    @cached_property
-    def quick(self) -> Quick:
-        """All parts."""
-        count, parts = len(self.fixed), [part.quick for part in self.fixed]
-
-        def quick(raw: Raw, target: Target) -> float | None:
-            if type(raw) is not list or len(raw) != count or type(target) is dict:
-                return None
-            worst = NOTHING
-            for part, given, wanted in zip(parts, raw, target):  # noqa: B905  # the lengths are equal
-                off = part(given, wanted)
-                if off is None:
-                    return None
-                if off > worst:
-                    worst = off
-            return worst
-
-        return quick
-
-    def aliases(self) -> Mapping[str, str]:
-        """Its own, and those of the parts."""
-        inner = {name: meant for part in self.fixed for name, meant in part.aliases().items()}
-        return inner | ({self._alias: self._spelled} if self._alias else {})
 
 
 class ListType(Composite):
@@ -160,40 +148,21 @@ class ListType(Composite):
 
     kind = list
     width = None
-    is_plain = False
     plural = "lists"
 
     def __init__(self, item: Type, low: int = 0, high: int | None = None) -> None:
         if high is not None and not low <= high:
             raise ValueError("the bounds leave no length: low is above high")
-        self.item, self.low, self.high = item, low, high
+        self._made(item)
+        self.is_plain = False
+        self.made_of, self.item, self.low, self.high = (item,), item, low, high
         bounds = "" if high is None and not low else f"; {low}" if low == high else f"; {low}..{high}"
         self.text = f"[{item.text}{bounds}]"
-        self.measured, self.settled, self.is_answer = item.measured, item.settled, item.is_answer
-        self.is_parameter = item.is_parameter and item.is_answer
-        self.depth = 1 + item.depth
-        self.most = LONGEST if high is None else high * (item.most + (item.depth > 0))
+        each = item.most + isinstance(lasting(item), Composite)
+        self.most = LONGEST if high is None else high * each
         self.lengths = max(item.lengths, MANY_LENGTHS if high is None else high - low + 1)
         self.one, self.several = item.one, item.several
-        self.noun, self.variable = f"a list of {item.plural}", item.several
-        self.annotation = f"list[{item.annotation}]"
-        if item.rounded:
-            self.rounded = f"[{item.rounded.format('item')} for item in {{0}}]"
-            if isinstance(item, TupleType) and item.is_vector:
-                names = item.names
-                parts = (
-                    part.rounded.format(name) or name for part, name in zip(item.fixed, names, strict=True)
-                )
-                self.rounded = f"[({', '.join(parts)}) for {', '.join(names)} in {{0}}]"
-
-    def parts(self, count: int) -> Sequence[Type]:
-        """The same type for all."""
-        return [self.item] * count
-
-    def down(self, place: Place, at: int, count: int) -> Place:
-        """By its number."""
-        alone = count == 1 and self.one == "point" and not place.name()
-        return Place(place, at, f"{self.one} {at + 1}", alone=alone)
+        self.noun, self.annotation = f"a list of {item.plural}", f"list[{item.annotation}]"
 
     def bounds(self) -> str:
         """How many items there may be, in words."""
@@ -207,56 +176,21 @@ class ListType(Composite):
         """No more than the bound."""
         if self.high is None or count <= self.high:
             return None
-        meant = f"where {self.bounds() if self.low == self.high else f'at most {self.high}'} are meant"
-        return f"{place.prefix()}{count} {self.several} given {meant}"
-
-    @cached_property
-    def quick(self) -> Quick:
-        """All items, one after the other."""
-        item = self.item.quick
-
-        def quick(raw: Raw, target: Target) -> float | None:
-            if type(raw) is dict:  # many numbers, sent as bytes; or what is no list at all
-                found = items(raw)
-                raw = None if found is None else list(found)
-            if type(raw) is not list or type(target) is dict or len(raw) != len(target):
-                return None
-            worst = NOTHING
-            for given, wanted in zip(raw, target):  # noqa: B905  # the lengths are equal
-                off = item(given, wanted) if type(wanted) is not dict else _any(item, given, wanted)
-                if off is None:
-                    return None
-                if off > worst:
-                    worst = off
-            return worst
-
-        return quick
-
-    def aliases(self) -> Mapping[str, str]:
-        """Those of the items."""
-        return self.item.aliases()
-
-
-def _any(item: Quick, given: Raw, wanted: Target) -> float | None:
-    """The first of several targets that accepts an item; a run is none of them."""
-    return next((off for each in wanted.get("any", ()) if (off := item(given, each)) is not None), None)
+        meant = self.high if self.low == self.high else f"at most {self.high}"
+        return f"{place.prefix()}{count} {self.several} given where {meant} are meant"
 
 
 class ArrayType(ListType):
     """`array(f64; most)`: a parameter's doubles, which a submission receives as an `array.array`."""
-
-    is_answer = False
 
     def __init__(self, code: str, most: str = "") -> None:
         if code != "f64":
             raise ValueError("an array holds f64")
         if most and not (most.isdecimal() and len(most) < 10):
             raise ValueError(f"{most} is no length of an array")
-        super().__init__(RealType(double=True), 0, int(most) if most else 10_000_000)
+        super().__init__(RealType(double=True), 0, int(most or 10_000_000))
         self.text = f"array({code}; {most})" if most else f"array({code})"
         self.noun, self.plural, self.annotation = "an array of numbers", "arrays", "array[float]"
-        self.is_answer = False
-        self.is_parameter = True
 
 
 def lasting(type_: Type) -> Type:
@@ -266,4 +200,4 @@ def lasting(type_: Type) -> Type:
 
 def is_pair(type_: Type) -> bool:
     """Whether values are points or vectors in the plane."""
-    return isinstance(type_, TupleType) and type_.is_vector and len(type_.fixed) == 2
+    return isinstance(type_, TupleType) and type_.is_vector and len(type_.made_of) == 2

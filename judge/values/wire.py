@@ -89,7 +89,7 @@ def decimal(text: str) -> Written | Fault:
     if match is None:
         return Fault(quoted(text), _why_no_decimal(text))
     power = match[4]
-    if power and (len(power) > 6 or abs(int(power)) > MOST_EXPONENT):
+    if power and abs(int(power)) > MOST_EXPONENT:
         return Fault(quoted(text), f"its exponent is beyond ±{MOST_EXPONENT}")
     return Written(text, float(text))
 
@@ -117,29 +117,20 @@ def number(raw: Raw) -> Given | Fault:
     if kind is int or kind is Written or kind is Fraction:
         return raw  # type: ignore[no-any-return]
     if kind is dict and len(raw) == 1:
-        (key, value), *_ = raw.items()
-        reader = {"int": _large, "fraction": _fraction, "decimal": _decimal}.get(key)
-        read = reader(value) if reader else None
-        if read is not None:
-            return read
+        ((key, value),) = raw.items()
+        if key == "decimal" and type(value) is str:
+            return decimal(value)
+        if key == "int" and (whole := _large(value)) is not None:
+            return whole
+        if key == "fraction" and type(value) is list and len(value) == 2:
+            top, bottom = map(_large, value)
+            if top is not None and bottom:
+                return Fraction(top, bottom)
     return fault(raw)
 
 
 def _large(value: Raw) -> int | None:
-    if type(value) is str and len(value) <= MOST_HEX and _HEX.fullmatch(value):
-        return int(value, 16)
-    return None
-
-
-def _fraction(value: Raw) -> Fraction | None:
-    if type(value) is not list or len(value) != 2:
-        return None
-    top, bottom = _large(value[0]), _large(value[1])
-    return Fraction(top, bottom) if top is not None and bottom else None
-
-
-def _decimal(value: Raw) -> Written | Fault | None:
-    return decimal(value) if type(value) is str else None
+    return int(value, 16) if type(value) is str and len(value) <= MOST_HEX and _HEX.fullmatch(value) else None
 
 
 def word(raw: Raw) -> str | None:
@@ -179,25 +170,19 @@ def numbers(raw: Raw) -> array[Any] | None:
 
 def fault(raw: Raw) -> Fault:
     """What a wrong `raw` is, in words, and the remedy for the mistakes people make."""
-    if raw is None:
-        return Fault("None")
-    if type(raw) in (int, float, Written):
+    kind, text = type(raw), word(raw)
+    if raw is None or kind in (int, float, Written):
         return Fault(show(raw))
-    if type(raw) in (list, tuple):
+    if kind in (list, tuple):
         return Fault("a list")
-    if type(raw) is dict and set(raw) == {"type", "text"}:
-        name, text = raw["type"], raw["text"]
-        if type(name) is str and type(text) is str:
-            return _typed(_clean(name), _clean(text))
-    if type(raw) is bool:
-        return _typed("bool", repr(raw))
-    if type(raw) is str:
-        return _typed("str", repr(raw[:_SHOWN]))
-    text = word(raw)
+    if kind in (bool, str):
+        return _typed(kind.__name__, repr(raw[:_SHOWN] if kind is str else raw))
     if text is not None:
         return _typed("str", _clean(repr(text)))
     if items(raw) is not None:
         return Fault("an array" if "array" in raw else f"the tuple {show(raw)}")
+    if kind is dict and set(raw) == {"type", "text"} and set(map(type, raw.values())) == {str}:
+        return _typed(_clean(raw["type"]), _clean(raw["text"]))
     return Fault("something that is no answer")
 
 
@@ -223,37 +208,28 @@ def quoted(text: str) -> str:
 
 def show(raw: Raw, depth: int = 3) -> str:
     """An answer as a person would write it, bounded whatever its shape."""
-    kind = type(raw)
-    if kind in (list, tuple):
+    kind, text, found = type(raw), word(raw), items(raw)
+    if found is not None:
         if depth == 0:
             return "[…]"
-        parts = [show(item, depth - 1) for item in raw[:4]] + (["…"] if len(raw) > 4 else [])
+        parts = [show(item, depth - 1) for item in found[:4]] + ["…"] * (len(found) > 4)
+        if kind is dict and "tuple" in raw:
+            return f"({parts[0]},)"
         # A list of two numbers is a point, however it was written.
-        point = len(raw) == 2 and not any(type(item) in (list, tuple) for item in raw)
+        point = len(found) == 2 and not any(type(item) in (list, tuple) for item in found)
         return f"({', '.join(parts)})" if point else f"[{', '.join(parts)}]"
-    if raw is None or kind is float:
-        return repr(raw)
-    if kind is dict and len(raw) == 1:
-        text = word(raw)
-        if text is not None:
-            return repr(text)
-        if "tuple" in raw and items(raw) is not None:
-            return f"({show(raw['tuple'][0], depth - 1)},)" if depth else "(…,)"
-        found = numbers(raw)
-        if found is not None:
-            return show(found.tolist(), depth)
+    if text is not None or raw is None or kind is float or kind is str:
+        return repr(raw[:_SHOWN] if kind is str else raw if text is None else text)
     read = number(raw)
     if isinstance(read, Fault):
         return read.text.rstrip(",")
     if isinstance(read, Written):
         return _clean(read.text)
-    if isinstance(read, int):
-        return str(read) if read.bit_length() <= 256 else f"an int of {read.bit_length()} bits"
     if isinstance(read, Fraction):
         small = max(read.numerator.bit_length(), read.denominator.bit_length()) <= 128
-        return (
-            f"Fraction({read.numerator}, {read.denominator})" if small else f"a Fraction near {near(read)!r}"
-        )
+        return repr(read) if small else f"a Fraction near {near(read)!r}"
+    if isinstance(read, int) and read.bit_length() > 256:
+        return f"an int of {read.bit_length()} bits"
     return repr(read)
 
 
@@ -283,22 +259,21 @@ Errors = tuple[float, float | None, float | None]  # absolute, relative, in ulps
 def accepts(given: Given, bounds: Bounds, leaf: Callable[[], tuple[Real, Tolerance]]) -> bool:
     """Whether it is accepted, exactly; `leaf` is asked only where doubles do not decide."""
     lo, hi, _ = bounds
-    beyond = lo == float_info.max and hi == -float_info.max  # an interval of which rounded ends say nothing
-    if isinstance(given, Written):
-        # A decimal lies on the same side of a double as its own rounding, unless it rounds to that double.
-        if lo < given.approx < hi:
-            return True
-        if not beyond and not nextafter(lo, -inf) <= given.approx <= nextafter(hi, inf):
-            return False
-        given = given.exact()
-    if lo <= given <= hi:  # Python compares ints and Fractions with floats exactly
+    if isinstance(given, float):
+        return lo <= given <= hi
+    rounded = near(given)  # which lies on the same side of a double, unless it is that double
+    if lo < rounded < hi:
         return True
-    if isinstance(given, float) or not (beyond or nextafter(lo, -inf) < given < nextafter(hi, inf)):
+    beyond = lo == float_info.max and hi == -float_info.max  # an interval of which rounded ends say nothing
+    if not beyond and not nextafter(lo, -inf) <= rounded <= nextafter(hi, inf):
         return False
+    exact = given.exact() if isinstance(given, Written) else given
+    if lo <= exact <= hi:  # Python compares ints and Fractions with floats exactly
+        return True
     from judge.values.answers import exact_ends
 
     low, high = exact_ends(*leaf())
-    return low <= given <= high
+    return low <= exact <= high
 
 
 def errors(given: Given, nearest: float) -> Errors:
@@ -325,16 +300,14 @@ def cut_digits(given: Given, nearest: float) -> str:
         return ""
     places, power = found[3] or "", int(found[4] or 0)
     significant = len((found[2] + places).lstrip("0"))
-    last = power - len(places)  # the place of the last digit, as a power of ten
     if significant >= _ENOUGH:
         return ""
-    away = abs(Fraction(nearest) - given.exact())
-    if found[4] is None and len(places) == _USUAL != significant and away <= _HALF * Fraction(10) ** last:
+    last = Fraction(10) ** (power - len(places))  # the place of the last digit
+    away = abs(Fraction(nearest) - given.exact()) / last
+    if found[4] is None and len(places) == _USUAL != significant and away <= _HALF:
         return f"printed with {_USUAL} decimals: print {_ENOUGH} significant digits"
-    if significant < _LEAST:
-        return ""
-    for digits in sorted({significant, max(significant, _USUAL)}, reverse=True):
-        if away <= _HALF * Fraction(10) ** (last - (digits - significant)):
+    for digits in (max(significant, _USUAL), significant) if significant >= _LEAST else ():
+        if away * 10 ** (digits - significant) <= _HALF:
             return f"printed with {digits} significant digits: print {_ENOUGH}"
     return ""
 
@@ -343,7 +316,9 @@ def cut_digits(given: Given, nearest: float) -> str:
 
 
 class Tokens:
-    """A line's tokens, read strictly, one after the other. `meant` says what the whole line holds.
+    """A line's tokens, read strictly, one after the other: `words` are those left, the next one last.
+
+    `meant` says what the whole line holds.
 
     Raises Unreadable for what is not plain ASCII text.
     """
@@ -354,26 +329,21 @@ class Tokens:
         if foreign:
             name = "a NUL" if foreign[0] == "\0" else f"the character {foreign[0]!a}"
             raise Unreadable(f"{name} in the output: answers are plain ASCII text")
-        self._words = line.split()[::-1]
+        self.words = line.split()[::-1]
         self.meant = meant
-        if not self._words:
+        if not self.words:
             raise Unreadable(f"an empty line where {meant} is meant")
-
-    @property
-    def left(self) -> int:
-        """How many tokens are left."""
-        return len(self._words)
 
     @property
     def ahead(self) -> str:
         """The next token, which stays; empty at the end."""
-        return self._words[-1] if self._words else ""
+        return self.words[-1] if self.words else ""
 
     def next(self) -> str:
         """Take a token; raises Unreadable at the end of the line."""
-        if not self._words:
+        if not self.words:
             raise Unreadable(f"the line ends too early: it holds {self.meant}")
-        return self._words.pop()
+        return self.words.pop()
 
     def integer(self, meant: str) -> int:
         """Take an integer."""

@@ -1,12 +1,13 @@
 """Every hit of a ray with a list of circles: exactly, in order, those at one place in any order."""
 
 from functools import partial
+from itertools import chain, permutations, product
+from math import factorial, prod
 
 from judge.geometry import Crowd, plain
 from judge.geometry.hooks import HITS, hooks
 from judge.geometry.scenes import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, STEEP, TINY, anywhere, crowd_of, crowds, either, telling
-from judge.problem.declare import group
-from judge.values import Run
+from judge.problem.declare import AnyOf, InvalidCase, group
 
 HOOKS = hooks(HITS)
 TAGS = {-1: "enter", 0: "touch", 1: "exit"}
@@ -14,15 +15,17 @@ FULL = {**HUGE, "size": 2**36}
 MANY = "cut", "cut", "around", "behind", "beside"
 TIES = "exit2 enter2", "cut1 mirror copy", "enter3 touch3 exit3", "exit1 enter1 touch2 enter2"
 ORIGIN = "exit0 enter", "touch0 enter", "enter0 touch", "enter0 exit0"
+MOST_ORDERS = 720
 TELLING = plain.hits, partial(plain.hits, tolerance=1e-10)
 
 
 def solve(circles, O, D):
-    crowd, found = Crowd(circles, O, D), []
-    for place in crowd.places():
-        hits = [(crowd.time(hit), hit.circle, TAGS[hit.which]) for hit in place]
-        found.append(Run(hits) if len(hits) > 1 else hits[0])
-    return found
+    crowd = Crowd(circles, O, D)
+    places = [[(crowd.time(hit), hit.circle, TAGS[hit.which]) for hit in place] for place in crowd.places()]
+    if prod(factorial(len(hits)) for hits in places) > MOST_ORDERS:
+        raise InvalidCase(f"The hits at one place can be put into more than {MOST_ORDERS} orders.")
+    orders = [[*chain(*order)] for order in product(*map(permutations, places))]
+    return AnyOf(orders) if len(orders) > 1 else orders[0]
 
 
 INTERVIEW = [

@@ -8,7 +8,7 @@ from pathlib import Path
 from judge.mistakes.killing import Jury
 from judge.problem.declare import group
 from judge.problem.load import load_problem
-from judge.values import Judged, Real, vector
+from judge.values.answers import Judged, Real, vector
 
 FAMILIES = {
     "formula": [

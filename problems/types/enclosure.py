@@ -8,5 +8,5 @@ def TYPE() -> TupleType:  # noqa: N802 - what the grammar looks for
     """The type."""
     made = TupleType((RealType(), RealType()), ("lo", "hi"), "Enclosure")
     made.noun, made.settled = "(lo, hi)", False
-    made.measured, made.rounded = False, ""  # by no tolerance
+    made.measured = False  # by no tolerance
     return made

@@ -18,7 +18,9 @@ from typing import Any
 from judge.exact import Surd
 from judge.geometry import Line, whole
 from judge.problem.declare import InvalidCase
-from judge.values import Tolerance, check, parse, show
+from judge.values import check, show
+from judge.values.answers import Tolerance
+from judge.values.grammar import parse
 
 ROUNDS = 7
 CASES = 400
@@ -121,7 +123,7 @@ def main() -> None:
         ("check a number, some ulps off", judge, list(zip(near, targets, strict=True)), ints, 4),
         (
             "check a number of text",
-            lambda pair: lines.check_line(POINTS, pair[0], pair[1], never),
+            lambda pair: check.check_line(POINTS, pair[0], pair[1], never),
             list(zip(lines, targets, strict=True)),
             ints,
             4,

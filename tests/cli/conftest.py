@@ -11,7 +11,7 @@ from broken_problems import FAULTS, broken
 from cli_support import BROKEN, PACK, ROOT, Outcome
 
 from judge.cli import main
-from judge.judging.isolation import keep_level
+from judge.judging.containment import keep_level
 from judge.sandbox import levels
 
 

@@ -15,7 +15,7 @@ from chromium import CHROMIUM, dom
 from sampling import nightly
 
 import judge.geometry.explore as explore
-from judge.data.build import build_cases
+from judge.data.build import draw_cases
 from judge.errors import ProblemError
 from judge.geometry.views import VIEWS
 from judge.problem.declare import InvalidCase, Real, decisions
@@ -254,8 +254,7 @@ def asked():
         for group in problem.groups[1:]:
             if group.size is not None or sum(1 for _ in explore._flat(problem.examples[0].case)) > 600:
                 continue
-            drawn, _ = build_cases(problem, module, msgspec.structs.replace(group, count=CASES))
-            for case, _answer in drawn:
+            for case, *_ in draw_cases(problem, module, msgspec.structs.replace(group, count=CASES)):
                 if sum(1 for _ in explore._flat(case)) > 120:
                     continue
                 for each in (case, moved(case, chance), *merged(case)):

@@ -17,21 +17,20 @@ from sampling import nightly
 
 from judge.cli.commands import look
 from judge.errors import ProblemError
-from judge.judging import session
-from judge.judging import session as judging
+from judge.run import execute
 
 pytestmark = pytest.mark.slow
 
 
 def test_a_fault_in_mid_run_costs_one_submission(judge, submit, monkeypatch):
-    real = judging.run_in
+    real = execute.judge_submission
 
-    def faulty(box, problem, data, source, name, **how):
+    def faulty(data, source, name, *how, **more):
         if name == "team/a.py":
             raise ProblemError("the reference fails", where="middle/problem.py:9")
-        return real(box, problem, data, source, name, **how)
+        return real(data, source, name, *how, **more)
 
-    monkeypatch.setattr(judging, "run_in", faulty)
+    monkeypatch.setattr(execute, "judge_submission", faulty)
     submit(MEAN, "team/a.py")
     submit(MEAN, "team/b.py")
     ended = judge("run", "middle", "team", "--json")
@@ -191,14 +190,14 @@ SHORTAGES = [
 
 @pytest.mark.parametrize(("fault", "line"), SHORTAGES[:2])
 def test_a_shortage_costs_one_submission_and_the_rest_are_judged(fault, line, judge, submit, monkeypatch):
-    real = session.run_in
+    real = execute.judge_submission
 
-    def short(box, problem, data, source, name, **how):
+    def short(data, source, name, *how, **more):
         if name == "team/b.py":
             raise fault
-        return real(box, problem, data, source, name, **how)
+        return real(data, source, name, *how, **more)
 
-    monkeypatch.setattr(session, "run_in", short)
+    monkeypatch.setattr(execute, "judge_submission", short)
     for name in ("a", "b", "c"):
         submit(MEAN, f"team/{name}.py")
     ended = judge("run", "middle", "team", "--json")

@@ -15,8 +15,8 @@ from cli_support import FLOOR, MEAN, ROOT
 from sampling import daily, nightly
 
 from judge import database
-from judge.kata.events import Help
-from judge.kata.history import History, run_of
+from judge.practice.events import Help
+from judge.practice.history import History, run_of
 from judge.problem import Verdict
 from judge.run import Result
 

@@ -11,8 +11,8 @@ import msgspec
 import pytest
 from cli_support import FLOOR, MEAN
 
-from judge.kata.events import Answer, Rating, Run, Started
-from judge.kata.history import History
+from judge.practice.events import Answer, Rating, Run, Started
+from judge.practice.history import History
 
 pytestmark = pytest.mark.slow
 

@@ -9,7 +9,7 @@ import pytest
 from cli_support import FLOOR, MEAN, ROOT
 from sampling import nightly
 
-from judge.judging.isolation import keep_level, kept_level
+from judge.judging.containment import keep_level, kept_level
 from judge.sandbox import LEVELS, levels, probe
 from judge.sandbox.roots import find_roots
 
@@ -108,7 +108,7 @@ def test_what_was_found_elsewhere_or_by_somebody_else_does_not_count(monkeypatch
             patch.setattr(os, name, other)
             assert kept_level() is None
     with monkeypatch.context() as patch:
-        patch.setattr("judge.judging.isolation.__version__", "99")
+        patch.setattr("judge.judging.containment.__version__", "99")
         assert kept_level() is None
     assert kept_level() == "full"
     with monkeypatch.context() as patch:  # a folder that two machines share keeps a level of each

@@ -12,9 +12,9 @@ from pathlib import Path
 import pytest
 from cli_support import FLOOR, MEAN
 
-from judge.kata import begin
-from judge.kata.events import Help
-from judge.kata.history import History
+from judge.practice import begin
+from judge.practice.events import Help
+from judge.practice.history import History
 from judge.problem.find import find_problem
 from judge.problem.solutions import Kind, read_solutions
 

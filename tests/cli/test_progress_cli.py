@@ -11,8 +11,8 @@ import pytest
 from cli_support import ROOT
 from msgspec.structs import replace
 
-from judge.kata import events
-from judge.kata.history import History, run_of
+from judge.practice import events
+from judge.practice.history import History, run_of
 from judge.problem import Verdict
 from judge.problem.find import find_problem
 from judge.run.result import GroupResult, Pitfall, Result, earned

@@ -17,9 +17,9 @@ from cli_support import MEAN
 from sampling import nightly
 from terminals import Terminal
 
-from judge.kata import events
-from judge.kata.events import Answer, Rating
-from judge.kata.history import History
+from judge.practice import events
+from judge.practice.events import Answer, Rating
+from judge.practice.history import History
 
 pytestmark = pytest.mark.slow
 
@@ -58,14 +58,14 @@ def test_whenever_it_ends_what_was_answered_is_kept(typing, lines):
 
 def test_known_cards_come_later_and_missed_ones_sooner(typing, judge, monkeypatch):
     noon = events.now().replace(hour=12)
-    monkeypatch.setattr("judge.kata.events.now", lambda: noon)
+    monkeypatch.setattr("judge.practice.events.now", lambda: noon)
     typing(["3.5", "a"], "quiz", "halves", "--seed", "3")
     dates = {
         row["card"]: row["due"] for row in map(json.loads, judge("quiz", "halves", "--list", "--json").lines)
     }
     assert dates["halves/rounding"] < dates["halves/half-of-seven"]
     assert "Nothing is due today" in judge("quiz", "halves").out
-    monkeypatch.setattr("judge.kata.events.now", lambda: noon + timedelta(days=1))
+    monkeypatch.setattr("judge.practice.events.now", lambda: noon + timedelta(days=1))
     assert "judge quiz" in judge("progress", "--due").out
     assert "judge quiz      1 card is due" in judge().out
     again = typing(["b"], "quiz", "halves", "--seed", "3")

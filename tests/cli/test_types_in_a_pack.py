@@ -15,7 +15,7 @@ pytestmark = pytest.mark.slow
 TRUTH = '''\
 """`truth`: True or False; on a line, yes or no."""
 
-from judge.values.base import Atom
+from judge.values.atoms import Atom
 
 _SENT = {"True": True, "False": False}
 

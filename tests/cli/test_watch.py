@@ -19,9 +19,9 @@ from judge.cli.judging import Sitting
 from judge.cli.submissions import Submission
 from judge.cli.wish import Wish
 from judge.errors import ProblemError
-from judge.judging.job import RunOptions
-from judge.kata.events import Help
-from judge.kata.history import History
+from judge.judging.api import RunOptions
+from judge.practice.events import Help
+from judge.practice.history import History
 from judge.problem.load import load_problem
 
 pytestmark = pytest.mark.slow

@@ -24,10 +24,10 @@ from msgspec.structs import replace
 
 from judge.batch.normal import normal_form
 from judge.batch.roster import read_students
-from judge.data.given import read_case
+from judge.data.parse import read_case
 from judge.diagnose.regression import with_case
 from judge.errors import JudgeError
-from judge.judging.trying import try_case
+from judge.judging.cases import try_case
 from judge.languages import scan
 from judge.languages.model import language_of_file, languages
 from judge.languages.signature import Signature
@@ -45,7 +45,7 @@ from judge.run.tried import Tried
 from judge.sandbox import calls, ends
 from judge.sandbox import compile as compiling
 from judge.sandbox.recipe import Sources
-from judge.values import lines
+from judge.values import reading
 from judge.values.grammar import TypeFault, parse
 
 SIZES = (1_000, 4_000, 16_000, 64_000, 256_000)  # characters
@@ -205,7 +205,7 @@ def _printed(text: str) -> None:
 def _answers(text: str) -> None:
     for form in ("real", "int", "[point; 0..2]", "word(left|right)", "[int]", "real?"):
         type_ = parse(form)
-        lines.read_line(type_, text)
+        reading.read_line(type_, text)
 
 
 def _case(text: str) -> None:

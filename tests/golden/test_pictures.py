@@ -10,7 +10,7 @@ import pytest
 from picture_cases import CASES, FOLDER, ROOT, picture, picture_of, wanted_words
 from sampling import daily
 
-from judge.data import load_data
+from judge.data.load import load_data
 from judge.drawing import labels
 from judge.drawing.braille import COLUMNS, LEAST_ROWS, ROWS, to_braille
 from judge.drawing.svg import to_svg

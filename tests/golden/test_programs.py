@@ -14,7 +14,7 @@ import pytest
 from sampling import daily
 
 from judge import RunOptions, Session
-from judge.data.validate import Validator
+from judge.data.build import validate
 from judge.diagnose.simplicity import measure
 from judge.problem import Verdict
 from judge.problem.find import all_problems, find_problem
@@ -76,7 +76,7 @@ def test_a_mistake_is_named_and_its_smallest_case_is_a_valid_and_simpler_one(nam
         tuple(as_case(each) for each in found.input.values())
         for found in (result.counterexample, result.failure)
     )
-    assert Validator(problem, module.solve).proof(case).fault is None
+    validate(problem, module, case)
     assert measure(case) <= measure(first)
 
 

@@ -7,12 +7,12 @@ from pathlib import Path
 import pytest
 from sampling import daily
 
-from judge.data import load_data
+from judge.data.load import load_data
 from judge.data.pins import differences, pins_of, read_pins
 from judge.languages import language_of
 from judge.problem import Verdict
 from judge.problem.load import load_problem
-from judge.run import Settings, run_submission
+from judge.run import Settings, judge_submission
 
 pytestmark = pytest.mark.slow
 
@@ -51,7 +51,5 @@ def test_accepted_solutions_pass_the_data_of_another_seed(name):
     other = load_data(problem, seed=20261120, cache=False)
     for path in sorted((problem.solutions / "accepted").glob("*.py")):
         if not language_of(path):
-            result = run_submission(
-                problem, other, path.read_bytes(), path.name, settings=Settings(measured=False)
-            )
-            assert result.verdict is Verdict.AC, path.name
+            judged = judge_submission(other, path.read_bytes(), path.name, Settings(measured=False))
+            assert judged.result.verdict is Verdict.AC, path.name

@@ -7,10 +7,10 @@ from pathlib import Path
 import pytest
 from sampling import daily
 
-from judge.data import load_data
+from judge.data.load import load_data
 from judge.problem import Verdict
 from judge.problem.find import find_problem
-from judge.run import Settings, run_submission
+from judge.run import Settings, judge_submission
 
 SOLUTIONS = Path(__file__).parents[2] / "solutions"
 KATAS = sorted(path.parents[1].name for path in SOLUTIONS.glob("*/accepted/tolerant.py"))
@@ -27,7 +27,5 @@ def test_every_tolerance_that_the_promise_allows_is_right(kata):
         data = load_data(problem, seed=seed)
         for tolerance in ("1e-12", "1e-8", "5e-8", "1e-5"):
             changed = source.replace("1e-9 * ", f"{tolerance} * ").encode()
-            verdict = run_submission(
-                problem, data, changed, "mine.py", settings=Settings(measured=False)
-            ).verdict
+            verdict = judge_submission(data, changed, "mine.py", Settings(measured=False)).result.verdict
             assert verdict is (Verdict.WA if tolerance == "1e-5" else Verdict.AC), (tolerance, seed)

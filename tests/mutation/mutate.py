@@ -20,11 +20,11 @@ from typing import NamedTuple
 from msgspec.structs import replace
 from mutants import Mutant, mutants
 
-from judge.data import ProblemData, load_data
+from judge.data.load import ProblemData, load_data
 from judge.languages import language_of
 from judge.problem import Verdict
 from judge.problem.load import load_problem
-from judge.run.execute import run_submission
+from judge.run.execute import judge_submission
 from judge.run.settings import Settings
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -80,9 +80,8 @@ def judged(data: ProblemData, source: str) -> Verdict:
     for part in (small[:FIRST], small[FIRST:], large):
         if verdict is Verdict.AC and part:
             settings = Settings(measured=False)
-            verdict = run_submission(
-                data.problem, data, source.encode(), "mutant.py", groups=part, settings=settings
-            ).verdict
+            judged = judge_submission(data, source.encode(), "mutant.py", settings, groups=part)
+            verdict = judged.result.verdict
     return verdict
 
 

@@ -35,10 +35,10 @@ MODULES = (
     "run/budget",
     "run/timing",
     "run/growth",
-    "data/validate",
+    "data/build",
     "mistakes/likeness",
     "diagnose/simplicity",
-    "kata/history",
+    "practice/history",
     "sandbox/linux/seccomp",
 )
 EACH = 5

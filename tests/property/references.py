@@ -5,18 +5,16 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Iterable, Iterator
 from decimal import Decimal, localcontext
-from itertools import islice
 from pathlib import Path
 from typing import Any
 
-from judge.data import load_data
-from judge.data.build import build_cases
-from judge.data.model import reseeded
+from judge.data.build import draw_cases
+from judge.data.load import load_data, reseeded
 from judge.exact import Surd
 from judge.problem.declare import InvalidCase
 from judge.problem.load import load_problem
 from judge.problem.module import load_module
-from judge.values import Real
+from judge.values.answers import Real
 
 PROBLEMS = Path(__file__).parents[2] / "problems"
 CASES = 20_000 if os.environ.get("NIGHTLY") else 2_000  # of other seeds than the pinned one
@@ -120,4 +118,5 @@ def small_cases(name: str, seeds: Iterable[int | None]) -> Iterator[Any]:
     for seed in seeds:
         for group in problem.groups:
             if group.size is None and group.name != "examples":
-                yield from islice(build_cases(problem, module, reseeded(group, seed))[0], 12)
+                made = draw_cases(problem, module, reseeded(group, seed))
+                yield from ((each.case, each.exact) for each in made[:12])

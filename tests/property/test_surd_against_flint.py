@@ -20,7 +20,8 @@ from flint_support import (
 )
 from sampling import nightly
 
-from judge.exact import Surd, root_sign, two_root_sign
+from judge.exact import Surd
+from judge.exact.signs import root_sign, two_root_sign
 
 
 @pytest.mark.parametrize("count", [2000, nightly(30_000)])
@@ -129,8 +130,6 @@ def test_what_is_no_exact_number_is_refused():
         Surd(1, 1, 2, 0)
     with pytest.raises(TypeError):
         Surd(1) + 0.5
-    with pytest.raises(AttributeError, match="immutable"):
-        Surd(1).p = 2
     with pytest.raises(ValueError, match="nan"):
         Surd(1).compare(math.nan)
 
@@ -199,8 +198,6 @@ def test_decimal_text_of_doubles_is_their_repr_where_short():
     for value in (0.5, 1e22, 1e-05, 123456.789e3, 0.0001):
         assert float(Surd.of(value).decimal(17)) == value
     assert Surd.of(0.1).decimal(20) == "0.10000000000000000555"
-    with pytest.raises(ValueError, match="digits"):
-        Surd.of(0.5).decimal(0)
 
 
 def test_ulp_is_that_of_the_exact_number():
@@ -209,14 +206,13 @@ def test_ulp_is_that_of_the_exact_number():
         parts = any_parts(source)
         surd = Surd(*parts)
         exponent = surd.ulp_exponent()
-        assert surd.ulp() == Fraction(2) ** exponent
         low = Fraction(2) ** (exponent + 52)
         assert abs(surd) < 2 * low
         assert exponent >= -1074
         assert exponent == -1074 or abs(surd) >= low
-    assert Surd(0).ulp() == Fraction(1, 2**1074)
-    assert Surd(1, 0, 0, 2**1080).ulp() == Surd(-1, 0, 0, 2**1074).ulp() == Fraction(1, 2**1074)
+    for small in (Surd(0), Surd(1, 0, 0, 2**1080), Surd(-1, 0, 0, 2**1074)):
+        assert small.ulp_exponent() == -1074
     just_below_two = Surd(0, 1, 4 * 10**40 - 1, 10**20)
     assert float(just_below_two) == 2.0
-    assert just_below_two.ulp() == Fraction(1, 2**52)
-    assert Surd(2).ulp() == Fraction(1, 2**51)
+    assert just_below_two.ulp_exponent() == -52
+    assert Surd(2).ulp_exponent() == -51

@@ -15,8 +15,10 @@ from hypothesis import strategies as st
 from judge.errors import ProblemError
 from judge.exact import Surd
 from judge.geometry import Line
-from judge.values import Accepted, Real, Rejection, Tolerance, check, lines, parse
-from judge.values.answers import accepted_doubles, exact_ends
+from judge.values import check
+from judge.values.answers import Real, Tolerance, accepted_doubles, exact_ends
+from judge.values.check import Accepted, Rejection
+from judge.values.grammar import parse
 
 POINTS = Tolerance(extent=Fraction(1, 10**9), ulps=Fraction(4))
 RELATIVE = Tolerance(relative=Fraction(1, 10**9), zero=Fraction(1, 10**12))
@@ -37,7 +39,7 @@ def accepts(answer, tolerance, raw) -> bool:
 
 
 def accepts_text(answer, tolerance, line) -> bool:
-    outcome = lines.check_line(REAL, line, check.target(REAL, answer, tolerance), ask(answer, tolerance))
+    outcome = check.check_line(REAL, line, check.target(REAL, answer, tolerance), ask(answer, tolerance))
     return isinstance(outcome, Accepted)
 
 
@@ -47,7 +49,7 @@ def fraction_json(value: Fraction):
 
 def half_width(x: Fraction, tolerance: Tolerance, unit: Fraction) -> Fraction:
     """The tolerance's definition, in Fractions, for a rational x."""
-    slack = tolerance.ulps * Surd.of(x).ulp()
+    slack = tolerance.ulps * Fraction(2) ** Surd.of(x).ulp_exponent()
     if x == 0:
         return max(tolerance.extent, tolerance.zero) * unit + slack
     return max(tolerance.extent * unit, tolerance.relative * abs(x)) + slack
@@ -127,7 +129,7 @@ def test_fractions_around_the_boundary_of_an_irrational_answer():
                 assert accepts(answer, tolerance, fraction_json(near - side * step))
                 assert not accepts(answer, tolerance, fraction_json(near + side * step))
                 distance = abs((flint.arb(x.p) + x.q * flint.arb(x.d).sqrt()) / x.s - flint_of(near))
-                widest = flint_of(Fraction(x.ulp())) * flint_of(tolerance.ulps) + max_of(
+                widest = flint_of(Fraction(2) ** x.ulp_exponent()) * flint_of(tolerance.ulps) + max_of(
                     flint_of(tolerance.extent * Fraction(unit.p, unit.s)),
                     flint_of(tolerance.relative) * abs((flint.arb(x.p) + x.q * flint.arb(x.d).sqrt()) / x.s),
                 )

@@ -40,7 +40,7 @@ from judge.cli import main
 from judge.cli.app import app
 from judge.cli.emit import schema_of
 from judge.cli.table import OLD
-from judge.judging.isolation import keep_level
+from judge.judging.containment import keep_level
 from judge.sandbox import levels
 from transcripts.steady import steadied
 

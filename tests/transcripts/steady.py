@@ -16,8 +16,7 @@ from unittest.mock import patch
 
 from msgspec.structs import replace
 
-from judge.judging.containment import Containment
-from judge.judging.job import version_of
+from judge.judging.api import version_of
 from judge.judging.session import Session
 from judge.problem import Verdict
 from judge.run.result import Growth, Ratio, Result
@@ -70,7 +69,7 @@ def _grown(growth: Growth) -> Growth:
 @contextmanager
 def steadied(folder: Path) -> Iterator[None]:
     """Within, each submission is judged once by a session, its steady result kept in `folder`."""
-    judge, boot, folder = Session.judge, Containment.boot, folder / "results"
+    judge, boot, folder = Session.judge, Session.boot, folder / "results"
     folder.mkdir(parents=True, exist_ok=True)
     versions: dict[Path, str] = {}
 
@@ -84,7 +83,7 @@ def steadied(folder: Path) -> Iterator[None]:
         if path.exists():
             result: Result = pickle.loads(path.read_bytes())
         else:
-            boot(session.containment, source, name)
+            boot(session, source, name)
             result = steady(judge(session, source, name))
             new = path.with_suffix(f".{id(result)}")
             new.write_bytes(pickle.dumps(result))
@@ -93,6 +92,6 @@ def steadied(folder: Path) -> Iterator[None]:
 
     with (
         patch.object(Session, "judge", judged),
-        patch.object(Containment, "boot", lambda *_: None),
+        patch.object(Session, "boot", lambda *_: None),
     ):
         yield

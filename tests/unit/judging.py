@@ -5,10 +5,11 @@ from __future__ import annotations
 from fractions import Fraction
 from pathlib import Path
 
-from judge.data.model import GroupData, ProblemData
+from judge.data.load import GroupData, ProblemData
 from judge.problem import Group, GroupLimits, Parameter, Problem, Tier, Tolerance
-from judge.run import run_submission
-from judge.values import Words, parse
+from judge.run import judge_submission
+from judge.values.answers import Words
+from judge.values.grammar import parse
 
 LIMITS = GroupLimits(cpu_seconds=2.0, wall_seconds=10.0, memory_mb=256, output_mb=1)
 CASES = [(1, (0, 0)), (0, (0.5, 0.5)), (2, (-1, 1)), (0, (0, 0))]
@@ -64,4 +65,4 @@ def make_parameter_data(values):
 def judged(source, data=None, **options):
     data = data or make_data("one")
     source = source.encode() if isinstance(source, str) else source
-    return run_submission(data.problem, data, source, "my.py", **options)
+    return judge_submission(data, source, "my.py", **options).result

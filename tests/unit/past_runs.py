@@ -6,7 +6,7 @@ from datetime import UTC, datetime
 
 from msgspec.structs import replace
 
-from judge.kata.history import run_of
+from judge.practice.history import run_of
 from judge.problem import Verdict
 from judge.run.result import Failure, GroupResult, Pitfall, Ratio, Result, Timing, earned
 

@@ -8,7 +8,10 @@ from typing import Any
 import pytest
 
 from judge.exact import Surd
-from judge.values import Accepted, Real, Rejection, Tolerance, Words, check, lines, parse, show, vector
+from judge.values import check, show
+from judge.values.answers import Real, Tolerance, Words, vector
+from judge.values.check import Accepted, Rejection
+from judge.values.grammar import parse
 
 TOLERANCE = Tolerance(relative=Fraction(1, 10**9), zero=Fraction(1, 10**12), ulps=Fraction(1))
 TWO = ("points", [vector((1, 1), 2), vector((3, 1), 2)])
@@ -30,7 +33,7 @@ def parameter(t, unit=1):
 def judge(line, answer):
     text, exact = answer
     type_ = parse(text, words=WORDS.get(text, Words()))
-    return lines.check_line(type_, line, check.target(type_, exact, TOLERANCE), lambda: (exact, TOLERANCE))
+    return check.check_line(type_, line, check.target(type_, exact, TOLERANCE), lambda: (exact, TOLERANCE))
 
 
 def render(answer):
@@ -109,7 +112,7 @@ def test_decimals_are_decided_as_written_not_as_doubles():
     target = check.target(type_, answer, exact)
 
     def accepted(line):
-        return isinstance(lines.check_line(type_, line, target, lambda: (answer, exact)), Accepted)
+        return isinstance(check.check_line(type_, line, target, lambda: (answer, exact)), Accepted)
 
     edge = "2.0000000000000004440892098500626161694526672363281250"
     assert Fraction(edge) == 2 + Fraction(1, 2**51)

@@ -15,7 +15,7 @@ from pathlib import Path
 
 import pytest
 
-from judge.atomic import new_file, replace_file, sweep
+from judge.files import new_file, replace_file, sweep
 
 ROOT = Path(__file__).parents[2]
 LEFT = ".judge-0123456789abcdef.tmp"
@@ -35,11 +35,11 @@ def left(tmp_path):
 KILLED = """
 import fcntl, os, signal, sys
 from pathlib import Path
-from judge import atomic
+from judge import files
 def die(*_, **__):
     os.kill(os.getpid(), signal.SIGKILL)
 setattr(*{where}, die)
-atomic.{write}(Path(sys.argv[1]), b"new" * 1000)
+files.{write}(Path(sys.argv[1]), b"new" * 1000)
 """
 
 

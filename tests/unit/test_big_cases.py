@@ -14,13 +14,12 @@ from sandboxed import call, limits
 
 from judge.cli.app import app
 from judge.cli.emit import schema_of
-from judge.data import load_data
-from judge.data.load import _from_plain
+from judge.data.load import ProblemData, _from_plain, load_data
 from judge.errors import ProblemError
 from judge.problem import Verdict
 from judge.problem.load import load_problem
 from judge.problem.model import MOST_INPUT_MB
-from judge.run import run_submission
+from judge.run import judge_submission
 from judge.sandbox.inside import wire
 
 pytestmark = pytest.mark.slow
@@ -45,7 +44,8 @@ def signs():
 
 def judged(data, solution, problem=None):
     path = PACK / "solutions" / data.problem.id / solution
-    return run_submission(problem or data.problem, data, path.read_bytes(), path.name)
+    data = ProblemData(problem or data.problem, data.groups)
+    return judge_submission(data, path.read_bytes(), path.name).result
 
 
 def changed(tmp_path, *changes, name="inversions", file="problem.toml"):
@@ -140,7 +140,7 @@ def test_a_container_has_room_for_as_much_input_as_a_problem_may_have():
 def test_a_big_case_that_fails_is_not_shown(signs):
     many = signs.groups[2].group
     path = PACK / "solutions" / "signs" / "wrong" / "no-zero.py"
-    result = run_submission(signs.problem, signs, path.read_bytes(), path.name, groups=[many.name])
+    result = judge_submission(signs, path.read_bytes(), path.name, groups=[many.name]).result
     assert (result.failure.group, result.failure.case, result.failure.input) == ("many", 1, None)
     assert re.fullmatch(r"item \d+: 0 wanted, 1 given", result.failure.message)
     assert len(json.dumps(result.as_json())) < 3_000

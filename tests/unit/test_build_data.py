@@ -10,17 +10,17 @@ from pathlib import Path
 
 import pytest
 from broken_problems import FAULTS, broken
+from msgspec.structs import replace
 
-from judge.data import load_data
-from judge.data.model import reseeded
+from judge.data.build import choices_of, draw_cases, validate
+from judge.data.load import load_data, reseeded
 from judge.data.pins import differences, hash_of, pins_of, read_pins, write_pins
-from judge.data.validate import Validator, prove
 from judge.errors import ExitCode, ProblemError
 from judge.problem import Parameter
 from judge.problem.declare import InvalidCase
 from judge.problem.load import load_problem
-from judge.problem.module import load_module
-from judge.values import parse
+from judge.problem.module import Module, load_module
+from judge.values.grammar import parse
 
 SOUND = Path(__file__).parent.parent / "fixtures" / "problems" / "root-count"
 
@@ -97,8 +97,7 @@ class Problem:
 
 
 def test_a_valid_case_has_no_fault():
-    validator = Validator(Problem, lambda *case: 7)
-    assert validator.proof((5.5, -5, (0, -0.0), (1, 2))) == (None, 7)
+    assert validate(Problem, Module(lambda *case: 7), (5.5, -5, (0, -0.0), (1, 2))) == 7
 
 
 @pytest.mark.parametrize(
@@ -116,25 +115,52 @@ def test_a_valid_case_has_no_fault():
         ((1, 1, (1, 1), (1, 1.5)), "p3 has the float 1.5 where an int is meant"),
         ((5.500000000000001, 1, (1, 1), (1, 1)), "p0 has 5.500000000000001, outside -5 to 11/2"),
         ((1, 1, (1, -6), (1, 1)), "p2 has -6, outside -5 to 11/2"),
-        ((1, 3, (1, 1), (1, 1)), "three"),
+        ((1, 3, (1, 1), (1, 1)), "There are three"),
     ],
 )
 def test_an_invalid_case_is_named(case, fault):
     def solve(*case):
-        if case[1] == 3:
-            raise InvalidCase("three")
-        return 7
+        assert case[1] == 3  # it never sees what is out of bounds
+        raise InvalidCase("There are three.")
 
-    validator = Validator(Problem, solve)
-    assert validator.proof(case) == (fault, None)
+    with pytest.raises(InvalidCase) as refused:
+        validate(Problem, Module(solve), case)
+    assert str(refused.value) == fault
 
 
-def test_proving_stops_at_the_first_bad_case():
+def drawing(*options, count):
+    """A problem of one number, a group whose cases are drawn from these, and what problem.py would define."""
     problem = load_problem(SOUND)
-    validator = Validator(problem, load_module(problem).solve)
-    prove(validator, "small", [(1,), (9,)], "root-count/problem.py")
-    with pytest.raises(ProblemError, match="case 2 of group 'small' is invalid: c has 10, outside -9 to 9"):
-        prove(validator, "small", [(1,), (10,), (11,)], "root-count/problem.py")
+    (c,) = problem.parameters
+    group = replace(problem.groups[1], count=count)
+    problem = replace(problem, parameters=(replace(c, type=parse("number")),), groups=(group,))
+    return problem, Module(lambda c: 7, {group.name: lambda draw: (draw.choice(options),)}), group
+
+
+def test_an_int_and_the_float_that_equals_it_are_one_case_of_a_group_and_two_to_look_for():
+    problem, module, group = drawing(1, 1.0, 2, count=2)
+    (one, *_), (two, *_) = draw_cases(problem, module, group)
+    assert {*one, *two} == {1, 2}
+    with pytest.raises(ProblemError, match="1000 attempts, 1000 of them already in the group"):
+        draw_cases(problem, module, replace(group, count=3))
+    draw = module.draws[group.name]
+    assert choices_of(group, draw, 0, (1,)) == (0,)
+    assert choices_of(group, draw, 0, (1.0,)) == (1,)
+    assert choices_of(group, draw, 0, (3,)) is None
+
+
+@pytest.mark.parametrize(
+    ("value", "told"),
+    [
+        (10, "draws a case out of bounds: c has 10, outside -9 to 9"),
+        ("1", "its draw gives no case: c has '1'"),
+    ],
+)
+def test_solve_never_sees_what_is_no_case(value, told):
+    problem, module, group = drawing(value, count=1)
+    unsolved = Module(lambda c: pytest.fail("it was asked"), module.draws)
+    with pytest.raises(ProblemError, match=told):
+        draw_cases(problem, unsolved, group)
 
 
 def test_two_problems_of_one_name_keep_their_own_code(copy):

@@ -11,9 +11,9 @@ from math import sqrt
 import pytest
 
 from judge.errors import ProblemError
-from judge.kata.quiz.cards import FORMS, Card, WrongOption, all_cards
-from judge.kata.quiz.questions import Sources, ask
-from judge.kata.quiz.typed import MistypedError, count, number, option, sequence
+from judge.practice.quiz.cards import FORMS, Card, WrongOption, all_cards
+from judge.practice.quiz.questions import Sources, ask
+from judge.practice.quiz.typed import MistypedError, count, number, option, sequence
 
 NUMBERS = re.compile(r"-?\d+")
 

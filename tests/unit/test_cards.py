@@ -9,10 +9,10 @@ import pytest
 from jsonschema import Draft202012Validator
 
 from judge.errors import ProblemError, UsageError
-from judge.kata.checklist import read_checklist
-from judge.kata.progress import Kind, assess
-from judge.kata.quiz.cards import all_cards, cards_of, read_decks
 from judge.mistakes.puzzles import read_puzzles
+from judge.practice.checklist import read_checklist
+from judge.practice.progress import Kind, assess
+from judge.practice.quiz.cards import all_cards, cards_of, read_decks
 from judge.problem.find import all_problems, find_problem
 from judge.schema import schema_of_file
 

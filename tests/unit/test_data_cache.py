@@ -16,9 +16,9 @@ from pathlib import Path
 import platformdirs
 import pytest
 
-from judge.data import load_data
+from judge.data.load import load_data
 from judge.data.pins import hash_of
-from judge.folders import cache_folder, user_data
+from judge.files import cache_folder, user_data
 from judge.kept import KeptFile
 from judge.problem.load import load_problem
 
@@ -177,7 +177,7 @@ def test_many_writers_and_readers_at_once(folder):
 def test_a_warm_start_imports_nothing_of_the_exact_side(folder):
     program = (
         "import sys\n"
-        "from judge.data import load_data\n"
+        "from judge.data.load import load_data\n"
         "from judge.problem.find import find_problem\n"
         "load_data(find_problem('crossings'))\n"
         "print(*sys.modules)"
@@ -222,6 +222,6 @@ def test_the_persons_folders_are_as_platformdirs_has_them(system, home, monkeypa
         monkeypatch.delenv(name, raising=False)
     for name, value in home.items():
         monkeypatch.setenv(name, value)
-    monkeypatch.setattr("judge.folders.sys.platform", system)
+    monkeypatch.setattr("judge.files.sys.platform", system)
     assert cache_folder() == platformdirs.user_cache_path("circle-line-judge", appauthor=False)
     assert user_data() == platformdirs.user_data_path("circle-line-judge", appauthor=False)

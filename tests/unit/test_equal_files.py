@@ -7,7 +7,7 @@ import pytest
 from judge.batch.equal import LEAST, equal_files
 from judge.batch.model import Handin
 from judge.batch.normal import normal_form
-from judge.kata.stub import make_stub
+from judge.practice.stub import make_stub
 from judge.problem.find import find_problem
 
 ONE = b'''"""My own."""

@@ -23,9 +23,8 @@ from executed import work
 from sampling import nightly
 
 from judge.errors import ShortageError, UsageError
-from judge.judging import processes
-from judge.judging.executors import ATTEMPTS, Here, results
-from judge.judging.processes import Processes
+from judge.judging import pool
+from judge.judging.pool import ATTEMPTS, Here, Processes, in_order
 
 pytestmark = pytest.mark.slow
 
@@ -83,25 +82,25 @@ def test_each_item_once_with_its_place(executor, place, tmp_path):
     first = "well" if place == "here" else "held"
     given = items(tmp_path, first, *["well"] * 5)
     found = []
-    for each in executor.finished(work, given, lost):
+    for each in executor.run(work, given, lost):
         found.append(each)
         (tmp_path / "release").touch()  # what the first item waits for, unless it is done here
     assert sorted(found) == [(at, f"N{at}") for at in range(6)]
     assert (found[0][0] == 0) == (place == "here")
-    assert list(executor.finished(work, [], lost)) == []
+    assert list(executor.run(work, [], lost)) == []
 
 
 def test_killed_workers_lose_nothing(executor, tmp_path):
     # No other item kills: an item dies by itself only once, and by its neighbour, and is alone then.
     given = items(tmp_path, "well", "once", "well", "faulty", "once", "well")
-    found = dict(executor.finished(work, given, lost))
+    found = dict(executor.run(work, given, lost))
     assert sorted(found) == list(range(6))
     assert [found[at] for at in (0, 1, 2, 4, 5)] == ["N0", "N1", "N2", "N4", "N5"]
     assert found[3] == f"lost n3: it was lost {ATTEMPTS} times: internal fault: ArithmeticError('n3')"
 
 
 def test_what_kills_every_worker_costs_itself_alone(executor, place, tmp_path):
-    found = dict(executor.finished(work, items(tmp_path, "well", "always", "well", "well"), lost))
+    found = dict(executor.run(work, items(tmp_path, "well", "always", "well", "well"), lost))
     assert [found.pop(at) for at in (0, 2, 3)] == ["N0", "N2", "N3"]
     (told,) = found.values()
     assert told.startswith("lost n1: ")
@@ -109,31 +108,45 @@ def test_what_kills_every_worker_costs_itself_alone(executor, place, tmp_path):
     assert place != "cluster" or told == "lost n1: the machine died 3 times"
 
 
-def test_results_come_in_order_until_what_the_caller_has_done_wrong_ends_the_work(executor, place, tmp_path):
-    before = [] if place == "cluster" else ["well"] * 2  # there it costs every worker that says so, for good
-    found = results(executor, work, items(tmp_path, *before, "usage", "well"), lost)
-    assert [next(found) for _ in before] == ["N0", "N1"][: len(before)]
-    with pytest.raises(UsageError, match="cannot be had here"):
-        next(found)
+def test_results_come_in_order_and_what_the_caller_has_done_wrong_ends_the_work(executor, tmp_path):
+    found = list(in_order(executor, work, items(tmp_path, *["well"] * 5), lost))
+    assert found == [f"N{at}" for at in range(5)]
+    with pytest.raises(UsageError, match="cannot be had here"):  # on a cluster it costs every worker
+        list(in_order(executor, work, items(tmp_path, "usage", "well"), lost))
 
 
 def test_who_takes_the_last_result_and_no_more_leaves_no_worker_behind(tmp_path):
     before = set(threading.enumerate())
-    found = Processes(1).finished(work, items(tmp_path, "well"), lost)
+    found = Processes(1).run(work, items(tmp_path, "well"), lost)
     assert next(found) == (0, "N0")
     found.close()
     assert set(threading.enumerate()) == before  # a pool that still ends can fail where the interpreter does
     assert multiprocessing.active_children() == []
 
 
+def test_ctrl_c_waits_while_a_worker_is_started(tmp_path, monkeypatch):
+    started, start = [], pool.SpawnProcess.start
+
+    def interrupted(process):
+        signal.pthread_kill(threading.get_ident(), signal.SIGINT)  # no other thread of a test's may take it
+        start(process)
+        started.append(process.pid)
+
+    monkeypatch.setattr(pool.SpawnProcess, "start", interrupted)
+    with pytest.raises(KeyboardInterrupt):
+        list(Processes(1).run(work, items(tmp_path, "well"), lost))
+    assert len(started) == 1
+    assert multiprocessing.active_children() == []
+
+
 _PARENT = """
 import sys
 from executed import work
-from judge.judging.processes import Processes
+from judge.judging.pool import Processes
 
 if __name__ == "__main__":
     given = [f"{sys.argv[1]} {what} n{at}" for at, what in enumerate(["well", "forever", "forever"])]
-    for found in Processes(2).finished(work, given, lambda item, why: why):
+    for found in Processes(2).run(work, given, lambda item, why: why):
         print(found, flush=True)
 """
 
@@ -148,7 +161,7 @@ def parent(folder):
     command = [sys.executable, str(script), str(done)]
     found = subprocess.Popen(
         command,
-        env=os.environ | {"PYTHONPATH": str(TESTS)},
+        env=os.environ | {"PYTHONPATH": os.pathsep.join(map(str, (TESTS, TESTS.parent)))},
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
         start_new_session=True,
@@ -199,10 +212,9 @@ def test_workers_end_with_who_gave_them_work(how, tmp_path):
 
 
 def test_where_no_process_can_be_started_that_is_one_line(tmp_path, monkeypatch):
-    class Full:
-        def __init__(self, *_):
-            raise BlockingIOError(11, "Resource temporarily unavailable")
+    def full(_process):
+        raise BlockingIOError(11, "Resource temporarily unavailable")
 
-    monkeypatch.setattr(processes, "ProcessPoolExecutor", Full)
+    monkeypatch.setattr(pool.SpawnProcess, "start", full)
     with pytest.raises(ShortageError, match="no further process"):
-        list(Processes(2).finished(work, items(tmp_path, "well", "well"), lost))
+        list(Processes(2).run(work, items(tmp_path, "well", "well"), lost))

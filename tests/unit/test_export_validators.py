@@ -17,13 +17,16 @@ from export_edges import VALIDATOR, lines, theirs
 import judge.packs.export as export
 from judge.exact import Surd
 from judge.packs.export.forms import accepted_form, answer_form
-from judge.values import Accepted, AnyOf, Real, Run, Tolerance, check, parse, show, vector
-from judge.values.lines import check_line
+from judge.values import check, show
+from judge.values.answers import AnyOf, Real, Tolerance, vector
+from judge.values.check import Accepted, check_line
+from judge.values.grammar import parse
 
 FOLDER = Path(export.__file__).parent / "validators"
 ROOT2 = Surd(0, 1, 2)
 NARROW = Tolerance(ulps=Fraction(1))
 WIDE = Tolerance(extent=Fraction(1, 10**9), relative=Fraction(1, 10**9), zero=Fraction(1, 10**12))
+OUT, IN = (Real(1), 3, "out"), (Real(1), 5, "in")
 ANSWERS = [  # of every kind, alone and within others
     ("int", 7),
     ("int?", None),
@@ -38,7 +41,7 @@ ANSWERS = [  # of every kind, alone and within others
     ("[vec2; 0..2]?", [vector((ROOT2, 1)), vector((-1, Fraction(1, 7)))]),
     ("[vec2; 0..2]", []),
     ("[int]", [0, 5, 5, 12]),
-    ("[(real, int, word(in|out))]", [Run([(Real(1), 3, "out"), (Real(1), 5, "in")]), (Real(2), 3, "out")]),
+    ("[(real, int, word(in|out))]", AnyOf([[OUT, IN], [IN, OUT]])),
     ("[(int, real)?; 0..4]", [AnyOf([(1, Real(2)), (2, Real(2))]), None]),
     ("int?", AnyOf([None, 4])),
     ("[[int; 0..2]; 0..3]", [[1], [], [2, 3]]),

@@ -7,7 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from judge.data.fresh import Fresh
+from judge.data.build import Fresh
+from judge.data.draw import Draw
 from judge.errors import ProblemError, UsageError
 from judge.problem.find import find_problem
 from judge.problem.load import load_problem
@@ -24,7 +25,7 @@ def fresh(name, seed=1, groups=None):
 
 
 def cases(source, series):
-    return [(each.round, each.data.group.name, each.data.cases) for each in islice(source.series(), series)]
+    return [(each.group.name, each.cases) for each in islice(source.series(), series)]
 
 
 def test_the_groups_take_turns_and_every_round_is_new():
@@ -32,8 +33,20 @@ def test_the_groups_take_turns_and_every_round_is_new():
     found = cases(fresh("count"), 2 * len(names))
     assert found[:3] == cases(fresh("count"), 3)
     assert found[:1] != cases(fresh("count", 6), 1)
-    assert [(number, name) for number, name, _ in found] == [(n, name) for n in (1, 2) for name in names]
-    assert found[1][2] != found[1 + len(names)][2]
+    assert [name for name, _ in found] == 2 * names
+    assert found[1][1] != found[1 + len(names)][1]
+
+
+def test_the_choices_that_made_a_fresh_case_make_it_again():
+    source = fresh("count", groups=["grid"])
+    series = next(source.series())
+    again = source.module.draws["grid"](Draw(replayed(series.choices[-1])))
+    assert repr(again) == repr(series.cases[-1])
+
+
+def replayed(choices):
+    given = iter(choices)
+    return lambda low, high: next(given)
 
 
 def test_the_examples_have_no_fresh_ones():

@@ -6,14 +6,14 @@ from fractions import Fraction
 
 import pytest
 
-from judge.data.draw import SeededDraw
+from judge.data.draw import Draw, seeded
 from judge.geometry.scenes import equations, signs
 
 
 def drawn(scene, count=80):
     """What the scene draws from that many seeds."""
     tried = signs.tried(scene, 400)
-    found = [tried(SeededDraw(f"equations/{seed}")) for seed in range(count)]
+    found = [tried(Draw(seeded(f"equations/{seed}"))) for seed in range(count)]
     assert all(int(float(x)) == x for case in found for x in case if isinstance(x, int))
     return [tuple(map(Fraction, case)) for case in found]
 

@@ -6,7 +6,7 @@ import re
 
 import pytest
 
-from judge.data.draw import SeededDraw
+from judge.data.draw import Draw, seeded
 from judge.drawing.shapes import Role
 from judge.problem.declare import Shown
 from judge.problem.find import find_problem
@@ -130,7 +130,7 @@ def test_a_quiz_figure_has_the_answer_that_a_plain_program_finds(kata, form):
     module = load_module(find_problem(kata))
     seen = set()
     for seed in range(60):
-        made = module.hooks.puzzle(form, SeededDraw(f"quiz {seed}"), module.solve)
+        made = module.hooks.puzzle(form, Draw(seeded(f"quiz {seed}")), module.solve)
         *_, way = made.given
         x, y, u, v = map(int, re.findall(r"-?\d+", way))
         line = kata == "line-points"
@@ -140,4 +140,4 @@ def test_a_quiz_figure_has_the_answer_that_a_plain_program_finds(kata, form):
         assert made.answer == right, made.given
         seen.add(right)
     assert len(seen) >= 4
-    assert module.hooks.puzzle("no such form", SeededDraw("quiz"), module.solve) is None
+    assert module.hooks.puzzle("no such form", Draw(seeded("quiz")), module.solve) is None

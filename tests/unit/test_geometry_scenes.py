@@ -6,7 +6,7 @@ from fractions import Fraction
 
 import pytest
 
-from judge.data.draw import Rejected, SeededDraw
+from judge.data.draw import Draw, Rejected, seeded
 from judge.errors import ProblemError
 from judge.geometry import Line, Pair, Sphere
 from judge.geometry.crowd import Crowd
@@ -54,7 +54,7 @@ def drawn(scene, cases=40):
         seed += 1
         assert seed < 6 * cases, "most draws are given up"
         try:
-            found.append(scene(SeededDraw(str(seed))))
+            found.append(scene(Draw(seeded(str(seed)))))
         except Rejected:
             continue
     return found
@@ -133,13 +133,13 @@ def test_telling_keeps_the_cases_on_which_a_plain_program_fails():
     scene = telling(lines("touch foot after", **DECIMALS), exact, never)
     assert all(exact(*case) is not None for case in drawn(scene, 10))
     with pytest.raises(Rejected):
-        telling(grid("nn", 3), never, never)(SeededDraw("1"))
+        telling(grid("nn", 3), never, never)(Draw(seeded("1")))
 
 
 def test_the_same_choices_give_the_same_case_and_either_takes_one():
     scene = either(lines("cut before after", **PLAIN), closed_up("touch by", "miss by"))
-    assert scene(SeededDraw("7")) == scene(SeededDraw("7"))
-    assert len({repr(scene(SeededDraw(str(seed)))) for seed in range(30)}) > 20
+    assert scene(Draw(seeded("7"))) == scene(Draw(seeded("7")))
+    assert len({repr(scene(Draw(seeded(str(seed))))) for seed in range(30)}) > 20
 
 
 def test_points_that_are_close_together_are_two_and_their_line_is_exact():

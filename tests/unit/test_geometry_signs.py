@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from judge.data.draw import Rejected, SeededDraw
+from judge.data.draw import Draw, Rejected, seeded
 from judge.geometry import whole
 from judge.geometry.scenes import signs
 
@@ -16,7 +16,7 @@ def drawn(scene, count=120):
     found = []
     for seed in range(count):
         try:
-            found.append(scene(SeededDraw(f"signs/{seed}")))
+            found.append(scene(Draw(seeded(f"signs/{seed}"))))
         except Rejected:
             continue
     assert len(found) > count // 5

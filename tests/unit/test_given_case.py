@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import pytest
 
-from judge.data.given import line_of, read_case
+from judge.data.parse import line_of, read_case
 from judge.errors import UsageError
 from judge.problem.find import find_problem
 
@@ -22,6 +22,11 @@ def test_the_line_of_a_case_is_that_case_with_its_types(count, case):
     assert repr(read_case(count, line_of(count, case))) == repr(case)
 
 
+def test_numbers_may_be_sums_products_and_powers(count):
+    text = "2**0.5, 1e8 + 1e-7, -(3 - 1) / 4, (2**100, +7), B=[0, 5 * 2]"
+    assert read_case(count, text) == (2**0.5, 1e8 + 1e-7, -0.5, (2**100, 7), (0, 10))
+
+
 @pytest.mark.parametrize(
     ("text", "told"),
     [
@@ -31,6 +36,13 @@ def test_the_line_of_a_case_is_that_case_with_its_types(count, case):
         ("1" * 5000 + ", 0, 1, (0, 0), (1, 1)", "this is not Python"),
         ("1" * 5000 + " 0 1 0 0 1 1", "is not a value of cx"),
         ("0if 1else 2, 2, 3, 4, '\\d'", "is not a plain value"),  # of which Python would warn
+        ("2**4001, 0, 1, (0, 0), (1, 1)", "cx: a power is too large"),
+        ("9**9**9**9, 0, 1, (0, 0), (1, 1)", "cx: a power is too large"),
+        ("(-8)**0.5, 0, 1, (0, 0), (1, 1)", "cx: a number is not finite or not real"),
+        ("1e308 * 10, 0, 1, (0, 0), (1, 1)", "cx: a number is not finite or not real"),
+        ("1 / 0, 0, 1, (0, 0), (1, 1)", "cx: division by zero"),
+        ("exit(7), 0, 1, (0, 0), (1, 1)", "cx: 'exit(7)' is not a plain value"),
+        ("'a' * 10**9, 0, 1, (0, 0), (1, 1)", "cx: \"'a'\" is not a number"),
     ],
 )
 def test_a_text_made_to_be_odd_is_told_in_a_line(count, text, told):

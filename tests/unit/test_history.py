@@ -21,9 +21,9 @@ from past_runs import START, keep, past_result
 from sampling import nightly
 
 from judge import database
-from judge.errors import HistoryError, UsageError
-from judge.kata.events import Answer, Hack, Help, Outcome, Rating, Run, Started
-from judge.kata.history import APPLICATION, STEPS, History, run_of
+from judge.errors import StoreError, UsageError
+from judge.practice.events import Answer, Hack, Help, Outcome, Rating, Run, Started
+from judge.practice.history import APPLICATION, STEPS, History, run_of
 from judge.problem import Verdict
 from judge.run.result import Mode, judge_fault
 
@@ -61,7 +61,7 @@ def damaged(path, share):
 
 
 def refusal(path, *, reading=False):
-    with pytest.raises(HistoryError) as caught, History.open(path, reading=reading):
+    with pytest.raises(StoreError) as caught, History.open(path, reading=reading):
         pass
     assert "\n" not in str(caught.value)
     assert str(path) in str(caught.value)
@@ -72,8 +72,8 @@ PRELUDE = """
 import sys, time
 from pathlib import Path
 from past_runs import keep, past_result
-from judge.kata.events import Help
-from judge.kata.history import History
+from judge.practice.events import Help
+from judge.practice.history import History
 """
 
 
@@ -259,12 +259,12 @@ def test_another_programs_damaged_file_a_folder_or_a_file_in_its_way(tmp_path):
     path = tmp_path / "theirs.db"
     changed(path, "CREATE TABLE theirs (id INTEGER)")
     before = damaged(path, 0.02)
-    with pytest.raises(HistoryError), History.open(path) as history:
+    with pytest.raises(StoreError), History.open(path) as history:
         history.runs()
     assert (path.read_bytes(), list(tmp_path.iterdir())) == (before, [path])
     assert "--db" in refusal(tmp_path)
     assert "--db" in refusal(path / "history.sqlite3")
-    with pytest.raises(HistoryError, match="no name for a file"):
+    with pytest.raises(StoreError, match="no name for a file"):
         History.open(Path("a\0b"))
 
 
@@ -335,7 +335,7 @@ def test_one_damaged_row_is_one_row(table, change, own_history):
         assert counts(history) == [2 if name == table else 3 for name in DAMAGE]
         assert history.left_out == {(table, 2)}
         if table == "runs":
-            with pytest.raises(HistoryError, match="run 2 is damaged"):
+            with pytest.raises(StoreError, match="run 2 is damaged"):
                 history.run(2)
         assert history.source(3) == b"2"
 
@@ -457,7 +457,7 @@ def test_a_locked_history_is_waited_for_then_said(own_history, monkeypatch):
         connection.execute("BEGIN IMMEDIATE")
         with History.open() as history:
             assert counts(history) == [3, 3, 3, 3, 3]  # a reader waits for nobody
-            with pytest.raises(HistoryError, match="another program is writing to it; try again"):
+            with pytest.raises(StoreError, match="another program is writing to it; try again"):
                 keep(history, past_result())
             connection.execute("ROLLBACK")
             assert keep(history, past_result()) == 4
@@ -469,7 +469,7 @@ def test_a_full_disk_costs_the_run_and_nothing_else(own_history):
     with History.open() as history:
         ((pages,),) = history._connection.execute("PRAGMA page_count").fetchall()
         history._connection.execute(f"PRAGMA max_page_count = {pages}")
-        with pytest.raises(HistoryError, match="the disk is full; make room"):
+        with pytest.raises(StoreError, match="the disk is full; make room"):
             keep(history, past_result(), os.urandom(100_000))
         assert len(history.runs()) == 3
         history._connection.execute("PRAGMA max_page_count = 1000000")

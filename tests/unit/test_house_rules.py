@@ -27,9 +27,9 @@ MOST_LINES = 400
 MOST_PARAMETERS = 6
 # A room knows only those that stand after it.
 ROOMS = [
-    *("cli", "batch", "judging", "report", "kata", "geometry", "packs", "mistakes", "diagnose"),
+    *("cli", "batch", "judging", "report", "practice", "geometry", "packs", "mistakes", "diagnose"),
     *("run", "data", "problem", "drawing", "manual", "languages", "values", "exact", "database", "kept"),
-    *("atomic", "digest", "reading", "folders", "errors"),
+    *("digest", "files", "errors"),
 ]
 
 

@@ -17,7 +17,7 @@ from past_runs import START, keep, past_result
 
 from judge.batch.model import Student
 from judge.batch.representatives import representatives
-from judge.kata.history import History
+from judge.practice.history import History
 from judge.problem.find import find_problem
 from judge.report.html import is_page
 from judge.report.html.klass import CLASS_MARK, FEEDBACK_MARK, class_page, feedback_pages

@@ -9,6 +9,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from judge.judging.inprocess import InProcess
+from judge.sandbox.boundary import Limits, Stop
 from judge.testing import judge_problem
 
 PACK = Path(__file__).parents[1] / "fixtures" / "pack" / "problems"
@@ -98,3 +100,34 @@ def test_the_judge_does_not_compare_in_the_state_that_a_routine_leaves(middle):
         return (a + b) / 2
 
     middle.check(routine)
+
+
+LIMITS = Limits(1.0, 1.0, 1 << 28, 1 << 20)
+
+
+def test_a_box_in_this_process_is_a_whole_one():
+    source = b"import random\nrandom.seed(7)\nasked = []\ndef f(x):\n    asked.append(x)\n    return 1 // x\n"
+    box, before, told = InProcess(source, "f.py"), random.getstate(), []
+    assert box.inspect().defines("f")
+    assert [each.name for each in box.inspect().functions] == ["f"]
+    first, second = box.call_series("f", [[(1,), (0,)], [(2,)]], LIMITS, lambda: told.append(1))
+    assert [reply.stop for reply in first.replies] == [Stop.ANSWERED, Stop.EXCEPTION]
+    assert first.replies[1].detail.endswith("zero (f.py:6)")
+    assert ([reply.answer for reply in second.replies], told) == ([0], [1])
+    assert random.getstate() == before
+    assert InProcess(b"1 +", "f.py").inspect().fault.line == 1
+
+
+@pytest.mark.parametrize(
+    ("source", "stop", "detail"),
+    [
+        (b"print(int(input()) + 1)", Stop.ANSWERED, ""),
+        (b"print(int(input()) + 1); exit(3)", Stop.EXITED, "exit status 3"),
+        (b"print(int(input()) + 1); 1 / 0", Stop.EXCEPTION, "ZeroDivisionError: division by zero (p.py:1)"),
+    ],
+)
+def test_a_box_in_this_process_runs_whole_programs(source, stop, detail):
+    stdin, stdout = sys.stdin, sys.stdout
+    done = InProcess(source, "p.py").run_program(b"41\n", LIMITS)
+    assert (done.stop, done.stdout, done.detail) == (stop, b"42\n", detail)
+    assert (sys.stdin, sys.stdout) == (stdin, stdout)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import doctest
 import pickle
 import re
 import shutil
@@ -12,10 +13,10 @@ import pytest
 import judge
 from judge import Job, RunOptions, Session
 from judge.errors import JudgeError, ProblemError, UsageError
-from judge.judging import session as session_module
-from judge.judging.public import run
+from judge.judging.api import run
 from judge.problem import Verdict
 from judge.problem.find import find_problem
+from judge.run import execute
 
 PACK = Path(__file__).parents[1] / "fixtures" / "pack"
 GOOD = "def middle(a, b):\n    return (a + b) / 2\n"
@@ -31,6 +32,11 @@ def _own_cache(tmp_path_factory, monkeypatch):
 @pytest.fixture
 def problem():
     return find_problem("middle")
+
+
+def test_the_example_of_the_package_is_true():
+    ended = doctest.testmod(judge)
+    assert (ended.failed, ended.attempted > 5) == (0, True)
 
 
 @pytest.mark.parametrize(
@@ -123,18 +129,45 @@ def test_a_job_is_not_done_on_another_version_of_its_problem(elsewhere):
     ],
 )
 def test_a_fault_costs_one_submission(fault, told, problem, monkeypatch):
-    real = session_module.run_in
+    real = execute.judge_submission
 
-    def faulty(box, problem, data, source, name, **how):
+    def faulty(data, source, name, *how, **more):
         if name == "b.py":
             raise fault
-        return real(box, problem, data, source, name, **how)
+        return real(data, source, name, *how, **more)
 
-    monkeypatch.setattr(session_module, "run_in", faulty)
+    monkeypatch.setattr(execute, "judge_submission", faulty)
     with Session(problem, RunOptions(timed=False)) as session:
         results = [session.judge(GOOD.encode(), name) for name in ("a.py", "b.py", "c.py")]
     assert [result.verdict for result in results] == [Verdict.AC, Verdict.JE, Verdict.AC]
     assert results[1].failure.message.startswith(told)
+
+
+def test_a_level_that_was_had_is_demanded(problem, tmp_path, monkeypatch):
+    monkeypatch.setenv("PATH", str(tmp_path))  # without bubblewrap
+    with Session(problem, RunOptions(timed=False), had="full") as session:
+        result = session.judge(GOOD.encode(), "mine.py")
+    assert result.verdict is Verdict.JE
+    assert result.failure.message.startswith("isolation full was had and is now refused: ")
+
+
+def test_a_submission_sees_neither_problem_nor_solutions_nor_cache(tmp_path, monkeypatch):
+    site = tmp_path / "site-packages"
+    pack, cache = site / "pack", site / "cache"
+    shutil.copytree(PACK, pack)
+    (site / "beside.py").write_text("")
+    monkeypatch.syspath_prepend(site)  # whose modules a submission may import
+    monkeypatch.setenv("JUDGE_CACHE", str(cache))
+    files = [pack / "problems/middle/problem.py", pack / "solutions/middle/accepted/mean.py", cache / "data"]
+    seen = f"[path for path in {[*map(str, files)]} if os.path.exists(path)]"
+    source = f"import os, beside\ndef middle(a, b):\n    return (a + b) / 2, {seen}\n"
+    problem = find_problem("middle", [pack / "problems"])
+    with Session(problem, RunOptions(timed=False, named=False)) as session:
+        result = session.judge(source.encode(), "mine.py")
+    if result.isolation == "limits":
+        pytest.skip("there is no sandbox on this machine")
+    assert all(file.exists() for file in files)
+    assert result.failure.given[1] == []
 
 
 def test_a_result_is_one_line_where_it_is_shown():

@@ -12,7 +12,9 @@ from judge.mistakes.likeness import Likeness
 from judge.mistakes.naming import Known
 from judge.mistakes.nearest import nearest
 from judge.run.result import Answers
-from judge.values import Usual, outline, parse
+from judge.values import outline
+from judge.values.grammar import parse
+from judge.values.outline import Usual
 
 COUNT, USUAL = parse("count"), Usual(frozenset({0.0, 1.0, 2.0}))
 RIGHTS = [outline.right(COUNT, 2)] * 40

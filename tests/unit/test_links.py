@@ -9,7 +9,7 @@ import pytest
 
 from judge.batch import folder as class_folder
 from judge.batch.folder import read_class
-from judge.reading import LedOutError, read_inside, real_within
+from judge.files import LedOutError, read_inside, read_ordinary, real_within
 
 PACK = Path(__file__).parents[1] / "fixtures" / "pack" / "problems"
 OWN, OTHERS = "def middle(a, b):\n    return a\n", "def middle(a, b):\n    return (a + b) / 2\n"
@@ -114,3 +114,30 @@ def test_reading_below_a_folder(tmp_path):
     for path in ("..", "link/../../..", "/etc/passwd"):
         with pytest.raises(LedOutError):
             real_within(root, path)
+
+
+def test_what_is_no_ordinary_file_is_not_even_opened(tmp_path, monkeypatch):
+    """Opening some devices does something."""
+    os.mkfifo(tmp_path / "pipe.py")
+    monkeypatch.setattr("judge.files.os.open", lambda *_, **__: pytest.fail("it was opened"))
+    with pytest.raises(OSError, match="it is no ordinary file"):
+        read_ordinary(tmp_path / "pipe.py")
+
+
+def test_a_file_that_is_exchanged_for_a_link_before_it_is_opened_is_not_read(tmp_path, monkeypatch):
+    (tmp_path / "bob.py").write_text("bob's")
+    mine = tmp_path / "mine.py"
+    mine.write_text("mine")
+    look = os.stat
+
+    def exchanged(*path, **how):
+        found = look(*path, **how)
+        monkeypatch.undo()
+        mine.unlink()
+        mine.symlink_to("bob.py")
+        return found
+
+    monkeypatch.setattr("judge.files.os.stat", exchanged)
+    with pytest.raises(OSError, match="symbolic links"):
+        read_inside(str(tmp_path), "mine.py")
+    assert mine.is_symlink()

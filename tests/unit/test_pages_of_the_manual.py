@@ -14,7 +14,7 @@ from judge.problem.declare import Hooks, group
 from judge.problem.load import Head, Row
 from judge.problem.model import GroupLimits, KataLevel, Source, TimeRule
 from judge.sandbox.attacks import ATTACKS
-from judge.values import Tolerance, Words
+from judge.values.answers import Tolerance, Words
 from judge.values.grammar import ALIASES, ATOMS, VECTORS
 
 ROOT = Path(__file__).parents[2]

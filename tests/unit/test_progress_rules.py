@@ -11,14 +11,14 @@ from msgspec.structs import replace
 from past_runs import START, past_result
 
 from judge.errors import ProblemError
-from judge.kata.checklist import Checklist, Row, Section, read_checklist
-from judge.kata.events import Answer, Hack, Help, Outcome, Rating
-from judge.kata.history import run_of
-from judge.kata.progress import State, assess
-from judge.kata.quiz.cards import FORMS, Card
-from judge.kata.quiz.choose import next_cards, next_due
-from judge.kata.review import LADDER, card_reviews, reviews
-from judge.kata.sets import find_set
+from judge.practice.checklist import Checklist, Row, Section, read_checklist
+from judge.practice.events import Answer, Hack, Help, Outcome, Rating
+from judge.practice.history import run_of
+from judge.practice.progress import State, assess
+from judge.practice.quiz.cards import FORMS, Card
+from judge.practice.quiz.choose import next_cards, next_due
+from judge.practice.review import LADDER, card_reviews, reviews
+from judge.practice.sets import find_set
 from judge.problem.find import all_problems, find_problem
 from judge.problem.load import load_problem
 from judge.problem.model import KataLevel

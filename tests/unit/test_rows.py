@@ -10,7 +10,7 @@ import pytest
 from msgspec.structs import replace
 
 from judge.cli.commands.setter import verify
-from judge.data import load_data
+from judge.data.load import load_data
 from judge.data.pins import read_pins
 from judge.errors import ProblemError, UsageError
 from judge.mistakes.computed import Computer, entry_of

@@ -14,12 +14,12 @@ from pathlib import Path
 import pytest
 from sandboxed import call, require
 
-from judge.run.alone import VARIABLE, Machine
+from judge.run.alone import VARIABLE, MeasureLock
 
 OTHER = """
 import sys
-from judge.run.alone import Machine
-with getattr(Machine(), sys.argv[1])():
+from judge.run.alone import MeasureLock
+with getattr(MeasureLock(), sys.argv[1])():
     print("in", flush=True)
     sys.stdin.read()
 """
@@ -48,7 +48,7 @@ def folder(tmp_path, monkeypatch):
 
 def tried(how):
     """What a machine without patience gives."""
-    with getattr(Machine(patience=0.02), how)() as place:
+    with getattr(MeasureLock(patience=0.02), how)() as place:
         return place
 
 
@@ -61,7 +61,7 @@ def waits(how):
         waited.append(True)
         yield None
 
-    with getattr(Machine(waiting=waiting, patience=0.02), how)():
+    with getattr(MeasureLock(waiting=waiting, patience=0.02), how)():
         return bool(waited)
 
 
@@ -77,7 +77,7 @@ def test_a_killed_process_gives_its_locks_back_at_once():
     with another("measuring") as process, contextlib.ExitStack() as stack:
         killer = threading.Timer(0.2, process.send_signal, [signal.SIGKILL])
         killer.start()
-        assert stack.enter_context(Machine(patience=LONG).measuring()).alone
+        assert stack.enter_context(MeasureLock(patience=LONG).measuring()).alone
         killer.join()
         assert process.wait(LONG) == -signal.SIGKILL
 
@@ -86,7 +86,7 @@ def test_a_stopped_process_keeps_nobody_for_ever_and_only_the_first_for_long():
     with another("measuring") as process:
         process.send_signal(signal.SIGSTOP)
         ticks = iter(range(10**6))
-        machine = Machine(patience=100.0, clock=lambda: 8.0 * next(ticks))  # for each look at it
+        machine = MeasureLock(patience=100.0, clock=lambda: 8.0 * next(ticks))  # for each look at it
         with machine.measuring() as place:
             assert not place.alone
             assert place.waited >= 100
@@ -101,7 +101,7 @@ def test_who_comes_later_does_not_pass_a_waiting_measurer():
     let_in = []
 
     def measure():
-        with Machine(patience=LONG).measuring() as place:
+        with MeasureLock(patience=LONG).measuring() as place:
             let_in.append(place.alone)
 
     measurer = threading.Thread(target=measure)
@@ -140,7 +140,7 @@ def plant(what: str, folder: Path) -> None:
 def test_a_folder_that_somebody_planted_is_not_used(folder, what):
     plant(what, folder)
     before = sorted(path.name for path in folder.parent.rglob("*"))
-    with Machine().judging(), Machine(patience=LONG).measuring() as place:  # nobody is kept out
+    with MeasureLock().judging(), MeasureLock(patience=LONG).measuring() as place:  # nobody is kept out
         assert place.alone
     assert sorted(path.name for path in folder.parent.rglob("*")) == before
 
@@ -162,7 +162,7 @@ def f():
 @pytest.mark.parametrize("level", ["full", "limits"])
 def test_a_box_that_is_opened_meanwhile_has_no_lock_in_it(folder, level):
     require(level)
-    with Machine().measuring():
+    with MeasureLock().measuring():
         files = call(LOOK, [()], level=level).replies[0].answer
         locks = [path.stat() for path in folder.iterdir()]
         assert (len(locks), len(files) > 2) == (2, True)

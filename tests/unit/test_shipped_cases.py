@@ -7,18 +7,19 @@ import shutil
 from fractions import Fraction
 from pathlib import Path
 
+import msgspec
 import pytest
 
-from judge.data import load_data
-from judge.data.fresh import Fresh
-from judge.data.validate import Validator, least_double
+from judge.data.build import Fresh, bounds_fault
+from judge.data.load import load_data
 from judge.diagnose.replay import decode, encode, problem_name
 from judge.errors import ProblemError, UsageError
 from judge.problem import Verdict
 from judge.problem.find import find_problem
 from judge.problem.load import load_problem
 from judge.problem.module import load_module
-from judge.run.execute import run_submission
+from judge.run.execute import judge_submission
+from judge.values.grammar import parse
 
 
 @pytest.fixture(scope="module", params=["segment", "exact-count"])
@@ -46,6 +47,7 @@ def test_a_bad_id_is_a_short_line_however_long_it_is():
 
 
 PROBLEMS = Path(__file__).parents[2] / "problems"
+SOUND = Path(__file__).parents[1] / "fixtures" / "problems" / "root-count"
 
 
 def changed(one, other):
@@ -66,36 +68,38 @@ def test_fresh_neighbours_are_such_too_with_nothing_between_them():
     problem = load_problem(PROBLEMS / "segment")
     fresh = Fresh(problem, load_module(problem), [problem.group("repeated")], 7)
     series = next(fresh.series())
-    cases = series.data.cases
-    assert_neighbours(cases)
-    assert fresh.choices_of(series, 3) is None
-
-
-SMALLEST = Fraction(1, 10**30)
+    assert_neighbours(series.cases)
+    assert set(series.choices) == {None}
 
 
 def test_a_smaller_number_is_out_of_bounds_whatever_its_place_and_0_is_not():
     problem = load_problem(PROBLEMS / "segment")
-    validator = Validator(problem, load_module(problem).solve)
 
     def bounds(flat):
-        return validator.bounds((*flat[:3], tuple(flat[3:5]), tuple(flat[5:])))
+        return bounds_fault(problem, (*flat[:3], tuple(flat[3:5]), tuple(flat[5:])))
 
     for place in range(7):
         for sign in (1, -1) if place != 2 else (1,):  # a radius
             flat = [1.0] * 7
             flat[place] = sign * math.nextafter(1e-30, 0)
             assert "nearer to 0 than 1e-30 but not 0" in bounds(flat)
-            flat[place] = sign * least_double(SMALLEST)
+            flat[place] = sign * 1e-30  # the least double that is not below it
             assert bounds(flat) is None
     assert bounds([0, 0.0, 0, 0.0, 0, 0, 0.0]) is None
     assert bounds([0, 0.0, 5e-324, 0.0, 0, 0, 0.0]) is not None
 
 
-def test_the_double_of_a_bound_is_not_below_it():
-    for bound in (SMALLEST, Fraction(1, 3), Fraction(2, 3), Fraction(1, 2)):
-        least = least_double(bound)
-        assert least >= bound > math.nextafter(least, 0)
+@pytest.mark.parametrize("bound", [Fraction(1, 3), Fraction(2, 3), Fraction(1, 2)])
+def test_a_double_is_too_small_just_when_it_is_below_the_exact_bound(bound):
+    (c,) = load_problem(SOUND).parameters
+    number = parse("number")
+
+    class Small:
+        parameters = (msgspec.structs.replace(c, type=number, smallest=bound),)
+
+    near = [math.nextafter(float(bound), end) for end in (0, 1)]
+    for x in (*near, float(bound)):
+        assert (bounds_fault(Small, (x,)) is None) is (x >= bound)
 
 
 @pytest.mark.parametrize(
@@ -108,9 +112,8 @@ def test_the_double_of_a_bound_is_not_below_it():
     ],
 )
 def test_what_is_no_such_bound_is_a_fault(tmp_path, smallest, fault):
-    source = Path(__file__).parents[1] / "fixtures" / "problems" / "root-count"
-    folder = shutil.copytree(source, tmp_path / "root-count")
-    text = (source / "problem.toml").read_text()
+    folder = shutil.copytree(SOUND, tmp_path / "root-count")
+    text = (SOUND / "problem.toml").read_text()
     (folder / "problem.toml").write_text(text.replace("low = -9", f"low = -9, smallest = {smallest}"))
     with pytest.raises(ProblemError, match=fault):
         load_problem(folder)
@@ -128,4 +131,4 @@ WIDTH = "1e-10 * max(r, abs(fx), abs(fy))"
 def test_any_threshold_in_the_gap_is_right_and_none_outside_of_it(width, verdict):
     assert WIDTH in SILHOUETTE
     problem, source = find_problem("silhouette"), SILHOUETTE.replace(WIDTH, WIDTH.replace("1e-10", width))
-    assert run_submission(problem, load_data(problem), source.encode(), "mine.py").verdict is verdict
+    assert judge_submission(load_data(problem), source.encode(), "mine.py").result.verdict is verdict

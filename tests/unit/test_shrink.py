@@ -13,8 +13,7 @@ import pytest
 from mistaken import mistaken
 from msgspec.structs import replace
 
-from judge.data.load import load_data
-from judge.data.model import ProblemData
+from judge.data.load import ProblemData, load_data
 from judge.diagnose.replay import decode
 from judge.diagnose.shrink import shrink
 from judge.diagnose.simplicity import measure, numbers_of
@@ -22,7 +21,7 @@ from judge.diagnose.trial import Guard, SearchBudget
 from judge.problem import Verdict
 from judge.problem.find import find_problem
 from judge.problem.module import load_module
-from judge.run import Reference, Settings, run_submission
+from judge.run import Reference, Settings, judge_submission
 from judge.run.runner import runner_for
 from judge.sandbox import open_box
 
@@ -39,7 +38,7 @@ def shrunk(name, source, *, budget=None, cpu_seconds=2.0):
     problem = replace(problem, limits=replace(problem.limits, cpu_seconds=cpu_seconds))
     data = ProblemData(problem, load_data(problem).groups)
     source = source.encode() if isinstance(source, str) else source
-    result = run_submission(problem, data, source, "mine.py", settings=Settings(measured=False))
+    result = judge_submission(data, source, "mine.py", Settings(measured=False)).result
     with ExitStack() as stack:
         box = stack.enter_context(open_box(source, "mine.py"))
         runner = runner_for(problem, box.inspect(), source)
@@ -48,9 +47,8 @@ def shrunk(name, source, *, budget=None, cpu_seconds=2.0):
             data,
             box,
             runner,
-            result.verdict,
-            result.failure,
-            reference=lambda: problem.time and reference.open(runner.reference(problem.time)),
+            result,
+            reference=reference,
             budget=budget or SearchBudget(guard=Guard(cpu=600.0, wall=600.0)),  # of a busy machine
         )
     return problem, result, found

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from judge.kata.stub import make_stub
+from judge.practice.stub import make_stub
 from judge.problem.find import all_problems
 from judge.problem.load import load_problem
 
@@ -48,7 +48,7 @@ def test_it_holds_the_contract_with_its_numbers_and_the_examples_as_doctests_tha
     for word in ("stdin", "as a program", "Function or program", "Write a function"):
         assert word not in stub
     assert max(map(len, stub.splitlines())) <= 88
-    assert stub.count("def ") == 1 + bool(problem.answer.rounded and problem.parameters)
+    assert stub.count("def ") == 1 + bool(problem.answer.measured and problem.parameters)
 
 
 def _doctests(problem):

@@ -18,23 +18,24 @@ from judge.cli.options import Common, command, opt, takes
 from judge.cli.resolve import kata_meant, problem_of_file, shown, usual_file
 from judge.cli.submissions import read_submissions
 from judge.cli.target import OutFile, svg_target
-from judge.data.given import example_of, line_of, read_case
+from judge.data.parse import example_of, line_of, read_case
 from judge.diagnose.regression import MARK, with_case
 from judge.diagnose.replay import decode, problem_name
-from judge.errors import HistoryError, UsageError
-from judge.judging.job import RunOptions
+from judge.errors import StoreError, UsageError
+from judge.files import read_ordinary_text
+from judge.judging.api import RunOptions
+from judge.judging.cases import ask as ask_file
+from judge.judging.cases import hack as attack
+from judge.judging.cases import smallest, try_case
 from judge.judging.session import Session
-from judge.judging.trying import ask as ask_file
-from judge.judging.trying import try_case
-from judge.kata.events import Hack, Outcome
-from judge.kata.hacks import hack_states, was_shown
 from judge.languages import is_program
 from judge.mistakes.puzzles import Puzzle, puzzle_called, read_puzzles
+from judge.practice.events import Hack, Outcome
+from judge.practice.hacks import hack_states, was_shown
 from judge.problem import Case, Problem, Verdict
 from judge.problem.find import find_problem
 from judge.problem.model import case_of
 from judge.problem.module import load_module
-from judge.reading import read_ordinary_text
 from judge.report.published_cases import (
     CaseLine,
     CaseTried,
@@ -185,7 +186,7 @@ def _said(tried: Tried, file: str, common: Common) -> Said:
         raise UsageError("this folder holds several submissions", where=file, remedy="name one file")
     with Session(tried.problem, RunOptions(isolation=common.isolation)) as session:
         said = ask_file(session, tried, submission.source, submission.name)
-        Notes().say(session.containment.notes(said.isolation))
+        Notes().say(session.notes(said.isolation))
     return said
 
 
@@ -301,8 +302,6 @@ class _Hacking(Struct, frozen=True):
 
     def attempted(self, puzzle: Puzzle, text: str) -> HackTurn:
         """What the program answers to the case, and whether that breaks it."""
-        from judge.judging.hacking import hack as attack
-
         found = attack(self.problem, puzzle, read_case(self.problem, text), self.common.isolation)
         why = found.why
         if found.tried is not None:  # an invalid case says nothing of the person
@@ -315,7 +314,6 @@ class _Hacking(Struct, frozen=True):
 
     def given_up(self, puzzle: Puzzle) -> HackTurn:
         """The mistake, and a smallest case."""
-        from judge.judging.hacking import smallest
         from judge.report.wait import progress
 
         tried, said = smallest(self.problem, puzzle, self.common.isolation, progress) or (None, None)
@@ -338,7 +336,7 @@ class _Hacking(Struct, frozen=True):
         try:
             with history_at(self.common.db) as history:
                 history.keep(Hack(self.problem.id, puzzle.mistake, case, outcome))
-        except HistoryError as fault:  # what came of it is worth more
+        except StoreError as fault:  # what came of it is worth more
             note(f"this is not kept: {fault}")
 
     def _hacks(self) -> list[Hack]:

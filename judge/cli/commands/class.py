@@ -24,7 +24,7 @@ from judge.report.screen import note
 from judge.report.words import counted
 
 if TYPE_CHECKING:
-    from judge.judging.executors import Executor
+    from judge.judging.pool import Executor
 
 
 class ClassAsk(Struct, frozen=True):
@@ -123,8 +123,7 @@ def _executor(ask: ClassAsk, isolation: str | None) -> AbstractContextManager[Ex
         from judge.batch.elsewhere import Elsewhere
 
         return Elsewhere(ask.where, isolation, note)
-    from judge.judging.executors import Here
-    from judge.judging.processes import Processes
+    from judge.judging.pool import Here, Processes
 
     return nullcontext(Processes(ask.jobs) if ask.jobs > 1 else Here())
 

@@ -12,9 +12,8 @@ from msgspec import Struct
 from judge import __version__
 from judge.cli.options import Common, command, opt, takes
 from judge.errors import UsageError
-from judge.folders import cache_folder
-from judge.judging.containment import every_hidden_folder
-from judge.judging.isolation import keep_level
+from judge.files import cache_folder
+from judge.judging.containment import every_hidden_folder, keep_level
 from judge.languages.find import Found
 from judge.languages.find import found as found_of
 from judge.languages.model import languages

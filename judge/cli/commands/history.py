@@ -11,16 +11,15 @@ from typing import Annotated
 import click
 from msgspec import Struct
 
-from judge.atomic import new_file, replace_file
 from judge.cli.kept import history_at
 from judge.cli.options import Common, command, opt, takes
 from judge.cli.resolve import shown
 from judge.cli.target import check_place
 from judge.errors import UsageError, unwritable
-from judge.kata.events import Run
-from judge.kata.history import History
+from judge.files import new_file, read_ordinary, replace_file
+from judge.practice.events import Run
+from judge.practice.history import History
 from judge.problem.find import find_problem
-from judge.reading import read_ordinary
 from judge.report.published_practice import GroupChange, Restored, RunList, RunRow, RunsCompared, RunShown
 
 _ON_SCREEN = 18  # runs, unless it is said how many

@@ -21,16 +21,16 @@ from judge.cli.submissions import read_submissions
 from judge.cli.target import OutFile
 from judge.cli.watching import Kata, WatchedFile
 from judge.cli.wish import Wish
-from judge.judging.job import RunOptions
-from judge.kata.events import Answer, Help, now
-from judge.kata.interview import Held, plan, usual_kata
-from judge.kata.quiz.cards import Card
-from judge.kata.quiz.choose import to_practise
-from judge.kata.quiz.questions import Sources
-from judge.kata.review import card_reviews
-from judge.kata.sets import USUAL
-from judge.kata.stub import write_stub
+from judge.judging.api import RunOptions
 from judge.languages import file_name
+from judge.practice.events import Answer, Help, now
+from judge.practice.interview import Held, plan, usual_kata
+from judge.practice.quiz.cards import Card
+from judge.practice.quiz.choose import to_practise
+from judge.practice.quiz.questions import Sources
+from judge.practice.review import card_reviews
+from judge.practice.sets import USUAL
+from judge.practice.stub import write_stub
 from judge.problem.find import find_problem
 from judge.report import quiz
 from judge.report.judged import Judged, judged

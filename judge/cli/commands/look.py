@@ -12,15 +12,15 @@ from msgspec import Struct
 from judge.cli.kept import history_at
 from judge.cli.options import Common, command, opt, takes
 from judge.cli.resolve import current, this_folder
-from judge.errors import HistoryError, ProblemError, UsageError, nearest
-from judge.kata.sets import USUAL, sound_sets
+from judge.errors import ProblemError, StoreError, UsageError, nearest
+from judge.practice.sets import USUAL, sound_sets
 from judge.problem import Problem
 from judge.problem.find import find_problem, sound_problems
 from judge.report.published import KataInFull, KataList, KataRow, KataShown, SetRow, kata_row
 from judge.report.screen import note
 
 if TYPE_CHECKING:
-    from judge.kata.events import Run
+    from judge.practice.events import Run
 
 _OTHERS = "others"  # the set of the katas that are in none
 
@@ -68,7 +68,7 @@ def _rows(problems: Sequence[Problem], db: Path | None) -> tuple[tuple[KataRow, 
     try:
         with history_at(db, reading=True) as history:
             runs, taken_up = history.runs(), current(this_folder(), history)
-    except HistoryError as fault:
+    except StoreError as fault:
         note(str(fault))
         runs, taken_up = [], None
     rows = (row_of(each, [run for run in runs if run.counts and run.problem == each.id]) for each in problems)

@@ -16,14 +16,14 @@ from judge.cli.options import Common, command, opt, takes
 from judge.cli.resolve import shown
 from judge.cli.target import OutFile, moment
 from judge.errors import ProblemError, UsageError
-from judge.kata import events
-from judge.kata.checklist import find_row, read_checklist, unknown_skills
-from judge.kata.events import Answer, Hack, Help
-from judge.kata.hacks import hack_shares
-from judge.kata.history import History
-from judge.kata.progress import Progress, State, read_progress, standings
-from judge.kata.review import card_reviews, reviews
-from judge.kata.sets import USUAL, PracticeSet, find_set, sound_sets
+from judge.practice import events
+from judge.practice.checklist import find_row, read_checklist, unknown_skills
+from judge.practice.events import Answer, Hack, Help
+from judge.practice.hacks import hack_shares
+from judge.practice.history import History
+from judge.practice.progress import Progress, State, read_progress, standings
+from judge.practice.review import card_reviews, reviews
+from judge.practice.sets import USUAL, PracticeSet, find_set, sound_sets
 from judge.problem import Problem
 from judge.problem.find import problem_folders, sound_problems
 from judge.report.published_progress import (

@@ -14,20 +14,20 @@ from msgspec import Struct
 from judge.cli.kept import history_at
 from judge.cli.options import Common, command, opt, takes
 from judge.errors import ProblemError, UsageError, nearest
-from judge.kata import events
-from judge.kata.checklist import find_row, read_checklist
-from judge.kata.quiz.cards import Card, all_cards, cards_of
-from judge.kata.quiz.choose import next_cards, next_due, to_practise
-from judge.kata.quiz.questions import Sources
-from judge.kata.review import card_reviews
-from judge.kata.sets import FIRST, USUAL
+from judge.practice import events
+from judge.practice.checklist import find_row, read_checklist
+from judge.practice.quiz.cards import Card, all_cards, cards_of
+from judge.practice.quiz.choose import next_cards, next_due, to_practise
+from judge.practice.quiz.questions import Sources
+from judge.practice.review import card_reviews
+from judge.practice.sets import FIRST, USUAL
 from judge.problem.find import find_problem, problem_folders
 from judge.report.published_quiz import CardList, CardRow, Quizzed, quizzed
 from judge.report.screen import err, out
 from judge.report.wait import progress
 
 if TYPE_CHECKING:
-    from judge.kata.events import Run
+    from judge.practice.events import Run
 
 _SEED_BYTES = 4
 

@@ -22,7 +22,7 @@ from judge.cli.submissions import Unjudged
 from judge.cli.target import OutFile, check_svg
 from judge.cli.wish import Wish
 from judge.errors import ExitCode, JudgeError, UsageError, told
-from judge.judging.job import RunOptions
+from judge.judging.api import RunOptions
 from judge.problem.model import LEVELS, chosen_groups
 from judge.report.judged import AtLines, Judged, Several
 from judge.run.result import Result, judge_fault
@@ -239,9 +239,9 @@ def _not_judged(name: str, why: str, problem: str, several: int, ask: RunAsk, so
 def _fresh(task: Task, ask: RunAsk, common: Common) -> Judged:
     """One submission on new cases for so long."""
     from judge.cli.picture import Drawing
-    from judge.data.model import ProblemData
+    from judge.data.load import ProblemData
+    from judge.judging.cases import judge_fresh
     from judge.judging.session import Session
-    from judge.judging.stressing import Stressing
     from judge.report.screen import Notes
     from judge.report.wait import progress, stages
 
@@ -249,8 +249,7 @@ def _fresh(task: Task, ask: RunAsk, common: Common) -> Judged:
     lasting = seconds_of(ask.fresh or "", "--fresh")
     seed = random.randrange(_SEEDS) if ask.seed is None else ask.seed
     groups = chosen_groups(problem, ask.groups, ask.level)
-    stressing = Stressing(submission.source, submission.name, groups, seed, lasting)
-    options = replace(ask.options(common.isolation, brief=ask.quiet), seed=None)
+    options = replace(ask.options(common.isolation, brief=ask.quiet), seed=None, timed=False)
     with Session(problem, options, bars=progress) as session, stages(Path(submission.name).name) as stage:
 
         def tell(cases: int, spent: float) -> None:
@@ -258,7 +257,9 @@ def _fresh(task: Task, ask: RunAsk, common: Common) -> Judged:
                 whole = math.ceil(lasting)
                 stage(f"{cases:,} cases, {cases / spent:,.0f} a second", min(int(spent), whole), whole)
 
-        stressed = stressing.run(session, tell)
+        stressed = judge_fresh(
+            session, submission.source, submission.name, groups, seed=seed, seconds=lasting, on_cases=tell
+        )
     again = f"{stressed.cases:,} fresh cases in {stressed.seconds:.0f} s; the same again: --seed {seed}"
     Notes().say(stressed.result.notes)
     drawing = Drawing(problem, ProblemData(problem, ()), stressed.result)
@@ -278,7 +279,7 @@ def _fresh(task: Task, ask: RunAsk, common: Common) -> Judged:
 
 def _say_that_full_is_missing(result: Result) -> None:
     """Once a day, to a person who has not been told so by `judge doctor`."""
-    from judge.judging.isolation import first_today, kept_level
+    from judge.judging.containment import first_today, kept_level
     from judge.report.screen import is_terminal, note
 
     if result.isolation == "strong" and is_terminal(sys.stderr) and kept_level() is None and first_today():

@@ -12,14 +12,11 @@ import click
 from msgspec import Struct
 from msgspec.structs import replace
 
-from judge.atomic import replace_file
 from judge.cli.options import Common, command, opt, takes
-from judge.data.load import load_data
-from judge.data.model import ProblemData
+from judge.data.load import ProblemData, load_data
 from judge.errors import ProblemError, UsageError, unwritable
-from judge.judging.isolation import kept_level
-from judge.kata.begin import begin_kata
-from judge.kata.check import deck_faults, kata_faults
+from judge.files import replace_file
+from judge.judging.containment import kept_level
 from judge.languages.boxes import AnyBoxes
 from judge.languages.signature import signature_of
 from judge.mistakes.verified import ChoicesReport, verify_choices
@@ -28,6 +25,8 @@ from judge.packs.export.forms import why_left_out
 from judge.packs.export.job import Export, Order, check_places, export
 from judge.packs.export.metadata import Version, short_name, short_names
 from judge.packs.export.statement import latex
+from judge.practice.begin import begin_kata
+from judge.practice.check import deck_faults, kata_faults
 from judge.problem import Problem
 from judge.problem.find import find_problem, folders_within, problem_folders
 from judge.problem.model import chosen_groups

@@ -14,14 +14,14 @@ from judge.cli.kept import history_at
 from judge.cli.options import Common, command, opt, takes
 from judge.cli.resolve import kata_meant
 from judge.errors import UsageError
-from judge.kata.events import Help
-from judge.kata.model import approaches, chosen_approach
 from judge.languages import language_of
+from judge.practice.events import Help
+from judge.practice.model import approaches, chosen_approach
 from judge.problem import Problem
 from judge.report.published_practice import ApproachRow, HintShown, SolutionShown, Yours
 
 if TYPE_CHECKING:
-    from judge.kata.events import Run
+    from judge.practice.events import Run
     from judge.run.result import Taken
 
 _ROUNDS = 3
@@ -139,8 +139,8 @@ def _measured(
     problem: Problem, programs: Sequence[tuple[str, bytes]], rounds: int, common: Common
 ) -> Sequence[Taken]:
     """What each program takes for a case; why not, where its language is not installed."""
-    from judge.data.load import load_data
-    from judge.judging.containment import Containment
+    from judge.judging.api import RunOptions
+    from judge.judging.session import Session
     from judge.languages.find import why_not
     from judge.report.wait import progress
     from judge.run.times import Program, measure
@@ -150,10 +150,10 @@ def _measured(
         language = language_of(name)
         missing, warms = (why_not(language), language.factor > 1) if language else ("", False)
         entries.append(Program(name, source, missing, warms))
-    with progress(f"building {problem.id}") as advance:
-        data = load_data(problem, progress=advance)
-    with Containment(problem, common.isolation) as containment, progress("measuring") as advance:
-        return measure(data, entries, containment.open_box, rounds, advance)
+    with Session(problem, RunOptions(isolation=common.isolation, timed=False), bars=progress) as session:
+        data = session.data
+        with progress("measuring") as advance:
+            return measure(data, entries, session.open_box, rounds, advance)
 
 
 def _admit(problem: Problem, db: Path | None, *, giving_up: bool) -> tuple[Run, bytes] | None:

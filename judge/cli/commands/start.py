@@ -18,8 +18,8 @@ from judge.cli.resolve import current, is_problem, problem_of, problem_of_file, 
 from judge.cli.submissions import read_submissions
 from judge.cli.watching import Kata, take_up
 from judge.errors import UsageError
-from judge.kata.stub import write_stub
 from judge.languages import file_name, is_program
+from judge.practice.stub import write_stub
 from judge.problem import Problem
 from judge.problem.find import find_problem, sound_problems
 from judge.problem.fit import id_of

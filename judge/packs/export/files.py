@@ -5,10 +5,11 @@ from __future__ import annotations
 import json
 from collections.abc import Iterator
 
-from judge.data.model import GroupData, ProblemData
+from judge.data.load import GroupData, ProblemData
 from judge.problem import Problem
 from judge.run.program import render_group
-from judge.values import Exact, show
+from judge.values import show
+from judge.values.answers import Exact
 
 SCHEMA = 1
 
@@ -41,7 +42,7 @@ def _document(problem: Problem, group: GroupData, answers: list[Exact]) -> str:
         json.dumps(
             {
                 "input": dict(zip(names, case, strict=True)),
-                "expected": show.exact_text(problem.answer, answer),
+                "expected": show.exact_text(answer),
                 "accepted": show.accepted(problem.answer, target),
             }
         )

@@ -11,9 +11,8 @@ from typing import Any
 
 from judge.exact import Surd
 from judge.problem import Parameter, Problem, Tolerance
-from judge.values import AnyOf, Exact, Judged, Run, Type
-from judge.values.answers import exact_ends
-from judge.values.atoms import IntType, RealType, WordType
+from judge.values.answers import AnyOf, Exact, Judged, exact_ends
+from judge.values.atoms import IntType, RealType, Type, WordType
 from judge.values.types import ArrayType, ListType, OptionalType, TupleType
 
 Form = list[Any]
@@ -33,7 +32,7 @@ def answer_form(type_: Type) -> Form:
     if kind is WordType:
         return ["word"]
     if isinstance(type_, TupleType):
-        return ["tuple", [answer_form(part) for part in type_.fixed]]
+        return ["tuple", [answer_form(part) for part in type_.made_of]]
     if isinstance(type_, OptionalType):
         return ["optional", answer_form(type_.inner)]
     if isinstance(type_, ListType):
@@ -50,18 +49,12 @@ def accepted_form(type_: Type, exact: Exact, tolerance: Tolerance) -> Any:
     if isinstance(type_, OptionalType):
         return None if exact is None else accepted_form(type_.inner, exact, tolerance)
     if isinstance(type_, TupleType):
-        return [accepted_form(part, each, tolerance) for part, each in zip(type_.fixed, exact, strict=True)]
+        return [accepted_form(part, each, tolerance) for part, each in zip(type_.made_of, exact, strict=True)]
     if isinstance(type_, ListType):
-        return [_item(type_.item, each, tolerance) for each in exact]
+        return [accepted_form(type_.item, each, tolerance) for each in exact]
     if isinstance(type_, RealType):
         return _ends(*exact_ends(exact, tolerance))
     return exact
-
-
-def _item(type_: Type, exact: Exact, tolerance: Tolerance) -> Any:
-    if isinstance(exact, Run):
-        return {"run": [accepted_form(type_, each, tolerance) for each in exact.items]}
-    return accepted_form(type_, exact, tolerance)
 
 
 def _ends(low: Surd, high: Surd) -> list[int]:
@@ -90,7 +83,7 @@ def _within(type_: Type, parameter: Parameter) -> Form:
     if isinstance(type_, WordType):
         return ["word", list(type_.samples)]
     if isinstance(type_, TupleType):
-        return ["tuple", [_within(part, parameter) for part in type_.fixed]]
+        return ["tuple", [_within(part, parameter) for part in type_.made_of]]
     if isinstance(type_, OptionalType):
         return ["optional", _within(type_.inner, parameter)]
     if isinstance(type_, ListType) and not isinstance(type_, ArrayType):

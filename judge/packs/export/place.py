@@ -18,8 +18,8 @@ import zipfile
 from collections.abc import Iterator
 from pathlib import Path
 
-from judge.atomic import replace_file
 from judge.errors import UsageError, unwritable
+from judge.files import replace_file
 from judge.packs.export.package import Files
 
 _NAMES = re.compile(r"\.judge-export-[0-9a-f]{16}")

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator, Sequence
 
 from msgspec import Struct
 
-from judge.data.model import ProblemData
+from judge.data.load import ProblemData
 from judge.languages import SUFFIX
 from judge.mistakes.makers import Maker, read_makers
 from judge.packs.export.cases import Test

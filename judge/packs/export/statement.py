@@ -7,7 +7,7 @@ from typing import Any
 
 from judge.errors import UsageError
 from judge.problem import Parameter, Problem
-from judge.values.lines import meant
+from judge.values.reading import meant
 
 # What LaTeX takes for a sign of its own.
 _PLAIN = {

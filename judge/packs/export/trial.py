@@ -8,15 +8,14 @@ from math import ceil
 
 from msgspec import Struct
 
-from judge.data.model import ProblemData
+from judge.data.load import ProblemData
 from judge.packs.export.cases import Test
 from judge.packs.export.metadata import memory
 from judge.problem import Verdict
 from judge.run.program import answer_lines
 from judge.run.replies import VERDICTS
 from judge.sandbox.boundary import BoxFactory, Limits, ProgramResult, Stop
-from judge.values import Accepted
-from judge.values.lines import check_line
+from judge.values.check import Accepted, check_line
 
 SLOWEST = 5  # times the slowest accepted program: the time limit, as the legacy format has it
 SURELY = 6  # times the time limit: a program that takes so long is too slow elsewhere too

@@ -7,13 +7,13 @@ from typing import Any
 
 from msgspec import Struct
 
-from judge.data.validate import Validator
+from judge.data.build import validate
 from judge.drawing import Picture
 from judge.drawing.svg import panel_svg
 from judge.errors import JudgeError
 from judge.mistakes.told import told_mistakes
 from judge.problem import Problem, Verdict
-from judge.problem.declare import Shown
+from judge.problem.declare import InvalidCase, Shown
 from judge.problem.model import case_of
 from judge.problem.module import Module, load_module
 from judge.report.words import arguments, with_points
@@ -111,12 +111,12 @@ class Cases:
         try:
             module = self._modules.get(problem) or load_module(known)
             self._modules[problem] = module
-            proof = Validator(known, module.solve).proof(case_of(case.input))
-        except JudgeError:  # the kata is broken now
+            exact = validate(known, module, case_of(case.input))
+        except (InvalidCase, JudgeError):  # the kata is another now, or broken
             return None
-        if proof.fault or module.hooks.picture is None:
+        if module.hooks.picture is None:
             return None
-        shown = Shown(known, case.input, proof.answer, case.expected, case.got, case.given)
+        shown = Shown(known, case.input, exact, case.expected, case.got, case.given)
         return module.hooks.picture(shown)
 
 

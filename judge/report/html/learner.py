@@ -14,9 +14,9 @@ from msgspec.structs import replace
 
 from judge.drawing.chart import Axis, Chart, Series, chart_svg
 from judge.drawing.shapes import Role
-from judge.errors import HistoryError
-from judge.kata.events import Run
-from judge.kata.progress import SkillProgress, State
+from judge.errors import StoreError
+from judge.practice.events import Run
+from judge.practice.progress import SkillProgress, State
 from judge.problem import Problem, Verdict
 from judge.report.html import day, page
 from judge.report.html.case import Case, Cases
@@ -180,7 +180,7 @@ def _failed(anchor: str, runs: Sequence[Run], cases: Cases) -> Iterator[Failed]:
         run = same[0]
         try:
             result = run.result
-        except HistoryError:  # the row is damaged: its columns are told all the same
+        except StoreError:  # the row is damaged: its columns are told all the same
             result = None
         case = cases.tell(run.problem, run.verdict, run.mistake or "", result, f"{anchor}-case-{at}")
         overcome = next((each.when for each in runs if each.id > run.id and each.solved), None)

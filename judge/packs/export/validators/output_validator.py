@@ -9,8 +9,7 @@ accepted for each of its cases:
                              [a, b, c, d, r, s]: from (a + b*sqrt(r))/s to (c + d*sqrt(r))/s
     ["int"], ["word"]        the int, the word
     ["tuple", [type, …]]     what is accepted for each part
-    ["list", type, low, high]    the same for each item, of which there are low to high (null: no bound);
-                             {"run": […]} stands for neighbours that may come in any order
+    ["list", type, low, high]    the same for each item, of which there are low to high (null: no bound)
     ["optional", type]       null where the answer is none
     any of these             {"any": […]}: each of several is right
 
@@ -157,7 +156,10 @@ def held(kind: Any, value: Any, wanted: Any, where: str) -> None:
         for at, part in enumerate(kind[1]):
             held(part, value[at], wanted[at], "part %d of %s" % (at + 1, where))
     elif name == "list":
-        holds_items(kind[1], value, wanted, where)
+        if len(value) != len(wanted):
+            raise Wrong("%s has %d items, %d wanted" % (where, len(value), len(wanted)))
+        for at, each in enumerate(wanted):
+            held(kind[1], value[at], each, "item %d of %s" % (at + 1, where))
     elif value != wanted:  # an int, a word
         raise Wrong("%s is %s, %s wanted" % (where, str(value)[:60], str(wanted)[:60]))
 
@@ -169,22 +171,6 @@ def fits(kind: Any, value: Any, wanted: Any) -> bool:
     except Wrong:
         return False
     return True
-
-
-def holds_items(kind: Any, value: Any, wanted: Any, where: str) -> None:
-    """Raises Wrong unless each item is the one wanted in its place, or the first one left of its run."""
-    places = []  # type: List[List[Any]]  # of each place what is left of its run
-    for each in wanted:
-        run = list(each["run"]) if isinstance(each, dict) and "run" in each else [each]
-        places += [run] * len(run)
-    if len(value) != len(places):
-        raise Wrong("%s has %d items, %d wanted" % (where, len(value), len(places)))
-    for at, left in enumerate(places):
-        found = next((i for i, each in enumerate(left) if fits(kind, value[at], each)), None)
-        if found is None:
-            held(kind, value[at], left[0], "item %d of %s" % (at + 1, where))
-        else:
-            left.pop(found)
 
 
 def check(kind: Any, line: str, wanted: Any) -> None:

@@ -14,19 +14,20 @@ import ast
 import math
 import operator
 import warnings
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from typing import Any
 
 from judge.errors import UsageError, nearest
-from judge.problem import Case, Parameter, Problem
-from judge.problem.model import tupled
+from judge.problem import Case, Problem
 from judge.values import parameters
 
 _LONGEST = 20_000  # characters of a case
 _SHORT = 80  # characters of an example
 _MOST_BITS = 4_000  # of an int that a power makes
 _DEEPEST = 20  # of brackets in brackets
-_OPERATORS: Mapping[type[ast.operator], Callable[[Any, Any], Any]] = {
+_OPERATORS: Mapping[type[ast.AST], Callable[..., Any]] = {
+    ast.UAdd: operator.pos,
+    ast.USub: operator.neg,
     ast.Add: operator.add,
     ast.Sub: operator.sub,
     ast.Mult: operator.mul,
@@ -38,8 +39,7 @@ _OPERATORS: Mapping[type[ast.operator], Callable[[Any, Any], Any]] = {
 def read_case(problem: Problem, text: str) -> Case:
     """The case that the text holds, one argument for each parameter; whether it is sound is not looked at.
 
-    Raises:
-        UsageError: it is written in no such way; it says what is wrong and how a case is written.
+    Raises UsageError where it is written in no such way; it says what is wrong and how a case is written.
     """
     if not problem.parameters and "(" not in text:
         remedy = f"'judge run {problem.id} FILE' judges it"
@@ -50,7 +50,7 @@ def read_case(problem: Problem, text: str) -> Case:
         raise UsageError(f'Give a case: judge try {problem.id} "{example_of(problem)}"')
     if len(text) > _LONGEST:
         raise _unreadable(problem, f"a case of {len(text):,} characters is too long")
-    return _python(problem, text) if any(sign in text for sign in ",=([") else _line(problem, text)
+    return _python(problem, text) if any(sign in text for sign in ",=([") else _line(problem, text.split())
 
 
 def line_of(problem: Problem, case: Case) -> str:
@@ -74,31 +74,21 @@ def example_of(problem: Problem) -> str:
 # -- the line of a program ----------------------------------------------------------------------------------
 
 
-def _line(problem: Problem, text: str) -> Case:
-    words = text.split()
-    taken = iter(words)
-    case = tuple([_from_words(problem, parameter, taken) for parameter in problem.parameters])
-    surplus = list(taken)
-    if surplus:
-        raise _unreadable(problem, f"{_quoted(surplus[0])} is left over after {problem.parameters[-1].name}")
-    return case
-
-
-def _from_words(problem: Problem, parameter: Parameter, words: Iterator[str]) -> Any:
-    seen: list[str] = []
-
-    def watched() -> Iterator[str]:
-        for word in words:
-            seen.append(word)
-            yield word
-
-    try:
-        return parameters.from_tokens(parameter.type, watched())
-    except (StopIteration, RuntimeError):  # the latter where a generator of ours has met the end
-        raise _unreadable(problem, f"the numbers end before {parameter.name} is complete") from None
-    except (ValueError, OverflowError):
-        kind = "point. Write (3, 4)" if "point" in str(parameter.type) else f"value of {parameter.name}"
-        raise UsageError(f"{_quoted(seen[-1] if seen else '')} is not a {kind}") from None
+def _line(problem: Problem, words: list[str]) -> Case:
+    left = iter(words)
+    case = []
+    for each in problem.parameters:
+        try:
+            case.append(parameters.from_tokens(each.type, left))
+        except StopIteration:
+            raise _unreadable(problem, f"the numbers end before {each.name} is complete") from None
+        except (ValueError, OverflowError):
+            bad = words[len(words) - len(list(left)) - 1]
+            kind = "point. Write (3, 4)" if "point" in str(each.type) else f"value of {each.name}"
+            raise UsageError(f"{_quoted(bad)} is not a {kind}") from None
+    if (surplus := next(left, None)) is not None:
+        raise _unreadable(problem, f"{_quoted(surplus)} is left over after {problem.parameters[-1].name}")
+    return tuple(case)
 
 
 # -- Python -------------------------------------------------------------------------------------------------
@@ -112,18 +102,21 @@ def _python(problem: Problem, text: str) -> Case:
         what = f"{len(names)} argument{'s' * (len(names) > 1)} expected ({call_of(problem)}), {given} given"
         raise _unreadable(problem, what)
     found: dict[str, Any] = {}
-    for name, node in zip(names, call.args, strict=False):
-        found[name] = _argument(problem, name, node)
-    for keyword in call.keywords:
-        if keyword.arg is None or keyword.arg not in names:
-            meant = nearest(keyword.arg or "", names)
+    keywords = [(each.arg or "**", each.value) for each in call.keywords]
+    for name, node in [*zip(names, call.args, strict=False), *keywords]:
+        if name not in names:
+            meant = nearest(name, names)
             hint = f"; did you mean {meant}?" if meant else ""
-            raise _unreadable(problem, f"there is no parameter {keyword.arg or '**'}{hint}")
-        if keyword.arg in found:
-            raise _unreadable(problem, f"{keyword.arg} is given twice")
-        found[keyword.arg] = _argument(problem, keyword.arg, keyword.value)
-    lacking = [name for name in names if name not in found]
-    if lacking:
+            raise _unreadable(problem, f"there is no parameter {name}{hint}")
+        if name in found:
+            raise _unreadable(problem, f"{name} is given twice")
+        try:
+            found[name] = _value(node)
+        except OverflowError:  # of which Python says (34, 'Numerical result out of range')
+            raise _unreadable(problem, f"{name}: a number is too large") from None
+        except (ValueError, TypeError, ArithmeticError, RecursionError) as fault:
+            raise _unreadable(problem, f"{name}: {fault}") from None
+    if lacking := [name for name in names if name not in found]:
         raise _unreadable(problem, f"{' and '.join(lacking[:3])} {'are' if lacking[1:] else 'is'} missing")
     return tuple([found[name] for name in names])
 
@@ -146,34 +139,26 @@ def _call(problem: Problem, text: str) -> ast.Call:
     raise _unreadable(problem, f"this is not Python ({why})")
 
 
-def _argument(problem: Problem, name: str, node: ast.expr) -> Any:
-    try:
-        return tupled(_value(node, 0))
-    except OverflowError:  # of which Python says (34, 'Numerical result out of range')
-        raise _unreadable(problem, f"{name}: a number is too large") from None
-    except (ValueError, TypeError, ArithmeticError, RecursionError) as fault:
-        raise _unreadable(problem, f"{name}: {fault}") from None
-
-
-def _value(node: ast.expr, depth: int) -> Any:
+def _value(node: ast.expr, depth: int = 0) -> Any:
     """What an expression of plain values comes to. Raises ValueError, TypeError or ArithmeticError."""
     if depth > _DEEPEST:
         raise ValueError("nested too deeply")
-    if isinstance(node, ast.Constant) and (node.value is None or type(node.value) in (int, float, str)):
-        return node.value
-    if isinstance(node, ast.Tuple | ast.List):
-        return [_value(each, depth + 1) for each in node.elts]
-    if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub | ast.UAdd):
-        number = _number(node.operand, depth)
-        return -number if isinstance(node.op, ast.USub) else number
-    if isinstance(node, ast.BinOp) and type(node.op) in _OPERATORS:
-        left, right = _number(node.left, depth), _number(node.right, depth)
-        if isinstance(node.op, ast.Pow):
-            _check_power(left, right)
-        found = _OPERATORS[type(node.op)](left, right)
-        if not isinstance(found, int | float) or (isinstance(found, float) and not math.isfinite(found)):
-            raise ValueError("a number is not finite or not real")
-        return found
+    match node:
+        case ast.Constant(value) if value is None or type(value) in (int, float, str):
+            return value
+        case ast.Tuple(parts) | ast.List(parts):
+            return tuple([_value(each, depth + 1) for each in parts])
+        case ast.UnaryOp(sign, inner) if type(sign) in _OPERATORS:
+            return _OPERATORS[type(sign)](_number(inner, depth))
+        case ast.BinOp(first, sign, second) if type(sign) in _OPERATORS:
+            left, right = _number(first, depth), _number(second, depth)
+            whole = isinstance(left, int) and isinstance(right, int)
+            if whole and isinstance(sign, ast.Pow) and int(left).bit_length() * abs(right) > _MOST_BITS:
+                raise ValueError("a power is too large")
+            found = _OPERATORS[type(sign)](left, right)
+            if isinstance(found, complex) or (isinstance(found, float) and not math.isfinite(found)):
+                raise ValueError("a number is not finite or not real")
+            return found
     raise ValueError(f"{_quoted(ast.unparse(node))} is not a plain value")
 
 
@@ -182,11 +167,6 @@ def _number(node: ast.expr, depth: int) -> int | float:
     if not isinstance(found, int | float):
         raise TypeError(f"{_quoted(ast.unparse(node))} is not a number")
     return found
-
-
-def _check_power(left: float, right: float) -> None:
-    if isinstance(left, int) and isinstance(right, int) and abs(left).bit_length() * abs(right) > _MOST_BITS:
-        raise ValueError("a power is too large")
 
 
 def _quoted(text: str) -> str:

@@ -18,7 +18,7 @@ from typing import Any, TypeVar
 import msgspec
 from msgspec import Struct, field
 
-from judge.errors import HistoryError
+from judge.errors import StoreError
 from judge.problem import Verdict
 from judge.problem.model import FULL_SCORE
 from judge.problem.solutions import is_solution
@@ -63,16 +63,16 @@ class Run(Event, frozen=True, rename={"source_hash": "source", "packed": "result
 
     @property
     def result(self) -> Result:
-        """What it came to, as far as its judge kept that. Raises HistoryError where it is damaged."""
+        """What it came to, as far as its judge kept that. Raises StoreError where it is damaged."""
         try:
             plain = json.loads(zlib.decompress(self.packed), parse_float=_finite, parse_constant=_finite)
             return read_result(plain)
         except DAMAGE as fault:
-            raise HistoryError(f"the result of run {self.id} is damaged") from fault
+            raise StoreError(f"the result of run {self.id} is damaged") from fault
 
     @property
     def levels(self) -> tuple[str, ...]:
-        """The levels of the kata that it passed whole. Raises HistoryError where its result is damaged."""
+        """The levels of the kata that it passed whole. Raises StoreError where its result is damaged."""
         return tuple(each.level.value for each in self.result.levels if each.passed)
 
     @property

@@ -9,9 +9,9 @@ from types import MappingProxyType
 
 from msgspec import Struct
 
-from judge.kata.checklist import read_checklist
-from judge.kata.quiz.cards import Card
-from judge.kata.review import Review
+from judge.practice.checklist import read_checklist
+from judge.practice.quiz.cards import Card
+from judge.practice.review import Review
 from judge.problem.find import problem_folders
 
 

@@ -10,13 +10,13 @@ from pathlib import Path
 from msgspec import Struct
 
 from judge.errors import UsageError
-from judge.kata.checklist import read_checklist
-from judge.kata.events import Help, Run
-from judge.kata.progress import Standing, standings
-from judge.kata.quiz.cards import Card
-from judge.kata.quiz.choose import next_cards, rising
-from judge.kata.review import Review, reviews
-from judge.kata.sets import FIRST, USUAL, find_set
+from judge.practice.checklist import read_checklist
+from judge.practice.events import Help, Run
+from judge.practice.progress import Standing, standings
+from judge.practice.quiz.cards import Card
+from judge.practice.quiz.choose import next_cards, rising
+from judge.practice.review import Review, reviews
+from judge.practice.sets import FIRST, USUAL, find_set
 from judge.problem import Problem, Tier, Verdict
 from judge.run.result import Result
 

@@ -24,12 +24,11 @@ from itertools import count
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from judge.errors import HistoryError, UsageError
-from judge.folders import user_data
-from judge.kata.events import DAMAGE, TABLES, Event, Kind, Run, Started, columns, from_row, to_row
+from judge.errors import StoreError, UsageError
+from judge.files import read_ordinary, user_data
+from judge.practice.events import DAMAGE, TABLES, Event, Kind, Run, Started, columns, from_row, to_row
 from judge.problem import Verdict
 from judge.problem.solutions import is_solution
-from judge.reading import read_ordinary
 from judge.run.result import Result
 
 if TYPE_CHECKING:
@@ -86,18 +85,18 @@ _Found = TypeVar("_Found")
 
 
 def history_path() -> Path:
-    """Where the history is: $JUDGE_DB, or a file in the user's own data folder. Raises HistoryError."""
+    """Where the history is: $JUDGE_DB, or a file in the user's own data folder. Raises StoreError."""
     if own := os.environ.get(VARIABLE):
         return Path(own)
     try:
         return user_data() / "history.sqlite3"
     except RuntimeError:
         remedy = f"set ${VARIABLE} to a file"
-        raise HistoryError("there is no home folder for the history", remedy=remedy) from None
+        raise StoreError("there is no home folder for the history", remedy=remedy) from None
 
 
 class History:
-    """The history in one file; a context manager. Every method raises HistoryError where the file fails."""
+    """The history in one file; a context manager. Every method raises StoreError where the file fails."""
 
     def __init__(self, path: Path, *, reading: bool) -> None:
         self.path = path
@@ -108,7 +107,7 @@ class History:
         self._file: tuple[int, int] | None = None
         try:
             self._connect()
-        except HistoryError as fault:
+        except StoreError as fault:
             self._set_aside(fault)
             self._connect()
 
@@ -119,13 +118,13 @@ class History:
         With `reading`, nothing is made where there is none yet, and a folder that cannot be written will do.
 
         Raises:
-            HistoryError: it cannot be opened, is newer than this judge, or is not a history.
+            StoreError: it cannot be opened, is newer than this judge, or is not a history.
         """
         try:
             import sqlite3  # noqa: F401
         except ImportError as fault:  # an interpreter that was built without it
             what = f"this Python cannot keep a history: {fault}"
-            raise HistoryError(what, remedy="install its sqlite3 module") from fault
+            raise StoreError(what, remedy="install its sqlite3 module") from fault
         return cls(history_path() if path is None else path, reading=reading)
 
     def __enter__(self) -> History:
@@ -169,7 +168,7 @@ class History:
         """Those of the runs whose results can be read; the others are left out."""
         found = []
         for run in runs:
-            with contextlib.suppress(HistoryError):
+            with contextlib.suppress(StoreError):
                 run.levels  # noqa: B018 - which reads the result
                 found.append(run)
                 continue
@@ -188,7 +187,7 @@ class History:
         try:
             return from_row(Run, rows[0])
         except DAMAGE as fault:  # no judge wrote this
-            raise HistoryError(f"run {number} is damaged", where=str(self.path)) from fault
+            raise StoreError(f"run {number} is damaged", where=str(self.path)) from fault
 
     def source(self, number: int) -> bytes:
         """The submission that run judged. Raises UsageError if there is no such run."""
@@ -198,7 +197,7 @@ class History:
             ((body,),) = self._do(lambda connection: connection.execute(query, (digest,)).fetchall())
             return zlib.decompress(body)
         except DAMAGE as fault:  # it is not there, or no judge wrote it
-            raise HistoryError(f"the source of run {number} is damaged", where=str(self.path)) from fault
+            raise StoreError(f"the source of run {number} is damaged", where=str(self.path)) from fault
 
     def places(self) -> list[Started]:
         """Every file that was started or judged, the last one first, each once; model solutions are not."""
@@ -232,7 +231,7 @@ class History:
             try:
                 with database.writing(*held) if writing else database.faults(held[0], self.path):
                     return work(self._connection)
-            except HistoryError as fault:
+            except StoreError as fault:
                 if not again:
                     raise
                 self._set_aside(fault)
@@ -246,7 +245,7 @@ class History:
         self._connection = database.connect(_kind(), self.path, reading=self._reading)
         self._connection.text_factory = _text_of
 
-    def _set_aside(self, fault: HistoryError) -> None:
+    def _set_aside(self, fault: StoreError) -> None:
         """Rename the file, unless another judge has put a new one in its place meanwhile.
 
         Raises `fault` where that does not say that our file is damaged.
@@ -296,7 +295,7 @@ def _kind() -> database.Kind:
     from judge import database
 
     remedy = f"name another file with --db or ${VARIABLE}"
-    return database.Kind("history", APPLICATION, STEPS, remedy, HistoryError)
+    return database.Kind("history", APPLICATION, STEPS, remedy)
 
 
 def _identity(path: Path) -> tuple[int, int] | None:

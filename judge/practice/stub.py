@@ -15,17 +15,19 @@ from itertools import count
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from judge.atomic import new_file, replace_file
 from judge.errors import ProblemError, UsageError
+from judge.files import new_file, read_ordinary, replace_file
 from judge.languages import file_name as program_name
 from judge.languages import language_of
 from judge.problem import Example, Problem
-from judge.reading import read_ordinary
 from judge.values import parameters
+from judge.values.atoms import Type
+from judge.values.types import Composite, ListType, OptionalType, TupleType, lasting
 
 if TYPE_CHECKING:
     from judge.languages.model import Language
 
+_DECIMALS = 6  # of a number in a doctest
 _WIDTH = 88  # of a line, as formatters have it
 _INDENT = "    "
 _QUOTES = '"""'
@@ -109,7 +111,7 @@ def _python(problem: Problem, about: Iterable[str]) -> str:
     entry, answer, width = problem.entry, problem.answer, _WIDTH - len(_INDENT)
     signature = _signature(problem)
     named = [answer, *(parameter.type for parameter in problem.parameters)]
-    meanings = {name: meant for type_ in named for name, meant in type_.aliases().items()}
+    meanings = dict(meaning for type_ in named for meaning in _aliases(type_))
     types = [f"{name} = {meant}" for name, meant in sorted(meanings.items()) if _names(signature, name)]
     if _names(signature, "array"):  # which takes no parameters at run time before Python 3.12
         types = ["from __future__ import annotations", "", "from array import array", "", *types]
@@ -119,11 +121,12 @@ def _python(problem: Problem, about: Iterable[str]) -> str:
         "\n".join([_docstring(about), "", *types]).rstrip(),
         f"{signature}\n{textwrap.indent(chr(10).join(body), _INDENT)}",
     ]
-    if answer.rounded and problem.examples and _settled(problem):
-        name = answer.words.answer if answer.words.answer.isidentifier() else answer.variable
+    if answer.measured and problem.examples and _settled(problem):
+        name = answer.several if isinstance(lasting(answer), ListType) else "answer"
+        name = answer.words.answer if answer.words.answer.isidentifier() else name
         rows = [f"def rounded({name}: {answer.annotation}) -> {answer.annotation}:"]
         rows.append(f'{_INDENT}"""Round the answer as the examples show it; 0.0 stands for -0.0 too."""')
-        expression = answer.rounded.format(name)
+        expression = _rounded(answer, name)
         if expression.startswith("None if "):
             test, _, expression = expression.removeprefix("None if ").partition(" else ")
             rows += [f"{_INDENT}if {test}:", f"{_INDENT * 2}return None"]
@@ -184,6 +187,34 @@ def _signature(problem: Problem) -> str:
     return "\n".join([head, *(f"{_INDENT}{parameter}," for parameter in given), tail])
 
 
+def _aliases(type_: Type) -> Iterator[tuple[str, str]]:
+    """The names that an annotation uses beside Python's own, with what they stand for."""
+    type_ = lasting(type_)
+    for part in type_.parts(1) if isinstance(type_, Composite) else ():
+        yield from _aliases(part)
+    if isinstance(type_, TupleType) and type_.alias:
+        yield type_.alias, type_.spelled
+
+
+def _rounded(type_: Type, what: str) -> str:
+    """The expression that rounds the numbers of an answer."""
+    inner = lasting(type_)
+    if not type_.measured:
+        return what
+    if isinstance(type_, OptionalType):
+        return f"None if {what} is None else {_rounded(inner, what)}"
+    if isinstance(type_, TupleType):
+        parts = (_rounded(part, f"{what}[{at}]") for at, part in enumerate(type_.made_of))
+        return f"({', '.join(parts)})"
+    if isinstance(type_, ListType):
+        item = type_.item
+        if isinstance(item, TupleType) and item.is_vector:
+            parts = (_rounded(part, name) for part, name in zip(item.made_of, item.names, strict=True))
+            return f"[({', '.join(parts)}) for {', '.join(item.names)} in {what}]"
+        return f"[{_rounded(item, 'item')} for item in {what}]"
+    return f"round({what}, {_DECIMALS}) + 0.0"
+
+
 def _names(signature: str, name: str) -> bool:
     return re.search(rf"\b{name}\b", signature) is not None
 
@@ -213,8 +244,8 @@ def _doctest(problem: Problem, example: Example) -> list[str]:
     if not _settled(problem):
         told = f"{call} may return {wanted!r}".replace("\0", " ")
         return _wrapped(told, _WIDTH - len(_INDENT))
-    if problem.answer.rounded:
-        call, wanted = f"rounded({call})", parameters.rounded(problem.answer, wanted)
+    if problem.answer.measured:
+        call, wanted = f"rounded({call})", eval(_rounded(problem.answer, "wanted"), {"wanted": wanted})
     call = f"print({call})" if wanted is None else call
     rows = [call] if len(call) <= room + len(_INDENT) else _wrapped(call, room + len(_INDENT), _INDENT)
     lines = [f"{'...' if at else '>>>'} {row}".replace("\0", " ") for at, row in enumerate(rows)]

@@ -19,7 +19,7 @@ from typing import TypeVar
 
 from msgspec import Struct
 
-from judge.kata.events import Answer, Help, Rating, Run
+from judge.practice.events import Answer, Help, Rating, Run
 from judge.problem import Verdict
 
 LADDER = (1, 3, 8, 21, 60, 180)  # days until it comes again

@@ -16,7 +16,7 @@ from enum import Enum
 
 from msgspec import Struct
 
-from judge.kata.events import Hack, Outcome
+from judge.practice.events import Hack, Outcome
 from judge.problem import Problem
 
 

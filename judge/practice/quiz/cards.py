@@ -23,9 +23,9 @@ import msgspec
 from msgspec import Struct
 
 from judge.errors import ProblemError, UsageError
-from judge.kata.checklist import read_checklist
-from judge.kata.quiz.typed import NUMBER, MistypedError, number
-from judge.kata.sets import USUAL, set_names
+from judge.practice.checklist import read_checklist
+from judge.practice.quiz.typed import NUMBER, MistypedError, number
+from judge.practice.sets import USUAL, set_names
 from judge.problem.find import problem_roots
 from judge.problem.tables import TomlFile, meant, refusal
 

@@ -25,16 +25,16 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from msgspec import Struct
 
-from judge.errors import HistoryError, ProblemError
-from judge.kata.checklist import Checklist, Row, Section, read_checklist
-from judge.kata.events import Answer, Hack, Run
-from judge.kata.hacks import broken
+from judge.errors import ProblemError, StoreError
+from judge.practice.checklist import Checklist, Row, Section, read_checklist
+from judge.practice.events import Answer, Hack, Run
+from judge.practice.hacks import broken
 from judge.problem import Problem
 from judge.problem.model import KataLevel
 
 if TYPE_CHECKING:
-    from judge.kata.history import History
-    from judge.kata.quiz.cards import Card
+    from judge.practice.history import History
+    from judge.practice.quiz.cards import Card
 
 
 class State(Enum):
@@ -194,9 +194,9 @@ def read_progress(
     """How a person stands by a history, and the faults of decks, which are left out.
 
     `problems` are all that can be found. Raises ProblemError where a file of skills or questions is broken,
-    HistoryError.
+    StoreError.
     """
-    from judge.kata.quiz.cards import read_decks
+    from judge.practice.quiz.cards import read_decks
 
     decks, faults = read_decks(extra)
     cards = [card for deck in decks for card in deck.cards]
@@ -270,7 +270,7 @@ def _tries(problem: Problem, runs: Iterable[Run]) -> list[_Tried]:
             if run.solved:
                 recorded = [level.value for level in KataLevel]
             elif not today.issuperset(run.passed + run.failed):
-                with contextlib.suppress(HistoryError):
+                with contextlib.suppress(StoreError):
                     recorded = run.levels
             found.append(_Tried(run, frozenset(run.passed), frozenset(run.failed), recorded))
     return found

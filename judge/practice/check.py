@@ -7,11 +7,11 @@ from contextlib import nullcontext
 from pathlib import Path
 
 from judge.errors import JudgeError, ProblemError
-from judge.kata.checklist import unknown_skills
-from judge.kata.quiz.cards import read_decks
-from judge.kata.quiz.questions import Sources, ask
-from judge.kata.sets import set_names, unknown_sets
-from judge.kata.stub import make_stub
+from judge.practice.checklist import unknown_skills
+from judge.practice.quiz.cards import read_decks
+from judge.practice.quiz.questions import Sources, ask
+from judge.practice.sets import set_names, unknown_sets
+from judge.practice.stub import make_stub
 from judge.problem import Problem
 from judge.problem.find import problem_roots
 from judge.problem.hints import read_hints

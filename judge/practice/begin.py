@@ -16,11 +16,10 @@ from shlex import quote
 
 from msgspec import Struct
 
-from judge.atomic import new_file
-from judge.data import load_data
-from judge.data.model import ProblemData
+from judge.data.load import ProblemData, load_data
 from judge.data.pins import pins_file, pins_of, write_pins
 from judge.errors import UsageError, unwritable
+from judge.files import new_file
 from judge.mistakes.computed import Computer, Program
 from judge.mistakes.makers import read_makers
 from judge.problem import Problem

@@ -22,14 +22,14 @@ from typing import TYPE_CHECKING, Any, TypeVar
 from msgspec import Struct
 
 from judge.errors import ProblemError
-from judge.kata.quiz.cards import LETTERS, Card, Choice, Count, Drawn, Number, Spot
-from judge.kata.quiz.typed import NONE, NUMBER, count, letters_of, listed, number, option, sequence
+from judge.practice.quiz.cards import LETTERS, Card, Choice, Count, Drawn, Number, Spot
+from judge.practice.quiz.typed import NONE, NUMBER, count, letters_of, listed, number, option, sequence
 from judge.problem import Problem
 from judge.problem.find import find_problem
 
 if TYPE_CHECKING:
     from judge.data.draw import Draw
-    from judge.data.model import ProblemData, Progress
+    from judge.data.load import ProblemData, Progress
     from judge.drawing import Picture
     from judge.problem import Group
     from judge.problem.module import Module
@@ -117,9 +117,9 @@ def ask(card: Card, sources: Sources, turn: str) -> Question:
         UsageError: a problem that it names is not here.
         ProblemError: a problem's own code fails, or the card asks for what it has not.
     """
-    from judge.data.draw import SeededDraw
+    from judge.data.draw import Draw, seeded
 
-    draw = SeededDraw(f"quiz/{sources.seed}/{card.key}/{turn}")
+    draw = Draw(seeded(f"quiz/{sources.seed}/{card.key}/{turn}"))
     match card.content:
         case Choice() as content:
             right = (content.right, Reply(True, ""))
@@ -184,17 +184,14 @@ def _nearly(content: Number, typed: str) -> Reply:
 
 def _count(card: Card, content: Count, sources: Sources, draw: Draw) -> Question:
     from judge.data.build import new_case
-    from judge.data.validate import Validator
     from judge.problem.declare import Shown
     from judge.problem.module import blaming
 
     problem, module = sources.problem(content.problem), sources.module(content.problem)
-    validator = Validator(problem, module.solve)
     with blaming(problem, f"card {card.key}: the problem's own code fails on a fresh case"):
         for _ in range(_FRESH):
             group = draw.choice(_groups(card, content, problem))
-            builder = module.draws[group.name]
-            case, exact = new_case(problem, group, builder, validator, lambda _attempt: draw, 1)
+            case, exact, *_ = new_case(problem, module, group, lambda _attempt: draw.integer)
             if not content.largest or all(
                 abs(each) <= content.largest and each == int(each) for each in _numbers(case)
             ):

@@ -15,7 +15,7 @@
                                     ask = "How far is a point from the line through A and B?"
                                     katas = ["distance"]
 
-`judge.kata.progress` says when a skill is shown and what ticks a row.
+`judge.practice.progress` says when a skill is shown and what ticks a row.
 """
 
 from __future__ import annotations

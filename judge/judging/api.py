@@ -1,0 +1,162 @@
+"""Judging from Python: one submission, or a job that came from another process or machine."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from functools import cache
+from pathlib import Path
+
+from msgspec import Struct
+
+from judge.digest import digest_of
+from judge.errors import JudgeError, UsageError
+from judge.files import read_ordinary
+from judge.languages import file_name, is_program
+from judge.problem import Problem
+from judge.problem.find import find_problem
+from judge.problem.keys import all_code_files, content_key, own_files
+from judge.problem.load import load_problem
+from judge.problem.model import chosen_groups
+from judge.run.result import Result
+
+_NAMELESS = file_name("submission")
+
+
+class RunOptions(Struct, frozen=True):
+    """How submissions are to be judged.
+
+    `groups` are the test groups to run, all where none is named; `seed` builds other cases than the pinned
+    ones; `isolation` demands a level instead of the best there is. `timed` says whether an accepted
+    submission is raced against the reference, `diagnosed` whether the smallest case is looked for that breaks
+    another one, `named` whether the mistake is. With a `level`, only groups of that level of the kata run.
+    A `program` is run as one even where it defines the problem's function.
+    """
+
+    groups: tuple[str, ...] = ()
+    seed: int | None = None
+    isolation: str | None = None
+    timed: bool = True
+    diagnosed: bool = True
+    named: bool = True
+    level: str | None = None
+    program: bool = False
+
+    def chosen(self, problem: Problem) -> tuple[str, ...]:
+        """The names of the groups to run. Raises UsageError where that problem has no such group or level."""
+        return tuple(group.name for group in chosen_groups(problem, self.groups, self.level))
+
+
+class Job(Struct, frozen=True):
+    """One submission to judge; `folder` and `solutions` are the problem's own, `version` is what they held.
+
+    Two jobs of one `digest` come to the same verdict, wherever they are done.
+    """
+
+    folder: str
+    solutions: str
+    version: str
+    name: str
+    source: bytes
+    options: RunOptions = RunOptions()
+
+    @classmethod
+    def of(cls, problem: Problem, source: bytes, name: str, options: RunOptions = RunOptions()) -> Job:  # noqa: B008
+        """The job of judging `source`, a file called `name`. Raises ProblemError for an unreadable file."""
+        return cls(str(problem.folder), str(problem.solutions), version_of(problem), name, source, options)
+
+    @property
+    def problem(self) -> str:
+        """The problem's id."""
+        return Path(self.folder).name
+
+    @property
+    def digest(self) -> str:
+        """The digest, in hex, of all that the outcome depends on: not of where the problem lies."""
+        plain = (self.problem, self.version, self.name, digest_of(self.source), self.options)
+        return digest_of(repr(plain).encode())
+
+
+def version_of(problem: Problem) -> str:
+    """The hash of the judge's own code and of all that it judges by in the problem's two folders."""
+    return content_key("job/", judged_by(problem), code_version())
+
+
+@cache
+def code_version() -> str:
+    """The hash of the judge's own code."""
+    return content_key("judge/", all_code_files())
+
+
+def judged_by(problem: Problem) -> list[Path]:
+    """The files of the problem's two folders that it is judged by."""
+    solutions = sorted(path for path in problem.solutions.glob("*/*") if path.is_file())
+    return [*own_files(problem.folder), *solutions]
+
+
+def judge(
+    problem: str | Problem,
+    source: bytes | str | os.PathLike[str],
+    *,
+    name: str | None = None,
+    folders: Sequence[str | os.PathLike[str]] = (),
+    options: RunOptions = RunOptions(),  # noqa: B008 - frozen
+) -> Result:
+    """Judge a submission as `judge run` does, contained; nothing is printed and nothing kept in a history.
+
+    Args:
+        problem: its name, looked up as by the command line and first in these `folders`.
+        source: the submission: its text or bytes, or a `pathlib.Path` to its file.
+        name: the file's name in tracebacks and in the result; a path's own by default.
+        options: how to judge.
+
+    Returns:
+        The result. `result.verdict`, `score`, `groups`, `failure`, `counterexample`, `pitfall` and `time` say
+        what `judge run` shows, `as_json()` is the object that it writes, and `notes` are its remarks. A fault
+        of the problem or of the judge while judging is the verdict JE.
+
+    Raises:
+        UsageError: there is no such problem, group, level, file or isolation.
+        ProblemError: the problem's folder is broken.
+    """
+    found = find_problem(problem, [Path(each) for each in folders]) if isinstance(problem, str) else problem
+    options.chosen(found)  # a name that is none is told before anything is built
+    content, called = _read(source)
+    return _judged(found, options, content, name or called)
+
+
+def run(job: Job) -> Result:
+    """Do a job, wherever this is: both it and its result can be pickled.
+
+    Raises:
+        UsageError: the isolation that it demands cannot be had.
+        JudgeError: the problem here is not the one that the job was made for.
+    """
+    problem = load_problem(Path(job.folder), Path(job.solutions))
+    if version_of(problem) != job.version:
+        what = f"{job.problem} is not the problem that this job was made for"
+        raise JudgeError(what, where=job.folder, remedy="bring the judge and its problems to one version")
+    return _judged(problem, job.options, job.source, job.name)
+
+
+def _judged(problem: Problem, options: RunOptions, source: bytes, name: str) -> Result:
+    from judge.judging.session import Session  # which knows of options
+
+    with Session(problem, options) as session:
+        session.boot(source, name)
+        session.prepare()
+        return session.judge(source, name)
+
+
+def _read(source: bytes | str | os.PathLike[str]) -> tuple[bytes, str]:
+    """The bytes of a submission, and what it is called."""
+    if isinstance(source, str) and "\n" not in source and is_program(source):
+        remedy = f"give pathlib.Path({source!r}), or the text that is in it"
+        raise UsageError(f"{source!r} is a file's name, not a program", remedy=remedy)
+    if isinstance(source, bytes | str):
+        return source if isinstance(source, bytes) else source.encode(), _NAMELESS
+    try:
+        return read_ordinary(Path(source)), os.fspath(source)
+    except OSError as fault:
+        reason = (fault.strerror or "cannot be read").lower()
+        raise UsageError(f"cannot be read ({reason})", where=os.fspath(source)) from fault

@@ -1,0 +1,198 @@
+"""A case of a person's own, answered and asked; one that breaks a wrong program; fresh cases without end."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Sequence
+
+from msgspec.structs import replace
+
+from judge.data.build import Fresh, target_of, validate
+from judge.data.load import GroupData, ProblemData
+from judge.errors import UsageError
+from judge.judging.api import RunOptions
+from judge.judging.session import NAMED, Bars, Session, silent
+from judge.languages import file_name
+from judge.mistakes.puzzles import Puzzle
+from judge.problem import Case, Group, Problem, Verdict
+from judge.problem.declare import InvalidCase
+from judge.problem.model import case_of
+from judge.problem.module import load_module
+from judge.problem.solutions import accepted_source
+from judge.run.execute import Judged, judge_submission, opened
+from judge.run.group import group_limits
+from judge.run.hurdle import hurdle_of, with_hurdle
+from judge.run.printed import message_of, text_of
+from judge.run.replies import VERDICTS, Replies
+from judge.run.result import Failure, GroupResult, Result
+from judge.run.runner import Runner
+from judge.run.stress import OnCases, Stressed, stress
+from judge.run.tried import Hacked, Said, Tried
+from judge.sandbox.boundary import Stop, Usage
+from judge.values import show, wire
+from judge.values.check import Rejection
+from judge.values.wire import Raw
+
+_SHOWN = 400  # characters of an answer
+_NAME = file_name("program")  # what a wrong program is called in a message
+
+
+def try_case(problem: Problem, case: Case, group: str = "") -> Tried:
+    """Prove and solve the case; the tolerance is the group's, or that of most where there is no such group.
+
+    Raises:
+        UsageError: the case breaks the bounds or the promise.
+        ProblemError: the problem's own code fails on it.
+    """
+    module = load_module(problem)
+    try:
+        exact = validate(problem, module, case)
+    except InvalidCase as fault:
+        what = re.sub("^The ", "the ", str(fault))
+        raise UsageError(f"Not a valid input: {what}", remedy=f"see judge show {problem.id}") from None
+    judged_by = problem.group(group) or _usual(problem)
+    target = target_of(problem, exact, judged_by.tolerance)
+    data = ProblemData(problem, (GroupData(judged_by, [case], [target]),), module=module)
+    return Tried(problem, case, judged_by, exact, target, data)
+
+
+def _usual(problem: Problem) -> Group:
+    """A group that has the tolerance of most."""
+    usual = Counter(group.tolerance for group in problem.groups).most_common(1)[0][0]
+    return next(group for group in problem.groups if group.tolerance == usual)
+
+
+def ask(session: Session, tried: Tried, source: bytes, name: str) -> Said:
+    """What a submission answers to the case, called alone in a container.
+
+    Raises:
+        UsageError: the isolation that is asked for cannot be had.
+        JudgeError: nothing can be run here.
+    """
+    with session.take(source, name) as box:
+        runner = opened(box, tried.problem, source)
+        if isinstance(runner, Failure):
+            return Said(name, Verdict.CE, "no answer", runner.message, box.isolation)
+        replies = runner.answers(box, [tried.case], group_limits(tried.problem, tried.group, Usage()))
+        verdict, got, message, given = _answer(runner, tried, replies)
+        printed = text_of(replies.printed)
+        said = Said(name, verdict, got, message, box.isolation, runner.mode, given, printed)
+        if verdict is Verdict.AC:
+            return said
+        failure = runner.explained(Failure(message_of(message, got, printed)))
+        group = GroupResult(name=tried.group.name, verdict=verdict, cases=1, passed=0)
+        result = Result(
+            problem=tried.problem.id,
+            submission=name,
+            verdict=verdict,
+            groups=(group,),
+            failure=failure,
+        )
+        hurdle = hurdle_of(result, runner, box.inspect(), source)
+        return replace(said, message=failure.message, hurdle=hurdle)
+
+
+def _answer(runner: Runner, tried: Tried, replies: Replies) -> tuple[Verdict, str, str, Raw]:
+    """The verdict on what came of one call, the answer in words, why it is rejected, the answer itself."""
+    broken = replies.breakdown
+    if broken is not None:
+        return broken.verdict, broken.got, broken.detail, None
+    reply = replies.replies[0]
+    if reply.stop is not Stop.ANSWERED:
+        return VERDICTS[reply.stop], "no answer", reply.detail, None
+    outcome = runner.decide(reply.answer, tried.target, lambda: (tried.exact, tried.group.tolerance))
+    given = runner.raw(reply.answer)
+    if isinstance(outcome, Rejection):
+        return Verdict.WA, outcome.got, outcome.message, given
+    shown = show.shown(tried.problem.answer, given) if runner.calls else wire.quoted(reply.answer)[1:-1]
+    return Verdict.AC, shown[:_SHOWN], "", given
+
+
+def hack(problem: Problem, puzzle: Puzzle, case: Case, isolation: str | None = None) -> Hacked:
+    """Run the puzzle's program on the case, contained; the case breaks it if the answer is rejected.
+
+    Raises:
+        UsageError: the isolation that is asked for cannot be had.
+        JudgeError: the problem is broken, or nothing can be run here.
+    """
+    try:
+        tried = try_case(problem, case, puzzle.group.name)
+    except UsageError as fault:
+        return Hacked(fault.what)
+    with Session(problem, RunOptions(isolation=isolation)) as session:
+        said = ask(session, tried, puzzle.source, _NAME)
+        why = ""
+        if said.verdict is Verdict.AC:
+            why = "the program answers this case correctly"
+        elif puzzle.special and problem.time:
+            model = accepted_source(problem, problem.time.function)
+            if model is not None and ask(session, tried, model, _NAME).verdict is not Verdict.AC:
+                why = f"with the tolerance of {puzzle.group.name}, a right program fails this case too"
+        return Hacked(why, tried, said, session.notes(said.isolation))
+
+
+def smallest(
+    problem: Problem, puzzle: Puzzle, isolation: str | None = None, bars: Bars = silent
+) -> tuple[Tried, Said] | None:
+    """A smallest case that breaks the program, and what it answers; None where none of its group does.
+
+    Raises as `hack`.
+    """
+    options = RunOptions(groups=(puzzle.group.name,), isolation=isolation, timed=False, named=False)
+    with Session(problem, options, bars=bars) as session:
+        result = session.judge(puzzle.source, _NAME)
+        found = result.counterexample
+        shown = found if found is not None and found.replay else result.failure
+        if shown is None or shown.input is None:
+            return None
+        tried = try_case(problem, case_of(shown.input), puzzle.group.name)
+        return tried, ask(session, tried, puzzle.source, _NAME)
+
+
+def judge_fresh(
+    session: Session,
+    source: bytes,
+    name: str,
+    groups: Sequence[Group],
+    *,
+    seed: int,
+    seconds: float,
+    on_cases: OnCases | None = None,
+) -> Stressed:
+    """Judge a submission on fresh cases of the groups, from that seed and for so long; explain what breaks.
+
+    The session's options say whether that is shrunk and named. Ctrl-C ends it early; what broke by then is
+    kept. Raises JudgeError.
+    """
+    problem, options = session.problem, session.options
+    session.boot(source, name)
+    module = load_module(problem)  # while the box boots
+    fresh = Fresh(problem, module, groups, seed)
+    with session.take(source, name) as box:
+        data = ProblemData(problem, (), module=module)
+        stressed = stress(
+            data, fresh, box, source, name, seconds=seconds, on_cases=on_cases, lock=session.lock
+        )
+        result, broken, runner = stressed.result, stressed.broken, stressed.runner
+        if broken is not None and runner is not None:
+            result = with_hurdle(result, runner, box, source)
+            if result.hurdle is not None:
+                return replace(stressed, result=result)
+            try:
+                if options.diagnosed:
+                    series = broken.series
+                    failed = session.diagnosed(
+                        Judged(replace(result, failure=broken.failure), runner, {}),
+                        ProblemData(problem, (series,), module=module),
+                        box,
+                        lambda _group, _builder, number, _case: series.choices[number],
+                    )
+                    result = replace(failed, failure=result.failure)
+                if options.named and result.verdict in NAMED:
+                    pinned = judge_submission(session.data, source, name, session.untimed)
+                    named = session.named(pinned.result, pinned.behaviour, source)
+                    result = replace(result, pitfall=named.pitfall).noting(*named.notes)
+            except KeyboardInterrupt:  # what broke is known, and worth more than the rest
+                stressed = replace(stressed, interrupted=True)
+        return replace(stressed, result=result.noting(*session.notes(box.isolation)))

@@ -1,0 +1,130 @@
+"""The value that an answer stands for, out of JSON of any shape or a line of text."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import inf
+
+from judge.values.answers import NO_WORDS, Words
+from judge.values.atoms import ROOT, Atom, Place, Type, Value
+from judge.values.show import is_one_item, shown
+from judge.values.types import Composite, ListType, OptionalType, TupleType, lasting
+from judge.values.wire import Raw, Tokens, Unreadable, collecting, fault, items, quoted
+
+
+def read(type_: Type, raw: Raw, place: Place = ROOT, *, bounded: bool = True) -> Value:
+    """The value that an answer stands for; raises Unreadable.
+
+    `bounded` says whether a list may have no more items than its type says.
+    """
+    if isinstance(type_, OptionalType):
+        if raw is None:
+            return None
+        if isinstance(type_.inner, Atom):
+            return type_.inner.read(raw, place, type_.noun if place is ROOT else type_.inner.noun)
+        return read(type_.inner, raw, place, bounded=bounded)
+    if isinstance(type_, Atom):
+        return type_.read(raw, place, type_.noun)
+    assert isinstance(type_, Composite)
+    found = items(raw)
+    if found is None or is_one_item(type_, found):
+        raise Unreadable(_no_parts(type_, raw, found, place))
+    count = len(found)
+    why = type_.wrong_count(count, place) if bounded or isinstance(type_, TupleType) else None
+    if why:
+        raise Unreadable(why)
+    if isinstance(type_, ListType) and type_.item.text == "int" and set(map(type, found)) <= {int}:
+        return list(found)  # a million of them, perhaps
+    return type_.kind(
+        [
+            read(part, each, Place(place, at, type_, count), bounded=bounded)
+            for at, (part, each) in enumerate(zip(type_.parts(count), found, strict=True))
+        ]
+    )
+
+
+def _no_parts(type_: Composite, raw: Raw, found: Sequence[Raw] | None, place: Place) -> str:
+    name = place.name()
+    what = f"{name} is meant to be {type_.noun}" if name else f"{type_.noun} is meant"
+    wrong, remedy = fault(raw), ""
+    if isinstance(type_, ListType):
+        if raw is None:
+            return f"None where {what}" + (f": no {type_.several} are []" if not type_.low else "")
+        if found is not None:
+            return f"{f'a {type_.one}' if type_.one != 'item' else shown(type_.item, raw)} where {what}"
+        remedy = collecting(wrong.type)
+    elif type_.one == "point" and wrong.type.startswith("complex"):
+        remedy = f"return a point as {type_.noun}"
+    return wrong.where(what, remedy)
+
+
+def read_line(type_: Type, text: str) -> tuple[Raw] | str:
+    """The answer that a line holds, in a tuple of one, or why it holds none."""
+    try:
+        line = Tokens(text, meant(type_))
+        raw = line.next() if type_.width == 1 and line.words[1:] else _take(type_, line, whole=True)
+        if line.words:
+            raise Unreadable(f"{quoted(line.ahead)} after the answer: one line holds {line.meant}")
+    except Unreadable as why:
+        return str(why)
+    return (raw,)
+
+
+def meant(type_: Type) -> str:
+    """What a line holds, in words."""
+    return type_.words.meant or _hint(type_, type_.words)
+
+
+def _take(type_: Type, line: Tokens, *, whole: bool = False) -> Raw:
+    """The answer that the next tokens hold; raises Unreadable. `whole` says that it is all of the line."""
+    if isinstance(type_, OptionalType):
+        ahead = line.ahead
+        if ahead == "none":
+            line.next()
+            return None
+        if ahead.lower() in {"none", "null"}:
+            what = line.meant if whole and type_.width == 1 else _hint(type_)
+            raise Unreadable(f"{quoted(ahead)} where {what} is meant: write none in lower case")
+        return _take(type_.inner, line, whole=whole)
+    if isinstance(type_, Atom):
+        return type_.take(line, line.meant if whole else type_.noun)
+    assert isinstance(type_, Composite)
+    count = _count(type_, line, whole=whole) if isinstance(type_, ListType) else 0
+    return [_take(part, line) for part in type_.parts(count)]
+
+
+def _count(type_: ListType, line: Tokens, *, whole: bool) -> int:
+    """The length of the list that follows."""
+    if line.ahead.lower() == "none":
+        raise Unreadable(f'"{line.ahead}" where {_hint(type_)} is meant: no {type_.several} are 0')
+    count = line.integer(f"the number of {type_.several} k")
+    if not type_.low <= count <= (inf if type_.high is None else type_.high):
+        given = str(count) if len(str(count)) <= 20 else f"{str(count)[:20]}…"
+        bounds = f"{type_.low} or more" if type_.high is None else f"{type_.low} to {type_.high}"
+        bounds = str(type_.low) if type_.low == type_.high else bounds
+        raise Unreadable(f"k = {given} where {bounds} {type_.several} are meant")
+    width = type_.item.width
+    if width is not None and whole and len(line.words) != count * width:
+        noun = "coordinates" if type_.one == "point" else "more"
+        raise Unreadable(f"k = {count} needs {count * width} {noun}, {len(line.words)} given")
+    if count > len(line.words):
+        raise Unreadable(f"the line ends too early: it holds {line.meant}")
+    return count
+
+
+def _hint(type_: Type, words: Words = NO_WORDS) -> str:
+    """What a line holds, in words, as far as the type says it."""
+    if isinstance(type_, OptionalType):
+        return f"{_hint(type_.inner, words)} or none"
+    if isinstance(type_, TupleType):
+        return " ".join(type_.names) if type_.is_vector else ", ".join(map(_hint, type_.made_of))
+    if isinstance(type_, ListType):
+        if isinstance(type_.item, TupleType) and type_.item.is_vector:
+            return f"k {' '.join(f'{name}1' for name in type_.item.names)} …"
+        item = _hint(type_.item)
+        return (
+            f"k and then k times {item}"
+            if isinstance(lasting(type_.item), Atom)
+            else f"k and then k times ({item})"
+        )
+    return words.answer or type_.noun
