@@ -7,7 +7,7 @@ from html import escape
 
 from msgspec import Struct
 
-from judge.kata.model import approaches
+from judge.practice.model import approaches
 from judge.problem import Problem
 from judge.problem.hints import read_hints
 
