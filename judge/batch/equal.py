@@ -12,7 +12,7 @@ from pathlib import PurePath
 
 from judge.batch.model import Handin
 from judge.batch.normal import NormalForm, normal_form
-from judge.digest import digest_of
+from judge.cache import digest
 from judge.errors import ProblemError
 from judge.languages import SUFFIX
 from judge.practice.stub import make_stub
@@ -44,8 +44,8 @@ def equal_files(
             forms[text] = normal_form(each.source, each.file, entries.get(each.problem, ""))
         form = forms[text]
         if form.words >= least and form.text != stubs.get(each.problem):
-            digest = digest_of(form.text.encode("utf-8", "surrogatepass"))
-            found[each.problem, digest].append((each, form.words))
+            same = digest(form.text.encode("utf-8", "surrogatepass"))
+            found[each.problem, same].append((each, form.words))
     sets = [_told(each) for each in found.values() if len({handin.student for handin, _ in each}) > 1]
     return sorted(sets, key=lambda each: (each.problem, each.students, each.files))
 

@@ -35,8 +35,7 @@ from judge.files import (
     within_limit,
 )
 from judge.languages import SUFFIX, is_program, language_of
-from judge.problem.find import problem_folders
-from judge.problem.fit import fitting_problems, id_of, signs
+from judge.problem.find import fitting_problems, id_of, problem_folders, signs
 
 _DEEPEST = 20  # levels of folders
 _MOST = 100_000  # files

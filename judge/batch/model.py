@@ -14,7 +14,7 @@ import msgspec
 from msgspec import Struct
 from msgspec.structs import replace
 
-from judge.digest import digest_of
+from judge.cache import digest
 from judge.problem.model import Verdict
 from judge.run.result import Result, judge_fault, read_result
 
@@ -47,7 +47,7 @@ class Handin(Struct, frozen=True):
     @property
     def digest(self) -> str:
         """The digest of the source, 64 hex digits: two hand-ins of one digest and problem are judged once."""
-        return digest_of(self.source)
+        return digest(self.source)
 
 
 class Standard(Struct, frozen=True):

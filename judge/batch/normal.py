@@ -14,11 +14,11 @@ from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
-from judge.digest import digest_of
+from judge.cache import digest
 from judge.errors import JudgeError
 from judge.languages import SUFFIX, language_of
 from judge.languages.scan import reading, unsaid
-from judge.problem.program import LONGEST, tree_of_stranger
+from judge.problem.solutions import LONGEST, tree_of_stranger
 
 if TYPE_CHECKING:
     from judge.languages.model import Language
@@ -46,7 +46,7 @@ def normal_form(source: bytes, name: str, entry: str = "") -> NormalForm:
                     return _of_words(language, source.decode(), language.spelt(entry) if entry else "")
         except (SyntaxError, ValueError, RecursionError, JudgeError):  # not to be read, so itself
             pass
-    return NormalForm(digest_of(source), len(source.split()))
+    return NormalForm(digest(source), len(source.split()))
 
 
 # -- Python ------------------------------------------------------------------------------------------------

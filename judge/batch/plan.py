@@ -13,7 +13,7 @@ from msgspec.structs import replace
 
 from judge.batch.model import Done, Handin, Row, Standard, Task
 from judge.batch.standard import differing
-from judge.digest import digest_of
+from judge.cache import digest
 from judge.problem import Problem, Verdict
 from judge.problem.model import FULL_SCORE
 from judge.run.result import judge_fault, read_result
@@ -119,7 +119,7 @@ def copied(row: Row, handin: Handin, standard: str) -> Row:
 def key_of(handin: Handin, standard: str) -> str:
     """The digest of the hand-in and its standard."""
     parts = (handin.student, handin.problem, handin.file, handin.digest, standard)
-    return digest_of("\0".join(parts).encode())
+    return digest("\0".join(parts).encode())
 
 
 def current(

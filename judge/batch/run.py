@@ -21,7 +21,7 @@ from judge.batch.shards import Shard
 from judge.batch.standard import level_here, standard_of
 from judge.batch.store import Store
 from judge.batch.work import fault_done, judge_task, learn_task, release
-from judge.data.cache import DataCache
+from judge.data.load import is_kept as data_kept
 from judge.errors import JudgeError, ProblemError, UsageError
 from judge.judging.api import RunOptions
 from judge.judging.pool import Executor, Processes
@@ -311,7 +311,7 @@ def judged(plan: Plan, store: Store, executor: Executor) -> Generator[Row, None,
 
 def _is_learnt(problem: Problem, options: RunOptions) -> bool:
     try:
-        data = DataCache(problem, options.seed).exists()
-        return data and (not options.named or is_kept(problem, options.seed))
+        there = data_kept(problem, options.seed)
+        return there and (not options.named or is_kept(problem, options.seed))
     except JudgeError:  # whoever judges says so
         return True

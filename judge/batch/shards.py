@@ -16,7 +16,7 @@ from msgspec import Struct
 from judge.batch.model import Handin, Row, Standard
 from judge.batch.standard import differing
 from judge.batch.store import STORE, Store
-from judge.digest import digest_of
+from judge.cache import digest
 from judge.errors import StoreError, UsageError
 
 _FORM = re.compile(r"([0-9]{1,6})/([0-9]{1,6})", re.ASCII)
@@ -41,7 +41,7 @@ class Shard(Struct, frozen=True):
     def holds(self, handin: Handin) -> bool:
         """Whether a hand-in is of this part."""
         own = handin.file if handin.why else handin.digest
-        return int(digest_of(f"{handin.problem}/{own}".encode())[:15], 16) % self.count == self.number - 1
+        return int(digest(f"{handin.problem}/{own}".encode())[:15], 16) % self.count == self.number - 1
 
     def beside(self, place: Path) -> Path:
         """Where its results are, if those of the whole class are at `place`."""

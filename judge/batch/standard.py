@@ -9,12 +9,11 @@ from msgspec.structs import replace
 
 from judge import __version__
 from judge.batch.model import Standard
-from judge.digest import digest_of
-from judge.judging.api import RunOptions, code_version, judged_by
+from judge.cache import code_key, content_key, digest
+from judge.judging.api import RunOptions, judged_by
 from judge.judging.session import Session
 from judge.languages import file_name
 from judge.problem import Problem
-from judge.problem.keys import content_key
 
 _EMPTY = file_name("empty")
 _SIGNS = 12  # of a hash; they tell versions apart, and nobody would forge one
@@ -29,15 +28,14 @@ _WORDS = {
 
 def standard_of(problem: Problem, options: RunOptions, isolation: str) -> Standard:
     """By what this process judges the problem at that level of isolation. Raises ProblemError."""
-    data = content_key("standard/", judged_by(problem))[:_SIGNS]
-    return Standard(
-        f"{__version__}+{code_version()[:_SIGNS]}", data, _python(), isolation, terms_digest(options)
-    )
+    data = content_key(judged_by(problem))[:_SIGNS]
+    code = f"{__version__}+{code_key()[:_SIGNS]}"
+    return Standard(code, data, _python(), isolation, terms_digest(options))
 
 
 def terms_digest(options: RunOptions) -> str:
     """The digest of the options that decide a verdict; the isolation is a part of its own."""
-    return digest_of(msgspec.json.encode(replace(options, isolation=None)))[:_SIGNS]
+    return digest(msgspec.json.encode(replace(options, isolation=None)))[:_SIGNS]
 
 
 def level_here(problem: Problem, options: RunOptions) -> tuple[str, tuple[str, ...]]:

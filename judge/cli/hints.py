@@ -6,7 +6,7 @@ from pathlib import Path
 
 from judge.errors import UsageError
 from judge.problem import Problem
-from judge.problem.hints import read_hints
+from judge.problem.texts import read_hints
 from judge.report.published_practice import HintShown
 
 

@@ -79,7 +79,7 @@ def next_kata(
     return next((each for each in rows if each.id not in solved and each.id != after), None)
 
 
-def set_of(problem: str, problems: Sequence[Problem], folders: Sequence[Path]) -> PracticeSet | None:
+def set_of(problem: str, problems: Sequence[Problem], folders: Sequence[Path]) -> PracticeSet[Problem] | None:
     """The set that a kata belongs to, the easiest one; None where it is in none but the whole path."""
     sets, _ = sound_sets(problems, folders)
     return next((each for each in sets if each.name != USUAL and problem in _names(each.problems)), None)

@@ -5,6 +5,7 @@ Containers are started as early as can be: most of what judging and showing need
 
 from __future__ import annotations
 
+import os
 from collections.abc import Generator, Sequence
 from contextlib import suppress
 from typing import TYPE_CHECKING
@@ -15,7 +16,7 @@ from judge.cli.submissions import Submission
 from judge.cli.wish import Wish
 from judge.judging.session import Session
 from judge.problem import Problem, Verdict
-from judge.problem.keys import own_files
+from judge.problem.load import load_problem, own_files
 
 if TYPE_CHECKING:
     from judge.cli.picture import Drawing
@@ -73,10 +74,12 @@ class Sitting:
         seen = []
         with suppress(OSError):  # whoever reads them says so
             for path in own_files(self._problem.folder):
-                mark = path.stat()
-                seen.append((str(path), mark.st_mtime_ns, mark.st_size))
+                mark = os.stat(path)  # noqa: PTH116
+                seen.append((path, mark.st_mtime_ns, mark.st_size))
         if seen != self._seen:
             self.close()
+            if self._seen:
+                self._problem = load_problem(self._problem.folder, self._problem.solutions)
             self._seen = seen
 
     def close(self) -> None:

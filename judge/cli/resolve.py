@@ -24,7 +24,7 @@ from judge.errors import JudgeError, StoreError, UsageError
 from judge.languages import file_name, is_program
 from judge.problem import Problem
 from judge.problem.find import find_problem, near_problem_folders, problem_folders, shipped_problems
-from judge.problem.names import is_name
+from judge.problem.model import is_name
 
 if TYPE_CHECKING:
     from judge.cli.options import Common
@@ -226,7 +226,7 @@ def problem_of_file(
         UsageError: none fits, or several do; it says how to choose.
         ProblemError: the one that fits is broken.
     """
-    from judge.problem.fit import fitting_problems, meant_problem, signs  # only where no kata is named
+    from judge.problem.find import fitting_problems, meant_problem, signs  # only where no kata is named
     from judge.report.words import shown_command
 
     found = signs(submission.source, submission.name)

@@ -1,17 +1,24 @@
-"""A problem's data, from the cache or built."""
+"""A problem's data: from the cache, one file a problem, or built.
+
+    data/<id>-<place>-own          {"<group>": [[case, …], [target, …]], …}
+    data/<id>-<place>-seeded       the same of the last run with a seed
+
+`place` stands for the problem's folder. Of a group with a size the file holds what its cases are built from.
+"""
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, Union
 
-import msgspec
 from msgspec import Struct
 from msgspec.structs import replace
 
-from judge.data.cache import DataCache
+from judge.cache import DISK, Store, digest
 from judge.errors import ProblemError
 from judge.problem import Case, Group, Problem, Tolerance
+from judge.problem.load import problem_key
 from judge.problem.model import EXAMPLES, tupled
 from judge.values.answers import within
 
@@ -20,7 +27,8 @@ if TYPE_CHECKING:
     from judge.values.answers import Exact, Target
 
 Progress = Callable[[int, int], None]  # cases done, cases in all
-_DEEPEST = 12  # lists in lists that are read as tuples at once
+FORMAT = 4  # raise it when the form of the file changes
+_DEEPEST = 12  # lists in lists that are read as tuples
 
 
 class GroupData(Struct, frozen=True):
@@ -77,101 +85,84 @@ def reseeded(group: Group, seed: int | None) -> Group:
     return replace(group, seed=int.from_bytes(digest[:8], "big"))
 
 
-def _decoder(depth: int) -> msgspec.json.Decoder[Any]:
-    """For a group's data, its cases and its targets, with tuples for the lists that those are made of."""
+def _form() -> Any:
+    """The type of the file, with tuples for the lists that cases and targets are made of."""
     value: Any = None | bool | int | float | str
-    for _ in range(depth):
+    for _ in range(_DEEPEST):
         value = Union[None, bool, int, float, str, tuple[value, ...]]  # noqa: UP007
-    data: Any = tuple[list[tuple[value, ...]], list[value]]
-    return msgspec.json.Decoder(data)
+    return dict[str, tuple[list[tuple[value, ...]], list[value]] | dict[str, Any]]
 
 
-_DATA = _decoder(_DEEPEST)
+_FORM = _form()
 
 
 def load_data(
-    problem: Problem, *, seed: int | None = None, progress: Progress | None = None, cache: bool = True
+    problem: Problem,
+    *,
+    seed: int | None = None,
+    progress: Progress | None = None,
+    store: Store | None = DISK,
 ) -> ProblemData:
     """Every group's cases and targets, in the order of the groups.
 
     With `seed`, each group's own seed is derived from it. `progress` hears how many cases are built.
-    Without `cache` they are built afresh and not kept. Raises ProblemError.
+    Without a `store` they are built afresh and not kept. Raises ProblemError.
     """
-    store = DataCache(problem, seed) if cache else None
-    if store is not None:
-        kept = _from_plain(store.read(dict[str, msgspec.Raw]), problem, seed)
-        if kept is not None:
-            return kept
+    place = data_name("data", problem, seed), data_key(problem, seed)
+    kept = _data(store.read(*place, _FORM), problem, seed) if store else None
+    if kept is not None:
+        return kept
     # Only now: a warm start needs neither the exact numbers nor the builders.
-    from judge.data.build import build
+    from judge.data.build import as_seeds, build
     from judge.problem.module import load_module
 
     module = load_module(problem)
     groups = tuple(build(problem, module, seed, progress))
-    note = store.write(_as_plain(groups)) if store is not None else None
+    note = None
+    if store and problem.key and problem_key(problem.folder) == problem.key:  # its files are still these
+        plain = {
+            data.group.name: [data.cases, data.targets] if data.group.size is None else as_seeds(data)
+            for data in groups
+        }
+        note = store.write(*place, plain)
     return ProblemData(problem, groups, (note,) if note else (), module)
 
 
-def _as_plain(groups: tuple[GroupData, ...]) -> dict[str, Any]:
-    from judge.data.build import as_seeds
-
-    return {
-        data.group.name: [data.cases, data.targets] if data.group.size is None else as_seeds(data)
-        for data in groups
-    }
+def is_kept(problem: Problem, seed: int | None) -> bool:
+    """Whether the data are in the cache."""
+    name, key = data_name("data", problem, seed), data_key(problem, seed)
+    return DISK.read(name, key, dict[str, Any]) is not None
 
 
-def _from_plain(plain: Any, problem: Problem, seed: int | None) -> ProblemData | None:
-    """The data that `_as_plain` wrote, or None if this is anything else."""
+def data_name(folder: str, problem: Problem, seed: int | None) -> str:
+    """The name in that folder of the store of what is kept for this problem, in this place, for a seed."""
+    place = digest(os.fsencode(problem.folder))[:8]
+    return f"{folder}/{problem.id}-{place}-{'own' if seed is None else 'seeded'}"
+
+
+def data_key(problem: Problem, seed: int | None) -> str:
+    """The key of all that the data are made from."""
+    return f"{FORMAT}/{seed}/{problem.key}"
+
+
+def _data(plain: Any, problem: Problem, seed: int | None) -> ProblemData | None:
+    """The data that were written, or None if this is anything else."""
     module = None
     groups = []
     try:
         for each in problem.groups:
-            if each.size is not None and module is None:
-                from judge.problem.module import load_module  # big cases are built again
+            group, kept = reseeded(each, seed), plain[each.name]
+            if each.size is None:
+                cases, targets = kept
+            else:  # big cases are built again
+                from judge.data.build import from_seeds
+                from judge.problem.module import load_module
 
-                module = load_module(problem)
-            groups.append(_group(plain[each.name], reseeded(each, seed), problem, module))
-    except (
-        KeyError,
-        TypeError,
-        ValueError,
-        IndexError,
-        AttributeError,
-        ProblemError,
-    ):  # whatever a foreign file can hold
-        return None
+                module = module or load_module(problem)
+                cases, targets = from_seeds(kept, problem, module, group), list(map(tupled, kept["targets"]))
+            if len(cases) != group.count or len(targets) != group.count:
+                return None
+            groups.append(GroupData(group, cases, targets))
+    except (KeyError, TypeError, ValueError, IndexError, AttributeError, ProblemError):
+        return None  # whatever a foreign file can hold
     return ProblemData(problem, tuple(groups), module=module)
-
-
-def _group(plain: Any, group: Group, problem: Problem, module: Module | None) -> GroupData:
-    cases: Any
-    if group.size is not None and module is not None:
-        from judge.data.build import from_seeds
-
-        plain = _plain(plain)
-        cases, targets = (
-            from_seeds(plain, problem, module, group),
-            [tupled(each) for each in plain["targets"]],
-        )
-    else:
-        cases, targets = _data(plain)
-    if len(cases) != group.count or len(targets) != group.count:
-        raise ValueError("not this group's data")
-    return GroupData(group, cases, targets)
-
-
-def _data(plain: Any) -> Any:
-    """A group's cases and targets, in tuples."""
-    if isinstance(plain, msgspec.Raw):
-        try:
-            return _DATA.decode(plain)
-        except msgspec.ValidationError:  # more lists in lists
-            plain = _plain(plain)
-    cases, targets = plain
-    return [tuple(map(tupled, each)) for each in cases], [tupled(each) for each in targets]
-
-
-def _plain(plain: Any) -> Any:
-    """What is still JSON as values; a file with an infinity has been read whole already."""
-    return msgspec.json.decode(plain) if isinstance(plain, msgspec.Raw) else plain

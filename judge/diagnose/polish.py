@@ -16,8 +16,8 @@ from math import gcd
 from judge.diagnose.simplicity import items_of, numbers_of, with_numbers
 from judge.diagnose.trial import Finding, Trial
 from judge.problem import Case, Group, Problem
-from judge.problem.model import Number
 from judge.values import parameters
+from judge.values.atoms import Number
 
 _ROUNDS = 60
 _MOST = 600  # candidates of a round, the simplest first

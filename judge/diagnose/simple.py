@@ -15,8 +15,9 @@ from msgspec import Struct
 
 from judge.data.draw import Draw
 from judge.problem import Case, Problem
-from judge.problem.model import Number, Parameter
+from judge.problem.model import Parameter
 from judge.values import parameters
+from judge.values.atoms import Number
 from judge.values.types import is_pair
 
 _POOL = 3

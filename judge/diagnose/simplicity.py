@@ -5,7 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from judge.problem.model import Case, Number
+from judge.problem.model import Case
+from judge.values.atoms import Number
 
 Simplicity = tuple[int, int, tuple[float, ...]]
 

@@ -10,7 +10,8 @@ from decimal import Context, Decimal, localcontext
 from itertools import permutations
 from typing import Any
 
-from judge.problem.model import Case, Number
+from judge.problem.model import Case
+from judge.values.atoms import Number
 
 _DIGITS = 60  # of the roots taken here: whatever a double holds, and the narrowest gaps
 _FINEST = 16  # digits that are kept at most

@@ -4,19 +4,17 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
-from functools import cache
 from pathlib import Path
 
 from msgspec import Struct
 
-from judge.digest import digest_of
+from judge.cache import code_key, content_key, digest
 from judge.errors import JudgeError, UsageError
 from judge.files import read_ordinary
 from judge.languages import file_name, is_program
 from judge.problem import Problem
 from judge.problem.find import find_problem
-from judge.problem.keys import all_code_files, content_key, own_files
-from judge.problem.load import load_problem
+from judge.problem.load import load_problem, own_files
 from judge.problem.model import chosen_groups
 from judge.run.result import Result
 
@@ -73,24 +71,18 @@ class Job(Struct, frozen=True):
     @property
     def digest(self) -> str:
         """The digest, in hex, of all that the outcome depends on: not of where the problem lies."""
-        plain = (self.problem, self.version, self.name, digest_of(self.source), self.options)
-        return digest_of(repr(plain).encode())
+        plain = (self.problem, self.version, self.name, digest(self.source), self.options)
+        return digest(repr(plain).encode())
 
 
 def version_of(problem: Problem) -> str:
     """The hash of the judge's own code and of all that it judges by in the problem's two folders."""
-    return content_key("job/", judged_by(problem), code_version())
+    return digest(content_key(judged_by(problem)).encode(), code_key().encode())
 
 
-@cache
-def code_version() -> str:
-    """The hash of the judge's own code."""
-    return content_key("judge/", all_code_files())
-
-
-def judged_by(problem: Problem) -> list[Path]:
+def judged_by(problem: Problem) -> list[str]:
     """The files of the problem's two folders that it is judged by."""
-    solutions = sorted(path for path in problem.solutions.glob("*/*") if path.is_file())
+    solutions = sorted(str(path) for path in problem.solutions.glob("*/*") if path.is_file())
     return [*own_files(problem.folder), *solutions]
 
 

@@ -9,10 +9,9 @@ from datetime import date
 from pathlib import Path
 
 from judge import __version__
-from judge.digest import digest_of
+from judge.cache import DISK, digest
 from judge.errors import JudgeError
 from judge.files import cache_folder
-from judge.kept import KeptFile
 from judge.problem import Problem
 from judge.problem.find import problem_roots
 from judge.sandbox import LEVELS
@@ -38,27 +37,26 @@ def every_hidden_folder() -> tuple[Path, ...]:
 
 def keep_level(level: str) -> str | None:
     """Keep it, in place of what was found before; a note for the person if that fails."""
-    return _file("level").write(level)
+    return DISK.write(*_place("level"), level, "levels of isolation")
 
 
 def kept_level() -> str | None:
     """The level found by this version of the judge for this user, on this machine with this kernel."""
-    level = _file("level").read()
+    level = DISK.read(*_place("level"), str)
     return level if level in LEVELS else None
 
 
 def first_today() -> bool:
     """Whether this is asked for the first time today; where nothing can be kept, it is every time."""
-    file, today = _file("asked"), date.today().isoformat()
-    if file.read() == today:
+    today, place = date.today().isoformat(), _place("asked")
+    if DISK.read(*place, str) == today:
         return False
-    file.write(today)
+    DISK.write(*place, today)
     return True
 
 
-def _file(what: str) -> KeptFile:
-    """The machine and the user are in its stem, so that a cache that machines share keeps a level of each."""
+def _place(what: str) -> tuple[str, str]:
+    """Its name and key. A cache that machines share keeps one of each machine and user."""
     system = os.uname()
-    place = digest_of(f"{system.nodename}\0{os.geteuid()}".encode())[:8]
-    key = digest_of(f"{__version__}\0{system}".encode())[:32]
-    return KeptFile(cache_folder, "isolation", f"{what}-{place}-", key, "levels of isolation")
+    place = digest(f"{system.nodename}\0{os.geteuid()}".encode())[:8]
+    return f"isolation/{what}-{place}", digest(f"{__version__}\0{system}".encode())

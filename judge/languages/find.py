@@ -12,12 +12,10 @@ import subprocess
 from collections.abc import Iterable, Mapping
 from functools import cache
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
-from judge.digest import digest_of
+from judge.cache import DISK, digest
 from judge.errors import JudgeError
-from judge.files import cache_folder
-from judge.kept import KeptFile
 from judge.languages.model import Language
 
 _PLACE = re.compile(r"\{(\w+)\}")
@@ -119,15 +117,15 @@ def toolchain(language: Language) -> Toolchain:
     key = _key(language, tools)
     if not language.probes and not language.prepared:
         return Toolchain(language, _with_places(language, tools), key)
-    kept = KeptFile(cache_folder, "languages", f"{language.id}-", key[:32], "answers of tools")
-    found = _Answers.of(kept.read())
+    store, name = DISK, f"languages/{language.id}"
+    found = store.read(name, key, _Answers)
     if found is None or not found.holds():
         found = _Answers(_probed(language, tools), _prepared(language, tools))
-        kept.write({"values": found.values, "files": found.files})
+        store.write(name, key, found)
     values = {**tools, **found.values}
-    digest = digest_of("\n".join([key, *map(_dated, found.values.values()), *found.files.values()]).encode())
+    whole = digest("\n".join([key, *map(_dated, found.values.values()), *found.files.values()]).encode())
     files = tuple((name, text.encode()) for name, text in found.files.items())
-    return Toolchain(language, _with_places(language, values), digest, files)
+    return Toolchain(language, _with_places(language, values), whole, files)
 
 
 class _Answers(NamedTuple):
@@ -135,12 +133,6 @@ class _Answers(NamedTuple):
 
     values: dict[str, str]
     files: dict[str, str]
-
-    @classmethod
-    def of(cls, kept: Any) -> _Answers | None:
-        if not isinstance(kept, dict) or set(kept) != {"values", "files"}:
-            return None
-        return cls(kept["values"], kept["files"])
 
     def holds(self) -> bool:
         """Whether what they named is still there; a cache that they named may have been emptied."""
@@ -178,7 +170,7 @@ def _first(names: Iterable[str]) -> str | None:
 
 def _key(language: Language, tools: Mapping[str, str]) -> str:
     """A digest of the description and of the tools' real files."""
-    return digest_of("\n".join([language.digest, *map(_dated, tools.values())]).encode())
+    return digest("\n".join([language.digest, *map(_dated, tools.values())]).encode())
 
 
 def _dated(path: str) -> str:

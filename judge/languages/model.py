@@ -18,7 +18,7 @@ from typing import Annotated
 import msgspec
 from msgspec import Meta, Struct
 
-from judge.digest import digest_of
+from judge.cache import digest
 from judge.errors import JudgeError, UsageError, nearest
 from judge.languages import NAME, SUFFIX, VARIABLE, folders
 from judge.languages.scan import PARAMETERS, Tokens, usual_tokens
@@ -176,7 +176,7 @@ def _read(path: Path) -> Language:
         table = tomllib.loads(content.decode())
         own = "" if path.parent == _HERE else str(path.parent)
         found = msgspec.convert(
-            {**table, "id": path.stem, "folder": own, "digest": digest_of(content)}, Language
+            {**table, "id": path.stem, "folder": own, "digest": digest(content)}, Language
         )
         _check_patterns(found)
     except OSError as fault:

@@ -16,18 +16,19 @@ why = "…"
 
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping
+from contextlib import suppress
 from typing import Any
 
 import msgspec
 from msgspec import Struct
 
+from judge.cache import DISK, digest
 from judge.errors import ProblemError
 from judge.mistakes.features import FEATURES
 from judge.problem import Problem
-from judge.problem.tables import meant
-from judge.problem.text import read_text
-from judge.problem.toml import read_toml
+from judge.problem.toml import meant, parse_toml, read_text
 
 FILE = "mistakes.toml"
 
@@ -58,20 +59,30 @@ def read_catalogue(problem: Problem) -> Catalogue:
     if not path.is_file():
         return {}
     where = f"{path.parent.name}/{FILE}"
-    tables = read_toml(path, read_text(path), where)
-    return {name: _words(name, table, problem.id, where) for name, table in tables.items()}
+    text = read_text(path)
+    store, place = DISK, (f"mistakes/words-{digest(os.fsencode(path))[:8]}", text)
+    tables = store.read(*place, dict[str, Any])
+    known = tables is not None
+    if tables is None:
+        tables = parse_toml(text, where)
+    found = {name: _words(name, table, problem.id, where) for name, table in tables.items()}
+    if not known:
+        with suppress(TypeError):  # a date in the words for another problem
+            store.write(*place, tables)
+    return found
 
 
 def _words(name: str, table: Any, problem: str, where: str) -> Words:
     if not isinstance(table, dict):
         remedy = f"begin a table: [{name}]"
         raise ProblemError(f"{name} is no table", where=where, remedy=remedy)
-    own = table.pop("in", {})
+    own = table.get("in", {})
     special = own.get(problem, {}) if isinstance(own, dict) else None
     if not isinstance(special, dict):
         remedy = f"write [{name}.in.{problem}]"
         raise ProblemError(f"{name}.in is no table of problems", where=where, remedy=remedy)
     merged = {**table, **special}
+    merged.pop("in", None)
     unknown = set(merged) - set(Words.__struct_fields__)
     if unknown:
         key = min(unknown)

@@ -17,7 +17,7 @@ from judge.mistakes.routes import Change, Route, Routes, read_routes
 from judge.mistakes.transforms import HELPERS, KEPT_BETWEEN_CALLS, transforms
 from judge.problem import Problem
 from judge.problem.solutions import MISTAKES
-from judge.problem.text import read_text
+from judge.problem.toml import read_text
 
 INNER = "right_way"  # what a route is called below a transform
 KEPT = Words(state=True, needs=("state",))  # where mistakes.toml says nothing of it

@@ -10,7 +10,7 @@ import ast
 from collections.abc import Callable, Iterator, Mapping
 from typing import TYPE_CHECKING
 
-from judge.problem.program import LONGEST, tree_of_stranger
+from judge.problem.solutions import LONGEST, tree_of_stranger
 
 if TYPE_CHECKING:
     from judge.languages.model import Language

@@ -16,16 +16,13 @@ from functools import cached_property, partial
 from itertools import chain
 from typing import Any
 
-from judge.data.cache import data_key, kept_stem
-from judge.data.load import ProblemData
-from judge.files import cache_folder
-from judge.kept import KeptFile
+from judge.cache import DISK, code_key
+from judge.data.load import ProblemData, data_key, data_name
 from judge.mistakes.agreement import kind_of
 from judge.mistakes.computed import Computer, Program
 from judge.mistakes.packed import packed, unpacked
 from judge.mistakes.rights import right_outlines
 from judge.problem import Problem
-from judge.problem.keys import code_key, content_key
 from judge.run.result import Behaviour
 from judge.run.settings import Settings
 from judge.values.outline import Outline, Usual
@@ -44,12 +41,13 @@ class KnownAnswers:
         self._data = data
         self._settings = settings
         self._kinds: dict[tuple[str, int, Outline], str] = {}
-        self._file = _file_of(data.problem, seed)
+        self._store = DISK
+        self._place = _place(data.problem, seed)
 
     @property
     def kept(self) -> bool:
-        """Whether anything is kept of these data, or cannot be."""
-        return self._file.exists()
+        """Whether anything is kept of these data."""
+        return self._store.read(*self._place, dict[str, Any]) is not None
 
     def of(
         self, programs: Sequence[Program], progress: Progress | None = None
@@ -58,8 +56,8 @@ class KnownAnswers:
 
         Raises ProblemError for a choice that cannot be run, JudgeError where nothing can be.
         """
-        plain = self._file.read()
-        kept = {each.key: plain.get(each.key) for each in programs} if isinstance(plain, dict) else {}
+        plain = self._store.read(*self._place, dict[str, Any]) or {}
+        kept = {each.key: plain.get(each.key) for each in programs}
         found = _from_plain(kept)
         missing = {each.key: each for each in programs if each.key not in found}
         note = None
@@ -69,7 +67,7 @@ class KnownAnswers:
                     kept[key] = self._as_plain(each)
             finally:
                 kept = _shared({key: each for key, each in kept.items() if each is not None})
-                note = self._file.write(kept)
+                note = self._store.write(*self._place, kept, _WHAT)
             found = _from_plain(kept)
         return [found[each.key] for each in programs], note
 
@@ -113,18 +111,14 @@ class KnownAnswers:
 
 
 def is_kept(problem: Problem, seed: int | None) -> bool:
-    """Whether anything is kept of what the known mistakes answer, or cannot be. Raises ProblemError."""
-    return _file_of(problem, seed).exists()
+    """Whether anything is kept of what the known mistakes answer."""
+    return DISK.read(*_place(problem, seed), dict[str, Any]) is not None
 
 
-def _file_of(problem: Problem, seed: int | None) -> KeptFile:
-    return KeptFile(cache_folder, "mistakes", kept_stem(problem, seed), _key(problem, seed), _WHAT)
-
-
-def _key(problem: Problem, seed: int | None) -> str:
-    """The hash of all that the behaviours depend on beside the programs."""
-    start = f"{FORMAT}/{sys.version}/{data_key(problem, seed)}"
-    return content_key(start, (), code_key(_CODE))
+def _place(problem: Problem, seed: int | None) -> tuple[str, str]:
+    """Its name in the store, and the key of all that the behaviours depend on beside the programs."""
+    key = f"{FORMAT}/{sys.version}/{data_key(problem, seed)}/{code_key(*_CODE)}"
+    return data_name("mistakes", problem, seed), key
 
 
 def _shared(kept: dict[str, Any]) -> dict[str, Any]:

@@ -25,7 +25,7 @@ from judge.mistakes.makers import read_makers
 from judge.problem import Problem
 from judge.problem.find import near_problem_folders
 from judge.problem.load import load_problem
-from judge.problem.names import is_name
+from judge.problem.model import is_name
 from judge.run.verify import ENOUGH
 
 _TEMPLATE = Path(__file__).resolve().parent.parent / "manual" / "new-kata.md"
@@ -63,7 +63,7 @@ def begin_kata(folder: Path, name: str | None = None) -> Begun:
             _write(homes[home] / rest, text, made)
         problem = load_problem(problems / name)
         made.append(pins_file(problem))
-        data = load_data(problem, cache=False)
+        data = load_data(problem, store=None)
         write_pins(problem, pins_of(data.groups, _kills(data)))
     except OSError as fault:
         _undo(made)

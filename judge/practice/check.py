@@ -14,7 +14,7 @@ from judge.practice.sets import set_names, unknown_sets
 from judge.practice.stub import make_stub
 from judge.problem import Problem
 from judge.problem.find import problem_roots
-from judge.problem.hints import read_hints
+from judge.problem.texts import read_hints
 from judge.run.verify import Fault
 
 

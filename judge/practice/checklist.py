@@ -29,7 +29,7 @@ from judge.errors import ProblemError, UsageError, nearest
 from judge.problem import Problem
 from judge.problem.find import problem_roots
 from judge.problem.model import group_place
-from judge.problem.tables import TomlFile, meant
+from judge.problem.toml import TomlFile, meant
 
 _SKILLS, _ROWS = "skills.toml", "checklist.toml"
 

@@ -6,23 +6,23 @@ because a disk failed or another program changed it, is damaged: reading it rais
 
 from __future__ import annotations
 
-import json
 import math
 import os
 import zlib
 from collections.abc import Callable, Mapping
 from datetime import UTC, datetime, timedelta
 from enum import Enum, IntEnum
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import msgspec
 from msgspec import Struct, field
 
 from judge.errors import StoreError
 from judge.problem import Verdict
-from judge.problem.model import FULL_SCORE
-from judge.problem.solutions import is_solution
-from judge.run.result import Mode, Result, read_result
+from judge.problem.model import FULL_SCORE, Mode, is_solution
+
+if TYPE_CHECKING:
+    from judge.run.result import Result
 
 DAMAGE = (ValueError, TypeError, OverflowError, AttributeError, zlib.error, RecursionError)
 _START, _TICK = datetime(1970, 1, 1, tzinfo=UTC), timedelta(microseconds=1)
@@ -64,6 +64,10 @@ class Run(Event, frozen=True, rename={"source_hash": "source", "packed": "result
     @property
     def result(self) -> Result:
         """What it came to, as far as its judge kept that. Raises StoreError where it is damaged."""
+        import json  # neither is for who only counts runs
+
+        from judge.run.result import read_result
+
         try:
             plain = json.loads(zlib.decompress(self.packed), parse_float=_finite, parse_constant=_finite)
             return read_result(plain)

@@ -15,8 +15,6 @@ for, for some seconds. Importing this module imports no SQLite; opening a histor
 from __future__ import annotations
 
 import contextlib
-import hashlib
-import json
 import os
 import zlib
 from collections.abc import Callable, Iterable
@@ -28,13 +26,13 @@ from judge.errors import StoreError, UsageError
 from judge.files import read_ordinary, user_data
 from judge.practice.events import DAMAGE, TABLES, Event, Kind, Run, Started, columns, from_row, to_row
 from judge.problem import Verdict
-from judge.problem.solutions import is_solution
-from judge.run.result import Result
+from judge.problem.model import is_solution
 
 if TYPE_CHECKING:
     import sqlite3
 
     from judge import database
+    from judge.run.result import Result
 
 VARIABLE = "JUDGE_DB"
 APPLICATION = 0x4A554447  # "JUDG": tells this file from any other program's database
@@ -272,6 +270,9 @@ class History:
 
 def run_of(result: Result, source: bytes, path: str) -> Run:
     """The run that judged that source to that result; `path` is that of `Run`."""
+    import hashlib  # neither is for who reads
+    import json
+
     published = json.dumps(result.as_json(), separators=(",", ":")).encode()
     accepted = [group.name for group in result.groups if group.verdict is Verdict.AC]
     rejected = [group.name for group in result.groups if group.verdict is not Verdict.AC]

@@ -13,8 +13,7 @@ from msgspec import Struct
 from judge.errors import ProblemError, UsageError, nearest
 from judge.languages import NAME, SUFFIX
 from judge.problem import Problem
-from judge.problem.program import tree_of
-from judge.problem.solutions import Kind, Solution, parted, read_solutions
+from judge.problem.solutions import Kind, Solution, parted, read_solutions, tree_of
 
 if TYPE_CHECKING:
     from judge.languages.model import Language

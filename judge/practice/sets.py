@@ -11,16 +11,24 @@ A file may list its `problems` itself, in an order of its own: then the set is m
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+import os
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING, Generic, TypeVar
 
+import msgspec
 from msgspec import Struct
 
+from judge.cache import DISK, digest, stamp
 from judge.errors import ProblemError, UsageError
 from judge.problem import Problem, Tier
 from judge.problem.find import find_problem, problem_roots, sound_problems
-from judge.problem.tables import TomlFile, key_place, meant
+from judge.problem.model import Listed
 
+if TYPE_CHECKING:
+    from judge.problem.toml import TomlFile
+
+P = TypeVar("P", bound=Listed)
 USUAL = "path"  # the set that stands for all of them in order
 
 FIRST = "first-steps"  # the set that a newcomer begins with
@@ -28,7 +36,7 @@ FIRST = "first-steps"  # the set that a newcomer begins with
 _ORDER = [FIRST, *(tier.value for tier in Tier)]  # sets of these names come first; others after them, by name
 
 
-class PracticeSet(Struct, frozen=True):
+class PracticeSet(Struct, Generic[P], frozen=True):
     """Problems to practise, in order; `name` is the file's.
 
     `faults` are of problems that may belong to it: one that cannot be read, a name that no set has.
@@ -37,7 +45,7 @@ class PracticeSet(Struct, frozen=True):
     name: str
     title: str
     about: str
-    problems: tuple[Problem, ...]
+    problems: tuple[P, ...]
     faults: tuple[ProblemError, ...] = ()
 
 
@@ -47,13 +55,15 @@ class _SetTable(Struct, forbid_unknown_fields=True, frozen=True):
     problems: list[str] | None = None
 
 
-def find_set(name: str, extra: Sequence[Path] = ()) -> PracticeSet:
+def find_set(name: str, extra: Sequence[Path] = ()) -> PracticeSet[Problem]:
     """The set of that name; `extra` are folders of problems to look in first.
 
     Raises:
         UsageError: there is none of that name.
         ProblemError: its file is broken, or it has no problem.
     """
+    from judge.problem.toml import TomlFile, meant
+
     files = _files(extra)
     if name not in files:
         raise UsageError(f"no practice set is called {name!r}", remedy=meant(name, list(files)))
@@ -73,22 +83,39 @@ def find_set(name: str, extra: Sequence[Path] = ()) -> PracticeSet:
 
 
 def sound_sets(
-    problems: Iterable[Problem], extra: Sequence[Path] = ()
-) -> tuple[list[PracticeSet], list[ProblemError]]:
+    problems: Iterable[P], extra: Sequence[Path] = ()
+) -> tuple[list[PracticeSet[P]], list[ProblemError]]:
     """Every set of these problems, easiest first, and the fault of each that cannot be read."""
-    found, faults = [], []
     by_name = {problem.id: problem for problem in problems}
-    for name, path in _files(problem_roots(extra)).items():
-        file = TomlFile(path)
-        try:
-            table = file.read(_SetTable)
-        except ProblemError as fault:
-            faults.append(fault)
-            continue
+    found = []
+    tables, faults = _tables(_files(problem_roots(extra)))
+    for name, table in tables.items():
         listed = [each.id for each in by_name.values() if name in each.sets]
         members = [by_name[each] for each in table.problems or listed if each in by_name]
         found.append(PracticeSet(name, table.title, table.about, tuple(members)))
     return found, faults
+
+
+def _tables(files: Mapping[str, Path]) -> tuple[dict[str, _SetTable], list[ProblemError]]:
+    """What the files say, from the cache while none of them changes; and the fault of each that is broken."""
+    paths = [os.fspath(path) for path in files.values()]
+    store, key = DISK, stamp(paths)
+    name = f"sets/{digest(os.fsencode('/'.join(paths)))[:16]}"
+    found = store.read(name, key, dict[str, _SetTable]) if key else None
+    if found is not None:
+        return found, []
+    from judge.problem.toml import TomlFile  # not for who reads the cache
+
+    tables: dict[str, _SetTable] = {}
+    faults = []
+    for each, path in files.items():
+        try:
+            tables[each] = TomlFile(path).read(_SetTable)
+        except ProblemError as fault:
+            faults.append(fault)
+    if key and not faults:
+        store.write(name, key, msgspec.json.encode(tables))
+    return tables, faults
 
 
 def set_names(extra: Sequence[Path] = ()) -> list[str]:
@@ -98,6 +125,8 @@ def set_names(extra: Sequence[Path] = ()) -> list[str]:
 
 def unknown_sets(problem: Problem, names: Sequence[str]) -> Iterator[ProblemError]:
     """A fault for each set that the problem names and that is none of `names`."""
+    from judge.problem.toml import key_place, meant
+
     for at, name in enumerate(problem.sets):
         if name not in names:
             remedy = f"{meant(name, names)}; a new one needs a file sets/{name}.toml"

@@ -11,6 +11,7 @@ The group of the statement's examples is no row: it comes first.
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
@@ -115,21 +116,12 @@ class Hooks(Struct, frozen=True):
     puzzle: Callable[[str, Any, Callable[..., Any]], Puzzle | None] | None = None
 
 
-class Declared(NamedTuple):
-    """A row of problem.py: a test group, and how a case of it is drawn."""
+class Declared(Struct, frozen=True):
+    """A row of problem.py as it was written: what `group` was given, how a case is drawn, and its line."""
 
-    name: str
-    about: str
+    row: Mapping[str, Any]
     draw: Callable[[Any], Case]
-    cases: int
-    points: int | None
-    skills: tuple[str, ...]
-    tolerance: Tolerance | None
-    limits: Mapping[str, float] | None
-    time_limit: float | None
-    size: int | None
-    turns: bool
-    line: int  # of problem.py, from 1
+    line: int  # from 1
 
 
 def group(
@@ -159,14 +151,10 @@ def group(
         size: n, where its cases are big: they are built again from their seeds and never shown.
         turns: whether neighbouring cases differ in one parameter, which catches what is kept between calls.
     """
-    import sys
-
-    line = sys._getframe(1).f_lineno
-    known = (skills,) if isinstance(skills, str) else tuple(skills)
-    exact = (
-        None
-        if tolerance is None
-        else Tolerance(**{key: Fraction(str(value)) for key, value in tolerance.items()})
-    )
-    count = (120 if turns else 60) if cases is None else cases
-    return Declared(name, about, draw, count, points, known, exact, limits, time_limit, size, turns, line)
+    row = dict(locals())
+    del row["draw"]
+    if cases is None:
+        row["cases"] = 120 if turns else 60
+    if isinstance(skills, str):
+        row["skills"] = (skills,)
+    return Declared(row, draw, sys._getframe(1).f_lineno)

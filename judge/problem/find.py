@@ -1,4 +1,4 @@
-"""Where problems live, and finding one by its name.
+"""Finding katas: by name, or the one that a file solves.
 
 Looked at in this order, and the first problem of a name wins:
 
@@ -9,25 +9,44 @@ Looked at in this order, and the first problem of a name wins:
     entry points             group `judge.problems`: installed packs, looked up only on a miss or for a list
 
 The solutions to a folder of problems are in the folder `solutions` beside it.
+
+Which problem a file is meant to solve is told from its text: neither it nor any problem.py is run. Asked in
+this order, until exactly one problem is left:
+
+    the functions that the file defines at its top level: a problem's entry
+    the line that a stub begins with (`count: …`), or the file's name (count.py)
+    a function inside a class or another function, which the verdict then says to move out
+
+In another language than Python only the first two are looked at, by that language's own patterns. The text is
+searched and not parsed: a file that does not compile has its problem too, and no text, however it was made,
+takes longer than reading it.
 """
 
 from __future__ import annotations
 
 import os
+import re
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Sequence
 from contextlib import suppress
-from pathlib import Path
+from functools import partial
+from pathlib import Path, PurePath
+from typing import TypeVar
+
+from msgspec import Struct
 
 from judge.errors import ProblemError, UsageError, nearest
-from judge.problem.load import load_problem
-from judge.problem.model import Problem, Tier
+from judge.problem.load import Shelf, load_problem
+from judge.problem.model import Listed, Problem, Tier
 
-_TIERS = list(Tier)
+P = TypeVar("P", bound=Listed)
 _PACKAGE = Path(__file__).resolve().parent.parent
 _VARIABLE = "JUDGE_PROBLEMS"
 _ENTRY_POINTS = "judge.problems"
+_MARKS = ("problem.toml", "problem.py", "statement.md")  # a problem's folder holds at least one
 _FEW = 8  # problems that a message may name
+_READ = 2**20  # characters of a file that are looked at
+_MOST_NAMES = 200  # of functions, one of which may be meant
 
 
 def find_problem(name: str, extra: Sequence[Path] = ()) -> Problem:
@@ -35,14 +54,12 @@ def find_problem(name: str, extra: Sequence[Path] = ()) -> Problem:
 
     Raises UsageError if there is none and ProblemError if it is broken.
     """
-    for folder in near_problem_folders(extra):
-        if folder.name == name:
-            return load_problem(folder)
-    folders = problem_folders(extra)
-    for folder in folders:
-        if folder.name == name:
-            return load_problem(folder)
-    names = [folder.name for folder in folders]
+    names: list[str] = []
+    for folders in (near_problem_folders, problem_folders):
+        found = {folder.name: folder for folder in reversed(folders(extra))}
+        if name in found:
+            return load_problem(found[name])
+        names = [*reversed(found)]
     meant = nearest(name, names)
     known = f"there are {', '.join(names) or 'none at all'}"
     if len(names) > _FEW:
@@ -64,38 +81,33 @@ def sound_problems(extra: Sequence[Path] = ()) -> tuple[list[Problem], list[Prob
 
     The order is that of the tiers, in a tier that of the problems' places, and then of their names.
     """
+    return listed_problems(extra, Problem)
+
+
+def listed_problems(extra: Sequence[Path], kind: type[P]) -> tuple[list[P], list[ProblemError]]:
+    """The same, as much of each problem as `kind` has."""
     problems, faults = [], []
+    shelves: dict[Path, Shelf] = {}
     for folder in problem_folders(extra):
+        shelf = shelves[folder.parent] = shelves.get(folder.parent) or Shelf(folder.parent)
         try:
-            problems.append(load_problem(folder))
+            problems.append(shelf.problem(folder, kind))
         except ProblemError as fault:
             faults.append(fault)
-    return sorted(problems, key=_order), faults
+    for shelf in shelves.values():
+        shelf.keep()
+    tiers = list(Tier)
+    return sorted(
+        problems, key=lambda each: (tiers.index(each.tier), each.place is None, each.place or 0, each.id)
+    ), faults
 
 
-def _order(problem: Problem) -> tuple[int, bool, int, str]:
-    return _TIERS.index(problem.tier), problem.place is None, problem.place or 0, problem.id
+# -- folders -----------------------------------------------------------------------------------------------
 
 
 def problem_folders(extra: Sequence[Path] = ()) -> list[Path]:
     """The folder of every problem that can be found, one of each name, none of them read yet."""
-    found: dict[str, Path] = {}
-    for folder in _folders(problem_roots(extra)):
-        found.setdefault(folder.name, folder)
-    return list(found.values())
-
-
-def folders_within(named: Sequence[Path]) -> list[Path]:
-    """The problems' folders in the folders that a person names, and nowhere else. Raises UsageError."""
-    return _folders([_root(folder, "--problems") for folder in named])
-
-
-def problem_roots(extra: Sequence[Path] = (), *, installed: bool = True) -> list[Path]:
-    """The folders of problems that are looked in, in their order. Raises as find_problem does.
-
-    Looking up the installed packs takes time: leave them out where what is wanted was found without.
-    """
-    return [*_near_roots(extra), *(_installed_roots() if installed else [])]
+    return _folders(problem_roots(extra))
 
 
 def near_problem_folders(extra: Sequence[Path] = ()) -> list[Path]:
@@ -103,24 +115,43 @@ def near_problem_folders(extra: Sequence[Path] = ()) -> list[Path]:
     return _folders(problem_roots(extra, installed=False))
 
 
-def _near_roots(extra: Sequence[Path]) -> list[Path]:
-    """The folders of problems that cost nothing to look up."""
-    named = [(folder, "--problems") for folder in extra]
-    named += [
-        (Path(part), f"${_VARIABLE}") for part in os.environ.get(_VARIABLE, "").split(os.pathsep) if part
-    ]
-    roots = [_root(folder, source) for folder, source in named]
+def folders_within(named: Sequence[Path]) -> list[Path]:
+    """The problems' folders in the folders that a person names, and nowhere else. Raises UsageError."""
+    return _folders([_root(folder, "--problems") for folder in named])
+
+
+def _folders(roots: Sequence[Path]) -> list[Path]:
+    """The problems' folders in `roots`, one of each name."""
+    found: dict[str, Path] = {}
+    for root in roots:
+        try:
+            for name in sorted(os.listdir(root)):  # noqa: PTH208 - of many
+                if any(os.path.isfile(f"{root}/{name}/{mark}") for mark in _MARKS):  # noqa: PTH113
+                    found.setdefault(name, root / name)
+        except OSError as error:
+            what = f"the folder cannot be read: {error.strerror}"
+            remedy = "make it readable, or name another"
+            raise UsageError(what, where=str(root), remedy=remedy) from None
+    return list(found.values())
+
+
+def problem_roots(extra: Sequence[Path] = (), *, installed: bool = True) -> list[Path]:
+    """The folders of problems that are looked in, in their order. Raises as find_problem does.
+
+    Looking up the installed packs takes time: leave them out where what is wanted was found without.
+    """
+    roots = [_root(folder, "--problems") for folder in extra]
+    parts = os.environ.get(_VARIABLE, "").split(os.pathsep)
+    roots += [_root(Path(part), f"${_VARIABLE}") for part in parts if part]
     own = shipped_problems()
-    return roots + ([own] if own is not None else [])
+    return [*roots, *([own] if own else []), *(_installed_roots() if installed else [])]
 
 
 def _root(folder: Path, source: str) -> Path:
     """The folder from the root. Raises UsageError if there is none of that name."""
-    try:
+    with suppress(OSError, ValueError):  # no name at all: too long, with a NUL; or the current folder is gone
         if folder.is_dir():
             return folder.resolve()
-    except (OSError, ValueError):  # no name at all: too long, with a NUL; or the current folder is gone
-        pass
     remedy = "name a folder that holds problems' folders"
     raise UsageError(f"{folder} is not a folder", where=source, remedy=remedy)
 
@@ -143,46 +174,133 @@ def _installed_roots() -> list[Path]:
 
     roots = []
     for point in entry_points(group=_ENTRY_POINTS):
+        where, remedy = f"entry point {point.value}", "repair or uninstall it"
         try:
             pack = point.load()
             root = Path(pack if isinstance(pack, str | Path) else pack.__path__[0])
         except (Exception, SystemExit) as error:  # foreign code: whatever it raises is one clear line
             what = f"the pack {point.name!r} cannot be loaded: {type(error).__name__}: {error}"
-            raise ProblemError(
-                what, where=f"entry point {point.value}", remedy="repair or uninstall it"
-            ) from error
+            raise ProblemError(what, where=where, remedy=remedy) from error
         if not root.is_dir():
             what = f"the pack {point.name!r} names {root}, which is not a folder"
-            raise ProblemError(what, where=f"entry point {point.value}", remedy="repair or uninstall it")
+            raise ProblemError(what, where=where, remedy=remedy)
         roots.append(root.resolve())
     return roots
 
 
 def _may_be_installed() -> bool:
     """Whether an installed distribution speaks of packs; seen without importlib.metadata, which is slow."""
-    wanted = _ENTRY_POINTS.encode()
-    for place in map(Path, dict.fromkeys(sys.path)):
-        if place.is_file():  # a zip archive
+    for place in dict.fromkeys(sys.path):
+        if os.path.isfile(place):  # noqa: PTH113 - a zip archive
             return True
-        for told in place.glob("*-info/entry_points.txt"):
-            with suppress(OSError):
-                if wanted in told.read_bytes():
-                    return True
+        with suppress(OSError):
+            for name in os.listdir(place or "."):  # noqa: PTH208 - pathlib takes three times as long
+                if name.endswith("-info"):
+                    with suppress(OSError), open(f"{place or '.'}/{name}/entry_points.txt", "rb") as told:  # noqa: PTH123
+                        if _ENTRY_POINTS.encode() in told.read():
+                            return True
     return False
 
 
-def _folders(roots: Sequence[Path]) -> list[Path]:
-    """The problems' folders in `roots`: those that hold at least one of a problem's own files."""
-    return [folder for root in roots for folder in _inside(root)]
+# -- the problem of a file ---------------------------------------------------------------------------------
 
 
-def _inside(root: Path) -> list[Path]:
-    try:
-        return [
-            folder
-            for folder in sorted(root.iterdir())
-            if any((folder / mark).is_file() for mark in ("problem.toml", "problem.py", "statement.md"))
-        ]
-    except OSError as error:
-        what = f"the folder cannot be read: {error.strerror}"
-        raise UsageError(what, where=str(root), remedy="make it readable, or name another") from None
+class Signs(Struct, frozen=True):
+    """What of a file tells its problem."""
+
+    defined: frozenset[str]  # at its top level
+    nested: frozenset[str]  # functions below it
+    stub: str  # the problem's id in the first line, or nothing
+    stem: str  # the id that the file's name stands for
+    file: str  # the file's own name
+    defines: Callable[[str], object] | None = None  # in another language: whether it defines such an entry
+
+    def has(self, entry: str) -> bool:
+        """Whether the file defines the entry where it is called."""
+        return bool(self.defines(entry)) if self.defines else entry in self.defined
+
+
+def signs(source: bytes, name: str) -> Signs:
+    """The signs of a file with this text and name. Raises JudgeError as `judge.languages.scan.reading`."""
+    from judge.languages import language_of
+    from judge.languages.scan import reading, stripped, usual_tokens
+
+    with reading(name):
+        text = source[:_READ].decode("utf-8", "replace").replace("\r\n", "\n").removeprefix("\ufeff")
+        language = language_of(name)
+        if language is not None:
+            from judge.languages.sources import defined
+
+            stub = re.match(rf"\s*{re.escape(language.comment)}\s*([a-z][a-z0-9-]*): ", text)
+            defines = partial(defined, language, stripped(text.encode(), language.tokens))
+            suffix = next(each for each in language.suffixes if name.endswith(each))
+            stem = id_of(PurePath(name).name.removesuffix(suffix))
+            return Signs(frozenset(), frozenset(), stub[1] if stub else "", stem, name, defines)
+        stub = re.match(r"\s*(?:#[^\n]*\n\s*)*[rR]?(?:\"\"\"|''')\s*([a-z][a-z0-9-]*): ", text)
+        bare = stripped(text.encode(), usual_tokens("#"))
+        tops = re.findall(
+            r"(?m)^(?:async[ \t]+def|def|class)[ \t]+(\w+)|^(\w+)[ \t]*(?::[^=\n]*)?=(?!=)", bare
+        )
+        nested = re.findall(r"(?m)^[ \t]+(?:async[ \t]+)?def[ \t]+(\w+)", bare)
+        stem = id_of(PurePath(name).stem)
+        defined_here = frozenset(one or other for one, other in tops)
+        return Signs(defined_here, frozenset(nested), stub[1] if stub else "", stem, name)
+
+
+def id_of(stem: str) -> str:
+    """The problem that a file or folder of this name, without its ending, is called like."""
+    return stem.lower().replace("_", "-")
+
+
+def fitting_problems(found: Signs, extra: Sequence[Path] = ()) -> list[Problem]:
+    """The problems that the signs fit equally well: none, one or several; `extra` folders come first.
+
+    Installed packs are searched only where no nearer problem fits, or the stub's line names none of them.
+    Raises as `find_problem` does, and JudgeError where the text takes too long to read.
+    """
+    from judge.languages.scan import reading
+
+    with reading(found.file):
+        near = _entries(near_problem_folders(extra))
+        fitting = _fitting(found, near)
+        if not fitting or (found.stub and found.stub not in [folder.name for folder in near]):
+            every = _fitting(found, _entries(problem_folders(extra)))
+            if not fitting or [folder.name for folder in every] == [found.stub]:
+                fitting = every
+    return [load_problem(folder) for folder in fitting]
+
+
+def meant_problem(found: Signs, extra: Sequence[Path] = ()) -> tuple[str, str, str] | None:
+    """The function of the file that may be meant as an entry, the entry, and its problem; or None."""
+    names = {entry: folder.name for folder, entry in _entries(near_problem_folders(extra)).items()}
+    for name in sorted(found.defined | found.nested)[:_MOST_NAMES]:
+        entry = nearest(name, names)
+        if entry:
+            return name, entry, names[entry]
+    return None
+
+
+def _fitting(found: Signs, entries: dict[Path, str]) -> list[Path]:
+    hinted = [[folder for folder in entries if folder.name == name] for name in (found.stub, found.stem)]
+    for at_top in (True, False):
+        has = found.has if at_top else found.nested.__contains__
+        fitting = [folder for folder, entry in entries.items() if has(entry)]
+        if len(fitting) > 1:  # the stub's line or the file's name says which
+            fitting = next((hint for hint in hinted if hint and hint[0] in fitting), fitting)
+        if fitting:
+            return fitting
+        if at_top and any(hinted):
+            return next(hint for hint in hinted if hint)
+    return []
+
+
+def _entries(folders: Iterable[Path]) -> dict[Path, str]:
+    """The entry function of each problem, as its problem.toml seems to have it."""
+    entry = re.compile(r"""(?m)^[ \t]*["']?entry["']?[ \t]*=[ \t]*["'](\w+)["']""")
+    entries: dict[Path, str] = {}
+    for folder in folders:
+        with suppress(OSError):  # whoever asks for this one is told
+            found = entry.search((folder / "problem.toml").read_text(encoding="utf-8", errors="replace"))
+            if found:
+                entries[folder] = found[1]
+    return entries

@@ -1,8 +1,9 @@
-"""What a problem is: the values read from `problems/<id>/problem.toml`, checked once and never changed."""
+"""What a problem is: read from its folder once, checked, and never changed."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+import re
+from collections.abc import Mapping, Sequence
 from enum import Enum
 from fractions import Fraction
 from pathlib import Path
@@ -11,16 +12,28 @@ from typing import Annotated, Any
 from msgspec import Meta, Struct
 
 from judge.errors import UsageError, nearest
-from judge.values import parameters
-from judge.values.answers import Tolerance as Tolerance
-from judge.values.atoms import Number as Number
+from judge.values.answers import Tolerance
 from judge.values.atoms import Type
 
-Point = tuple[Number, Number]
 Argument = Any  # a number, a word, None, or a tuple of such: what the parameter's type says
 Case = tuple[Argument, ...]  # the arguments of one call, in the order of the problem's parameters
 
-EXAMPLES = "examples"  # the builder whose cases are the statement's worked examples
+EXAMPLES = "examples"  # the group of the statement's worked examples
+FULL_SCORE = 100  # what the points of a problem's groups sum to
+MOST_INPUT_MB = 72  # what a container's memory has room for beside the answers
+_MEGABYTE = 2**20
+Bound = Annotated[float, Meta(ge=1e-3, le=1e6)]
+_NAME = re.compile(r"[a-z][a-z0-9]*(-[a-z0-9]+)*")
+
+
+def is_name(text: str) -> bool:
+    """Whether a problem, a group or a set may be called so: small letters, digits and single hyphens."""
+    return _NAME.fullmatch(text) is not None
+
+
+def is_solution(path: str, problem: str) -> bool:
+    """Whether a path, with / between its parts, names a solution of the problem of that id."""
+    return path.split("/")[-4:-2] == ["solutions", problem]
 
 
 def case_of(arguments: Mapping[str, Any]) -> Case:
@@ -33,13 +46,8 @@ def tupled(value: Any) -> Any:
     return tuple(map(tupled, value)) if isinstance(value, tuple | list) else value
 
 
-_MEGABYTE = 2**20
-MOST_INPUT_MB = 72  # what a container's memory has room for beside the answers
-Bound = Annotated[float, Meta(ge=1e-3, le=1e6)]
-
-
 class KataLevel(Enum):
-    """What a test group belongs to, the easier first; the value is its name in problem.toml and in JSON."""
+    """What a test group belongs to, the easier first; the value is its name in JSON."""
 
     INTERVIEW = "interview"
     PRODUCTION = "production"
@@ -53,15 +61,6 @@ class KataLevel(Enum):
 
 
 LEVELS = tuple(level.value for level in KataLevel)
-
-
-def levels_among(found: Iterable[KataLevel | None]) -> tuple[KataLevel, ...]:
-    """The levels there are among these, the easier first."""
-    there = set(found)
-    return tuple(level for level in KataLevel if level in there)
-
-
-FULL_SCORE = 100  # what the points of a problem's groups sum to
 
 
 class Verdict(Enum):
@@ -79,19 +78,26 @@ class Verdict(Enum):
     @property
     def meaning(self) -> str:
         """The verdict in words."""
-        return _MEANING[self]
+        return _MEANING[self.value]
 
 
 _MEANING = {
-    Verdict.AC: "accepted",
-    Verdict.WA: "wrong answer",
-    Verdict.TLE: "time limit exceeded",
-    Verdict.MLE: "memory limit exceeded",
-    Verdict.OLE: "output limit exceeded",
-    Verdict.RTE: "run-time error",
-    Verdict.CE: "does not compile",
-    Verdict.JE: "could not be judged",
+    "AC": "accepted",
+    "WA": "wrong answer",
+    "TLE": "time limit exceeded",
+    "MLE": "memory limit exceeded",
+    "OLE": "output limit exceeded",
+    "RTE": "run-time error",
+    "CE": "does not compile",
+    "JE": "could not be judged",
 }
+
+
+class Mode(Enum):
+    """How a submission is run."""
+
+    FUNCTION = "function"  # its entry function is called
+    PROGRAM = "program"  # it reads stdin and writes stdout
 
 
 class Tier(Enum):
@@ -167,22 +173,30 @@ class GrowthRule(Struct, frozen=True):
     slope: float
 
 
-class Group(Struct, frozen=True):
-    """A test group: `count` cases of one draw, named after what they probe."""
+class ListedGroup(
+    Struct, frozen=True, kw_only=True, omit_defaults=True, rename={"count": "cases", "neighbours": "turns"}
+):
+    """What a list of problems says of a test group."""
 
     name: str
-    about: str  # one sentence for a person: what the group probes
-    count: int
-    points: int
-    tolerance: Tolerance
+    count: Annotated[int, Meta(ge=1, le=1_000_000)]
+    points: Annotated[int, Meta(ge=0, le=FULL_SCORE)]
+    level: KataLevel | None = None  # None where the problem's groups have none
+
+
+class Group(ListedGroup, frozen=True, kw_only=True):
+    """A test group: `count` cases of one draw, named after what they probe."""
+
+    about: Annotated[str, Meta(min_length=1)]  # one sentence for a person: what the group probes
+    tolerance: Tolerance = Tolerance()
     seed: int | str  # with which the seed text of each case begins
+    skills: tuple[Annotated[str, Meta(min_length=1)], ...] = ()  # what a run shows that passes it
     kills: tuple[str, ...] = ()  # the mistakes it catches
     line: int = 0  # of problem.py, where it is declared
-    size: int | None = None  # n, where its cases are big
-    time_limit: float | None = None  # its own, as `TimeRule.limit`
+    size: Annotated[int, Meta(ge=1, le=10**9)] | None = None  # n, where its cases are big
+    time_limit: Annotated[float, Meta(ge=1, le=1e6)] | None = None  # its own, as `TimeRule.limit`
     limits: GroupLimits | None = None  # its own
     neighbours: bool = False  # whether a case differs from the one before in one parameter only
-    level: KataLevel | None = None  # None where the problem's groups have none
 
 
 class ShownSkill(Struct, frozen=True):
@@ -208,14 +222,34 @@ class Example(Struct, frozen=True):
     line: int  # in statement.md, from 1
 
 
-class Problem(Struct, frozen=True):
-    """One problem, whole; `folder` holds problem.toml, problem.py, statement.md and pins.json."""
+class Listed(Struct, frozen=True, kw_only=True, omit_defaults=True):
+    """What a list of problems says of one: as much as is read of each from the cache."""
 
     id: str
     title: str
     tier: Tier
     summary: str
     entry: str
+    groups: tuple[ListedGroup, ...]
+    sets: tuple[str, ...] = ()  # the practice sets that it is in
+    place: int | None = None  # in its tier's order; without one it comes last
+
+    @property
+    def levels(self) -> tuple[KataLevel, ...]:
+        """The levels of its groups, the easier first; none where the groups are of one kind."""
+        return tuple(level for level in KataLevel if self.of_level(level))
+
+    def of_level(self, level: KataLevel) -> tuple[ListedGroup, ...]:
+        """Its groups of that level."""
+        return tuple(group for group in self.groups if group.level is level)
+
+
+class Problem(Listed, frozen=True, kw_only=True):
+    """One problem, whole; `folder` holds problem.toml, problem.py, statement.md and pins.json.
+
+    `key` is the hash of all that it was made from.
+    """
+
     answer: Type
     parameters: tuple[Parameter, ...]
     limits: GroupLimits
@@ -225,20 +259,26 @@ class Problem(Struct, frozen=True):
     time: TimeRule | None = None  # where there is none, only `limits` bound the time
     examples: tuple[Example, ...] = ()
     statement: str = ""  # with its placeholders filled in
-    sets: tuple[str, ...] = ()  # the practice sets that it is in
-    place: int | None = None  # in its tier's order; without one it comes last
-    skills: tuple[ShownSkill, ...] = ()
-    growth: GrowthRule | None = None
+    slope: float | None = None  # of growth
     source: Source = Source()
+    key: str = ""
 
     @property
-    def levels(self) -> tuple[KataLevel, ...]:
-        """The levels of its groups, the easier first; none where the groups are of one kind."""
-        return levels_among(group.level for group in self.groups)
+    def skills(self) -> tuple[ShownSkill, ...]:
+        """What it teaches, in the order of its groups."""
+        names = dict.fromkeys(skill for group in self.groups for skill in group.skills)
+        return tuple(
+            ShownSkill(name, tuple(group.name for group in self.groups if name in group.skills))
+            for name in names
+        )
 
-    def of_level(self, level: KataLevel) -> tuple[Group, ...]:
-        """Its groups of that level."""
-        return tuple(group for group in self.groups if group.level is level)
+    @property
+    def growth(self) -> GrowthRule | None:
+        """How CPU time may grow over the groups whose cases are big."""
+        if self.slope is None:
+            return None
+        sizes = {group.name: group.size for group in self.groups if group.size}
+        return GrowthRule(tuple(sorted(sizes, key=sizes.__getitem__)), self.slope)
 
     @property
     def has_hints(self) -> bool:
@@ -251,6 +291,8 @@ class Problem(Struct, frozen=True):
 
     def calls(self, cases: Sequence[Case]) -> Sequence[tuple[Any, ...]]:
         """The cases as a submission receives them: with lists and arrays, where a case has tuples."""
+        from judge.values import parameters
+
         taken = [parameter.type for parameter in self.parameters]
         if all(type_.is_plain for type_ in taken):
             return cases
@@ -258,6 +300,8 @@ class Problem(Struct, frozen=True):
 
     def named(self, case: Case) -> dict[str, Any]:
         """A case's arguments by parameter name: tuples as such, lists and arrays as lists."""
+        from judge.values import parameters
+
         return {
             parameter.name: parameters.listed(parameter.type, value)
             for parameter, value in zip(self.parameters, case, strict=True)
@@ -285,18 +329,15 @@ def chosen_groups(problem: Problem, names: Sequence[str], level: str | None = No
             meant = nearest(name, known)
             remedy = f"did you mean {meant!r}?" if meant else f"it has {', '.join(known)}"
             raise UsageError(f"{problem.id} has no group {name!r}", remedy=remedy)
-    if level is not None:
-        _check_level(problem, level)
-    chosen = [group for group in problem.groups if not names or group.name in names]
-    found = tuple(group for group in chosen if level is None or (group.level and group.level.value == level))
-    if not found:
-        there = ", ".join(f"{group.name} is {group.level.value}" for group in chosen if group.level)
-        raise UsageError(f"no group that is named is of the {level} level", remedy=f"leave one out: {there}")
-    return found
-
-
-def _check_level(problem: Problem, level: str) -> None:
+    chosen = tuple(group for group in problem.groups if not names or group.name in names)
+    if level is None:
+        return chosen
     if level not in LEVELS:
         raise UsageError(f"there is no level {level!r}", remedy=f"use one of {', '.join(LEVELS)}")
     if not problem.levels:
         raise UsageError(f"{problem.id} has one level only", remedy="leave the level out")
+    found = tuple(group for group in chosen if group.level is KataLevel(level))
+    if not found:
+        there = ", ".join(f"{group.name} is {group.level.value}" for group in chosen if group.level)
+        raise UsageError(f"no group that is named is of the {level} level", remedy=f"leave one out: {there}")
+    return found

@@ -1,6 +1,9 @@
-"""Running a kata's problem.py and taking what it defines (judge.problem.declare).
+"""Running a kata's problem.py: what it defines (judge.problem.declare), and its rows as test groups.
 
 The file is the setter's own code and is trusted. Whatever it raises becomes a ProblemError with its line.
+
+The group of the statement's examples comes first. Of 100 points those that no row names are shared evenly,
+and the first groups take the remainder.
 """
 
 from __future__ import annotations
@@ -13,12 +16,25 @@ from contextlib import contextmanager
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
+import msgspec
 from msgspec import Struct
+from msgspec.structs import replace
 
 from judge.errors import JudgeError, ProblemError
+from judge.files import read_ordinary
 from judge.problem.declare import Declared, Hooks, InvalidCase
-from judge.problem.model import Case, KataLevel, Problem
-from judge.problem.text import read_text
+from judge.problem.load import made, tolerance_fault
+from judge.problem.model import (
+    EXAMPLES,
+    FULL_SCORE,
+    Case,
+    Group,
+    KataLevel,
+    Problem,
+    is_name,
+)
+from judge.problem.toml import read_text, told
+from judge.values.answers import Tolerance
 
 if TYPE_CHECKING:
     from judge.values.answers import Exact
@@ -54,10 +70,12 @@ def load_module(problem: Problem) -> Module:
         code = compile(source, str(path), "exec", dont_inherit=True)
         sys.modules[module.__name__] = module  # dataclasses look their own module up
         exec(code, module.__dict__)
+    hooks = getattr(module, "HOOKS", Hooks())
+    if not isinstance(hooks, Hooks):
+        what = f"HOOKS is {hooks!r}, which is no Hooks"
+        raise _fault(problem, what, "make it of judge.problem.declare.Hooks, or remove it")
     rows = tuple(_rows(module, problem))
-    return Module(
-        _solve(module, problem), {row.name: row.draw for _, row in rows}, _hooks(module, problem), rows
-    )
+    return Module(_solver(module, problem), {str(row.row["name"]): row.draw for _, row in rows}, hooks, rows)
 
 
 @contextmanager
@@ -74,17 +92,23 @@ def blaming(problem: Problem, what: str, place: Callable[[], str] | None = None)
         where = place() if place is not None else _place(error, problem)
         raise ProblemError(f"{what}: {error.what}", where=where, remedy=error.remedy) from error
     except SyntaxError as error:
-        where = f"{problem.id}/problem.py:{error.lineno or 1}"
-        raise ProblemError(f"syntax error: {error.msg}", where=where, remedy="repair this line") from error
+        raise _fault(problem, f"syntax error: {error.msg}", "repair this line", error.lineno or 1) from error
     except (Exception, SystemExit, GeneratorExit) as error:
         # Trusted, but anybody's: the person gets its line, --debug the traceback; an exit() in it would else
         # be the judge's, and its status that of an accepted submission.
-        name = type(error).__name__
-        raise ProblemError(
-            f"{what}: {name}: {error}" if str(error) else f"{what}: {name}",
-            where=_place(error, problem),
-            remedy="repair it there",
-        ) from error
+        said = ": ".join(filter(None, (what, type(error).__name__, str(error))))
+        raise ProblemError(said, where=_place(error, problem), remedy="repair it there") from error
+
+
+def shortened(case: tuple[Any, ...]) -> str:
+    """The case as a call's arguments, cut where it is long."""
+    text = f"({', '.join(map(repr, case))})"
+    return text if len(text) <= _LONGEST else f"{text[: _LONGEST - 1]}…"
+
+
+def _fault(problem: Problem, what: str, remedy: str, line: int | None = None) -> ProblemError:
+    place = f"{problem.id}/problem.py"
+    return ProblemError(what, where=place if line is None else f"{place}:{line}", remedy=remedy)
 
 
 def _place(error: BaseException, problem: Problem) -> str:
@@ -96,97 +120,155 @@ def _place(error: BaseException, problem: Problem) -> str:
     return f"{problem.id}/problem.py"
 
 
-def _solver(module: ModuleType, problem: Problem) -> Callable[..., Any]:
-    """The module's `solve`; what it raises is blamed on its line.
+def _solver(module: ModuleType, problem: Problem) -> Callable[..., Exact]:
+    """The module's `solve`; what it raises is blamed on its line, and a float is refused.
 
     InvalidCase alone goes through. Raises ProblemError where there is no such function, or it takes other
     parameters than problem.toml names.
     """
     function = getattr(module, "solve", None)
-    names = ", ".join([each.name for each in problem.parameters])
+    remedy = f"define solve({', '.join(each.name for each in problem.parameters)})"
     if not callable(function):
-        raise ProblemError(
-            "problem.py defines no function 'solve'",
-            where=f"{problem.id}/problem.py",
-            remedy=f"define solve({names})",
-        )
-    signature = inspect.signature(function)
+        raise _fault(problem, "problem.py defines no function 'solve'", remedy)
+    code = getattr(function, "__code__", None)
+    line = code.co_firstlineno if code is not None else 1
     try:
-        signature.bind(*problem.parameters)
+        inspect.signature(function).bind(*problem.parameters)
     except TypeError:
-        raise ProblemError(
-            f"solve does not take the {len(problem.parameters)} parameters of problem.toml",
-            where=f"{problem.id}/problem.py:{_line(function)}",
-            remedy=f"define solve({names})",
-        ) from None
+        what = f"solve does not take the {len(problem.parameters)} parameters of problem.toml"
+        raise _fault(problem, what, remedy, line) from None
 
-    def solve(*case: Any) -> Any:
+    def solve(*case: Any) -> Exact:
         try:
-            return function(*case)
+            answer = function(*case)
         except InvalidCase:
             raise
         except (Exception, SystemExit, GeneratorExit):
             with blaming(problem, f"solve{shortened(case)} fails"):
                 raise
+        if isinstance(answer, float) or (isinstance(answer, tuple | list) and float in map(type, answer)):
+            what = f"solve{shortened(case)} returns {answer!r}, and a float is not exact"
+            raise _fault(problem, what, "return ints, Fractions or Real(x, unit)", line)
+        return answer
 
     return solve
 
 
-def _solve(module: ModuleType, problem: Problem) -> Callable[..., Exact]:
-    solve = _solver(module, problem)
-
-    def exact(*case: Any) -> Exact:
-        answer = solve(*case)
-        if isinstance(answer, float) or (isinstance(answer, tuple | list) and float in map(type, answer)):
-            raise ProblemError(
-                f"solve{shortened(case)} returns {answer!r}, and a float is not exact",
-                where=f"{problem.id}/problem.py:{_line(module.solve)}",
-                remedy="return ints, Fractions or Real(x, unit)",
-            )
-        return answer
-
-    return exact
-
-
-def shortened(case: tuple[Any, ...]) -> str:
-    """The case as a call's arguments, cut where it is long."""
-    text = f"({', '.join(map(repr, case))})"
-    return text if len(text) <= _LONGEST else f"{text[: _LONGEST - 1]}…"
+# -- rows --------------------------------------------------------------------------------------------------
 
 
 def _rows(module: ModuleType, problem: Problem) -> Iterator[tuple[KataLevel | None, Declared]]:
     lists: dict[str, KataLevel | None] = {level.name: level for level in KataLevel}
-    there = [name for name in lists if hasattr(module, name)]
-    if hasattr(module, "GROUPS") and not there:
-        lists, there = {"GROUPS": None}, ["GROUPS"]
-    if len(there) < len(lists) or hasattr(module, "GROUPS") != (there == ["GROUPS"]):
-        raise ProblemError(
-            "problem.py declares no test groups",
-            where=f"{problem.id}/problem.py",
-            remedy="define INTERVIEW = [group(…), …] and PRODUCTION = […], or GROUPS alone",
-        )
+    there = [name for name in (*lists, "GROUPS") if hasattr(module, name)]
+    if there not in ([*lists], ["GROUPS"]):
+        remedy = "define INTERVIEW = [group(…), …] and PRODUCTION = […], or GROUPS alone"
+        raise _fault(problem, "problem.py declares no test groups", remedy)
     for name in there:
         rows = getattr(module, name)
         if not isinstance(rows, list | tuple) or not all(isinstance(row, Declared) for row in rows):
-            raise ProblemError(
-                f"{name} is no list of group(…)",
-                where=f"{problem.id}/problem.py",
-                remedy=f"define {name} = [group(name, about, draw), …]",
-            )
-        yield from ((lists[name], row) for row in rows)
+            remedy = f"define {name} = [group(name, about, draw), …]"
+            raise _fault(problem, f"{name} is no list of group(…)", remedy)
+        yield from ((lists.get(name), row) for row in rows)
 
 
-def _hooks(module: ModuleType, problem: Problem) -> Hooks:
-    hooks = getattr(module, "HOOKS", Hooks())
-    if not isinstance(hooks, Hooks):
-        raise ProblemError(
-            f"HOOKS is {hooks!r}, which is no Hooks",
-            where=f"{problem.id}/problem.py",
-            remedy="make it of judge.problem.declare.Hooks, or remove it",
-        )
-    return hooks
+def with_groups(problem: Problem, tolerance: Tolerance | None) -> Problem:
+    """The problem with its groups; its problem.py is run for that. Raises ProblemError.
+
+    `tolerance` is that of a group which has none of its own.
+    """
+    rows = load_module(problem).rows
+    levels = {level for level, _ in rows}
+    groups: dict[str, Group] = {}
+    points: dict[str, int | None] = {EXAMPLES: None}
+    for level, declared in rows:
+        group = _checked(problem, declared, level, tolerance)
+        if group.name in points:
+            remedy = "the examples come by themselves" if group.name == EXAMPLES else "rename or remove one"
+            raise _fault(problem, f"there are two groups {group.name!r}", remedy, group.line)
+        groups[group.name], points[group.name] = group, declared.row["points"]
+    if len(levels) == 1 and None not in levels:
+        what = f"every group is in {' and '.join(level.name for level in levels if level)}"
+        remedy = "declare groups of both, or all of them in GROUPS"
+        raise _fault(problem, what, remedy, rows[0][1].line)
+    if not problem.examples:
+        remedy = f"add a line >>> {problem.entry}(…) and the answer below it"
+        raise ProblemError("there are no worked examples", where=f"{problem.id}/statement.md", remedy=remedy)
+    examples = Group(
+        name=EXAMPLES,
+        about="The worked examples of the statement.",
+        count=len(problem.examples),
+        points=0,
+        tolerance=tolerance or next((each.tolerance for each in groups.values()), Tolerance()),
+        seed=problem.id,
+        level=None if levels == {None} else KataLevel.INTERVIEW,
+    )
+    shares, kills = _shares(problem, points), _pinned_kills(problem)
+    found = tuple(
+        replace(each, points=shares[each.name], kills=kills.get(each.name, ()))
+        for each in (examples, *groups.values())
+    )
+    if problem.slope is not None and len({each.size for each in found} - {None}) < 2:
+        raise _fault(problem, "growth needs groups of two different sizes", "add a group with size = …")
+    return replace(problem, groups=found)
 
 
-def _line(function: Callable[..., Any]) -> int:
-    code = getattr(function, "__code__", None)
-    return code.co_firstlineno if code is not None else 1
+def _checked(problem: Problem, declared: Declared, level: KataLevel | None, usual: Tolerance | None) -> Group:
+    """The group of a row, without its share of the points."""
+    name: Any = declared.row["name"]
+    draw: Any = declared.draw
+    raw = {key: value for key, value in declared.row.items() if value is not None}
+    raw |= {"points": raw.get("points", 0), "seed": problem.id, "line": declared.line}
+    if isinstance(limits := raw.get("limits"), Mapping):
+        usually, wall = problem.limits, {}
+        if isinstance(cpu := limits.get("cpu_seconds"), int | float):
+            wall = {"wall_seconds": usually.wall_seconds * cpu / usually.cpu_seconds}
+        raw["limits"] = {**msgspec.to_builtins(usually), **wall, **limits}
+    what = f"group {name!r}"
+
+    def fault(what: str, remedy: str) -> ProblemError:
+        return _fault(problem, what, remedy, declared.line)
+
+    try:
+        group = msgspec.convert(raw, Group, dec_hook=lambda kind, value: made(kind, value, problem.folder))
+    except msgspec.ValidationError as why:
+        said, remedy, _ = told(why, raw, Group)
+        raise fault(f"{what}: {said}", remedy) from None
+    if not is_name(name):
+        raise fault(f"{name!r} is no name for a group", "use small letters, digits and single hyphens")
+    if not callable(draw):
+        raise fault(f"{what} draws from {draw!r}", "give a function that takes a draw")
+    if group.size is not None and group.neighbours:
+        raise fault(f"the cases of {name!r} are big and cannot take turns", "remove turns")
+    if group.time_limit is not None and problem.time is None:
+        raise fault(f"{name!r} is timed beside a reference solution", "add a [time] table that names one")
+    if "tolerance" in raw and (wrong := tolerance_fault(group.tolerance, problem.answer)):
+        raise fault(wrong[0], wrong[1])
+    tolerance = group.tolerance if "tolerance" in raw else usual
+    if tolerance is None:
+        raise fault(f"{what} has no tolerance", "add tolerance = { … } to problem.toml")
+    return replace(group, tolerance=tolerance, level=level)
+
+
+def _shares(problem: Problem, given: Mapping[str, int | None]) -> dict[str, int]:
+    """Each group's points."""
+    shares = {name: points for name, points in given.items() if points is not None}
+    left = FULL_SCORE - sum(shares.values())
+    if left < 0:
+        remedy = f"make them sum to {FULL_SCORE} at most: what is left is shared"
+        raise _fault(problem, f"the groups' points sum to {FULL_SCORE - left}", remedy)
+    free = [name for name in given if name not in shares]
+    each, rest = divmod(left, len(free))
+    return shares | {name: each + (at < rest) for at, name in enumerate(free)}
+
+
+class _Pin(Struct):
+    kills: tuple[str, ...]
+
+
+def _pinned_kills(problem: Problem) -> dict[str, tuple[str, ...]]:
+    """The mistakes that each group catches, by pins.json; a file that is none is verify's to tell."""
+    try:
+        pins = msgspec.json.decode(read_ordinary(problem.folder / "pins.json"), type=dict[str, _Pin])
+    except (OSError, ValueError, RecursionError):
+        return {}
+    return {name: pin.kills for name, pin in pins.items()}

@@ -15,10 +15,11 @@ from __future__ import annotations
 
 import ast
 import re
+import warnings
 from collections.abc import Iterable
 from enum import Enum
 from pathlib import Path
-from typing import TYPE_CHECKING, NamedTuple, assert_never
+from typing import TYPE_CHECKING, NamedTuple
 
 from msgspec import Struct
 
@@ -26,14 +27,15 @@ from judge.errors import ProblemError
 from judge.files import read_ordinary
 from judge.languages import SUFFIX, is_program, language_of
 from judge.problem.model import Problem, Verdict
-from judge.problem.program import tree_of
 
 if TYPE_CHECKING:
     from judge.languages.model import Language
 
 MISTAKES = "mistakes.py"  # beside the folders: right ways with their mistakes (judge.mistakes.routes)
 
-_SENTENCE_END = re.compile(r"(?<=[.!?])\s+(?=[A-Z`\d])")
+LONGEST = 65_536  # bytes of a stranger's program; a tree takes six hundred times as many
+_ENDLESS = r"[^\x00-\x7f]{1000}"  # accents upon accents, which Python sorts in a name one by one
+_SENTENCE_END = r"(?<=[.!?])\s+(?=[A-Z`\d])"
 
 
 class Kind(Enum):
@@ -45,13 +47,9 @@ class Kind(Enum):
 
     def allows(self, verdict: Verdict) -> bool:
         """Whether a program of this folder may get that verdict."""
-        if self is Kind.ACCEPTED:
-            return verdict is Verdict.AC
-        if self is Kind.SLOW:
-            return verdict is Verdict.TLE
         if self is Kind.WRONG:
             return verdict not in (Verdict.AC, Verdict.CE, Verdict.JE)
-        assert_never(self)
+        return verdict is (Verdict.AC if self is Kind.ACCEPTED else Verdict.TLE)
 
     @property
     def wanted(self) -> str:
@@ -85,7 +83,7 @@ class Solution(Struct, frozen=True):
     @property
     def sentence(self) -> str:
         """The first sentence of it: of a mistake, what is wrong."""
-        return _SENTENCE_END.split(self.advice, maxsplit=1)[0]
+        return re.split(_SENTENCE_END, self.advice, maxsplit=1)[0]
 
     @property
     def usual(self) -> bool:
@@ -111,15 +109,21 @@ def read_solutions(problem: Problem, *kinds: Kind) -> Solutions:
     for kind in kinds or Kind:
         for path in _visible(problem.solutions / kind.value, faults):
             try:
-                programs.append(_read(kind, path))
+                programs.append(found := _read(kind, path))
             except ProblemError as fault:
                 faults.append(fault)
                 continue
-            if not programs[-1].name:
+            if not found.name:
                 remedy = f"begin it with the name of its {'mistake' if kind is Kind.WRONG else 'idea'}"
-                what = "it has no docstring" if programs[-1].language is None else "no comment begins it"
-                faults.append(ProblemError(what, where=_place(path, 3), remedy=remedy))
-    return Solutions(tuple(programs), (*faults, *([] if kinds else _strays(problem))))
+                what = "it has no docstring" if found.language is None else "no comment begins it"
+                faults.append(_fault(path, what, remedy))
+    if not kinds:  # what lies beside their folders and looks as if somebody thought that it was judged
+        names = [kind.value for kind in Kind]
+        remedy = f"move it to {', '.join(names[:-1])} or {names[-1]}"
+        for path in _visible(problem.solutions, faults):
+            if path.name not in (*names, MISTAKES) and (path.is_dir() or is_program(path)):
+                faults.append(_fault(path, "nobody judges this", remedy, 2))
+    return Solutions(tuple(programs), tuple(faults))
 
 
 def known_mistakes(problem: Problem) -> list[Solution]:
@@ -141,11 +145,6 @@ def accepted_source(problem: Problem, file: str) -> bytes | None:
         return None
 
 
-def is_solution(path: str, problem: str) -> bool:
-    """Whether a path, with / between its parts, names a solution of the problem of that id."""
-    return path.split("/")[-4:-2] == ["solutions", problem]
-
-
 def _visible(folder: Path, faults: list[ProblemError]) -> list[Path]:
     """What a folder holds, in order, without what is hidden; `faults` gets one where it cannot be read."""
     try:
@@ -153,38 +152,30 @@ def _visible(folder: Path, faults: list[ProblemError]) -> list[Path]:
     except FileNotFoundError:
         pass
     except OSError as fault:
-        what = f"cannot be read: {fault.strerror}"
-        faults.append(ProblemError(what, where=_place(folder, 2), remedy="make it a readable folder"))
+        faults.append(_fault(folder, f"cannot be read: {fault.strerror}", "make it a readable folder", 2))
     return []
-
-
-def _strays(problem: Problem) -> list[ProblemError]:
-    """What lies beside the folders of the kinds and looks as if somebody thought that it was judged."""
-    names = [kind.value for kind in Kind]
-    faults: list[ProblemError] = []
-    for path in _visible(problem.solutions, faults):
-        if path.name not in (*names, MISTAKES) and (path.is_dir() or is_program(path)):
-            remedy = f"move it to {', '.join(names[:-1])} or {names[-1]}"
-            faults.append(ProblemError("nobody judges this", where=_place(path, 2), remedy=remedy))
-    return faults
 
 
 def _read(kind: Kind, path: Path) -> Solution:
     language = language_of(path)
     if language is None and path.suffix != SUFFIX:
         remedy = f"end its name as a language does ({SUFFIX}) if it is one, or move it elsewhere"
-        raise ProblemError("this is no program", where=_place(path, 3), remedy=remedy)
+        raise _fault(path, "this is no program", remedy)
     try:
         source = read_ordinary(path)
-        head = _docstring(source) if language is None else parted(source, language)[0]
+        head = (ast.get_docstring(tree_of(source)) or "") if language is None else parted(source, language)[0]
     except OSError as fault:
-        what = f"cannot be read: {fault.strerror}"
-        raise ProblemError(what, where=_place(path, 3), remedy="make it readable") from None
+        raise _fault(path, f"cannot be read: {fault.strerror}", "make it readable") from None
     except SyntaxError as fault:
-        place = f"{_place(path, 3)}:{fault.lineno}" if fault.lineno else _place(path, 3)
-        raise ProblemError(f"no Python: {fault.msg}", where=place, remedy="repair it") from None
+        raise _fault(path, f"no Python: {fault.msg}", "repair it", line=fault.lineno) from None
     name, _, text = head.partition("\n")
     return Solution(kind, path, source, name.strip().rstrip("."), text.strip("\n"), language)
+
+
+def _fault(path: Path, what: str, remedy: str, parts: int = 3, line: int | None = None) -> ProblemError:
+    """A fault of what lies there; a person is told the end of its path: `middle/wrong/off-by-one.py`."""
+    where = "/".join(path.parts[-parts:])
+    return ProblemError(what, where=f"{where}:{line}" if line else where, remedy=remedy)
 
 
 def parted(source: bytes, language: Language) -> tuple[str, str]:
@@ -199,10 +190,33 @@ def parted(source: bytes, language: Language) -> tuple[str, str]:
     return "\n".join(head), "\n".join(lines[end:]).strip("\n")
 
 
-def _docstring(source: bytes) -> str:
-    return ast.get_docstring(tree_of(source)) or ""
+def tree_of_stranger(source: bytes) -> ast.Module:
+    """The tree of what anybody may have written. Raises SyntaxError as `tree_of`, and for a longer one.
+
+    What encoding the program says that it has is not believed: some make accents of plain letters.
+    """
+    if len(source) > LONGEST:
+        raise SyntaxError("it is too long")
+    try:
+        text = source.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        text = source.decode("latin-1")
+    if re.search(_ENDLESS, text):
+        raise SyntaxError("a word in it is too long")
+    return tree_of(text)
 
 
-def _place(path: Path, parts: int) -> str:
-    """The end of a path as a person is told it: `middle/wrong/off-by-one.py`."""
-    return "/".join(path.parts[-parts:])
+def tree_of(source: str | bytes) -> ast.Module:
+    """The program's tree; what the compiler would warn of is not for whoever runs the judge.
+
+    Raises:
+        SyntaxError: it is no Python, or nested too deeply for the compiler.
+    """
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            return ast.parse(source)
+    except ValueError as fault:  # a NUL
+        raise SyntaxError(str(fault)) from fault
+    except (RecursionError, MemoryError) as fault:
+        raise SyntaxError("it is nested too deeply") from fault

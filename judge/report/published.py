@@ -9,7 +9,7 @@ from msgspec.structs import astuple
 
 from judge.errors import ExitCode
 from judge.problem import Group, GrowthRule, Problem
-from judge.problem.model import GroupLimits, Source
+from judge.problem.model import GroupLimits, Listed, Source
 
 
 class Published(Struct, frozen=True, kw_only=True):
@@ -34,7 +34,7 @@ class KataRow(Published, frozen=True):
     stars: int
 
 
-def kata_row(problem: Problem, *, solved: bool, stars: int) -> KataRow:
+def kata_row(problem: Listed, *, solved: bool, stars: int) -> KataRow:
     """The row of a problem, as far as the person has come with it."""
     return KataRow(
         problem.id,

@@ -8,8 +8,9 @@ from msgspec import Struct
 
 from judge.practice.events import Run
 from judge.problem import Verdict
+from judge.problem.model import Mode
 from judge.report.published import Published
-from judge.run.result import Mode, Result, Taken
+from judge.run.result import Result, Taken
 
 
 class RunRow(

@@ -17,9 +17,9 @@ from msgspec import Struct
 from judge.errors import nearest
 from judge.languages import file_name
 from judge.problem import Problem, Verdict
-from judge.problem.model import KataLevel
+from judge.problem.model import KataLevel, Mode
 from judge.report.words import argument, counted, seconds, times
-from judge.run.result import Failure, GroupResult, Hurdle, LevelResult, Mode, Obstacle, Pitfall, Result
+from judge.run.result import Failure, GroupResult, Hurdle, LevelResult, Obstacle, Pitfall, Result
 from judge.sandbox.boundary import IMPORTING
 
 _PLACE = re.compile(r" \(line (\d{1,9})\)")

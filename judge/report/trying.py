@@ -108,8 +108,12 @@ def _intervals(exact: Any, accepted: Any, place: str) -> Iterator[Interval]:
         if isinstance(accepted, list) and len(accepted) == 2:
             yield place, accepted[0], accepted[1]
     elif isinstance(exact, dict) and isinstance(accepted, dict):
-        if "any" in exact and "any" in accepted:
-            yield from _intervals(exact["any"], accepted["any"], f"{place} or ")
+        if "any" in exact and "any" in accepted:  # those of the first; other orders have the same
+            several, ends = exact["any"], accepted["any"]
+            if isinstance(several[0], list):
+                yield from _intervals(several[0], ends[0], place)
+            else:
+                yield from _intervals(several, ends, f"{place} or ")
     elif isinstance(exact, list) and isinstance(accepted, list):
         for at, (one, ends) in enumerate(zip(exact, accepted, strict=True)):
             yield from _intervals(one, ends, f"{place}[{at}]")
@@ -121,7 +125,10 @@ def _plain(exact: Any) -> str:
         if "such as" in exact:
             return f"such as {_plain(exact['such as'])}"
         answers = exact["any"]
-        return " or ".join([*map(_plain, answers[:_ANSWERS]), *["…"] * (len(answers) > _ANSWERS)])
+        most = (
+            1 if isinstance(answers[0], list) and isinstance(next(iter(answers[0]), None), list) else _ANSWERS
+        )
+        return " or ".join([*map(_plain, answers[:most]), *["…"] * (len(answers) > most)])
     if isinstance(exact, list):
         point = 2 <= len(exact) <= 3 and all(isinstance(each, str) for each in exact)
         return f"({_listed(exact)})" if point else f"[{_listed(exact)}]"

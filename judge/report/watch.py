@@ -25,7 +25,9 @@ _KEYS = {
 _OF_A_CASE = "pe"  # keys that need a case that failed
 
 
-def place_text(problem: Problem, found: PracticeSet | None, solved: int, katas: int, screen: Screen) -> Group:
+def place_text(
+    problem: Problem, found: PracticeSet[Problem] | None, solved: int, katas: int, screen: Screen
+) -> Group:
     """The kata's title, where it stands in its set, and how many are solved."""
     said = ""
     if found:

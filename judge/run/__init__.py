@@ -22,7 +22,6 @@ _FROM = {
     "Failure": "result",
     "GroupResult": "result",
     "LevelResult": "result",
-    "Mode": "result",
     "Pitfall": "result",
     "Ratio": "result",
     "Reference": "reference",

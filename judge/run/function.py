@@ -9,8 +9,9 @@ from typing import Any, ClassVar
 from msgspec import Struct
 
 from judge.problem import Case, Problem, TimeRule
+from judge.problem.model import Mode
 from judge.run.replies import Replies
-from judge.run.result import NOTHING, Behaviour, Failure, Mode
+from judge.run.result import NOTHING, Behaviour, Failure
 from judge.sandbox.boundary import Box, CallsResult, Limits, Stop
 from judge.values import check, outline, show
 from judge.values.answers import Target

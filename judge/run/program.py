@@ -16,9 +16,9 @@ from msgspec.structs import replace
 
 from judge.errors import nearest
 from judge.problem import Case, Problem, TimeRule, Verdict
-from judge.problem.model import Parameter, tupled
+from judge.problem.model import Mode, Parameter, tupled
 from judge.run.replies import VERDICTS, Breakdown, Replies
-from judge.run.result import NOTHING, Behaviour, Failure, Mode
+from judge.run.result import NOTHING, Behaviour, Failure
 from judge.sandbox.boundary import Box, Limits, ProgramResult, Reply, Stop
 from judge.values import check, outline, parameters, reading, show
 from judge.values.answers import Target

@@ -6,7 +6,7 @@ import json
 from collections.abc import Iterable, Mapping, Sequence
 from enum import Enum
 from types import MappingProxyType
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import msgspec
 from msgspec import Struct
@@ -14,20 +14,15 @@ from msgspec.structs import replace
 
 from judge.errors import ExitCode
 from judge.problem import Verdict
-from judge.problem.model import KataLevel
-from judge.values.outline import Outline
-from judge.values.wire import Raw
+from judge.problem.model import KataLevel, Mode
+
+if TYPE_CHECKING:
+    from judge.values.outline import Outline
+    from judge.values.wire import Raw
 
 SCHEMA = 2
 _IMPORT_SECONDS = 0.02  # of CPU time, from which on an import is told of
 _LONGEST = 4_000  # characters of an answer that is kept
-
-
-class Mode(Enum):
-    """How a submission was run."""
-
-    FUNCTION = "function"  # its entry function was called
-    PROGRAM = "program"  # it read stdin and wrote stdout
 
 
 class Answers(NamedTuple):

@@ -10,10 +10,11 @@ from collections.abc import Callable, Sequence
 from typing import Any, Protocol
 
 from judge.problem import Case, Problem, TimeRule
+from judge.problem.model import Mode
 from judge.run.function import FunctionRunner
 from judge.run.program import ProgramRunner
 from judge.run.replies import Replies
-from judge.run.result import NOTHING, Behaviour, Failure, Mode
+from judge.run.result import NOTHING, Behaviour, Failure
 from judge.sandbox.boundary import Box, Inspection, Limits
 from judge.values.answers import Target
 from judge.values.check import ExactOf, Outcome

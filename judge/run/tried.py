@@ -8,7 +8,8 @@ from msgspec import Struct
 
 from judge.data.load import ProblemData
 from judge.problem import Case, Group, Problem, Verdict
-from judge.run.result import Hurdle, Mode
+from judge.problem.model import Mode
+from judge.run.result import Hurdle
 from judge.values import show
 from judge.values.answers import Exact, Target
 

@@ -29,7 +29,7 @@ from judge.languages.signature import signature_of
 from judge.problem import Problem, Verdict
 from judge.problem.model import group_place
 from judge.problem.solutions import Kind, Solution, read_solutions
-from judge.problem.tables import KeyPath, key_place, meant
+from judge.problem.toml import KeyPath, key_place, meant
 from judge.run.execute import Judged, judge_submission
 from judge.run.matrix import Matrix, kill_matrix
 from judge.run.reference import check_needs
@@ -180,7 +180,7 @@ def fresh_data(problem: Problem, progress: Progress | None = None, seed: int | N
     def told(done: int, total: int) -> None:
         tell("building data", done, total)
 
-    return load_data(problem, seed=seed, progress=told, cache=False)
+    return load_data(problem, seed=seed, progress=told, store=None)
 
 
 def _fault_of(error: ProblemError, problem: Problem) -> Fault:

@@ -241,6 +241,18 @@ class NumberType(Atom):
         """In full, unless it is absurdly long."""
         return show(value)
 
+    def read(self, raw: Raw, place: Place, noun: str) -> Value:
+        """An int of any size; where a float may be, a float, a Fraction or a Written too."""
+        given, name = number(raw), place.name()
+        meant = name or (noun if self.measured else self.noun)
+        if isinstance(given, Fault):
+            is_point = name[:1] in COORDINATES and given.type.startswith("complex")
+            raise Unreadable(given.where(f"{meant} is meant", "return a point as (x, y)" if is_point else ""))
+        if isinstance(given, int) or float in self.kinds:
+            return given
+        kind, more = "float" if isinstance(given, float) else "number", " as an int" if name else ""
+        raise Unreadable(f"the {kind} {show(raw)} where {meant} is meant{more}")
+
     def fault(self, name: str, value: Any) -> str | None:
         """Exactly an int or a float: a bool would not come back from the cache as it went in."""
         kind = type(value)
@@ -273,16 +285,6 @@ class IntType(NumberType):
     def why_not(self, value: Any) -> str | None:
         """Exactly an int."""
         return None if type(value) is int else f"{value!r} where an int is meant"
-
-    def read(self, raw: Raw, place: Place, noun: str) -> Value:
-        """An int of any size."""
-        given, name = number(raw), place.name()
-        if isinstance(given, Fault):
-            raise Unreadable(given.where(f"{name or self.noun} is meant"))
-        if not isinstance(given, int):
-            kind, more = "float" if isinstance(given, float) else "number", " as an int" if name else ""
-            raise Unreadable(f"the {kind} {show(raw)} where {name or self.noun} is meant{more}")
-        return given
 
     def take(self, tokens: Tokens, meant: str) -> Raw:
         """A plain integer."""
@@ -326,20 +328,11 @@ class RealType(NumberType):
 
         return quick
 
-    def read(self, raw: Raw, place: Place, noun: str) -> Value:
-        """An int, a float, a Fraction or a Written."""
-        given = number(raw)
-        if isinstance(given, Fault):
-            is_point = place.name()[:1] in COORDINATES and given.type.startswith("complex")
-            remedy = "return a point as (x, y)" if is_point else ""
-            raise Unreadable(given.where(f"{place.name() or noun} is meant", remedy))
-        return given
-
     def off(self, value: Value, target: Bounds, leaf: Leaf) -> float | None:
         """Its error, as its double has it; 0 where x is 0, which has no scale."""
-        if not accepts(value, target, leaf):
+        lo, hi, nearest = target
+        if not (lo <= value <= hi if type(value) is float else accepts(value, target, leaf)):
             return None
-        nearest = target[2]
         return abs(near(value) - nearest) / ulp(nearest) if nearest else 0.0
 
     def why(self, value: Value, target: Bounds, words: Words, place: Place) -> Mismatch:

@@ -99,7 +99,7 @@ def _target(type_: Type, exact: Exact, tolerance: Tolerance) -> Target:
 
 def check(type_: Type, raw: Raw, target: Target, exact: ExactOf) -> Outcome:
     """Decide an answer, JSON of any shape whatever; it never raises for one."""
-    found = _decided(type_, raw, target, exact)
+    found, _ = decide(type_, raw, target, exact)
     if isinstance(found, float):
         return Accepted(found) if found >= 0.0 else _UNMEASURED
     why = found()
@@ -108,23 +108,28 @@ def check(type_: Type, raw: Raw, target: Target, exact: ExactOf) -> Outcome:
 
 def is_right(type_: Type, raw: Raw, target: Target, exact: ExactOf) -> bool:
     """Whether `check` accepts it, without a word about why not: for who decides a hundred thousand."""
-    return isinstance(_decided(type_, raw, target, exact), float)
+    return isinstance(decide(type_, raw, target, exact)[0], float)
 
 
-def _decided(type_: Type, raw: Raw, target: Target, exact: ExactOf) -> float | Callable[[], Mismatch]:
-    """How many ulps an answer is off at most, NOTHING if there is nothing to be off; or what says why."""
+def decide(
+    type_: Type, raw: Raw, target: Target, exact: ExactOf
+) -> tuple[float | Callable[[], Mismatch], tuple[Value] | None]:
+    """How many ulps an answer is off at most, NOTHING if there is nothing to be off; or what says why.
+
+    Beside it, in a tuple of one, the value, where it had to be read and could be.
+    """
     try:
         worst = type_.quick(raw, target)
     except (TypeError, ValueError):  # a target with alternatives in it is not unpacked
         worst = None
     if worst is not None:
-        return worst
+        return worst, None
     try:
         value = read(type_, raw)
     except Unreadable as why:
-        return partial(Mismatch, str(why))
+        return partial(Mismatch, str(why)), None
     found = _off(type_, value, target, _Ask(exact, type_.words), ROOT)
-    return found.tell if isinstance(found, _Miss) else found
+    return found.tell if isinstance(found, _Miss) else found, (value,)
 
 
 class _Ask(NamedTuple):

@@ -93,12 +93,6 @@ def parse(text: str, folder: Path | None = None, words: Words = NO_WORDS) -> Typ
     return found
 
 
-def names(folder: Path | None) -> list[str]:
-    """The names of the types of the language and of a pack, for a person to choose from."""
-    files = {path.stem.replace("_", "-") for path in folder.glob("[a-z]*.py")} if folder else set()
-    return [*ALIASES, *VECTORS, *ATOMS, *sorted(files)]
-
-
 class _Parser:
     """One text, read from left to right."""
 
@@ -195,7 +189,8 @@ class _Parser:
         return _Parser(found, self._folder, self._depth).whole()
 
     def _unknown(self, name: str) -> TypeFault:
-        own = names(self._folder)
+        files = sorted(self._folder.glob("[a-z]*.py")) if self._folder else []
+        own = [*ALIASES, *VECTORS, *ATOMS, *(path.stem.replace("_", "-") for path in files)]
         meant = _FOREIGN.get(name) or nearest(name, own)
         remedy = f"did you mean {meant!r}?" if meant else f"use one of {', '.join(own)}"
         if self._text.strip() == name:
@@ -208,10 +203,8 @@ def _found(name: str, folder: Path | None) -> Any:
     if folder is None or not re.fullmatch(r"[a-z][a-z0-9-]{0,99}", name):
         return None
     path = folder / f"{name.replace('-', '_')}.py"
-    return _loaded(path) if path.is_file() else None
-
-
-def _loaded(path: Path) -> Any:
+    if not path.is_file():
+        return None
     module = ModuleType(f"judge_type_{path.stem}_{abs(hash(path)):x}")
     module.__file__ = str(path)
     try:

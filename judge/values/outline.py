@@ -22,10 +22,10 @@ from typing import Any
 
 from msgspec import Struct
 
-from judge.digest import digest_of
+from judge.cache import digest
 from judge.values.answers import Target
 from judge.values.atoms import LONGEST, Atom, IntType, NumberType, RealType, Type, Value
-from judge.values.check import ExactOf, is_right
+from judge.values.check import ExactOf, decide
 from judge.values.reading import read, read_line
 from judge.values.show import best
 from judge.values.types import Composite, ListType, TupleType, lasting
@@ -53,7 +53,10 @@ def outline(type_: Type, raw: Raw) -> Outline:
 
 def wrong_outline(type_: Type, raw: Raw, target: Target, exact: ExactOf) -> Outline | None:
     """None for a right answer, and else its outline."""
-    return None if is_right(type_, raw, target, exact) else outline(type_, raw)
+    found, value = decide(type_, raw, target, exact)
+    if isinstance(found, float):
+        return None
+    return _of(type_, value[0]) if value and raw is not None else outline(type_, raw)
 
 
 def line_outline(type_: Type, line: str) -> Outline:
@@ -71,7 +74,7 @@ def _of(type_: Type, value: Value) -> Outline:
     numbers: list[float] = []
     form = _form(type_, value, numbers)
     if len(form) > 2 * _LONGEST:  # cut, but so that different ones stay different
-        form = f"{form[:_LONGEST]}… {digest_of(form.encode(errors='replace'))[:8]}"
+        form = f"{form[:_LONGEST]}… {digest(form.encode(errors='replace'))[:8]}"
     return form, tuple(numbers[:_MOST])
 
 

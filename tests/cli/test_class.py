@@ -110,7 +110,7 @@ def test_only_what_is_new_is_judged(judge, homework, submit, monkeypatch):
     after = {row.file: row.at for row in stored()}
     assert [file for file in before if before[file] != after[file]] == ["ada/middle.py"]
     with monkeypatch.context() as other:
-        other.setattr(standard, "code_version", lambda: "else")
+        other.setattr(standard, "code_key", lambda: "else")
         told = judge("class", "homework").err
     assert told.count("\n") == 2
     assert "4 judged anew, because of the judge (" in told

@@ -70,10 +70,10 @@ def test_a_problem_that_ends_the_process_is_a_fault_and_not_accepted(words, endi
 
 
 def test_an_internal_fault_is_one_line_and_debug_shows_the_traceback(judge, monkeypatch):
-    def fail(_folders):
+    def fail(*_):
         raise RuntimeError("the sky\nfell")
 
-    monkeypatch.setattr(look, "sound_problems", fail)
+    monkeypatch.setattr(look, "listed_problems", fail)
     line = "judge: internal fault: RuntimeError: the sky fell"
     ended = judge("list")
     assert (ended.status, ended.out) == (3, "")
@@ -209,10 +209,10 @@ def test_a_shortage_costs_one_submission_and_the_rest_are_judged(fault, line, ju
 
 @pytest.mark.parametrize(("fault", "line"), SHORTAGES)
 def test_a_shortage_anywhere_else_is_one_line_with_its_remedy(fault, line, judge, monkeypatch):
-    def short(_folders):
+    def short(*_):
         raise fault
 
-    monkeypatch.setattr(look, "sound_problems", short)
+    monkeypatch.setattr(look, "listed_problems", short)
     ended = judge("list")
     assert (ended.status, ended.out) == (3, "")
     assert ended.err.startswith(f"judge: {line}")

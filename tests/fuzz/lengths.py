@@ -34,10 +34,8 @@ from judge.languages.signature import Signature
 from judge.languages.sources import sources_of
 from judge.mistakes.features import features
 from judge.problem import Verdict
-from judge.problem.find import find_problem
-from judge.problem.fit import fitting_problems, meant_problem, signs
-from judge.problem.tables import key_lines
-from judge.problem.toml import toml_of
+from judge.problem.find import find_problem, fitting_problems, meant_problem, signs
+from judge.problem.toml import key_lines, parse_toml
 from judge.report import formats, tell
 from judge.run import hurdle, printed, program
 from judge.run.result import judge_fault
@@ -253,7 +251,7 @@ def _readers() -> dict[str, Callable[[str], None]]:
         "type": _type,
         "regression": _regression,
         "toml lines": key_lines,
-        "toml": partial(toml_of, name="cards.toml"),
+        "toml": partial(parse_toml, name="cards.toml"),
     }
 
 

@@ -25,7 +25,7 @@ BY_DAY = ["circle-side", "exact-count", "on-circle", "stable-roots", "test-write
 @pytest.mark.parametrize("name", daily(NAMES, BY_DAY))
 def test_every_group_is_as_it_was_pinned_and_another_seed_gives_full_groups_of_other_cases(name):
     problem = load_problem(PROBLEMS / name)
-    data = load_data(problem, cache=False)
+    data = load_data(problem, store=None)
     pins = read_pins(problem)
     assert pins is not None
     kills = {group.name: group.kills for group in problem.groups}
@@ -37,7 +37,7 @@ def test_every_group_is_as_it_was_pinned_and_another_seed_gives_full_groups_of_o
     assert sum(len(group.cases) * (group.group.size or 1) for group in data.groups) >= least
     assert sum(group.points for group in problem.groups) == 100
     assert problem.examples
-    other = load_data(problem, seed=2**70, cache=False)
+    other = load_data(problem, seed=2**70, store=None)
     assert [len(group.cases) for group in other.groups] == [group.count for group in problem.groups]
     changed = sum(a.cases != b.cases for a, b in zip(data.groups, other.groups, strict=True))
     assert changed == (len(problem.groups) - 1 if problem.parameters else 0)  # all but the examples
@@ -48,7 +48,7 @@ def test_every_group_is_as_it_was_pinned_and_another_seed_gives_full_groups_of_o
 def test_accepted_solutions_pass_the_data_of_another_seed(name):
     """By their answers: their time is measured on the pinned data, by the gate."""
     problem = load_problem(PROBLEMS / name)
-    other = load_data(problem, seed=20261120, cache=False)
+    other = load_data(problem, seed=20261120, store=None)
     for path in sorted((problem.solutions / "accepted").glob("*.py")):
         if not language_of(path):
             judged = judge_submission(other, path.read_bytes(), path.name, Settings(measured=False))

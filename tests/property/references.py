@@ -93,7 +93,7 @@ def cases_of(name: str) -> list[Any]:
     wanted = CASES
     seeds = max(2, -(-wanted // sum(group.count for group in problem.groups)))
     groups = [
-        group for seed in range(seeds) for group in load_data(problem, seed=11 + seed, cache=False).groups
+        group for seed in range(seeds) for group in load_data(problem, seed=11 + seed, store=None).groups
     ]
     most = -(-wanted // len(groups))
     return [case for group in groups for case in group.cases[:most]]

@@ -6,7 +6,7 @@ import msgspec
 
 from judge.batch.cohort import cohort_of
 from judge.batch.model import Done, Row, Student
-from judge.digest import digest_of
+from judge.cache import digest
 from judge.problem.model import Verdict
 from judge.report.cohort import EqualFiles
 from judge.run.result import Failure, GroupResult, Pitfall, Ratio, Result, Timing, earned
@@ -64,7 +64,7 @@ def row(
         student,
         problem,
         file,
-        digest_of(key.encode()),
+        digest(key.encode()),
         verdict.value,
         score,
         90,

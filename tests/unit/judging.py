@@ -6,7 +6,7 @@ from fractions import Fraction
 from pathlib import Path
 
 from judge.data.load import GroupData, ProblemData
-from judge.problem import Group, GroupLimits, Parameter, Problem, Tier, Tolerance
+from judge.problem import Group, GroupLimits, Parameter, Problem, Tier
 from judge.run import judge_submission
 from judge.values.answers import Words
 from judge.values.grammar import parse
@@ -21,7 +21,7 @@ WORDS = Words(answer="t", meant="0, 1, 2 or none")
 
 
 def make_group(name="one", points=100):
-    return Group(name, "", len(CASES), points, Tolerance(), 1)
+    return Group(name=name, about="", count=len(CASES), points=points, seed=1)
 
 
 def make_problem(groups, answer="count", limits=LIMITS):
@@ -32,9 +32,18 @@ def make_problem(groups, answer="count", limits=LIMITS):
     )
     folder = Path("/nowhere")
     return Problem(
-        "sum", "Sum", Tier.JUNIOR, "", "answer", parse(answer, words=WORDS), parameters, limits,
-        groups, folder, folder,
-    )  # fmt: skip
+        id="sum",
+        title="Sum",
+        tier=Tier.JUNIOR,
+        summary="",
+        entry="answer",
+        answer=parse(answer, words=WORDS),
+        parameters=parameters,
+        limits=limits,
+        groups=groups,
+        folder=folder,
+        solutions=folder,
+    )
 
 
 def make_data(*names, limits=LIMITS, cases=CASES, counts=COUNTS, step=0):

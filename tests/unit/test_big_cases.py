@@ -12,9 +12,10 @@ import jsonschema
 import pytest
 from sandboxed import call, limits
 
+from judge.cache import CacheFolder
 from judge.cli.app import app
 from judge.cli.emit import schema_of
-from judge.data.load import ProblemData, _from_plain, load_data
+from judge.data.load import ProblemData, data_key, load_data
 from judge.errors import ProblemError
 from judge.problem import Verdict
 from judge.problem.load import load_problem
@@ -34,12 +35,12 @@ def problem_of(name):
 
 @pytest.fixture(scope="module")
 def inversions():
-    return load_data(problem_of("inversions"), cache=False)
+    return load_data(problem_of("inversions"), store=None)
 
 
 @pytest.fixture(scope="module")
 def signs():
-    return load_data(problem_of("signs"), cache=False)
+    return load_data(problem_of("signs"), store=None)
 
 
 def judged(data, solution, problem=None):
@@ -63,15 +64,15 @@ def changed(tmp_path, *changes, name="inversions", file="problem.toml"):
 
 TIME = '[time]\nlimit = 1000\nfunction = "tree.py"\nprogram = "program.py"\n'
 REFUSED = {  # the file, what is changed there, the line at fault, words of the complaint and of the remedy
-    "slope": ("toml", ("growth = 0.4", "growth = 0"), 6, "growth is 0", "give a number above 0"),
+    "slope": ("toml", ("growth = 0.4", "growth = 0"), 6, "growth = 0", "give a number > 0"),
     "time alone": ("toml", (TIME, ""), 6, "growth is measured beside a reference", "add a [time] table"),
-    "size": ("py", ("size=2000", "size=0"), 35, "group 'n-2000' has the size 0", "give 1 to"),
+    "size": ("py", ("size=2000", "size=0"), 35, "group 'n-2000': size = 0", "give a whole number >= 1"),
     "room": (
         "toml",
         ("input_mb = 1", "input_mb = 100"),
         13,
-        "limits.input_mb is 100",
-        f"give a number of at most {MOST_INPUT_MB}",
+        "limits.input_mb = 100",
+        f"give a number <= {MOST_INPUT_MB}",
     ),
 }
 
@@ -91,7 +92,7 @@ def test_cases_beyond_the_limit_on_input_are_refused(tmp_path):
     with pytest.raises(
         ProblemError, match=r"group 'n-2000' has 0\.\d MB of cases; input_mb is 0\.0625"
     ) as caught:
-        load_data(load_problem(folder), cache=False)
+        load_data(load_problem(folder), store=None)
     assert caught.value.where == "inversions/problem.py:35"
 
 
@@ -123,9 +124,13 @@ def test_kept_seeds_that_make_other_cases_are_not_believed(cache, spoilt):
     load_data(problem)
     (file,) = cache.iterdir()
     kept = json.loads(file.read_bytes().partition(b"\n")[2])
-    assert _from_plain(kept, problem, None) is not None
     kept["n-6000"] |= spoilt
-    assert _from_plain(kept, problem, None) is None
+    built = []
+    assert CacheFolder().write(f"data/{file.name}", data_key(problem, None), kept) is None
+    sound = load_data(problem, progress=lambda done, _: built.append(done))
+    assert built
+    warm = load_data(problem, progress=lambda *_: pytest.fail("it is built again"))
+    assert [group.cases for group in warm.groups] == [group.cases for group in sound.groups]
 
 
 def test_a_container_has_room_for_as_much_input_as_a_problem_may_have():

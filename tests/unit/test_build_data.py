@@ -34,7 +34,7 @@ def copy(tmp_path):
 
 def test_cases_and_targets_of_every_group():
     problem, steps = load_problem(SOUND), []
-    data = load_data(problem, cache=False, progress=lambda done, total: steps.append((done, total)))
+    data = load_data(problem, store=None, progress=lambda done, total: steps.append((done, total)))
     assert steps == [(2, 14), (14, 14)]
     assert differences(read_pins(problem), pins_of(data.groups, {"small": {"sign-forgotten"}})) == []
     examples, small = data.groups
@@ -51,7 +51,7 @@ def test_a_seed_of_ones_own_gives_other_cases_but_the_same_examples():
     problem = load_problem(SOUND)
     drawn = set()
     for seed in (None, 0, 1, 2):
-        data = load_data(problem, seed=seed, cache=False)
+        data = load_data(problem, seed=seed, store=None)
         assert data.groups[0].cases == [(4,), (-1,)]
         drawn.add(tuple(data.groups[1].cases))
     assert len(drawn) == 4
@@ -62,7 +62,7 @@ def test_a_seed_of_ones_own_gives_other_cases_but_the_same_examples():
 
 def test_pins_notice_drift_new_groups_and_old_ones(copy):
     problem = load_problem(copy)
-    groups = load_data(problem, cache=False).groups
+    groups = load_data(problem, store=None).groups
     found = pins_of(groups, {})
     write_pins(problem, found)
     assert json.loads((copy / "pins.json").read_text())["small"]["hash"] == hash_of(groups[1])
@@ -174,7 +174,7 @@ def test_two_problems_of_one_name_keep_their_own_code(copy):
 
 def refused(folder, place, what, remedy):
     with pytest.raises(ProblemError) as caught:
-        load_data(load_problem(folder), cache=False)
+        load_data(load_problem(folder), store=None)
     error = caught.value
     assert error.where == f"{folder.name}/{place}"
     assert what in error.what

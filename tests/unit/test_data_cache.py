@@ -16,10 +16,10 @@ from pathlib import Path
 import platformdirs
 import pytest
 
-from judge.data.load import load_data
+from judge.cache import CacheFolder
+from judge.data.load import data_key, load_data
 from judge.data.pins import hash_of
 from judge.files import cache_folder, user_data
-from judge.kept import KeptFile
 from judge.problem.load import load_problem
 
 ROOT = Path(__file__).parent.parent.parent
@@ -73,17 +73,17 @@ def test_what_is_read_is_what_was_built():
 @pytest.mark.parametrize("name", ["problem.toml", "problem.py"])
 def test_a_changed_file_builds_anew_and_drops_the_old_data(copy, folder, name):
     built(load_problem(copy))
-    old = files(folder)
+    old = (folder / files(folder)[0]).read_bytes()
     with (copy / name).open("a") as file:
         file.write("\n")
     assert built(load_problem(copy))[1]
-    assert len(files(folder)) == 1
-    assert files(folder) != old
+    (new,) = folder.iterdir()
+    assert new.read_bytes() != old
 
 
 def test_a_seed_and_a_folder_have_files_of_their_own(copy, folder):
     problem = load_problem(SOUND)
-    assert built(problem, cache=False)[1]
+    assert built(problem, store=None)[1]
     assert not folder.exists()
     own = plain(built(problem)[0])
     assert built(problem, seed=5)[1]
@@ -95,10 +95,10 @@ def test_a_seed_and_a_folder_have_files_of_their_own(copy, folder):
     assert len(files(folder)) == 3
 
 
-def with_checksum(file, body):
-    """A file of this name as the cache would write it, its checksum right."""
-    key = file.stem.rpartition("-")[2]
-    return hashlib.blake2b(key.encode() + body, digest_size=32).hexdigest().encode() + b"\n" + body
+def with_checksum(problem, body):
+    """The file of this problem's data as the cache would write it, its checksum right."""
+    key = data_key(problem, None).encode()
+    return hashlib.blake2b(key + b"\n" + body, digest_size=32).hexdigest().encode() + b"\n" + body
 
 
 @pytest.mark.parametrize(
@@ -116,7 +116,7 @@ def test_a_corrupt_file_is_built_anew(folder, content, checked):
     problem = load_problem(SOUND)
     sound = plain(built(problem)[0])
     (file,) = folder.iterdir()
-    file.write_bytes(with_checksum(file, content) if checked else content)
+    file.write_bytes(with_checksum(problem, content) if checked else content)
     data, was_built = built(problem)
     assert was_built
     assert plain(data) == sound
@@ -130,7 +130,7 @@ def test_one_flipped_byte_is_noticed_and_an_end_that_is_missing(folder, place):
     built(problem)
     (file,) = folder.iterdir()
     content = bytearray(file.read_bytes())
-    assert content == with_checksum(file, content.partition(b"\n")[2])  # plain JSON below it
+    assert content == with_checksum(problem, content.partition(b"\n")[2])  # plain JSON below it
     if place is None:
         del content[-10:]
     else:
@@ -153,7 +153,7 @@ def test_a_folder_that_cannot_be_written_costs_a_note_only(tmp_path, monkeypatch
 @pytest.mark.slow
 def test_many_writers_and_readers_at_once(folder):
     problem = load_problem(SOUND)
-    sound = plain(built(problem, cache=False)[0])
+    sound = plain(built(problem, store=None)[0])
     seen, start = [], threading.Barrier(8)
 
     def work():
@@ -201,9 +201,9 @@ def test_numbers_come_back_from_the_cache_as_they_are(tmp_path):
     value = [x for x in doubles if math.isfinite(x)] + near + [5e-324, -0.0, 1.7976931348623157e308]
     integers = [draw.randint(-(10**digits), 10**digits) for digits in (5, 19, 20, 400, 4000)]
     for content in (value, integers, [math.inf, 1.5]):
-        file = KeptFile(lambda: tmp_path, "data", "numbers-", "key")
-        assert file.write({"numbers": content}) is None
-        assert repr(file.read()["numbers"]) == repr(content)
+        store = CacheFolder(lambda: tmp_path)
+        assert store.write("data/numbers", "key", {"numbers": content}) is None
+        assert repr(store.read("data/numbers", "key", dict)["numbers"]) == repr(content)
 
 
 HOMES = [

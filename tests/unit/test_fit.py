@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from judge.problem.fit import fitting_problems, meant_problem, signs
+from judge.problem.find import fitting_problems, meant_problem, signs
 
 
 @pytest.mark.parametrize(

@@ -12,8 +12,8 @@ from judge.data.draw import Draw
 from judge.errors import ProblemError, UsageError
 from judge.problem.find import find_problem
 from judge.problem.load import load_problem
+from judge.problem.model import EXAMPLES
 from judge.problem.module import load_module
-from judge.problem.statement import EXAMPLES
 
 FIXTURES = Path(__file__).parent.parent / "fixtures"
 

@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 
 from judge.errors import ProblemError
-from judge.problem.hints import read_hints
 from judge.problem.load import load_problem
+from judge.problem.texts import read_hints
 
 ROOT = Path(__file__).parents[2]
 SOUND = ROOT / "tests" / "fixtures" / "problems" / "root-count"

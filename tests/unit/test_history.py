@@ -25,7 +25,8 @@ from judge.errors import StoreError, UsageError
 from judge.practice.events import Answer, Hack, Help, Outcome, Rating, Run, Started
 from judge.practice.history import APPLICATION, STEPS, History, run_of
 from judge.problem import Verdict
-from judge.run.result import Mode, judge_fault
+from judge.problem.model import Mode
+from judge.run.result import judge_fault
 
 ROOT, HERE = Path(__file__).parents[2], Path(__file__).parent
 KINDS = (Run, Started, Help, Hack, Answer)

@@ -28,8 +28,8 @@ MOST_PARAMETERS = 6
 # A room knows only those that stand after it.
 ROOMS = [
     *("cli", "batch", "judging", "report", "practice", "geometry", "packs", "mistakes", "diagnose"),
-    *("run", "data", "problem", "drawing", "manual", "languages", "values", "exact", "database", "kept"),
-    *("digest", "files", "errors"),
+    *("run", "data", "problem", "drawing", "manual", "languages", "values", "exact", "database"),
+    *("cache", "files", "errors"),
 ]
 
 

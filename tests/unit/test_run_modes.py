@@ -7,8 +7,9 @@ from judging import CASES, GOOD, LIMITS, judged, make_data, make_parameter_data
 from msgspec.structs import replace
 
 from judge.problem import Verdict
+from judge.problem.model import Mode
 from judge.report.tell import fault_place
-from judge.run import Mode, budget, program
+from judge.run import budget, program
 from judge.run.budget import MOST_LOSSES, Budget
 from judge.run.function import FunctionRunner
 from judge.run.group import GroupRun

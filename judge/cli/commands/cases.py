@@ -34,7 +34,7 @@ from judge.practice.events import Hack, Outcome
 from judge.practice.hacks import hack_states, was_shown
 from judge.problem import Case, Problem, Verdict
 from judge.problem.find import find_problem
-from judge.problem.model import case_of
+from judge.problem.model import Mode, case_of
 from judge.problem.module import load_module
 from judge.report.published_cases import (
     CaseLine,
@@ -46,7 +46,6 @@ from judge.report.published_cases import (
     PageWritten,
 )
 from judge.report.screen import Notes, is_terminal, note
-from judge.run.result import Mode
 
 if TYPE_CHECKING:
     from judge.run.tried import Said, Tried

@@ -14,8 +14,8 @@ from judge.cli.options import Common, command, opt, takes
 from judge.cli.resolve import current, this_folder
 from judge.errors import ProblemError, StoreError, UsageError, nearest
 from judge.practice.sets import USUAL, sound_sets
-from judge.problem import Problem
-from judge.problem.find import find_problem, sound_problems
+from judge.problem.find import find_problem, listed_problems
+from judge.problem.model import Listed
 from judge.report.published import KataInFull, KataList, KataRow, KataShown, SetRow, kata_row
 from judge.report.screen import note
 
@@ -48,7 +48,7 @@ def list_katas(name: str | None, ask: ListAsk, common: Common) -> KataList:
 
 def listed(name: str | None, ask: ListAsk, common: Common) -> KataList:
     """The katas by set, one set open. Raises UsageError for a name that no set has."""
-    problems, faults = sound_problems(common.problems)
+    problems, faults = listed_problems(common.problems, Listed)
     rows, at = _rows(problems, common.db)
     sets, broken = _sets(problems, common.problems)
     for fault in (*faults, *broken):
@@ -63,7 +63,7 @@ def listed(name: str | None, ask: ListAsk, common: Common) -> KataList:
     return KataList(shown_sets, rows, shown, at, ask.todo, ask.whole, len(faults) + len(broken))
 
 
-def _rows(problems: Sequence[Problem], db: Path | None) -> tuple[tuple[KataRow, ...], str]:
+def _rows(problems: Sequence[Listed], db: Path | None) -> tuple[tuple[KataRow, ...], str]:
     """Each problem's row, and the current kata; a history that cannot be read counts as empty."""
     try:
         with history_at(db, reading=True) as history:
@@ -75,7 +75,7 @@ def _rows(problems: Sequence[Problem], db: Path | None) -> tuple[tuple[KataRow, 
     return tuple(rows), taken_up.problem if taken_up else ""
 
 
-def row_of(problem: Problem, runs: Sequence[Run]) -> KataRow:
+def row_of(problem: Listed, runs: Sequence[Run]) -> KataRow:
     """How far these runs have come: a level counts once one run has passed all its groups."""
     solved = any(run.solved for run in runs)
     passed = [set(run.passed) for run in runs]
@@ -85,7 +85,7 @@ def row_of(problem: Problem, runs: Sequence[Run]) -> KataRow:
 
 
 def _sets(
-    problems: Sequence[Problem], folders: Sequence[Path]
+    problems: Sequence[Listed], folders: Sequence[Path]
 ) -> tuple[tuple[SetRow, ...], list[ProblemError]]:
     """The sets in their order, the katas that are in none as the last; and the faults of the others."""
     sets, faults = sound_sets(problems, folders)

@@ -113,7 +113,7 @@ def progress(name: str, ask: ProgressAsk, common: Common) -> Struct:
     return ProgressPage(told, due, ask.whole)
 
 
-def _share(part: PracticeSet, progress: Progress) -> SetShare:
+def _share(part: PracticeSet[Problem], progress: Progress) -> SetShare:
     own = progress.within([problem.id for problem in part.problems])
     stars = Counter(own.stars(problem.id) for problem in part.problems)
     return SetShare(

@@ -21,8 +21,7 @@ from judge.errors import UsageError
 from judge.languages import file_name, is_program
 from judge.practice.stub import write_stub
 from judge.problem import Problem
-from judge.problem.find import find_problem, sound_problems
-from judge.problem.fit import id_of
+from judge.problem.find import find_problem, id_of, sound_problems
 from judge.problem.model import LEVELS
 from judge.report.published_start import Begun
 from judge.report.screen import is_terminal, out

@@ -8,7 +8,7 @@ from typing import Any
 
 from judge.packs.export.forms import Form, answer_form, parameter_form
 from judge.problem import Problem
-from judge.problem.program import tree_of
+from judge.problem.solutions import tree_of
 
 _DRIVER = """
 

@@ -27,7 +27,7 @@ from judge.practice.checklist import read_checklist
 from judge.practice.quiz.typed import NUMBER, MistypedError, number
 from judge.practice.sets import USUAL, set_names
 from judge.problem.find import problem_roots
-from judge.problem.tables import TomlFile, meant, refusal
+from judge.problem.toml import TomlFile, meant, refusal
 
 _NAME = frozenset("abcdefghijklmnopqrstuvwxyz0123456789-")
 _LONGEST = 2_000  # characters of a text

@@ -1,0 +1,202 @@
+"""The texts of a kata: statement.md with its worked examples, and hints.md.
+
+A placeholder `{{name}}` in either stands for a number of problem.toml: bounds and tolerances are declared
+once. A worked example is written as at Python's prompt, and is read as data, never run:
+
+    >>> line_count(0, 0, 1, (0, 1), (4, 1))
+    1
+
+The hints go one step after another, from a nudge to nearly everything:
+
+    # Anything                  a title, which nobody is shown
+    ## What stays the same      the first step
+    Its text, in Markdown.
+"""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Iterator, Mapping
+from decimal import Decimal
+from typing import Any, NoReturn
+
+from msgspec import Struct, to_builtins
+
+from judge.errors import ProblemError, nearest
+from judge.problem.model import Case, Example, GroupLimits, Problem, tupled
+from judge.problem.toml import TomlFile, read_text
+from judge.values import parameters
+from judge.values.answers import Tolerance
+from judge.values.atoms import Type
+
+HINTS = "hints.md"
+_BRIEF = 80  # characters of what is wrong: a message is one line, whatever stands in the file
+# What reading a text as Python raises: MemoryError if nested deeply, TypeError for {[]} and its like.
+_UNREADABLE = (SyntaxError, ValueError, TypeError, RecursionError, MemoryError)
+_PLACEHOLDER = re.compile(r"\{\{\s*(.*?)\s*\}\}")
+
+
+def read_statement(problem: Problem, raw: Mapping[str, Any]) -> tuple[str, tuple[Example, ...]]:
+    """The text, its placeholders filled in from problem.toml, and its worked examples. Raises ProblemError.
+
+    `raw` are the tables of problem.toml, with Decimals.
+    """
+    text = _filled(problem, "statement.md", _words(raw))
+    examples = [
+        Example(
+            _call(call, problem, where := f"{problem.id}/statement.md:{line}"),
+            _wanted(wanted, problem.answer, where),
+            line,
+        )
+        for line, call, wanted in _prompts(text)
+    ]
+    return "\n".join(text) + "\n", tuple(examples)
+
+
+def _filled(problem: Problem, file: str, words: Mapping[str, str]) -> list[str]:
+    """The file's lines with their placeholders replaced. Raises ProblemError."""
+
+    def word(found: re.Match[str]) -> str:
+        name = found[1]
+        if name not in words:
+            meant = nearest(name, words)
+            remedy = f"did you mean {{{{{meant}}}}}?" if meant else f"use one of {', '.join(words)}"
+            where = f"{problem.id}/{file}:{len(lines) + 1}"
+            raise ProblemError(f"unknown placeholder {found[0]}", where=where, remedy=remedy)
+        return words[name]
+
+    lines: list[str] = []
+    for line in read_text(problem.folder / file).splitlines():
+        lines.append(_PLACEHOLDER.sub(word, line))
+    return lines
+
+
+def _words(raw: Mapping[str, Any]) -> dict[str, str]:
+    """What the placeholders of texts stand for: each number as the file writes it."""
+    bounds = {"low": -(2**30), "high": 2**30, "smallest": 0}
+    tables = {name: bounds | row for name, row in raw.get("parameters", {}).items()}
+    tables["limits"] = to_builtins(GroupLimits()) | raw.get("limits", {})
+    if tolerance := raw.get("tolerance"):
+        tables["tolerance"] = dict.fromkeys(Tolerance.__struct_fields__, 0) | tolerance
+    words = {name: str(raw.get(name, "")) for name in ("entry", "title", "answer")}
+    return words | {
+        f"{table}.{key}": _written(value) for table, row in tables.items() for key, value in row.items()
+    }
+
+
+def _written(number: Any) -> str:
+    small = isinstance(number, Decimal) and 0 < abs(number) < Decimal("1e-4")  # 1e-6, as well as 1e-7
+    return (f"{number:e}" if small else str(number)).replace("E", "e").replace("e+", "e")
+
+
+def _prompts(text: list[str]) -> Iterator[tuple[int, str, str]]:
+    """Each example: the line it starts on, its call and the answer below it, as text."""
+    lines = [line.strip() for line in text]
+    for start, line in enumerate(lines):
+        if not line.startswith(">>>"):
+            continue
+        call, wanted = line[3:], ""
+        for below in lines[start + 1 :]:
+            if not wanted and below.startswith("..."):
+                call += below[3:]
+            elif not below or below.startswith((">>>", "```")):
+                break
+            else:
+                wanted += below + " "
+        yield start + 1, call.strip(), wanted.strip()
+
+
+def _call(text: str, problem: Problem, where: str) -> Case:
+    """The arguments of an example's call."""
+
+    def refuse(what: str) -> NoReturn:
+        names = ", ".join(each.name for each in problem.parameters)
+        raise ProblemError(what, where=where, remedy=f"write {problem.entry}({names}) with plain values")
+
+    try:
+        call = ast.parse(text, mode="eval").body
+    except _UNREADABLE:
+        refuse(f"the example {_brief(text)!r} is no Python call")
+    if not isinstance(call, ast.Call) or not isinstance(call.func, ast.Name) or call.keywords:
+        refuse(f"the example {_brief(text)!r} is no plain call")
+    if call.func.id != problem.entry:
+        refuse(f"the example calls {call.func.id!r}, not the entry")
+    if len(call.args) != len(problem.parameters):
+        refuse(f"the example gives {len(call.args)} arguments where {len(problem.parameters)} are wanted")
+    try:
+        case = tuple(tupled(ast.literal_eval(argument)) for argument in call.args)
+    except _UNREADABLE:
+        refuse("the example's arguments are no plain values")
+    for parameter, value in zip(problem.parameters, case, strict=True):
+        if fault := parameters.fault(parameter.type, parameter.name, value):
+            raise ProblemError(f"the example is invalid: {fault}", where=where, remedy="correct the example")
+    return case
+
+
+def _wanted(text: str, kind: Type, where: str) -> Any:
+    """The answer that an example shows."""
+    what, remedy = "the example shows no answer", "write it on the next line (None as None)"
+    if text:
+        what = f"the example's answer {_brief(text)!r} is no plain value"
+        remedy = "write numbers, words, tuples, lists or None"
+        try:
+            answer = ast.literal_eval(text)
+        except _UNREADABLE:
+            pass
+        else:
+            fault = parameters.fault(kind, "it", tupled(answer))
+            if not fault:
+                return parameters.listed(kind, tupled(answer))
+            what = f"the example's answer {_brief(text)!r} is none: {fault}"
+            remedy = "correct it, or the answer that problem.toml declares"
+    raise ProblemError(what, where=where, remedy=remedy)
+
+
+def _brief(text: str) -> str:
+    return text if len(text) <= _BRIEF else f"{text[:_BRIEF]}…"
+
+
+# -- hints -------------------------------------------------------------------------------------------------
+
+
+class Hint(Struct, frozen=True):
+    """One step; `number` counts from 1."""
+
+    number: int
+    title: str
+    text: str
+
+
+def read_hints(problem: Problem) -> tuple[Hint, ...]:
+    """The steps of a problem; none where there is no hints.md. Raises ProblemError where it is wrong."""
+    if not (problem.folder / HINTS).exists():
+        return ()
+    raw = TomlFile(problem.folder / "problem.toml", exact=True).raw
+    lines = _filled(problem, HINTS, _words(raw))
+
+    def fault(what: str, remedy: str, line: int | None = None) -> ProblemError:
+        where = f"{problem.id}/{HINTS}"
+        return ProblemError(what, where=f"{where}:{line}" if line else where, remedy=remedy)
+
+    steps: list[tuple[int, str, list[str]]] = []
+    fenced = False  # in a code block, where a comment begins no step
+    for number, line in enumerate(lines, 1):
+        fenced ^= line.startswith("```")
+        if not fenced and f"{line} ".startswith("## "):
+            steps.append((number, line[3:].strip(), []))
+        elif steps:
+            steps[-1][2].append(line)
+        elif line.strip() and not line.startswith("# "):
+            raise fault("this text belongs to no step", "put a line '## Its title' above it", number)
+    if not steps:
+        raise fault("it has no step", "begin each with a line '## Its title'")
+    hints: list[Hint] = []
+    for number, title, body in steps:
+        text = "\n".join(body).strip("\n")
+        if not title:
+            raise fault("the step has no title", "write '## Its title'", number)
+        if not text.strip():
+            raise fault(f"the step {title!r} says nothing", "write it, or remove it", number)
+        hints.append(Hint(len(hints) + 1, title, text))
+    return tuple(hints)
