@@ -19,7 +19,7 @@ from judge.judging.inprocess import InProcess, as_it_was
 from judge.sandbox.boundary import IMPORTING, CallsResult, Limits, ProgramResult, Reply, Stop, Usage
 from judge.sandbox.encode import encode
 
-SPARE_SECONDS = 2.0  # beyond a kata's own limit: Python is slower in a tab, and slower still when it is watched
+SPARE_SECONDS = 2.0  # beyond a limit, or twice it: Python is slower in a tab, and slower when it is watched
 _TOOL = 4  # of sys.monitoring, free for whoever wants it
 _EACH = 512  # jumps between two looks at the clock; a power of 2
 _SHOWN = 10_000  # characters of what it printed
@@ -42,7 +42,8 @@ class Watch:
     """
 
     def __init__(self, limits: Limits, memory: Callable[[], int]) -> None:
-        self.seconds = min(limits.cpu_seconds, limits.wall_seconds) + SPARE_SECONDS
+        allowed = min(limits.cpu_seconds, limits.wall_seconds)
+        self.seconds = min(3 * allowed, allowed + SPARE_SECONDS)
         self._allowed, self._memory = limits.memory_bytes, memory
         self._before = memory()
         self._end = float("inf")

@@ -9,7 +9,7 @@ from msgspec import Struct
 
 from judge.practice.model import approaches
 from judge.problem import Problem
-from judge.problem.hints import read_hints
+from judge.problem.texts import read_hints
 
 _FIGURE = re.compile(r"!\[([^\]]*)\]\(figure\.svg\)")
 

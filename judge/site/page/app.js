@@ -8,6 +8,11 @@ function el(name, properties = {}, ...children) {
   made.append(...children.filter(each => each !== null && each !== undefined && each !== ""));
   return made;
 }
+function drawn(svg, words) {
+  const picture = el("img", { alt: words, src: URL.createObjectURL(new Blob([svg], { type: "image/svg+xml" })) });
+  picture.onload = () => URL.revokeObjectURL(picture.src);
+  return picture;
+}
 const html = (name, className, text) => el(name, { className, innerHTML: text });
 const button = (text, act, className = "") => el("button", { type: "button", className, onclick: act }, text);
 const counted = (n, noun) => `${n.toLocaleString("en")} ${noun}${n === 1 ? "" : "s"}`;
@@ -124,14 +129,14 @@ const python = {
 /* -- the editor ---------------------------------------------------------------------------------------------- */
 
 async function editor(source, changed, run) {
-  const box = el("div", { className: "editor" }), wide = matchMedia("(min-width: 40rem) and (pointer: fine)").matches;
+  const box = el("div", { className: "editor" }), wide = matchMedia("(min-width: 40rem)").matches && !matchMedia("(pointer: coarse)").matches;
   if (wide && site.editor && (await script("ace/ace.js"))) {
     const { ace } = window, dark = matchMedia("(prefers-color-scheme: dark)");
     ace.config.set("useStrictCSP", true);
     ace.config.set("basePath", "ace");
     const area = el("div");
     box.append(area);
-    const made = ace.edit(area, { value: source, mode: "ace/mode/python", showPrintMargin: false, useSoftTabs: true, tabSize: 4, useWorker: false });
+    const made = ace.edit(area, { value: source, mode: "ace/mode/python", showPrintMargin: false, useSoftTabs: true, tabSize: 4, useWorker: false, minLines: 14, maxLines: 36 });
     const theme = () => made.setTheme(`ace/theme/${dark.matches ? "github_dark" : "github_light_default"}`);
     theme();
     dark.addEventListener("change", theme);
@@ -164,7 +169,7 @@ const scripts = new Map();
 function script(path) {
   if (!scripts.has(path)) {
     scripts.set(path, new Promise(resolve => {
-      const sheets = ["ace", "github_light_default", "github_dark"].map(name => el("link", { rel: "stylesheet", href: `ace/${name}.css` }));
+      const sheets = ["ace", "theme/github_light_default", "theme/github_dark"].map(name => el("link", { rel: "stylesheet", href: `ace/${name}.css` }));
       document.head.append(...sheets, el("script", { src: path, onload: () => resolve(true), onerror: () => resolve(false) }));
     }));
   }
@@ -254,31 +259,29 @@ async function showKata(kata) {
       el("span", { className: "badge" }, told.verdict), told.meaning, told.stars ? el("span", { className: "mark" }, told.stars) : "")];
     if (told.happened) parts.push(el("p", {}, told.happened));
     if (told.source?.length) parts.push(el("pre", {}, told.source.join("\n")));
-    if (told.case || told.svg) {
+    if (told.case) {
       const facts = el("dl");
-      if (told.input?.length) facts.append(el("dt", {}, "input"), el("dd", {}, told.input.join("   ")));
+      if (told.input?.length) facts.append(el("dt", {}, "input"), el("dd", {}, ...told.input.map(each => el("span", {}, each))));
       for (const [label_, text] of told.facts || []) facts.append(el("dt", {}, label_), el("dd", { className: label_ }, text));
       const shown = el("div", { className: "case" }, el("div", {}, el("h3", {}, told.case), facts));
-      if (told.svg) {
-        const picture = el("img", { alt: told.drawn || "The failing case, drawn", src: URL.createObjectURL(new Blob([told.svg], { type: "image/svg+xml" })) });
-        picture.onload = () => URL.revokeObjectURL(picture.src);
-        shown.append(picture);
-      }
+      for (const each of told.drawings || []) shown.append(el("figure", {}, drawn(each.svg, told.drawn), el("figcaption", {}, each.title)));
       parts.push(shown);
     }
     if (told.mistake) parts.push(el("div", { className: "mistake" }, el("h3", {}, told.mistake), ...told.advice.map(each => el("p", {}, each))));
     if (told.fails?.length) parts.push(el("p", { className: "quiet small" }, `Fails: ${told.fails.join(", ")}${told.more ? `, ${told.more} more` : ""}`));
     const next = following(kata), actions = el("div", { className: "row" });
     if (told.solved && next) actions.append(el("a", { className: "button main", href: `#${next.id}` }, `Next: ${next.title}`));
-    if (told.explore && kata.explore) actions.append(el("a", { className: "button", href: `explore/${kata.id}.html#${encodeURIComponent(told.explore)}`, target: "_blank", rel: "noopener" }, "Drag this case"));
+    if (told.explore?.length > 2 && kata.explore) actions.append(el("a", { className: "button", href: `explore/${kata.id}.html#${encodeURIComponent(told.explore)}`, target: "_blank", rel: "noopener" }, "Drag this case"));
     if (told.line) actions.append(button(`Go to line ${told.line}`, () => code.mark(told.line)));
     if (told.last) parts.push(el("p", {}, told.last));
     if (actions.childElementCount) parts.push(actions);
     result.replaceChildren(...parts);
   }
   helped();
-  python.open(kata).catch(() => say("This kata could not be fetched. Are you offline?", "failed"));
+  python.open(kata).then(() => ahead(following(kata)), () => say("This kata could not be fetched. Are you offline?", "failed"));
 }
+/* The files of the next kata, which the service worker keeps: it opens at once, and without a network. */
+const ahead = kata => kata && Promise.allSettled(["json", "svg", "zip"].map(end => fetch(`kata/${kata.id}.${end}`)));
 const path = () => [...new Set(site.sets.flatMap(set => set.katas))].map(id => byId.get(id)).filter(kata => kata && !kata.elsewhere);
 function following(kata) {
   const all = path(), at = all.indexOf(kata) + 1;
@@ -317,10 +320,10 @@ async function showQuiz(name) {
   const set = sets.find(each => each.name === name) || sets.find(each => each.katas.includes(kept.last)) || sets[0];
   const rank = card => kept.cards[card.key]?.known || 0;
   const round = all.filter(card => card.sets.includes(set.name)).sort((a, b) => rank(a) - rank(b)).slice(0, 10);
-  const choose = el("nav", { className: "row" }, ...sets.map(each => el("a", { className: "button", href: `#quiz/${each.name}` }, each.title)));
+  const choose = el("nav", { className: "row" }, ...sets.map(each => el("a", { className: `button ${each === set ? "main" : ""}`, href: `#quiz/${each.name}` }, each.title)));
   choose.setAttribute("aria-label", "Sets of cards");
   const box = el("section", { className: "card" });
-  main.replaceChildren(el("div", { className: "quiz" }, el("h1", {}, `Quiz: ${set.title}`), choose, el("br"), box));
+  main.replaceChildren(el("div", { className: "quiz" }, el("h1", {}, `Quiz: ${set.title}`), choose, box));
   let known = 0;
   const ask = at => {
     if (at === round.length) {
@@ -334,10 +337,10 @@ async function showQuiz(name) {
       keep();
     };
     const onward = () => button(at + 1 < round.length ? "Next card" : "Finish", () => ask(at + 1), "main");
-    const answered = why => over.replaceChildren(...[why, card.why, card.back].filter(Boolean).map(each => el("p", {}, each)), el("br"), el("div", { className: "row" }, onward()));
+    const answered = why => over.replaceChildren(...[why, card.why].filter(Boolean).map(each => el("p", {}, each)), el("br"), el("div", { className: "row" }, onward()));
     const parts = [el("p", { className: "quiet small" }, `Question ${at + 1} of ${round.length}`), el("p", { className: "front" }, card.front), ...card.given.map(each => el("p", {}, each))];
     if (card.program) parts.push(el("pre", {}, card.program));
-    if (card.svg) parts.push(el("img", { alt: "The figure of the question", src: URL.createObjectURL(new Blob([card.svg], { type: "image/svg+xml" })) }));
+    if (card.svg) parts.push(drawn(card.svg, "The figure of the question"));
     if (card.options.length) {
       const options = card.options.map(({ text, right, why }) => {
         const made = button(text, () => {
@@ -355,7 +358,7 @@ async function showQuiz(name) {
     } else {
       parts.push(button("Show the answer", event => {
         event.target.remove();
-        over.replaceChildren(el("p", { className: "front" }, card.answer), ...[card.why, card.back].filter(Boolean).map(each => el("p", {}, each)), el("br"),
+        over.replaceChildren(el("p", { className: "front" }, card.answer), ...[card.why].filter(Boolean).map(each => el("p", {}, each)), el("br"),
           el("div", { className: "row" }, button("I knew it", () => { rated(true); ask(at + 1); }, "main"), button("I did not", () => { rated(false); ask(at + 1); })));
       }, "main"));
     }

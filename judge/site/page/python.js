@@ -42,10 +42,15 @@ const post = self.postMessage.bind(self);
 let run = null;
 python.registerJsModule("page", {
   alive: () => post({ run, alive: true }),
+  memory: () => python._module.HEAPU8.length,
   progress: (done, cases) => post({ run, progress: [done, cases] }),
   told: text => post({ run, told: JSON.parse(text), last: false }),
 });
-const tab = python.runPython("from judge.site.tab import Tab; import page; Tab(page)");
+const tab = python.runPython(`
+import os, page
+os.environ["JUDGE_CACHE"] = "/cache"
+from judge.site.tab import Tab
+Tab(page)`);
 
 /* From here on a program could run. What it could reach the page's stores and other places by is taken away; katas
    and packages come in messages. */
@@ -78,7 +83,8 @@ messages = asked => {
       post({ run, told: JSON.parse(tab.judge(asked.kata, asked.source)), last: true });
     }
   } catch (fault) {
-    post({ run: asked.run, fault: String(fault).trim().split("\n").pop() });
+    const lines = String(fault).trim().split("\n");
+    post({ run: asked.run, fault: lines.findLast(line => /^[\w.]+(Error|Exception|Exit|Interrupt|:)/.test(line)) || lines.at(-1) });
   }
 };
 post({ ready: python.runPython("import sys; sys.version.split()[0]") });
