@@ -1,8 +1,8 @@
 """A submission in this very interpreter, which is the worker of a browser's tab: the tab is its sandbox.
 
-`TabBox` is a `judge.sandbox.boundary.Box`. What a submission does for too long is ended by `Watch`, which counts
-the jumps and calls of the submission's own code and leaves the worker whole. What spins inside one call of a
-built-in cannot be ended from here: the page ends the worker then.
+`TabBox` is a `judge.sandbox.boundary.Box`. What a submission does for too long is ended by `Watch`, which
+counts the jumps and calls of the submission's own code and leaves the worker whole. What spins inside one
+call of a built-in cannot be ended from here: the page ends the worker then.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ _SHOWN = 10_000  # characters of what it printed
 _LONGEST = 500  # characters of an exception's text
 
 
-class Stopped(BaseException):  # noqa: N818 - not an error, and not for a submission to catch
+class Stopped(BaseException):
     """Raised in the submission where it has used up its time, its memory or its room for output."""
 
     def __init__(self, stop: Stop, detail: str) -> None:
@@ -37,8 +37,8 @@ class Stopped(BaseException):  # noqa: N818 - not an error, and not for a submis
 class Watch:
     """Ends what goes on for too long, or takes too much memory; a context manager for one process of calls.
 
-    `memory` tells the bytes that the interpreter has. Before Python 3.12, which cannot be asked to count, nothing is
-    ended.
+    `memory` tells the bytes that the interpreter has. Before Python 3.12, which cannot be asked to count,
+    nothing is ended.
     """
 
     def __init__(self, limits: Limits, memory: Callable[[], int]) -> None:
@@ -116,7 +116,11 @@ class TabBox(InProcess):
     isolation = "tab"
 
     def __init__(
-        self, source: bytes, name: str, memory: Callable[[], int] = lambda: 0, alive: Callable[[], None] = lambda: None
+        self,
+        source: bytes,
+        name: str,
+        memory: Callable[[], int] = lambda: 0,
+        alive: Callable[[], None] = lambda: None,
     ) -> None:
         super().__init__(source, name)
         self._memory, self._alive = memory, alive

@@ -1,12 +1,12 @@
 """`judge site`: everything that the page needs, as files of one folder that any web server can hold.
 
-    index.html style.css app.js python.js sw.js icon.svg    the page (judge/site/page)
-    katas.json quiz.json                                    what there is, and the cards
-    kata/<id>.json <id>.svg <id>.zip                        a kata: its texts, its figure, what judging it needs
-    explore/<id>.html                                       the page on which its cases are dragged
-    judge.zip                                               this package's modules that a tab needs
-    pyodide/ wheels/ ace/                                   Python and the editor (judge.site.fetch)
-    site.json                                               what each kata was made from, for the next build
+index.html style.css app.js python.js sw.js icon.svg    the page (judge/site/page)
+katas.json quiz.json                                    what there is, and the cards
+kata/<id>.json <id>.svg <id>.zip                        a kata: its texts, its figure, what judging it needs
+explore/<id>.html                                       the page on which its cases are dragged
+judge.zip                                               this package's modules that a tab needs
+pyodide/ wheels/ ace/                                   Python and the editor (judge.site.fetch)
+site.json                                               what each kata was made from, for the next build
 """
 
 from __future__ import annotations
@@ -83,7 +83,7 @@ class Site(Struct, frozen=True):
 
 
 class SiteBuilt(Published, frozen=True):
-    """What came of a build: the katas made now, those that were there, those of the terminal, the bytes of all."""
+    """What came of a build: katas made now, those that were there, those for the terminal, all bytes."""
 
     out: str
     made: tuple[str, ...]
@@ -93,7 +93,7 @@ class SiteBuilt(Published, frozen=True):
 
 
 class _Keeping:
-    """The judge's cache, of which every value that is asked for or written stays known as JSON, by its folder."""
+    """The judge's cache; every value that is asked for or written stays known as JSON, by its folder."""
 
     def __init__(self) -> None:
         self.found: dict[str, bytes] = {}
@@ -118,7 +118,9 @@ def check_folder(out: Path) -> None:
         raise UsageError("this is no folder", where=str(out), remedy="name one with --out")
     ours = index.is_file() and MARK in index.read_bytes()
     if out.is_dir() and any(out.iterdir()) and not ours:
-        raise UsageError("this folder holds something else", where=str(out), remedy="name a new one with --out")
+        raise UsageError(
+            "this folder holds something else", where=str(out), remedy="name a new one with --out"
+        )
 
 
 def build(
@@ -185,7 +187,14 @@ def _listed(problem: Problem, elsewhere: str, *, explore: bool) -> Kata:
     names = ", ".join(parameter.name for parameter in problem.parameters)
     stub = f"def {problem.entry}({names}):\n    raise NotImplementedError\n"
     return Kata(
-        problem.id, problem.title, problem.tier.value, problem.summary, stub, bool(problem.levels), explore, elsewhere
+        problem.id,
+        problem.title,
+        problem.tier.value,
+        problem.summary,
+        stub,
+        bool(problem.levels),
+        explore,
+        elsewhere,
     )
 
 
@@ -216,10 +225,10 @@ def _kata(out: Path, problem: Problem) -> None:
 def _shipped(folder: Path) -> Iterable[Path]:
     """The files of a kata's folder that a tab needs: no programs in other languages, no slow ones."""
     for path in sorted(folder.rglob("*")):
-        parts = path.relative_to(folder).parts
-        if path.is_file() and "__pycache__" not in parts and parts[0] != "slow":
-            if parts[0] not in ("accepted", "wrong") or path.suffix == ".py":
-                yield path
+        first, *_ = parts = path.relative_to(folder).parts
+        unwanted = first == "slow" or (first in ("accepted", "wrong") and path.suffix != ".py")
+        if path.is_file() and not unwanted and "__pycache__" not in parts:
+            yield path
 
 
 def _page(out: Path, site: Site, parts: Path) -> None:
@@ -230,7 +239,11 @@ def _page(out: Path, site: Site, parts: Path) -> None:
     _write(out / "katas.json", site)
     places = [_PACKAGE / name for name in _FILES]
     for room in _ROOMS:
-        places += [path for path in sorted((_PACKAGE / room).rglob("*")) if path.suffix in (".py", ".toml", ".js", ".css", ".html")]
+        places += [
+            path
+            for path in sorted((_PACKAGE / room).rglob("*"))
+            if path.suffix in (".py", ".toml", ".js", ".css", ".html")
+        ]
     kept = [path for path in places if not {*path.relative_to(_PACKAGE).parts} & {*_LEFT_OUT}]
     _zip(out / "judge.zip", {f"judge/{path.relative_to(_PACKAGE)}": path.read_bytes() for path in kept})
 
@@ -289,7 +302,15 @@ def _card(card: Card, asked: Question) -> CardShown:
         options.append(Option(text, bool(reply and reply.right), reply.why if reply else ""))
     picture = to_svg(asked.picture) if asked.picture else ""
     return CardShown(
-        card.key, card.sets, card.front, asked.given, asked.program, picture, tuple(options), asked.answer, asked.why
+        card.key,
+        card.sets,
+        card.front,
+        asked.given,
+        asked.program,
+        picture,
+        tuple(options),
+        asked.answer,
+        asked.why,
     )
 
 

@@ -1,6 +1,6 @@
-"""What a site needs of others: Python for a tab, two libraries, an editor. Pinned, and checked by their hashes.
+"""What a site needs of others: Python for a tab, two libraries, an editor. Pinned, and checked by hash.
 
-They are fetched once, from the npm registry and from PyPI, and kept in the cache. Their licences come with them.
+They are fetched once, from the npm registry and from PyPI, and kept in the cache. Their licences come along.
 """
 
 from __future__ import annotations
@@ -63,7 +63,14 @@ EXTRA = (  # for the search for small cases; the page is used without them until
         "a163dcaede0f1c021485e957a39245190e74249897e2ae4b2aa38595db237ee0",
     ),
 )
-_PYTHON = ("pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "python_stdlib.zip", "pyodide-lock.json", "README.md")
+_PYTHON = (
+    "pyodide.mjs",
+    "pyodide.asm.mjs",
+    "pyodide.asm.wasm",
+    "python_stdlib.zip",
+    "pyodide-lock.json",
+    "README.md",
+)
 _ACE = {
     "LICENSE": "LICENSE",
     "src-min-noconflict/ace.js": "ace.js",
@@ -84,8 +91,8 @@ _ACE = {
 def parts(pyodide: str | None, progress: Progress | None = None) -> Path:
     """A folder with `pyodide/`, `wheels/` and `ace/`, as a site has them.
 
-    `pyodide` is a folder or an address that has Pyodide's files; by default its archive is fetched. Raises JudgeError
-    where something cannot be had.
+    `pyodide` is a folder or an address that has Pyodide's files; by default its archive is fetched. Raises
+    JudgeError where something cannot be had.
     """
     kept = cache_folder() / "site"
     out = kept / "parts"
@@ -117,7 +124,9 @@ def _given(place: str, name: str) -> bytes:
         return (Path(place) / name).read_bytes()
     except OSError as fault:
         remedy = "name a folder or an address that holds the files of the npm package pyodide"
-        raise UsageError(f"there is no {name}: {_why(fault)}", where=f"--pyodide {place}", remedy=remedy) from None
+        raise UsageError(
+            f"there is no {name}: {_why(fault)}", where=f"--pyodide {place}", remedy=remedy
+        ) from None
 
 
 def _fetched(part: Part, kept: Path, progress: Progress | None) -> bytes:
@@ -137,7 +146,9 @@ def _fetched(part: Part, kept: Path, progress: Progress | None) -> bytes:
         remedy = f"fetch {part.address} yourself and put it into {kept}"
         raise JudgeError(f"{part.name} cannot be fetched: {_why(fault)}", remedy=remedy) from None
     if not _sound(found, part):
-        raise JudgeError(f"{part.name} is not what it was when it was pinned", where=part.address, remedy="try again later")
+        raise JudgeError(
+            f"{part.name} is not what it was when it was pinned", where=part.address, remedy="try again later"
+        )
     path.parent.mkdir(parents=True, exist_ok=True)
     replace_file(path, found)
     return found

@@ -3,7 +3,7 @@
 A kata is a folder that `judge site` has made, unpacked:
 
     problems/<id>/ solutions/<id>/ …    as the judge has them
-    data.json mistakes.json             what the judge's cache holds: the cases, and what known mistakes answer
+    data.json mistakes.json             what the cache holds: the cases, and what known mistakes answer
 """
 
 from __future__ import annotations
@@ -157,7 +157,7 @@ class _Kata:
 
 
 def _drawn(problem: Problem, data: ProblemData, result: Result) -> Mapping[str, Any]:
-    """The failing case as drawings, what they show in words, and the case for the page where it is dragged."""
+    """The failing case as drawings, in words, and for the page where it is dragged."""
     from judge.drawing.svg import panel_svg  # only after a failure
 
     failure, hooks = shown_failure(result), data.module.hooks
@@ -173,8 +173,11 @@ def _drawn(problem: Problem, data: ProblemData, result: Result) -> Mapping[str, 
     page = hooks.explore(problem, failure.input) if hooks.explore else None
     start = _START.search(page) if page else None
     case = [each["value"] for each in json.loads(start[1])["args"]] if start else None
-    drawings = [
-        {"title": panel.title, "svg": panel_svg(panel, f"panel-{at}", picture.description, alone=True)}
-        for at, panel in enumerate(picture.panels if picture else ())
-    ]
-    return {"drawings": drawings, "drawn": picture.description if picture else "", "explore": json.dumps(case or "")}
+    found: dict[str, Any] = {"explore": json.dumps(case or "")}
+    if picture is not None:
+        found["drawn"] = words = picture.description
+        found["drawings"] = [
+            {"title": panel.title, "svg": panel_svg(panel, f"panel-{at}", words, alone=True)}
+            for at, panel in enumerate(picture.panels)
+        ]
+    return found

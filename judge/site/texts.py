@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import re
 from html import escape
+from typing import Any
 
 from msgspec import Struct
 
+from judge.errors import UsageError
 from judge.practice.model import approaches
 from judge.problem import Problem
 from judge.problem.texts import read_hints
@@ -43,19 +45,19 @@ def kata_page(problem: Problem) -> KataPage:
 
 def markdown(text: str) -> str:
     """Markdown as HTML; HTML in it is escaped, and addresses lead to no script."""
-    import mistletoe
-    from mistletoe.html_renderer import HtmlRenderer
+    try:
+        from mistletoe.block_token import Document
+        from mistletoe.html_renderer import HtmlRenderer
+    except ImportError:
+        remedy = "pip install 'circle-line-judge[site]'"
+        raise UsageError("a site's texts need mistletoe", remedy=remedy) from None
 
-    class Escaped(HtmlRenderer):  # type: ignore[misc]
-        """Without the two tokens that pass HTML through."""
-
-        def render_link(self, token: object) -> str:
-            address = str(getattr(token, "target", ""))
-            inner: str = self.render_inner(token)
-            if not address.startswith(("https://", "http://", "#")):
-                return inner
+    class Escaped(HtmlRenderer):  # its type says nothing of what it renders
+        def render_link(self, token: Any) -> str:
+            inner, address = self.render_inner(token), str(token.target)
+            if not address.startswith(("https://", "http://")):
+                return str(inner)
             return f'<a href="{escape(address)}" rel="noopener">{inner}</a>'
 
-    with Escaped(process_html_tokens=False) as renderer:
-        found: str = renderer.render(mistletoe.Document(text))
-    return found
+    with Escaped(process_html_tokens=False) as renderer:  # type: ignore[no-untyped-call]
+        return str(renderer.render(Document(text)))

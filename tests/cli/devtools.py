@@ -18,14 +18,16 @@ SECONDS = 90.0
 
 
 class Page:
-    """One page. `faults` are what it complained of, `addresses` every address that it or its workers asked for."""
+    """One page. `faults` are what it complained of, `addresses` all that it or its workers asked for."""
 
     def __init__(self, to: int, back: int) -> None:
         self._to, self._back, self._rest, self._number = to, back, b"", 0
         self.faults: list[str] = []
         self.addresses: list[str] = []
         target = self.call("Target.createTarget", session=None, url="about:blank")["targetId"]
-        self._session = self.call("Target.attachToTarget", session=None, targetId=target, flatten=True)["sessionId"]
+        self._session = self.call("Target.attachToTarget", session=None, targetId=target, flatten=True)[
+            "sessionId"
+        ]
         for domain in ("Page", "Runtime", "Network", "Log"):
             self.call(f"{domain}.enable")
 
@@ -90,7 +92,8 @@ def page(folder: Path) -> Iterator[Page]:
     theirs, to = os.pipe()
     back, ours = os.pipe()
     command = [
-        CHROMIUM, "--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--no-first-run",
+        CHROMIUM, "--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
+        "--no-first-run",
         "--disable-background-networking", "--disable-component-update", f"--user-data-dir={folder}",
         "--remote-debugging-pipe",
     ]  # fmt: skip

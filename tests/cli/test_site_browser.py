@@ -1,4 +1,4 @@
-"""The site in a real browser: from the first visit to an accepted program, loops, a hostile program, no network."""
+"""The site in a real browser: from the first visit to an accepted program, hostile ones, no network."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def which_side(A, B, P):
 WRONG = RIGHT.replace(" - (B[1]", " + (B[1]")
 LOOP = "def which_side(A, B, P):\n    while True:\n        pass\n"
 STUCK = "def which_side(A, B, P):\n    return 10 ** 10 ** 9\n"
-HOSTILE = '''
+HOSTILE = """
 found = []
 def tried(name, attempt):
     try:
@@ -44,7 +44,8 @@ def tried(name, attempt):
 import js
 HERE, THERE = "HERE", "THERE"
 for name in ("fetch", "XMLHttpRequest", "WebSocket", "EventSource", "WebTransport", "importScripts", "Worker",
-             "SharedWorker", "BroadcastChannel", "indexedDB", "caches", "postMessage", "navigator", "RTCPeerConnection"):
+             "SharedWorker", "BroadcastChannel", "indexedDB", "caches", "postMessage", "navigator",
+             "RTCPeerConnection"):
     tried(name, lambda: getattr(js, name, None))
 def via_pyodide(address):
     from pyodide.http import open_url
@@ -70,7 +71,7 @@ for way in (via_pyodide, via_urllib, via_package, via_import, via_function, via_
         tried(f"{way.__name__} {address[-10:]}", lambda: way(address))
 def which_side(A, B, P):
     raise ValueError("; ".join(found))
-'''
+"""
 
 
 class Counting(SimpleHTTPRequestHandler):

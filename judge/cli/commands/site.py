@@ -61,7 +61,9 @@ def _serve(folder: Path) -> None:
     try:
         server = ThreadingHTTPServer(("127.0.0.1", 0), partial(Quiet, directory=str(folder)))
     except OSError as fault:
-        raise UsageError(f"it cannot be served here: {fault.strerror}", remedy="put it on a web server") from None
+        raise UsageError(
+            f"it cannot be served here: {fault.strerror}", remedy="put it on a web server"
+        ) from None
     address = f"http://127.0.0.1:{server.server_address[1]}/"
     note(f"{address} until you press Ctrl-C")
     click.launch(address)
