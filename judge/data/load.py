@@ -96,6 +96,20 @@ def _form() -> Any:
 _FORM = _form()
 
 
+def _in_tuples(plain: Any) -> Any:
+    """A file that has more than the form allows, such as several right answers, as the form would read it."""
+
+    def tuples(value: Any) -> Any:
+        if isinstance(value, dict):
+            return {key: tuples(each) for key, each in value.items()}
+        return tuple(map(tuples, value)) if isinstance(value, list) else value
+
+    return {
+        name: [[*map(tuples, each)] for each in group] if isinstance(group, list) else group
+        for name, group in (plain or {}).items()
+    }
+
+
 def load_data(
     problem: Problem,
     *,
@@ -109,7 +123,8 @@ def load_data(
     Without a `store` they are built afresh and not kept. Raises ProblemError.
     """
     place = data_name("data", problem, seed), data_key(problem, seed)
-    kept = _data(store.read(*place, _FORM), problem, seed) if store else None
+    plain = store and (store.read(*place, _FORM) or _in_tuples(store.read(*place, dict[str, Any])))
+    kept = _data(plain, problem, seed) if plain else None
     if kept is not None:
         return kept
     # Only now: a warm start needs neither the exact numbers nor the builders.

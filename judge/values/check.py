@@ -74,7 +74,7 @@ def _target(type_: Type, exact: Exact, tolerance: Tolerance) -> Target:
     if isinstance(exact, AnyOf):
         if not exact.answers:
             raise Unfit("AnyOf without answers")
-        return {"any": [_target(type_, each, tolerance) for each in exact.answers]}
+        return {"any": tuple([_target(type_, each, tolerance) for each in exact.answers])}
     if isinstance(exact, Judged):
         return {"such as": _target(type_, exact.sample, tolerance)}
     if isinstance(type_, OptionalType):

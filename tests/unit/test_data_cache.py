@@ -24,6 +24,7 @@ from judge.problem.load import load_problem
 
 ROOT = Path(__file__).parent.parent.parent
 SOUND = ROOT / "tests" / "fixtures" / "problems" / "root-count"
+SEVERAL = ROOT / "tests" / "fixtures" / "katas" / "problems" / "by-size"
 
 
 @pytest.fixture(autouse=True)
@@ -55,8 +56,9 @@ def plain(data):
     return [(group.group, group.cases, group.targets) for group in data.groups]
 
 
-def test_what_is_read_is_what_was_built():
-    problem = load_problem(SOUND)
+@pytest.mark.parametrize("place", [SOUND, SEVERAL], ids=["numbers", "several right answers"])
+def test_what_is_read_is_what_was_built(place):
+    problem = load_problem(place)
     cold, was_built = built(problem)
     assert was_built
     warm, was_built = built(problem)

@@ -159,8 +159,16 @@ def test_a_submission_sees_neither_problem_nor_solutions_nor_cache(tmp_path, mon
     monkeypatch.syspath_prepend(site)  # whose modules a submission may import
     monkeypatch.setenv("JUDGE_CACHE", str(cache))
     files = [pack / "problems/middle/problem.py", pack / "solutions/middle/accepted/mean.py", cache / "data"]
-    seen = f"[path for path in {[*map(str, files)]} if os.path.exists(path)]"
-    source = f"import os, beside\ndef middle(a, b):\n    return (a + b) / 2, {seen}\n"
+    source = f"""
+import os, beside
+def seen(path):
+    try:  # what is there may be asked for at some levels, what it holds at none
+        return bool(os.listdir(path) if os.path.isdir(path) else open(path).read())
+    except OSError:
+        return False
+def middle(a, b):
+    return (a + b) / 2, [path for path in {[*map(str, files)]} if seen(path)]
+"""
     problem = find_problem("middle", [pack / "problems"])
     with Session(problem, RunOptions(timed=False, named=False)) as session:
         result = session.judge(source.encode(), "mine.py")
