@@ -12,7 +12,7 @@ import json
 import os
 import re
 from collections.abc import Mapping
-from contextlib import nullcontext
+from contextlib import nullcontext, suppress
 from functools import partial
 from pathlib import Path
 from typing import Any, Protocol, TypeVar
@@ -70,14 +70,13 @@ class Shipped:
 
     def read(self, name: str, _key: str, kind: type[T]) -> T | None:
         """What the site brought, as that type."""
-        try:
+        with suppress(OSError, ValueError):
             body = (self._folder / f"{name.partition('/')[0]}.json").read_bytes()
-        except OSError:
-            return None
-        try:
-            return msgspec.json.decode(body, type=kind)
-        except msgspec.DecodeError:  # it knows no infinity
-            return msgspec.convert(json.loads(body), kind)
+            try:
+                return msgspec.json.decode(body, type=kind)
+            except msgspec.DecodeError:  # it knows no infinity
+                return msgspec.convert(json.loads(body), kind)
+        return None
 
     def write(self, _name: str, _key: str, _value: Any, _what: str = "") -> str | None:
         """Nothing is kept."""
