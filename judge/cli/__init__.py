@@ -10,7 +10,7 @@
     picture.py      the picture of a failing case; kept.py: the history
     resolve.py      what words mean; the current kata of a folder
     home.py         `judge` alone: where a person stands, and the next kata
-    asking.py       asking cards; drilling.py: those that are due
+    asking.py       asking cards
     watching.py     a file under watch; watch_screen.py: the loop of `judge start`
     wish.py         what is asked for
     complete.py     what a shell completes

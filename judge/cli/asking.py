@@ -8,18 +8,18 @@ from contextlib import suppress
 from typing import TYPE_CHECKING
 
 from judge.errors import ProblemError
+from judge.practice.cards import MistypedError
 from judge.practice.events import Answer, Rating
-from judge.practice.quiz.questions import Question, Reply, ask
-from judge.practice.quiz.typed import MistypedError
+from judge.practice.questions import Question, Reply, ask
 from judge.report import quiz
 from judge.report.screen import Screen, is_terminal, note, show
 
 if TYPE_CHECKING:
     from rich.console import RenderableType
 
+    from judge.practice.cards import Card
     from judge.practice.history import History
-    from judge.practice.quiz.cards import Card
-    from judge.practice.quiz.questions import Sources
+    from judge.practice.questions import Sources
 
 _STOP = ("q", "quit")
 _UNKNOWN = "?"

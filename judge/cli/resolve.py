@@ -138,9 +138,9 @@ def _within(place: Started, folder: Path) -> bool:
 
 def _places(db: Path | None) -> list[Started]:
     """All files that were started or judged; none where the history fails: whoever needs it says so."""
-    from judge.practice.history import History
-
     try:
+        from judge.practice.history import History
+
         with History.open(db, reading=True) as history:
             return history.places()
     except StoreError:

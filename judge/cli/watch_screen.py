@@ -6,7 +6,7 @@ import sys
 import tempfile
 import threading
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from contextlib import ExitStack, closing, contextmanager, redirect_stderr, suppress
 from io import StringIO
 from queue import SimpleQueue
@@ -14,7 +14,7 @@ from types import FrameType
 from typing import TYPE_CHECKING, NoReturn
 
 from judge.cli.hints import next_hint, note_seen
-from judge.cli.home import next_kata, set_of, solved_katas, standing
+from judge.cli.home import standing
 from judge.cli.kept import history_at
 from judge.cli.options import Common
 from judge.cli.picture import Drawing
@@ -23,8 +23,10 @@ from judge.cli.wish import Wish
 from judge.errors import JudgeError
 from judge.judging.api import RunOptions
 from judge.languages import file_name, language_of
+from judge.practice.progress import solved
 from judge.practice.saves import Saves
 from judge.practice.stub import make_stub, write_stub
+from judge.practice.syllabus import PracticeSet, next_kata, set_of, sound_sets
 from judge.problem import Problem
 from judge.problem.find import sound_problems
 from judge.report.parts import FAINT, GOOD, WARNING
@@ -191,16 +193,17 @@ class _Loop:
         return begun_text(self._place(screen), self._kata.problem, self._kata.name, screen, rows)
 
     def _place(self, screen: Screen) -> Group:
-        problem, (problems, solved) = self._kata.problem, self._katas()
-        mine = len(solved & {each.id for each in problems})
-        found = set_of(problem.id, problems, self._common.problems)
+        problem, (problems, sets, done) = self._kata.problem, self._katas()
+        mine = sum(each.id in done for each in problems)
+        found = set_of(problem.id, sets)
         return place_text(problem, found, mine, len(problems), screen)
 
-    def _katas(self) -> tuple[Sequence[Problem], set[str]]:
-        """All katas, and those that are solved."""
+    def _katas(self) -> tuple[Sequence[Problem], Sequence[PracticeSet[Problem]], Collection[str]]:
+        """All katas, their sets, and those that are solved."""
         with history_at(self._common.db, reading=True) as history:
-            solved = solved_katas(history)
-        return sound_problems(self._common.problems)[0], solved
+            done = solved(history.runs())
+        problems, _ = sound_problems(self._common.problems)
+        return problems, sound_sets(problems, self._common.problems)[0], done
 
     def _key(self, key: str) -> Kata | None:
         """Do what a key says; the kata to go on to, if it says so."""
@@ -222,8 +225,8 @@ class _Loop:
         if not (confirmed or self._solved()):
             self._ask_again("n", "Not solved yet. Press n again to skip it.")
             return None
-        problems, solved = self._katas()
-        following = next_kata(problem.id, problems, common.problems, solved)
+        problems, sets, done = self._katas()
+        following = next_kata(problem.id, problems, sets, done)
         if following is None:
             self._say("All other katas are solved.", GOOD)
             return None

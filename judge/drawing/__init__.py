@@ -4,7 +4,7 @@ shapes.py     what a drawing is made of
 clip.py       cutting to a panel
 labels.py     placing labels
 lengths.py    lengths as a person reads them
-svg.py, braille.py
+svg.py, braille.py      drawing.css has the colours
 chart.py      the one chart, as SVG and in braille
 """
 

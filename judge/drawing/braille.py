@@ -5,9 +5,9 @@ The points of the case stand as their letters, a wanted one as `o`, a given one 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from itertools import pairwise
+from itertools import groupby, pairwise
 from math import hypot
+from typing import NamedTuple
 
 from judge.drawing.shapes import Dot, Mark, Panel, Picture, Role, Stroke
 
@@ -18,11 +18,10 @@ _WIDE = 29  # characters of the widest panel
 _BITS = ((0x01, 0x08), (0x02, 0x10), (0x04, 0x20), (0x40, 0x80))  # of a dot, by row and column
 _BLANK = 0x2800
 _ORDER = (Role.BEYOND, Role.SHAPE, Role.LINE, Role.CASE, Role.WANTED, Role.GOT)  # the last one colours
-_LETTERS = {Role.WANTED: "o", Role.GOT: "x"}
+LETTERS = {Role.WANTED: "o", Role.GOT: "x"}
 
 
-@dataclass(frozen=True, slots=True)
-class Piece:
+class Piece(NamedTuple):
     """A run of characters of one role; None for words beside the drawing."""
 
     text: str
@@ -54,7 +53,7 @@ def to_braille(picture: Picture, rows: int = ROWS, *, answered: bool = True) -> 
 
 def _legend(picture: Picture, drawn: set[Cell]) -> list[Piece]:
     """What the letters of answers stand for, of those that are drawn."""
-    letters = zip((*_LETTERS.items(), (None, "*")), (*picture.keys, "both"), strict=True)
+    letters = zip((*LETTERS.items(), (None, "*")), (*picture.keys, "both"), strict=True)
     shown = [
         Piece(f"{letter} {key}", role)
         for (role, letter), key in letters
@@ -63,8 +62,7 @@ def _legend(picture: Picture, drawn: set[Cell]) -> list[Piece]:
     return [part for piece in shown for part in (Piece("  "), piece)][1:]
 
 
-@dataclass(frozen=True, slots=True)
-class Raster:
+class Raster(NamedTuple):
     """The characters of a panel: rows and columns; twice as many columns as rows, and one, are square."""
 
     high: int
@@ -124,14 +122,10 @@ def _draw(stroke: Stroke, raster: Raster, dots: list[list[int]], roles: list[lis
 
 def _set(mark: Mark, raster: Raster, cells: list[list[Cell]]) -> None:
     x, y = raster.cell(*raster.fine(mark.at))
-    row, column = y // 4, x // 2
-    letter = _LETTERS.get(mark.role) or mark.text[:1]
-    if not letter:
-        return
-    if mark.role is Role.GOT and cells[row][column][0] in ("o", "*"):
-        cells[row][column] = ("*", Role.WANTED)
-    else:
-        cells[row][column] = (letter, mark.role)
+    row, column = cells[y // 4], x // 2
+    if letter := LETTERS.get(mark.role) or mark.text[:1]:
+        both = mark.role is Role.GOT and row[column][0] in ("o", "*")
+        row[column] = ("*", Role.WANTED) if both else (letter, mark.role)
 
 
 def _inked(cells: list[Cell]) -> bool:
@@ -140,20 +134,12 @@ def _inked(cells: list[Cell]) -> bool:
 
 def pieces(cells: list[Cell]) -> list[Piece]:
     """A row of characters, neighbours of one role together."""
-    found: list[Piece] = []
-    for letter, role in cells:
-        if found and found[-1].role is role:
-            found[-1] = Piece(found[-1].text + letter, role)
-        else:
-            found.append(Piece(letter, role))
-    return found
+    runs = groupby(cells, key=lambda cell: cell[1])
+    return [Piece("".join(letter for letter, _ in run), role) for role, run in runs]
 
 
 def trimmed(row: list[Piece]) -> list[Piece]:
     """A row without spaces at its end."""
-    kept = list(row)
-    while kept and not kept[-1].text.rstrip(" "):
-        kept.pop()
-    if kept:
-        kept[-1] = Piece(kept[-1].text.rstrip(" "), kept[-1].role)
-    return kept
+    while row and not row[-1].text.rstrip(" "):
+        row = row[:-1]
+    return [*row[:-1], Piece(row[-1].text.rstrip(" "), row[-1].role)] if row else []

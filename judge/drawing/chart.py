@@ -8,13 +8,13 @@ On logarithmic axes a power law is a straight line, and its slope is the power.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from itertools import count, pairwise
 from math import ceil, floor, log10
+from typing import NamedTuple
 
-from judge.drawing.braille import COLUMNS, LEAST_ROWS, ROWS, Piece, Raster, grid, pieces, trimmed
+from judge.drawing.braille import COLUMNS, LEAST_ROWS, LETTERS, ROWS, Piece, Raster, grid, pieces, trimmed
 from judge.drawing.shapes import Dot, Mark, Panel, Role, Stroke
-from judge.drawing.svg import style, words
+from judge.drawing.svg import element, style, text, words
 
 _MOST_TICKS = 6
 _HAIR = 1e-9
@@ -26,8 +26,7 @@ _ALONE = 720  # pixels: the width of a chart that is a file of its own
 _CLASSES = {Role.WANTED: ("wanted", "t-wanted"), Role.GOT: ("got", "t-got")}
 
 
-@dataclass(frozen=True, slots=True)
-class Axis:
+class Axis(NamedTuple):
     """What an axis measures; `text` writes one of its values. A linear axis counts whole things."""
 
     label: str
@@ -35,8 +34,7 @@ class Axis:
     log: bool = False
 
 
-@dataclass(frozen=True, slots=True)
-class Series:
+class Series(NamedTuple):
     """Dots (x, y) by x, joined by a line. At the x in `bounds` y is only a lower bound: the dot is hollow."""
 
     name: str
@@ -45,8 +43,7 @@ class Series:
     bounds: frozenset[float] = frozenset()
 
 
-@dataclass(frozen=True, slots=True)
-class Chart:
+class Chart(NamedTuple):
     """At least one series with two different x; `about` says in a sentence what the chart shows."""
 
     title: str
@@ -104,21 +101,18 @@ def chart_svg(chart: Chart, *, alone: bool = False) -> str:
         return f"{_TOP + _HEIGHT * (1 - value):.1f}"
 
     bottom = _TOP + _HEIGHT
-    size = f'width="{_ALONE if alone else "100%"}" height="{bottom + _BELOW}"'
-    name = words(f"{chart.title}. {chart.about}" if chart.about else chart.title)
     parts = [
-        f'<svg xmlns="http://www.w3.org/2000/svg" role="img" aria-label="{name}" {size}>',
         f"<style>{style()}</style>" if alone else "",
         f'<rect class="panel" width="100%" height="{bottom + _BELOW}"/>',
     ]
-    for at, text in up.ticks():
+    for at, said in up.ticks():
         level = f'y1="{y(at)}" y2="{y(at)}"'
         parts.append(f'<line class="leader" stroke-opacity="0.4" x1="0" x2="100%" {level}/>')
-        parts.append(_text("8", f"{float(y(at)) - 4:.1f}", "start", "halo quiet", text))
+        parts.append(text("8", f"{float(y(at)) - 4:.1f}", said, "halo quiet", "start"))
     marks = across.ticks()
-    for at, text in marks[:: ceil(sum(len(text) + 2 for _, text in marks) / _LETTERS)]:
-        parts.append(_text(x(at), str(bottom + 18), "middle", "quiet", text))
-    parts.append(_text("50%", str(bottom + 36), "middle", "quiet", f"{chart.y.label} over {chart.x.label}"))
+    for at, said in marks[:: ceil(sum(len(said) + 2 for _, said in marks) / _LETTERS)]:
+        parts.append(text(x(at), str(bottom + 18), said, "quiet", "middle"))
+    parts.append(text("50%", str(bottom + 36), f"{chart.y.label} over {chart.x.label}", "quiet", "middle"))
     highest = max(chart.series, key=lambda series: series.points[-1][1])
     for series in chart.series:
         line, fill = _CLASSES.get(series.role, ("line", "case"))
@@ -130,12 +124,10 @@ def chart_svg(chart: Chart, *, alone: bool = False) -> str:
             told = words(f"{series.name}, {chart.x.text(a)}: {least}{chart.y.text(b)}")
             parts.append(f'<circle class="{kind}" cx="{cx}" cy="{cy}" r="4"><title>{told}</title></circle>')
         label = float(spots[-1][1]) + (-11 if series is highest else 21)
-        parts.append(_text(spots[-1][0], f"{label:.1f}", "end", f"halo {fill}", series.name))
-    return "\n".join([*(part for part in parts if part), "</svg>"]) + "\n" * alone
-
-
-def _text(x: str, y: str, anchor: str, kind: str, text: str) -> str:
-    return f'<text class="{kind}" x="{x}" y="{y}" text-anchor="{anchor}">{words(text)}</text>'
+        parts.append(text(spots[-1][0], f"{label:.1f}", series.name, f"halo {fill}", "end"))
+    name = words(f"{chart.title}. {chart.about}" if chart.about else chart.title)
+    size = f'width="{_ALONE if alone else "100%"}" height="{bottom + _BELOW}"'
+    return element(f'aria-label="{name}" {size}', parts) + "\n" * alone
 
 
 def chart_braille(chart: Chart, rows: int = ROWS) -> list[list[Piece]]:
@@ -153,14 +145,12 @@ def chart_braille(chart: Chart, rows: int = ROWS) -> list[list[Piece]]:
     cells = grid(Panel("", tuple(strokes), tuple(marks), ()), raster)
     drawn = [[Piece(f"{levels.get(at, ''):>{left - 1}} "), *pieces(row)] for at, row in enumerate(cells)]
     foot = " " * COLUMNS
-    for share, text in across.ticks():
-        at = min(left + round(share * (raster.wide - 1)), COLUMNS - len(text))
-        if not foot[max(0, at - 1) : at + len(text)].strip():
-            foot = foot[:at] + text + foot[at + len(text) :]
-    legend = [Piece(f"{_letter(series)} {series.name}  ", series.role) for series in chart.series]
+    for share, said in across.ticks():
+        at = min(left + round(share * (raster.wide - 1)), COLUMNS - len(said))
+        if not foot[max(0, at - 1) : at + len(said)].strip():
+            foot = foot[:at] + said + foot[at + len(said) :]
+    letters = [LETTERS.get(series.role, series.name[:1]) for series in chart.series]
+    named = zip(letters, chart.series, strict=True)
+    legend = [Piece(f"{letter} {series.name}  ", series.role) for letter, series in named]
     legend.append(Piece(f"{chart.y.label} over {chart.x.label}"))
     return [trimmed(row) for row in (*drawn, [Piece(foot)], legend)]
-
-
-def _letter(series: Series) -> str:
-    return {Role.WANTED: "o", Role.GOT: "x"}.get(series.role, series.name[:1])

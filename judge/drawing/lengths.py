@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from math import floor, log10
 
 from judge.exact import Surd
-
-_ROUND = (Fraction(1), Fraction(2), Fraction(5))
 
 
 def short(value: Fraction | Surd, digits: int = 2) -> str:
@@ -28,19 +27,6 @@ def _thinned(text: str) -> str:
 
 def round_below(value: Fraction) -> Fraction:
     """The greatest of 1, 2, 5 times a power of ten that is <= value > 0."""
-    power = _power(value)
-    ten = Fraction(10) ** power
-    return max(digit * ten for digit in _ROUND if digit * ten <= value)
-
-
-def _power(value: Fraction) -> int:
-    """floor(log10(value))."""
-    text = f"{Surd.of(value).decimal(3)}"
-    guess = int(text.partition("e")[2]) if "e" in text else len(text.partition(".")[0]) - 1
-    if "e" not in text and value < 1:
-        guess = -len(text.partition(".")[2]) + len(text.partition(".")[2].lstrip("0")) - 1
-    while Fraction(10) ** guess > value:
-        guess -= 1
-    while Fraction(10) ** (guess + 1) <= value:
-        guess += 1
-    return guess
+    near = floor(log10(value.numerator) - log10(value.denominator))
+    tens = [Fraction(10) ** power for power in (near - 1, near, near + 1)]
+    return max(digit * ten for ten in tens for digit in (1, 2, 5) if digit * ten <= value)

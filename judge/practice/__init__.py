@@ -1,13 +1,13 @@
 """Practice: what was judged before, what it shows that a person can do, and what to do next.
 
-    history.py      every run and its source, the files that were started, the help that was taken
-    database.py     opening the SQLite file behind it, and its faults as one line each
-    migrations.py   the numbered steps from an empty file to today's tables
+    events.py, history.py    what is kept of a person; the file that keeps it
+    progress.py, review.py   what that shows: levels, skills, questions; what is due again
+    syllabus.py              what there is to learn: sets, skills, the checklist
+    cards.py, questions.py   cards and their decks; a card as it is asked
+    quiz.py                  which cards come next, and the mock interview
+    stub.py, solutions.py    the file a kata begins with, the solutions that are explained afterwards
+    saves.py                 noticing that a file was saved
+    setter.py                a new kata, and what it needs for all of this
 
-    stub.py         the file a kata begins with; contract.py writes a statement as its docstring
-    model.py        the solution that is explained afterwards
-    saves.py        noticing that a file was saved
-    check.py        what a setter has to get right for all of this
-
-It stands above `diagnose` and below `report`, and prints nothing.
+It stands above `judging` and below `report`, and prints nothing.
 """

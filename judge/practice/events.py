@@ -174,17 +174,11 @@ TABLES: Mapping[type[Event], str] = {
 }
 
 
-def columns(kind: type[Event]) -> list[str]:
-    """The columns of a kind's table, without the row's number."""
-    return [each.encode_name for each in msgspec.structs.fields(kind) if each.name != "id"]
-
-
 def to_row(event: Event) -> dict[str, Any]:
-    """The event as SQLite keeps it, by column."""
+    """The event as SQLite keeps it, by column; without its number, which SQLite gives."""
     row = msgspec.to_builtins(event, builtin_types=(bytes, datetime))
-    return {
-        name: _FORMS[name][1](row[name]) if name in _FORMS else row[name] for name in columns(type(event))
-    }
+    row.pop("id", None)
+    return {name: _FORMS[name][1](value) if name in _FORMS else value for name, value in row.items()}
 
 
 def from_row(kind: type[Kind], row: Mapping[str, Any]) -> Kind:

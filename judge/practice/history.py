@@ -9,7 +9,7 @@
         history.left_out                             # the rows that are damaged
 
 A damaged row is left out of what is read, and costs nothing else. A file that another program locks is waited
-for, for some seconds. Importing this module imports no SQLite; opening a history does.
+for, for some seconds. Importing this module imports SQLite, and raises StoreError where Python has none.
 """
 
 from __future__ import annotations
@@ -20,18 +20,22 @@ import zlib
 from collections.abc import Callable, Iterable
 from itertools import count
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, TypeVar
 
 from judge.errors import StoreError, UsageError
 from judge.files import read_ordinary, user_data
-from judge.practice.events import DAMAGE, TABLES, Event, Kind, Run, Started, columns, from_row, to_row
+from judge.practice.events import DAMAGE, TABLES, Event, Kind, Run, Started, from_row, to_row
 from judge.problem import Verdict
 from judge.problem.model import is_solution
 
-if TYPE_CHECKING:
+try:
     import sqlite3
 
     from judge import database
+except ImportError as fault:  # an interpreter that was built without it
+    what = f"this Python cannot keep a history: {fault}"
+    raise StoreError(what, remedy="install its sqlite3 module") from fault
+if TYPE_CHECKING:
     from judge.run.result import Result
 
 VARIABLE = "JUDGE_DB"
@@ -70,12 +74,12 @@ STEPS: tuple[tuple[str, ...], ...] = (
         "DROP TABLE current",
     ),
 )
-_PLACE = ("time", "problem", "path", "problems")
 _PLACES = """
-    SELECT max(id), max(time), problem, path, max(problems) FROM (
+    SELECT max(id) AS id, max(time) AS time, problem, path, max(problems) AS problems FROM (
         SELECT id, time, problem, path, problems FROM started UNION ALL
         SELECT id, time, problem, path, x'' FROM runs WHERE path <> x'' AND verdict <> 'JE')
     GROUP BY problem, path ORDER BY max(time) DESC, max(id) DESC"""
+_KIND = database.Kind("history", APPLICATION, STEPS, f"name another file with --db or ${VARIABLE}")
 _BESIDE = ("-wal", "-shm", "-journal", "")  # what SQLite keeps with a file, and the file itself
 _HEAD, _APPLICATION = 100, 68  # bytes of SQLite's header; where it names the application
 _MOST = 2**63 - 1  # what SQLite can be asked for
@@ -101,13 +105,10 @@ class History:
         self.left_out: set[tuple[str, object]] = set()  # the rows that are damaged: table and number
         self.set_aside: Path | None = None  # where the file is now that could not be read
         self._reading = reading
-        self._connection: sqlite3.Connection | None = None
-        self._file: tuple[int, int] | None = None
         try:
             self._connect()
         except StoreError as fault:
             self._set_aside(fault)
-            self._connect()
 
     @classmethod
     def open(cls, path: Path | None = None, *, reading: bool = False) -> History:
@@ -118,19 +119,13 @@ class History:
         Raises:
             StoreError: it cannot be opened, is newer than this judge, or is not a history.
         """
-        try:
-            import sqlite3  # noqa: F401
-        except ImportError as fault:  # an interpreter that was built without it
-            what = f"this Python cannot keep a history: {fault}"
-            raise StoreError(what, remedy="install its sqlite3 module") from fault
         return cls(history_path() if path is None else path, reading=reading)
 
     def __enter__(self) -> History:
         return self
 
     def __exit__(self, *exc: object) -> None:
-        if self._connection is not None:
-            self._connection.close()
+        self._connection.close()
 
     def keep(self, event: Event, source: bytes = b"") -> int:
         """Keep an event, and the source that a run judged, in one transaction; its number, from 1."""
@@ -148,15 +143,10 @@ class History:
 
     def events(self, kind: type[Kind], problem: str | None = None, limit: int | None = None) -> list[Kind]:
         """The last `limit` events of a kind (all without one), with one problem or all; oldest first."""
-        where, values = ("", ()) if problem is None else ("WHERE problem = ?", (problem,))
+        where, values = ("", []) if problem is None else ("WHERE problem = ?", [problem])
+        query = f"SELECT * FROM {TABLES[kind]} {where} ORDER BY id DESC LIMIT ?"
         most = -1 if limit is None else min(limit, _MOST)
-        found = []
-        for row in reversed(self._rows(kind, f"{where} ORDER BY id DESC LIMIT ?", *values, most)):
-            with contextlib.suppress(*DAMAGE):
-                found.append(from_row(kind, row))
-                continue
-            self.left_out.add((TABLES[kind], row["id"]))
-        return found
+        return self._sound(kind, reversed(self._rows(query, *values, most)))
 
     def runs(self, problem: str | None = None, limit: int | None = None) -> list[Run]:
         """The last `limit` runs (all of them without one), of one problem or of all; oldest first."""
@@ -166,106 +156,93 @@ class History:
         """Those of the runs whose results can be read; the others are left out."""
         found = []
         for run in runs:
-            with contextlib.suppress(StoreError):
+            try:
                 run.levels  # noqa: B018 - which reads the result
                 found.append(run)
-                continue
-            self.left_out.add(("runs", run.id))
+            except StoreError:
+                self.left_out.add(("runs", run.id))
         return found
 
     def run(self, number: int) -> Run:
         """The run of that number. Raises UsageError if there is none."""
-        rows = self._rows(Run, "WHERE id = ?", number) if 0 < number <= _MOST else []
+        rows = self._rows("SELECT * FROM runs WHERE id = ?", number) if 0 < number <= _MOST else []
         if not rows:
             last = max((run.id for run in self.runs(limit=1)), default=0)
-            remedy = (
+            known = (
                 f"the last one is {last}; see 'judge history'" if last else "'judge run' adds the first one"
             )
-            raise UsageError(f"there is no run {number}", remedy=remedy)
+            raise UsageError(f"there is no run {number}", remedy=known)
         try:
-            return from_row(Run, rows[0])
+            return from_row(Run, dict(rows[0]))
         except DAMAGE as fault:  # no judge wrote this
             raise StoreError(f"run {number} is damaged", where=str(self.path)) from fault
 
     def source(self, number: int) -> bytes:
         """The submission that run judged. Raises UsageError if there is no such run."""
         digest = self.run(number).source_hash
-        query = "SELECT body FROM sources WHERE hash = ?"
         try:
-            ((body,),) = self._do(lambda connection: connection.execute(query, (digest,)).fetchall())
+            ((body,),) = self._rows("SELECT body FROM sources WHERE hash = ?", digest)
             return zlib.decompress(body)
         except DAMAGE as fault:  # it is not there, or no judge wrote it
             raise StoreError(f"the source of run {number} is damaged", where=str(self.path)) from fault
 
     def places(self) -> list[Started]:
         """Every file that was started or judged, the last one first, each once; model solutions are not."""
+        found = self._sound(Started, self._rows(_PLACES))
+        return [place for place in found if not is_solution(place.path, place.problem)]
 
-        def read(connection: sqlite3.Connection) -> list[tuple[Any, ...]]:
-            return connection.execute(_PLACES).fetchall()
-
+    def _sound(self, kind: type[Kind], rows: Iterable[sqlite3.Row]) -> list[Kind]:
+        """The events of those rows that are not damaged."""
         found = []
-        for number, *row in self._do(read):
-            with contextlib.suppress(*DAMAGE):
-                place = from_row(Started, dict(zip(_PLACE, row, strict=True)))
-                if not is_solution(place.path, place.problem):
-                    found.append(place)
-                continue
-            self.left_out.add(("started", number))
+        for row in rows:
+            try:
+                found.append(from_row(kind, dict(row)))
+            except DAMAGE:
+                self.left_out.add((TABLES[kind], row["id"]))
         return found
 
-    def _rows(self, kind: type[Event], which: str, *values: object) -> list[dict[str, Any]]:
-        names = ["id", *columns(kind)]
-        query = f"SELECT {', '.join(names)} FROM {TABLES[kind]} {which}"
-        rows = self._do(lambda connection: connection.execute(query, values).fetchall())
-        return [dict(zip(names, row, strict=True)) for row in rows]
+    def _rows(self, query: str, *values: object) -> list[sqlite3.Row]:
+        return self._do(lambda connection: connection.execute(query, values).fetchall())
 
     def _do(self, work: Callable[[sqlite3.Connection], _Found], *, writing: bool = False) -> _Found:
         """What `work` returns; on a new file, if the old one is found to be damaged."""
-        from judge import database
+        try:
+            return self._done(work, writing=writing)
+        except StoreError as fault:
+            self._set_aside(fault)
+        return self._done(work, writing=writing)
 
-        for again in (True, False):
-            assert self._connection is not None
-            held = (_kind(), self._connection, self.path)
-            try:
-                with database.writing(*held) if writing else database.faults(held[0], self.path):
-                    return work(self._connection)
-            except StoreError as fault:
-                if not again:
-                    raise
-                self._set_aside(fault)
-                self._connect()
-        raise AssertionError
+    def _done(self, work: Callable[[sqlite3.Connection], _Found], *, writing: bool) -> _Found:
+        held = _KIND, self._connection, self.path
+        with database.writing(*held) if writing else database.faults(_KIND, self.path):
+            return work(self._connection)
 
     def _connect(self) -> None:
-        from judge import database
-
         self._file = _identity(self.path)
-        self._connection = database.connect(_kind(), self.path, reading=self._reading)
-        self._connection.text_factory = _text_of
+        self._connection = database.connect(_KIND, self.path, reading=self._reading)
+        self._connection.row_factory, self._connection.text_factory = sqlite3.Row, _text_of
 
     def _set_aside(self, fault: StoreError) -> None:
-        """Rename the file, unless another judge has put a new one in its place meanwhile.
+        """Rename the file, unless another judge has put a new one in its place meanwhile; open what is there.
 
         Raises `fault` where that does not say that our file is damaged.
         """
-        from judge import database
-
         if not database.is_damaged(fault) or not _is_ours(self.path):
             raise fault
-        if self._connection is not None:
-            self._connection.close()
-        if _identity(self.path) != self._file:
-            return
-        names = (self.path.with_name(f"{self.path.name}.damaged-{number}") for number in count(1))
-        target = next(each for each in names if not os.path.lexists(each))
-        try:
-            for suffix in _BESIDE:
-                with contextlib.suppress(FileNotFoundError):
-                    path = self.path.with_name(self.path.name + suffix)
-                    path.rename(target.with_name(target.name + suffix))
-        except OSError:
-            raise fault from None
-        self.set_aside = target
+        if connection := getattr(self, "_connection", None):
+            connection.close()
+        if _identity(self.path) == self._file:
+            names = (self.path.with_name(f"{self.path.name}.damaged-{number}") for number in count(1))
+            target = next(each for each in names if not os.path.lexists(each))
+            try:
+                for suffix in _BESIDE:
+                    with contextlib.suppress(FileNotFoundError):
+                        path = self.path.with_name(self.path.name + suffix)
+                        path.rename(target.with_name(target.name + suffix))
+            except OSError:
+                raise fault from None
+            self.set_aside = target
+        self._connect()
 
 
 def run_of(result: Result, source: bytes, path: str) -> Run:
@@ -290,13 +267,6 @@ def run_of(result: Result, source: bytes, path: str) -> Run:
         source_hash=hashlib.sha256(source).hexdigest(),
         packed=zlib.compress(published),
     )
-
-
-def _kind() -> database.Kind:
-    from judge import database
-
-    remedy = f"name another file with --db or ${VARIABLE}"
-    return database.Kind("history", APPLICATION, STEPS, remedy)
 
 
 def _identity(path: Path) -> tuple[int, int] | None:

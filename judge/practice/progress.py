@@ -10,7 +10,10 @@ A question is ticked by any one of these, whole; it is lost where one of them wa
     katas     each of them that is here was accepted
     skills    each of them that is here is shown
     cards     each card that names the question was remembered when it was last answered
-    broken    one of these mistakes was broken with a case of the person's own
+    broken    one of these mistakes was broken with a case of the person's own (`judge hack`)
+
+A wrong program is broken by a case that keeps the promise and that it answers wrongly; by the case that was
+shown to whoever gave it up, it is not.
 """
 
 from __future__ import annotations
@@ -20,21 +23,21 @@ from collections import Counter, defaultdict
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from datetime import datetime
 from enum import Enum
-from pathlib import Path
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
-from judge.errors import ProblemError, StoreError
-from judge.practice.checklist import Checklist, Row, Section, read_checklist
-from judge.practice.events import Answer, Hack, Run
-from judge.practice.hacks import broken
+from judge.errors import StoreError
+from judge.practice.events import Answer, Hack, Outcome, Run
+from judge.practice.syllabus import Checklist, Row, Skill
 from judge.problem import Problem
-from judge.problem.model import KataLevel
+from judge.problem.model import KataLevel, Listed
 
 if TYPE_CHECKING:
-    from judge.practice.history import History
-    from judge.practice.quiz.cards import Card
+    from judge.practice.cards import Card
+
+
+Tried = Mapping[str, Sequence[Run]]  # a person's runs by problem, as `tried` gives them
 
 
 class State(Enum):
@@ -43,19 +46,6 @@ class State(Enum):
     OPEN = "open"
     SHOWN = "shown"
     LOST = "lost"
-
-
-class Standing(Struct, frozen=True):
-    """One problem's runs in short.
-
-    `attempts` are the runs up to the first that solved it, that one included, or all of them where none did.
-    `best` is the highest score.
-    """
-
-    attempts: int = 0
-    best: int = 0
-    passed: datetime | None = None  # first
-    last: datetime | None = None
 
 
 class Covered(Struct, frozen=True):
@@ -143,165 +133,85 @@ class Question(Struct, frozen=True):
         return tuple(dict.fromkeys(each.drill for each in waiting))
 
 
-class Progress(Struct, frozen=True):
-    """How a person stands; `mistakes` are those made in each problem, and how often."""
-
-    standings: Mapping[str, Standing]
-    levels: tuple[Covered, ...]
-    skills: tuple[SkillProgress, ...]
-    sections: tuple[tuple[Section, tuple[Question, ...]], ...] = ()
-    mistakes: Mapping[str, Counter[str]] = {}
-
-    def within(self, problems: Collection[str]) -> Progress:
-        """The same of these problems alone; all questions stay."""
-        needs = [(each, tuple(n for n in each.needs if n.problem in problems)) for each in self.skills]
-        return Progress(
-            {name: standing for name, standing in self.standings.items() if name in problems},
-            tuple(level for level in self.levels if level.problem in problems),
-            tuple(_skill(each.name, each.about, own) for each, own in needs if own),
-            self.sections,
-            {name: made for name, made in self.mistakes.items() if name in problems},
-        )
-
-    def solved(self, problem: str) -> bool:
-        """Whether the person has solved the problem."""
-        return self.standings.get(problem, Standing()).passed is not None
-
-    def stars(self, problem: str) -> int:
-        """1 once the problem's interview level is passed, 2 with production."""
-        passed = [level.since is not None for level in self.levels if level.problem == problem]
-        return len(passed) if self.solved(problem) else sum(passed)
+# -- katas, levels and skills ------------------------------------------------------------------------------
 
 
-def standings(runs: Iterable[Run]) -> dict[str, Standing]:
-    """The standing of every problem that the person tried; `runs` are in their order."""
-    found: dict[str, Standing] = {}
+def tried(runs: Iterable[Run]) -> dict[str, list[Run]]:
+    """The runs that say something of the person, by problem, in their order."""
+    found: dict[str, list[Run]] = {}
     for run in runs:
         if run.counts:
-            before = found.get(run.problem, Standing())
-            found[run.problem] = Standing(
-                before.attempts + (before.passed is None),
-                max(before.best, run.score),
-                before.passed or (run.when if run.solved else None),
-                run.when,
-            )
+            found.setdefault(run.problem, []).append(run)
     return found
 
 
-def read_progress(
-    history: History, problems: Sequence[Problem], extra: Sequence[Path]
-) -> tuple[Progress, list[ProblemError]]:
-    """How a person stands by a history, and the faults of decks, which are left out.
-
-    `problems` are all that can be found. Raises ProblemError where a file of skills or questions is broken,
-    StoreError.
-    """
-    from judge.practice.quiz.cards import read_decks
-
-    decks, faults = read_decks(extra)
-    cards = [card for deck in decks for card in deck.cards]
-    answers, hacks = history.events(Answer), history.events(Hack)
-    return assess(problems, history.runs(), read_checklist(extra), cards, answers, hacks), faults
+def solved(runs: Sequence[Run]) -> dict[str, datetime]:
+    """The problems that the person has solved, and when first; the runs are in their order."""
+    return {run.problem: run.when for run in reversed(runs) if run.solved}
 
 
-def assess(
-    problems: Sequence[Problem],
-    runs: Sequence[Run],
-    checklist: Checklist,
-    cards: Iterable[Card] = (),
-    answers: Iterable[Answer] = (),
-    hacks: Iterable[Hack] = (),
-) -> Progress:
-    """How a person stands after these runs, answers and attempts at wrong programs, which are in their order.
+def mistakes(runs: Iterable[Run]) -> Counter[str]:
+    """The mistakes that explained the runs, one or two each, and how often."""
+    return Counter(name for run in runs if run.mistake for name in run.mistake.split(" + "))
 
-    `problems` are all that can be found, `cards` likewise.
-    """
-    tries = {problem.id: _tries(problem, runs) for problem in problems}
+
+def levels(problems: Iterable[Listed], own: Tried) -> list[Covered]:
+    """How each level of these problems stands after a person's `own` runs."""
+    found = []
+    for problem in problems:
+        runs = own.get(problem.id, ())
+        recorded = [_recorded(run, problem) for run in runs]
+        for level in problem.levels:
+            groups = tuple(group.name for group in problem.of_level(level))
+            whole = zip(runs, [level.value in each for each in recorded], strict=True)
+            found.append(_covered(problem.id, groups, whole, level=level))
+    return found
+
+
+def stars(levels: Iterable[Covered]) -> Counter[str]:
+    """Of each problem: 1 once its interview level is passed, 2 with production."""
+    return Counter(level.problem for level in levels if level.since)
+
+
+def skills(problems: Iterable[Problem], own: Tried, named: Iterable[Skill]) -> list[SkillProgress]:
+    """How each of these skills that the problems show stands after a person's `own` runs."""
     needs: defaultdict[str, list[Covered]] = defaultdict(list)
     for problem in problems:
+        runs = [(run, False) for run in own.get(problem.id, ())]
         for shown in problem.skills:
             kills = {name for group in problem.groups if group.name in shown.groups for name in group.kills}
-            needs[shown.name].append(_covered(problem.id, shown.groups, tries[problem.id], kills))
-    named = [each for each in checklist.skills if each.name in needs]
-    skills = tuple(_skill(each.name, each.about, tuple(needs[each.name])) for each in named)
-    made: defaultdict[str, Counter[str]] = defaultdict(Counter)
-    for run in runs:
-        if run.counts:
-            made[run.problem].update(_mistakes(run))
-    found = standings(runs)
-    katas = {
-        each.id: Evidence(Kind.KATA, each.id, f"judge start {each.id}", found.get(each.id, Standing()).passed)
-        for each in problems
-    }
-    skilled = {each.name: _of_skill(each) for each in skills}
-    carded = _of_cards((card for card in cards if not card.problem or card.problem in katas), answers)
-    attempts = tuple(hacks)
-
-    def question(row: Row, title: str) -> Question:
-        by = [katas[name] for name in row.katas if name in katas]
-        by += [skilled[name] for name in row.skills if name in skilled]
-        by += carded[row.id]
-        return _question(row, title, (*by, *_of_hacks(row, attempts, katas)))
-
-    sections = []
-    for part in checklist.sections:
-        its = tuple(question(row, part.title) for row in checklist.rows if row.section == part.id)
-        sections += [(part, its)] if its else []
-    levels = tuple(level for problem in problems for level in _levels(problem, tries[problem.id]))
-    return Progress(found, levels, skills, tuple(sections), made)
+            needs[shown.name].append(_covered(problem.id, shown.groups, runs, kills))
+    return [_skill(each, needs[each.name]) for each in named if each.name in needs]
 
 
-class _Tried(NamedTuple):
-    """A run with its test groups as sets; `levels` are those that it passed as its own row records."""
-
-    run: Run
-    passed: frozenset[str]
-    failed: frozenset[str]
-    levels: Collection[str]
-
-
-def _tries(problem: Problem, runs: Iterable[Run]) -> list[_Tried]:
-    """The runs of the problem that say something of the person."""
-    today = {group.name for group in problem.groups}
-    found = []
-    for run in runs:
-        if run.problem == problem.id and run.counts and (run.passed or run.failed):
-            recorded: Collection[str] = ()
-            if run.solved:
-                recorded = [level.value for level in KataLevel]
-            elif not today.issuperset(run.passed + run.failed):
-                with contextlib.suppress(StoreError):
-                    recorded = run.levels
-            found.append(_Tried(run, frozenset(run.passed), frozenset(run.failed), recorded))
-    return found
-
-
-def _levels(problem: Problem, tries: Sequence[_Tried]) -> Iterator[Covered]:
-    """Each level of the problem, the easier first."""
-    for level in problem.levels:
-        groups = tuple(group.name for group in problem.of_level(level))
-        whole = frozenset(groups)
-        its = [
-            each._replace(passed=whole, failed=frozenset()) if level.value in each.levels else each
-            for each in tries
-        ]
-        yield _covered(problem.id, groups, its, (), level)
+def _recorded(run: Run, problem: Listed) -> Collection[str]:
+    """The levels that a run passed whole, whatever groups the problem has today."""
+    if run.solved:
+        return [level.value for level in problem.levels]
+    if not {group.name for group in problem.groups}.issuperset(run.passed + run.failed):
+        with contextlib.suppress(StoreError):
+            return run.levels
+    return ()
 
 
 def _covered(
     problem: str,
     groups: tuple[str, ...],
-    tries: Iterable[_Tried],
-    mistakes: Collection[str],
+    runs: Iterable[tuple[Run, bool]],
+    kills: Collection[str] = (),
     level: KataLevel | None = None,
 ) -> Covered:
-    wanted = frozenset(groups)
+    """How the groups stand after the problem's runs, each with whether it is known to have passed them all.
+
+    `kills` are the mistakes that the groups reject.
+    """
     since: datetime | None = None
-    failing: frozenset[str] = frozenset()
+    wanted, failing = frozenset(groups), frozenset[str]()
     best = attempts = 0
     made: Counter[str] = Counter()
-    for run, passed, failed, _ in tries:
-        passes, fails = wanted & passed, wanted & failed
+    for run, whole in runs:
+        passes = wanted if whole else wanted.intersection(run.passed)
+        fails = frozenset[str]() if whole else wanted.intersection(run.failed)
         if not passes and not fails:  # it was judged on other groups only
             continue
         attempts += since is None
@@ -311,69 +221,144 @@ def _covered(
         if since is None and passes == wanted:
             since = run.when
         if fails:
-            made.update(name for name in _mistakes(run) if name in mistakes)
+            made.update({name: times for name, times in mistakes([run]).items() if name in kills})
     lost = tuple(group for group in groups if group in failing)
     return Covered(problem, groups, level, best, since, lost, attempts, made)
 
 
-def _mistakes(run: Run) -> list[str]:
-    """The mistakes that explained the run, none, one or two."""
-    return run.mistake.split(" + ") if run.mistake else []
-
-
-def _skill(name: str, about: str, needs: tuple[Covered, ...]) -> SkillProgress:
-    since = min((need.since for need in needs if need.since is not None), default=None)
-    firsts = [need.attempts for need in needs if since and need.since == since]
-    lost = any(need.lost for need in needs)
+def _skill(skill: Skill, needs: Sequence[Covered]) -> SkillProgress:
+    since, attempts = min(((need.since, need.attempts) for need in needs if need.since), default=(None, 0))
+    made = sum((Counter(need.mistakes) for need in needs), Counter[str]())
     return SkillProgress(
-        name,
-        about,
-        State.LOST if lost else State.SHOWN if since else State.OPEN,
+        skill.name,
+        skill.about,
+        State.LOST if any(need.lost for need in needs) else State.SHOWN if since else State.OPEN,
         since,
-        firsts[0] if firsts else sum(need.attempts for need in needs),
-        dict(sum((Counter(need.mistakes) for need in needs), Counter[str]()).most_common()),
-        needs,
+        attempts or sum(need.attempts for need in needs),
+        dict(made.most_common()),
+        tuple(needs),
     )
 
 
-def _question(row: Row, section: str, by: tuple[Evidence, ...]) -> Question:
-    """The question: ticked by all of one kind, or by one mistake that was broken."""
-    dates = []
+# -- questions ---------------------------------------------------------------------------------------------
+
+
+def questions(
+    problems: Iterable[Problem],
+    done: Mapping[str, datetime],
+    skilled: Iterable[SkillProgress],
+    checklist: Checklist,
+    cards: Iterable[Card] = (),
+    answers: Sequence[Answer] = (),
+    hacks: Iterable[Hack] = (),
+) -> list[Question]:
+    """The questions by section, after `done`, the problems solved, and `skilled`, how all skills stand.
+
+    Answers and attempts at wrong programs are oldest first.
+    """
+    here = {problem.id for problem in problems}
+    by_name = {skill.name: skill for skill in skilled}
+    there = [card for card in cards if not card.problem or card.problem in here]
+    known = {answer.card: answer.when for answer in reversed(answers) if answer.known}  # first
+    last = {answer.card: answer for answer in answers}
+    won = broken(hacks)
+
+    def evidence(row: Row) -> Iterator[Evidence]:
+        for kata in row.katas:
+            if kata in here:
+                yield Evidence(Kind.KATA, kata, f"judge start {kata}", done.get(kata))
+        for skill in (by_name[name] for name in row.skills if name in by_name):
+            needs = sorted(skill.needs, key=lambda need: need.since is not None and not need.lost)
+            drill, lost = f"judge start {needs[0].problem}", skill.state is State.LOST
+            yield Evidence(Kind.SKILL, skill.name, drill, skill.since, lost)
+        for key in (card.key for card in there if row.id in card.rows):
+            lost = key in known and not last[key].known
+            yield Evidence(Kind.CARD, key, f"judge quiz --question {row.id}", known.get(key), lost)
+        for name in row.broken:
+            kata, mistake = name.split("/")
+            if name in won or kata in here:
+                yield Evidence(Kind.BROKEN, name, f"judge hack {kata} {mistake}", won.get(name))
+
+    found = []
+    for part in checklist.sections:
+        for row in (row for row in checklist.rows if row.section == part.id):
+            by = tuple(evidence(row))
+            since = _ticked(by)
+            state = State.SHOWN if since else State.LOST if any(each.lost for each in by) else State.OPEN
+            found.append(Question(row.id, part.title, row.ask, state, since, by))
+    return found
+
+
+def _ticked(by: Iterable[Evidence]) -> datetime | None:
+    """Since when: all of one kind tick it, or one mistake that was broken."""
+    dates: list[datetime] = []
     for kind in Kind:
         own = [None if each.lost else each.since for each in by if each.kind is kind]
-        there = [date for date in own if date is not None]
-        if there and (kind is Kind.BROKEN or len(there) == len(own)):
-            dates.append(min(there) if kind is Kind.BROKEN else max(there))
-    since = min(dates, default=None)
-    lost = any(each.lost for each in by)
-    state = State.SHOWN if since else State.LOST if lost else State.OPEN
-    return Question(row.id, section, row.ask, state, since, by)
+        there = [date for date in own if date]
+        if kind is Kind.BROKEN:
+            dates += there
+        elif there and len(there) == len(own):
+            dates.append(max(there))
+    return min(dates, default=None)
 
 
-def _of_skill(skill: SkillProgress) -> Evidence:
-    needs = skill.needs
-    drilled = next((need.problem for need in needs if need.since is None or need.lost), needs[0].problem)
-    return Evidence(Kind.SKILL, skill.name, f"judge start {drilled}", skill.since, skill.state is State.LOST)
+# -- wrong programs ----------------------------------------------------------------------------------------
 
 
-def _of_hacks(row: Row, hacks: Iterable[Hack], problems: Collection[str]) -> Iterator[Evidence]:
-    """What the wrong programs show that a question names, of katas that are here or were broken before."""
-    for name in row.broken:
-        problem, mistake = name.split("/")
-        when = broken(hack for hack in hacks if hack.problem == problem).get(mistake)
-        if when or problem in problems:
-            yield Evidence(Kind.BROKEN, name, f"judge hack {problem} {mistake}", when)
+class HackState(Enum):
+    """How a wrong program stands; the value is its name in JSON."""
+
+    OPEN = "open"
+    BROKEN = "broken"
+    GIVEN_UP = "given-up"
 
 
-def _of_cards(cards: Iterable[Card], answers: Iterable[Answer]) -> Mapping[str, list[Evidence]]:
-    """What cards show, by the id of each question that they practise."""
-    given: defaultdict[str, list[Answer]] = defaultdict(list)
-    for answer in answers:
-        given[answer.card].append(answer)
-    found: defaultdict[str, list[Evidence]] = defaultdict(list)
-    for card in cards:
-        known = next((answer.when for answer in given[card.key] if answer.known), None)
-        lost = known is not None and not given[card.key][-1].known
-        for row in card.rows:
-            found[row].append(Evidence(Kind.CARD, card.key, f"judge quiz --question {row}", known, lost))
+class HackShare(Struct, frozen=True):
+    """Of a problem's `programs` wrong ones, those that were broken: by mistake, when it was done first."""
+
+    problem: str
+    programs: int
+    broken: Mapping[str, datetime]
+
+
+def broken(hacks: Iterable[Hack]) -> dict[str, datetime]:
+    """The programs that were broken, as "problem/mistake", and when first; the attempts are in order."""
+    found: dict[str, datetime] = {}
+    shown = set()
+    for hack in hacks:
+        name = f"{hack.problem}/{hack.mistake}"
+        if hack.outcome is Outcome.GIVEN_UP:
+            shown.add((name, hack.case))
+        elif hack.outcome is Outcome.WON and (name, hack.case) not in shown:
+            found.setdefault(name, hack.when)
+    return found
+
+
+def was_shown(mistake: str, case: str, hacks: Iterable[Hack]) -> bool:
+    """Whether the case was shown to whoever gave up that mistake of one problem."""
+    return any(
+        hack.outcome is Outcome.GIVEN_UP and (hack.mistake, hack.case) == (mistake, case) for hack in hacks
+    )
+
+
+def hack_states(mistakes: Iterable[str], hacks: Sequence[Hack]) -> dict[str, HackState]:
+    """How the program of each of one problem's mistakes stands."""
+    states = {hack.mistake: HackState.GIVEN_UP for hack in hacks if hack.outcome is Outcome.GIVEN_UP}
+    states |= {name.partition("/")[2]: HackState.BROKEN for name in broken(hacks)}
+    return {name: states.get(name, HackState.OPEN) for name in mistakes}
+
+
+def hack_shares(problems: Iterable[Problem], hacks: Sequence[Hack]) -> list[HackShare]:
+    """The share of each of these problems that was tried; the mistakes of no other are read.
+
+    Raises ProblemError where the files that tell of a problem's mistakes are broken.
+    """
+    from judge.mistakes.puzzles import read_puzzles  # most people's history has no attempt
+
+    named, won, found = {hack.problem for hack in hacks}, broken(hacks), []
+    for problem in problems:
+        if problem.id in named:
+            known = {f"{problem.id}/{puzzle.mistake}": puzzle.mistake for puzzle in read_puzzles(problem)}
+            own = {known[name]: when for name, when in won.items() if name in known}
+            found.append(HackShare(problem.id, len(known), own))
     return found

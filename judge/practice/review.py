@@ -13,7 +13,7 @@ this is stored.
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from datetime import datetime, timedelta
 from typing import TypeVar
 
@@ -62,8 +62,7 @@ def reviews(runs: Iterable[Run], helps: Iterable[Help]) -> list[Review]:
             events[run.problem].append(run)
         if run.whole:  # a model solution too, which may be copied
             known.add((run.problem, run.source_hash))
-    rated = {name: [_rated(sitting) for sitting in _sittings(own)] for name, own in events.items()}
-    return _reviews({name: [each for each in own if each] for name, own in rated.items()})
+    return _reviews(events, _rated)
 
 
 def card_reviews(answers: Iterable[Answer]) -> list[Review]:
@@ -71,19 +70,7 @@ def card_reviews(answers: Iterable[Answer]) -> list[Review]:
     of_card: defaultdict[str, list[Answer]] = defaultdict(list)
     for answer in answers:
         of_card[answer.card].append(answer)
-    firsts = {card: [sitting[0] for sitting in _sittings(own)] for card, own in of_card.items()}
-    return _reviews({card: [(each.when, each.rating) for each in own] for card, own in firsts.items()})
-
-
-def _sittings(events: Iterable[_Event]) -> Iterator[list[_Event]]:
-    """The events, in order of time, those of one sitting together."""
-    begun: list[_Event] = []
-    for event in sorted(events, key=lambda event: event.when):
-        if begun and event.when - begun[-1].when >= _SITTING:
-            yield begun
-            begun = []
-        begun.append(event)
-    yield begun
+    return _reviews(of_card, lambda sitting: (sitting[0].when, sitting[0].rating))
 
 
 def _rated(events: Sequence[Run | Help]) -> _Rated | None:
@@ -102,18 +89,25 @@ def _rated(events: Sequence[Run | Help]) -> _Rated | None:
     return (when, Rating.AGAIN) if when else None
 
 
-def _reviews(rated: Mapping[str, Sequence[_Rated]]) -> list[Review]:
+def _reviews(
+    named: Mapping[str, list[_Event]], rate: Callable[[Sequence[_Event]], _Rated | None]
+) -> list[Review]:
     found = []
-    for name, sittings in rated.items():
+    for name, events in named.items():
+        sittings: list[list[_Event]] = []
+        for event in sorted(events, key=lambda event: event.when):
+            if not sittings or event.when - sittings[-1][-1].when >= _SITTING:
+                sittings.append([])
+            sittings[-1].append(event)
+        rated = [each for each in map(rate, sittings) if each]
         step = in_a_row = 0
-        for _, rating in sittings:
+        for _, rating in rated:
             well = rating >= Rating.GOOD
             in_a_row = in_a_row + 1 if well else 0
             step = 0 if rating is Rating.AGAIN else min(max(step + (1 if well else -1), 0), len(LADDER) - 1)
-        if sittings:
-            last, rating = sittings[-1]
-            solved = any(each is not Rating.AGAIN for _, each in sittings)
-            days = LADDER[step]
-            due = last + timedelta(days=days)
-            found.append(Review(name, due, last, rating, len(sittings), in_a_row, days, solved))
+        if rated:
+            last, rating = rated[-1]
+            solved = any(each is not Rating.AGAIN for _, each in rated)
+            due = last + timedelta(days=LADDER[step])
+            found.append(Review(name, due, last, rating, len(rated), in_a_row, LADDER[step], solved))
     return sorted(found, key=lambda review: (review.due, review.name))

@@ -11,39 +11,36 @@ import ast
 import re
 import textwrap
 from collections.abc import Callable, Iterable, Iterator
+from contextlib import suppress
+from functools import partial
+from inspect import getsource
 from itertools import count
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from judge.errors import ProblemError, UsageError
+from judge.errors import ProblemError, UsageError, unwritable
 from judge.files import new_file, read_ordinary, replace_file
-from judge.languages import file_name as program_name
-from judge.languages import language_of
+from judge.languages import file_name, language_of
 from judge.problem import Example, Problem
 from judge.values import parameters
 from judge.values.atoms import Type
-from judge.values.types import Composite, ListType, OptionalType, TupleType, lasting
+from judge.values.types import Composite, TupleType, lasting
 
 if TYPE_CHECKING:
     from judge.languages.model import Language
 
-_DECIMALS = 6  # of a number in a doctest
 _WIDTH = 88  # of a line, as formatters have it
 _INDENT = "    "
 _QUOTES = '"""'
-_ITEM = re.compile(r"(?:[-*+]|\d+[.)])\s+")
-_HEADING = re.compile(r"(#+)\s")
 _FENCE = "```"
-
-
-def file_name(problem: Problem) -> str:
-    """The usual name of a problem's file: one that Python can import."""
-    return usual_name(problem.id)
+_BLOCK = re.compile(r"^```.*?^```$|^#[^\n]*|(?:^(?!```|#)[^\n]*\S[^\n]*\n?)+", re.MULTILINE | re.DOTALL)
+_wrapped = partial(textwrap.wrap, break_long_words=False, break_on_hyphens=False)
+_ITEM = re.compile(r"\n(?=(?:[-*+]|\d+[.)])\s)")  # between two of a list
 
 
 def usual_name(problem: str) -> str:
-    """The same by the problem's id."""
-    return program_name(problem.replace("-", "_"))
+    """The usual name of the file for the problem of that id: one that Python can import."""
+    return file_name(problem.replace("-", "_"))
 
 
 def write_stub(problem: Problem, path: Path, *, over: bool = False) -> Path | None:
@@ -57,37 +54,32 @@ def write_stub(problem: Problem, path: Path, *, over: bool = False) -> Path | No
         ProblemError: no stub can be made of the problem.
     """
     text = make_stub(problem, language_of(path)).encode()
-    where, kept = str(path), None
+    if not path.name or path.is_dir():
+        raise UsageError("this is a folder", where=str(path), remedy="name a file in it")
     try:
-        if not path.name or path.is_dir():
-            raise UsageError("this is a folder", where=where or "''", remedy="name a file in it")
-        if over and path.exists():
-            old = read_ordinary(path)
-            if old != text:
-                kept = _kept_beside(path, old)
-                replace_file(path, text)
-        else:
+        if not (over and path.exists()):
             new_file(path, text)
+        elif (old := read_ordinary(path)) != text:
+            kept = _kept_beside(path, old)
+            replace_file(path, text)
+            return kept
     except FileExistsError as fault:
-        raise UsageError(f"{where} exists. Start over: add --reset") from fault
+        raise UsageError(f"{path} exists. Start over: add --reset") from fault
     except FileNotFoundError as fault:
         remedy = f"make the folder {path.parent} first"
-        raise UsageError("its folder does not exist", where=where, remedy=remedy) from fault
-    except (OSError, ValueError) as fault:  # ValueError: a NUL in the name
-        reason = (getattr(fault, "strerror", None) or str(fault)).lower()
-        raise UsageError(f"cannot be written ({reason})", where=where, remedy="name another file") from fault
-    return kept
+        raise UsageError("its folder does not exist", where=str(path), remedy=remedy) from fault
+    except OSError as fault:
+        raise unwritable(path, fault, "name another file") from fault
+    return None
 
 
 def _kept_beside(path: Path, text: bytes) -> Path:
     """Write a file's text beside it, over no other: FILE.bak, FILE.bak-2 and so on. Raises OSError."""
     for number in count(1):
         kept = path.with_name(f"{path.name}.bak" + (f"-{number}" if number > 1 else ""))
-        try:
+        with suppress(FileExistsError):
             new_file(kept, text)
-        except FileExistsError:
-            continue
-        return kept
+            return kept
     raise AssertionError
 
 
@@ -109,33 +101,23 @@ def make_stub(problem: Problem, language: Language | None = None) -> str:
 
 def _python(problem: Problem, about: Iterable[str]) -> str:
     entry, answer, width = problem.entry, problem.answer, _WIDTH - len(_INDENT)
-    signature = _signature(problem)
+    given = ", ".join(f"{each.name}: {each.type.annotation}" for each in problem.parameters)
+    head, tail = f"def {entry}(", f") -> {answer.annotation}:"
+    rows = [head + given + tail]
+    if len(rows[0]) > _WIDTH:
+        rows = [head, *_wrapped(_INDENT + given, _WIDTH, subsequent_indent=_INDENT), tail]
+    signature = "\n".join(rows)
     named = [answer, *(parameter.type for parameter in problem.parameters)]
     meanings = dict(meaning for type_ in named for meaning in _aliases(type_))
     types = [f"{name} = {meant}" for name, meant in sorted(meanings.items()) if _names(signature, name)]
     if _names(signature, "array"):  # which takes no parameters at run time before Python 3.12
         types = ["from __future__ import annotations", "", "from array import array", "", *types]
     lines = [*_wrapped(problem.summary, width - len(_QUOTES)), *_contract(problem, width, _doctest)]
-    body = [_docstring(lines), f'raise NotImplementedError("{entry} is still to be written")']
-    parts = [
-        "\n".join([_docstring(about), "", *types]).rstrip(),
-        f"{signature}\n{textwrap.indent(chr(10).join(body), _INDENT)}",
-    ]
+    body = f'{_docstring(lines)}\nraise NotImplementedError("{entry} is still to be written")'
+    parts = ["\n".join([_docstring(about), "", *types]).rstrip()]
+    parts.append(f"{signature}\n{textwrap.indent(body, _INDENT)}")
     if answer.measured and problem.examples and _settled(problem):
-        name = answer.several if isinstance(lasting(answer), ListType) else "answer"
-        name = answer.words.answer if answer.words.answer.isidentifier() else name
-        rows = [f"def rounded({name}: {answer.annotation}) -> {answer.annotation}:"]
-        rows.append(f'{_INDENT}"""Round the answer as the examples show it; 0.0 stands for -0.0 too."""')
-        expression = _rounded(answer, name)
-        if expression.startswith("None if "):
-            test, _, expression = expression.removeprefix("None if ").partition(" else ")
-            rows += [f"{_INDENT}if {test}:", f"{_INDENT * 2}return None"]
-        if len(f"{_INDENT}return {expression}") <= _WIDTH:
-            rows.append(f"{_INDENT}return {expression}")
-        else:
-            wrapped = _wrapped(expression, width - len(_INDENT))
-            rows += [f"{_INDENT}return (", *(_INDENT * 2 + row for row in wrapped), f"{_INDENT})"]
-        parts.append("\n".join(rows))
+        parts.append(getsource(rounded).rstrip())
     text = "\n\n\n".join(parts) + "\n"
     try:
         ast.parse(text)
@@ -144,6 +126,16 @@ def _python(problem: Problem, about: Iterable[str]) -> str:
         where = f"{problem.id}/problem.toml"
         raise ProblemError(what, where=where, remedy="write entry and parameters as plain names") from None
     return text
+
+
+def rounded(answer: object) -> object:
+    """Round the answer as the examples show it: a whole number has no point."""
+    if isinstance(answer, list | tuple):
+        return type(answer)(map(rounded, answer))
+    if isinstance(answer, float):
+        answer = round(answer, 6)
+        return int(answer) if answer.is_integer() else answer
+    return answer
 
 
 def _native(problem: Problem, language: Language, about: Iterable[str]) -> str:
@@ -163,9 +155,9 @@ def _native(problem: Problem, language: Language, about: Iterable[str]) -> str:
     indent = _INDENT if head.startswith("static") else ""
 
     def told(problem: Problem, example: Example) -> list[str]:
-        values = zip(problem.parameters, example.case, strict=True)
-        given = [f"{each.name} = {parameters.literal(each.type, value)}" for each, value in values]
-        return [f"{_INDENT}{draft.entry}: {', '.join(given)}  gives  {example.wanted!r}"]
+        literals = zip(problem.parameters, _literals(problem, example), strict=True)
+        given = ", ".join(f"{each.name} = {literal}" for each, literal in literals)
+        return [f"{_INDENT}{draft.entry}: {given}  gives  {_shaped(problem.answer, example.wanted)!r}"]
 
     def comments(lines: Iterable[str], indent: str = "") -> list[str]:
         return [f"{indent}{language.comment} {line}".rstrip() for line in lines]
@@ -175,18 +167,6 @@ def _native(problem: Problem, language: Language, about: Iterable[str]) -> str:
     return "\n\n".join([*filter(None, ("\n".join(comments(about)), before)), function]) + "\n"
 
 
-def _signature(problem: Problem) -> str:
-    """The `def` line, broken as formatters break it where it is too long."""
-    given = [f"{each.name}: {each.type.annotation}" for each in problem.parameters]
-    head, tail = f"def {problem.entry}(", f") -> {problem.answer.annotation}:"
-    inner = ", ".join(given)
-    if len(head + inner + tail) <= _WIDTH:
-        return head + inner + tail
-    if len(_INDENT + inner) <= _WIDTH:
-        return f"{head}\n{_INDENT}{inner}\n{tail}"
-    return "\n".join([head, *(f"{_INDENT}{parameter}," for parameter in given), tail])
-
-
 def _aliases(type_: Type) -> Iterator[tuple[str, str]]:
     """The names that an annotation uses beside Python's own, with what they stand for."""
     type_ = lasting(type_)
@@ -194,25 +174,6 @@ def _aliases(type_: Type) -> Iterator[tuple[str, str]]:
         yield from _aliases(part)
     if isinstance(type_, TupleType) and type_.alias:
         yield type_.alias, type_.spelled
-
-
-def _rounded(type_: Type, what: str) -> str:
-    """The expression that rounds the numbers of an answer."""
-    inner = lasting(type_)
-    if not type_.measured:
-        return what
-    if isinstance(type_, OptionalType):
-        return f"None if {what} is None else {_rounded(inner, what)}"
-    if isinstance(type_, TupleType):
-        parts = (_rounded(part, f"{what}[{at}]") for at, part in enumerate(type_.made_of))
-        return f"({', '.join(parts)})"
-    if isinstance(type_, ListType):
-        item = type_.item
-        if isinstance(item, TupleType) and item.is_vector:
-            parts = (_rounded(part, name) for part, name in zip(item.made_of, item.names, strict=True))
-            return f"[({', '.join(parts)}) for {', '.join(item.names)} in {what}]"
-        return f"[{_rounded(item, 'item')} for item in {what}]"
-    return f"round({what}, {_DECIMALS}) + 0.0"
 
 
 def _names(signature: str, name: str) -> bool:
@@ -235,21 +196,31 @@ def _doctest(problem: Problem, example: Example) -> list[str]:
 
     Where an answer of one's own looks different and is right as well, it is told instead.
     """
-    wanted: Any = example.wanted
-    values = zip(problem.parameters, example.case, strict=True)
-    literals = [parameters.literal(each.type, value) for each, value in values]
-    room = _WIDTH - len(_INDENT + ">>> " + _INDENT)
-    given = ", ".join(each.replace(" ", "\0") if len(each) < room else each for each in literals)
-    call = f"{problem.entry}({given})"
+    wanted, room = _shaped(problem.answer, example.wanted), _WIDTH - 2 * len(_INDENT)
+    given = _literals(problem, example)
+    literals = [each.replace(" ", "\0") if len(each) < room - 4 else each for each in given]
+    call = f"{problem.entry}({', '.join(literals)})"
     if not _settled(problem):
-        told = f"{call} may return {wanted!r}".replace("\0", " ")
-        return _wrapped(told, _WIDTH - len(_INDENT))
+        return _wrapped(f"{call} may return {wanted!r}".replace("\0", " "), _WIDTH - len(_INDENT))
     if problem.answer.measured:
-        call, wanted = f"rounded({call})", eval(_rounded(problem.answer, "wanted"), {"wanted": wanted})
+        call, wanted = f"rounded({call})", rounded(wanted)
     call = f"print({call})" if wanted is None else call
-    rows = [call] if len(call) <= room + len(_INDENT) else _wrapped(call, room + len(_INDENT), _INDENT)
+    rows = [call] if len(call) <= room else _wrapped(call, room, subsequent_indent=_INDENT)
     lines = [f"{'...' if at else '>>>'} {row}".replace("\0", " ") for at, row in enumerate(rows)]
     return [*lines, repr(wanted)]
+
+
+def _literals(problem: Problem, example: Example) -> list[str]:
+    values = zip(problem.parameters, example.case, strict=True)
+    return [parameters.literal(each.type, value) for each, value in values]
+
+
+def _shaped(type_: Type, value: Any) -> Any:
+    """An answer with tuples for tuples: what comes from the cache has lists."""
+    inner = lasting(type_)
+    if value is None or not isinstance(inner, Composite):
+        return value
+    return inner.kind(_shaped(part, each) for part, each in zip(inner.parts(len(value)), value, strict=True))
 
 
 # -- the statement without what the stub has or cannot use ---------------------------------------------------
@@ -262,63 +233,27 @@ def _contract(problem: Problem, width: int, prompt: Callable[[Problem, Example],
     programs that read standard input. `prompt` writes an example.
     """
     examples = {example.line: example for example in problem.examples}
-    skipped = 0  # the level of the heading whose section is left out
-    heading_rows: list[str] = []  # of a section that has said nothing yet
-    for start, block in _blocks(problem.statement):
-        first = block[0]
+    heading, skipped = "", False  # of a section: one that has said nothing yet; whether it is left out
+    for block in _BLOCK.finditer(problem.statement):
+        text, lines = block[0], block[0].splitlines()
+        start = problem.statement.count("\n", 0, block.start()) + 1
+        told = [examples[line] for line in range(start, start + len(lines)) if line in examples]
         rows: list[str] = []
-        if heading := _HEADING.match(first):
-            level = len(heading[1])
-            if level > 1 and (not skipped or level <= skipped):
-                skipped = level if "program" in first.lower() and problem.entry not in first else 0
-            heading_rows = block if level > 1 else []
-        elif told := [examples[line] for line in range(start, start + len(block)) if line in examples]:
+        if text.startswith("#"):
+            heading = text if text.startswith("##") else ""
+            skipped = "program" in heading.lower() and problem.entry not in heading
+        elif told:
             rows = [row for example in told for row in prompt(problem, example)]
-        elif first.startswith(_FENCE):
-            rows = textwrap.indent("\n".join(block[1:-1]), _INDENT).splitlines()
-        elif first.startswith(("|", _INDENT)):
-            rows = block
-        elif not first.startswith(("![", f"Write `{problem.entry}(")):
-            for item in _items(block):
-                marker = _ITEM.match(item)
-                if "is run as a program" not in item:
-                    rows += _wrapped(item, width, " " * (marker.end() if marker else 0))
+        elif text.startswith(_FENCE):
+            rows = [_INDENT + line for line in lines[1:-1]]
+        elif text.startswith(("|", _INDENT)):
+            rows = lines
+        elif not text.startswith(("![", f"Write `{problem.entry}(")):
+            for item in _ITEM.split(text):
+                said = " ".join(item.split())
+                if "is run as a program" not in said:
+                    hanging = " " * (said.index(" ") + 1) if _ITEM.match(f"\n{said}") else ""
+                    rows += _wrapped(said, width, subsequent_indent=hanging)
         if rows and not skipped:
-            for part in (heading_rows, rows):
-                yield from ("", *part) if part else ()
-            heading_rows = []
-
-
-def _blocks(text: str) -> Iterator[tuple[int, list[str]]]:
-    """What stands between blank lines, headings and fences, each with its first line's number, from 1."""
-    block: list[str] = []
-    fenced = False
-    for number, line in enumerate([*text.splitlines(), ""], 1):
-        begins = line.startswith(_FENCE) or _HEADING.match(line) is not None
-        if block and not fenced and (begins or not line.strip() or _HEADING.match(block[0])):
-            yield number - len(block), block
-            block = []
-        if fenced or line.strip():
-            block = [*block, line]
-        if line.startswith(_FENCE):
-            if fenced:
-                yield number + 1 - len(block), block
-                block = []
-            fenced = not fenced
-
-
-def _items(block: Iterable[str]) -> list[str]:
-    """The items of a list, or the one paragraph, each in one line."""
-    found: list[str] = []
-    for line in block:
-        if not found or _ITEM.match(line):
-            found.append(line.strip())
-        else:
-            found[-1] += f" {line.strip()}"
-    return found
-
-
-def _wrapped(text: str, width: int, hanging: str = "") -> list[str]:
-    return textwrap.wrap(
-        text, width, subsequent_indent=hanging, break_long_words=False, break_on_hyphens=False
-    )
+            yield from ("", heading, "", *rows) if heading else ("", *rows)
+            heading = ""

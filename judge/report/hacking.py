@@ -8,7 +8,7 @@ from rich.console import Group, RenderableType
 from rich.text import Text
 
 from judge.data.parse import call_of
-from judge.practice.hacks import HackState
+from judge.practice.progress import HackState
 from judge.report.parts import BAD, FAINT, GOOD, STRONG, commands, facts, indented, joined, table, text
 from judge.report.published_cases import HackStanding, HackTurn
 from judge.report.screen import Screen

@@ -11,7 +11,7 @@ from judge.data.parse import line_of
 from judge.diagnose.replay import encode
 from judge.errors import ExitCode
 from judge.mistakes.puzzles import Puzzle
-from judge.practice.hacks import HackState
+from judge.practice.progress import HackState
 from judge.problem import Problem, Verdict
 from judge.report.published import Published
 from judge.run.tried import Said, Tried

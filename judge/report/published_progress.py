@@ -6,8 +6,7 @@ from datetime import datetime
 
 from msgspec import Struct
 
-from judge.practice.hacks import HackShare
-from judge.practice.progress import Covered, Question, SkillProgress
+from judge.practice.progress import Covered, HackShare, Question, SkillProgress
 from judge.practice.review import Review
 from judge.report.published import Published
 

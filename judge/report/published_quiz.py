@@ -7,17 +7,17 @@ from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
+from judge.practice.cards import Card
 from judge.practice.events import Rating
-from judge.practice.quiz.cards import Card
-from judge.practice.quiz.choose import Practise
+from judge.practice.quiz import Practise
 from judge.practice.review import Review
 from judge.report.published import Published
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
-    from judge.practice.interview import Held
-    from judge.practice.quiz.questions import Question
+    from judge.practice.questions import Question
+    from judge.practice.quiz import Held
 
 
 class CardRow(Published, frozen=True):

@@ -27,9 +27,8 @@ from judge.report.words import counted, shown_name
 
 if TYPE_CHECKING:
     from judge.practice.events import Rating
-    from judge.practice.interview import Held, Plan
-    from judge.practice.quiz.choose import Practise
-    from judge.practice.quiz.questions import Question, Reply
+    from judge.practice.questions import Question, Reply
+    from judge.practice.quiz import Held, Plan, Practise
 
 RATE = "How well? 1 again, 2 hard, 3 good, 4 easy: "
 SAVE = "Save the file. Enter judges it, q goes on: "

@@ -5,7 +5,7 @@ from __future__ import annotations
 from rich.console import Group
 from rich.text import Text
 
-from judge.practice.sets import PracticeSet
+from judge.practice.syllabus import PracticeSet
 from judge.problem import Problem
 from judge.report.parts import FAINT, STRONG, WARNING, bar, text
 from judge.report.screen import Screen, drawn

@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 from cli_support import FLOOR, MEAN
 
-from judge.practice import begin
+from judge.practice import setter
 from judge.practice.events import Help
 from judge.practice.history import History
 from judge.problem.find import find_problem
@@ -154,7 +154,7 @@ def test_what_cannot_be_written_whole_is_not_written_at_all(fault, judge, tmp_pa
         raise fault
 
     (tmp_path / "pack" / "problems").mkdir(parents=True)
-    monkeypatch.setattr(begin, "write_pins", fail)
+    monkeypatch.setattr(setter, "write_pins", fail)
     ended = judge("new", "pack", "mine")
     assert ended.status == (2 if isinstance(fault, OSError) else 130)
     assert list((tmp_path / "pack").iterdir()) == [tmp_path / "pack" / "problems"]

@@ -11,11 +11,22 @@ from math import sqrt
 import pytest
 
 from judge.errors import ProblemError
-from judge.practice.quiz.cards import FORMS, Card, WrongOption, all_cards
-from judge.practice.quiz.questions import Sources, ask
-from judge.practice.quiz.typed import MistypedError, count, number, option, sequence
+from judge.practice.cards import (
+    AnyForm,
+    Card,
+    MistypedError,
+    WrongOption,
+    all_cards,
+    count,
+    number,
+    option,
+    sequence,
+)
+from judge.practice.questions import Sources, ask
 
 NUMBERS = re.compile(r"-?\d+")
+
+FORMS = {each.__struct_config__.tag: each for each in AnyForm.__args__}
 
 
 @pytest.fixture(autouse=True, scope="module")

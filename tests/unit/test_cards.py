@@ -10,9 +10,9 @@ from jsonschema import Draft202012Validator
 
 from judge.errors import ProblemError, UsageError
 from judge.mistakes.puzzles import read_puzzles
-from judge.practice.checklist import read_checklist
-from judge.practice.progress import Kind, assess
-from judge.practice.quiz.cards import all_cards, cards_of, read_decks
+from judge.practice.cards import all_cards, cards_of, read_decks
+from judge.practice.progress import Kind, questions, skills
+from judge.practice.syllabus import read_checklist
 from judge.problem.find import all_problems, find_problem
 from judge.schema import schema_of_file
 
@@ -76,9 +76,9 @@ def test_a_fault_of_a_deck_is_one_line_with_its_place(deck, text, said):
     assert said in str(fault.value)
     assert "\n" not in str(fault.value)
     assert str(fault.value).startswith("quiz/mine.toml")
-    decks, faults = read_decks(where)  # the others are there all the same
+    cards, faults = read_decks(where)  # the others are there all the same
     assert len(faults) == 1
-    assert {each.name for each in decks} == {path.stem for path in DECKS}
+    assert {card.deck for card in cards} == {path.stem for path in DECKS}
 
 
 @pytest.mark.parametrize(
@@ -119,7 +119,8 @@ def test_every_row_can_be_drilled_by_a_card_and_names_only_what_is_here(rows):
     assert {name for row in rows for name in row.skills} <= {each.name for each in read_checklist().skills}
     cards = all_cards()
     assert [card.key for card in cards if not card.rows] == []
-    found = [row for _, own in assess(problems, (), read_checklist(), cards).sections for row in own]
+    checklist = read_checklist()
+    found = questions(problems, {}, skills(problems, {}, checklist.skills), checklist, cards)
     assert [progress.row for progress in found] == [row.id for row in rows]
     for progress in found:
         assert Kind.CARD in [each.kind for each in progress.by], progress.row

@@ -11,14 +11,13 @@ from msgspec.structs import replace
 from past_runs import START, past_result
 
 from judge.errors import ProblemError
-from judge.practice.checklist import Checklist, Row, Section, read_checklist
+from judge.practice.cards import AnyForm, Card
 from judge.practice.events import Answer, Hack, Help, Outcome, Rating
 from judge.practice.history import run_of
-from judge.practice.progress import State, assess
-from judge.practice.quiz.cards import FORMS, Card
-from judge.practice.quiz.choose import next_cards, next_due
+from judge.practice.progress import State, levels, questions, skills, solved, tried
+from judge.practice.quiz import next_cards, next_due
 from judge.practice.review import LADDER, card_reviews, reviews
-from judge.practice.sets import find_set
+from judge.practice.syllabus import Checklist, Row, Section, find_set, read_checklist
 from judge.problem.find import all_problems, find_problem
 from judge.problem.load import load_problem
 from judge.problem.model import KataLevel
@@ -26,6 +25,8 @@ from judge.run.result import LevelResult
 
 ROOT = Path(__file__).parents[2]
 PACK = ROOT / "tests" / "fixtures" / "pack"
+
+FORMS = {each.__struct_config__.tag: each for each in AnyForm.__args__}
 
 
 @pytest.fixture(autouse=True)
@@ -83,12 +84,12 @@ def test_a_new_problem_joins_sets_and_skills_from_its_own_folder(problem):
     (extra[0] / "skills.toml").write_text(
         '[[skills]]\nname = "half"\nabout = "Halves are kept."\n', encoding="utf-8"
     )
-    junior = find_set("junior", extra)
-    assert ids(junior) == ["halves", *ids(find_set("junior"))], "its place comes first"
-    skills = {each.name: each for each in assess(junior.problems, (), read_checklist(extra)).skills}
-    assert ("halves", ("whole",)) in [(need.problem, need.groups) for need in skills["no slopes"].needs]
-    assert skills["half"].about == "Halves are kept."
-    assert [(need.problem, need.groups) for need in skills["half"].needs] == [("halves", ("half",))]
+    junior = find_set("junior", all_problems(extra), extra)
+    assert ids(junior) == ["halves", *ids(find_set("junior", all_problems()))], "its place comes first"
+    found = {each.name: each for each in skills(junior.problems, {}, read_checklist(extra).skills)}
+    assert ("halves", ("whole",)) in [(need.problem, need.groups) for need in found["no slopes"].needs]
+    assert found["half"].about == "Halves are kept."
+    assert [(need.problem, need.groups) for need in found["half"].needs] == [("halves", ("half",))]
 
 
 @pytest.mark.parametrize(
@@ -120,17 +121,18 @@ def run(result, when=START):
     return replace(run_of(result, repr(result).encode(), ""), when=when)
 
 
-def progress(*results, row=None, cards=(), answers=(), hacks=()):
-    """The progress in two shipped katas after results, a day apart."""
-    runs = [run(result, days(day)) for day, result in enumerate(results)]
-    rows = (row,) if row else ()
-    checklist = Checklist(read_checklist().skills, (Section("s", "S"),), rows)
-    return assess([find_problem("segment"), find_problem("count")], runs, checklist, cards, answers, hacks)
+KATAS = [find_problem("segment"), find_problem("count")]
+
+
+def runs_of(results):
+    """Runs that came to these results, a day apart."""
+    return [run(result, days(day)) for day, result in enumerate(results)]
 
 
 def skill(name, *results):
     """How a skill stands in segment."""
-    return next(each for each in progress(*results).within({"segment"}).skills if each.name == name)
+    found = skills(KATAS[:1], tried(runs_of(results)), read_checklist().skills)
+    return next((each for each in found if each.name == name), None)
 
 
 CLAMP = "clamp to a segment"
@@ -145,7 +147,8 @@ def test_a_skill_is_shown_by_one_run_that_passes_all_its_groups():
     assert (parts.state, parts.attempts, parts.since) == (State.OPEN, 2, None)
     whole = skill(CLAMP, *halves, ALL, past_result(passed=GROUPS[:1]))
     assert (whole.state, whole.attempts, whole.since) == (State.SHOWN, 3, days(2))
-    assert [skill for skill in progress(ALL).within({"count"}).skills if skill.met] == []
+    others = skills(KATAS[1:], tried(runs_of([ALL])), read_checklist().skills)
+    assert [skill for skill in others if skill.met] == []
 
 
 def test_a_skill_is_lost_by_the_latest_run_and_keeps_its_date():
@@ -156,26 +159,24 @@ def test_a_skill_is_lost_by_the_latest_run_and_keeps_its_date():
     assert (begun_anew.state, begun_anew.since) == (State.SHOWN, START)
 
 
-def standing_of(*results):
-    found = progress(*results)
-    return found.standings["segment"], [(each.level, each.best, each.since) for each in found.levels[:2]]
+def levels_of(*results):
+    found = levels(KATAS[:1], tried(runs_of(results)))
+    return [(each.level, each.best, each.since) for each in found]
 
 
 def test_levels_are_counted_in_todays_groups_and_an_earlier_run_keeps_what_it_recorded():
     interview, production = KataLevel
     names = [group.name for group in find_problem("segment").of_level(interview)]
     rest = [group.name for group in find_problem("segment").of_level(production)]
-    standing, levels = standing_of(past_result(passed=names, failed=rest[:1]))
-    assert (standing.attempts, standing.best, standing.passed) == (1, 50 * len(names), None)
-    assert levels == [(interview, len(names), START), (production, 0, None)]
+    found = levels_of(past_result(passed=names, failed=rest[:1]))
+    assert found == [(interview, len(names), START), (production, 0, None)]
     earlier = replace(
         past_result(passed=("old",), failed=("older",)), levels=(LevelResult(interview, True, 1, 1, 1),)
     )
-    assert standing_of(earlier)[1] == [(interview, len(names), START), (production, 0, None)]
+    assert levels_of(earlier) == [(interview, len(names), START), (production, 0, None)]
     accepted = past_result(passed=("old", "older"))
-    standing, levels = standing_of(earlier, accepted)
-    assert (standing.attempts, standing.best, standing.passed) == (2, 100, days(1))
-    assert [since for _, _, since in levels] == [START, days(1)]
+    assert [since for _, _, since in levels_of(earlier, accepted)] == [START, days(1)]
+    assert solved(runs_of([earlier, accepted, accepted])) == {"segment": days(1)}
 
 
 def card(name, *rows, form="recall", **keys):
@@ -187,7 +188,10 @@ def answer(name, rating, when=START):
 
 
 def question(row, *results, **shown):
-    ((_, (found,)),) = progress(*results, row=row, **shown).sections
+    checklist = Checklist((), (Section("s", "S"),), (row,))
+    runs = runs_of(results)
+    skilled = skills(KATAS, tried(runs), read_checklist().skills)
+    (found,) = questions(KATAS, solved(runs), skilled, checklist, **shown)
     return found
 
 
@@ -303,8 +307,8 @@ def test_cards_that_are_due_come_first_then_those_that_are_new():
         answer("drawn", Rating.EASY, START + timedelta(minutes=2)),
     ]
     found, now = card_reviews(answers), START + timedelta(days=1, hours=1)
-    assert [each.id for each in next_cards(cards, found, now)] == ["bad", "new"]
-    ahead = [each.id for each in next_cards(cards, found, now, ahead=True)]
+    assert [each.content.id for each in next_cards(cards, found, now)] == ["bad", "new"]
+    ahead = [each.content.id for each in next_cards(cards, found, now, ahead=True)]
     assert ahead == ["bad", "new", "good", "drawn"]
     assert next_due(cards[1:2], found) == next(each.due for each in found if each.name == "deck/good")
     assert next_due(cards[:1], found) is None

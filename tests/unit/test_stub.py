@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from judge.practice.solutions import approaches
 from judge.practice.stub import make_stub
 from judge.problem.find import all_problems
 from judge.problem.load import load_problem
@@ -54,3 +55,20 @@ def test_it_holds_the_contract_with_its_numbers_and_the_examples_as_doctests_tha
 def _doctests(problem):
     """How many examples are tests: none where many answers are right."""
     return len(problem.examples) if problem.answer.settled and problem.parameters else 0
+
+
+PLAIN = [problem for problem in PROBLEMS if problem.id != "vector"]  # whose model answers by numpy
+
+
+@pytest.mark.parametrize("problem", [*PLAIN, MIDDLE], ids=lambda problem: problem.id)
+def test_its_examples_pass_once_the_function_is_written(problem):
+    module = loaded(make_stub(problem))
+    model = {"__name__": "model"}
+    exec(compile(approaches(problem)[0].program, "model.py", "exec"), model)
+    setattr(module, problem.entry, model[problem.entry])
+    said: list[str] = []
+    runner = doctest.DocTestRunner(verbose=False)
+    for test in doctest.DocTestFinder().find(loaded(make_stub(problem)), "stub"):
+        test.globs = vars(module)
+        runner.run(test, out=said.append, clear_globs=False)
+    assert (runner.tries, said) == (_doctests(problem), [])

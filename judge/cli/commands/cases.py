@@ -31,7 +31,7 @@ from judge.judging.session import Session
 from judge.languages import is_program
 from judge.mistakes.puzzles import Puzzle, puzzle_called, read_puzzles
 from judge.practice.events import Hack, Outcome
-from judge.practice.hacks import hack_states, was_shown
+from judge.practice.progress import hack_states, was_shown
 from judge.problem import Case, Problem, Verdict
 from judge.problem.find import find_problem
 from judge.problem.model import Mode, case_of

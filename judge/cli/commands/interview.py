@@ -23,14 +23,13 @@ from judge.cli.watching import Kata, WatchedFile
 from judge.cli.wish import Wish
 from judge.judging.api import RunOptions
 from judge.languages import file_name
+from judge.practice.cards import Card
 from judge.practice.events import Answer, Help, now
-from judge.practice.interview import Held, plan, usual_kata
-from judge.practice.quiz.cards import Card
-from judge.practice.quiz.choose import to_practise
-from judge.practice.quiz.questions import Sources
+from judge.practice.questions import Sources
+from judge.practice.quiz import Held, plan, to_practise, usual_kata
 from judge.practice.review import card_reviews
-from judge.practice.sets import USUAL
 from judge.practice.stub import write_stub
+from judge.practice.syllabus import USUAL
 from judge.problem.find import find_problem
 from judge.report import quiz
 from judge.report.judged import Judged, judged

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import click
 from msgspec import Struct
@@ -13,14 +13,12 @@ from judge.cli.kept import history_at
 from judge.cli.options import Common, command, opt, takes
 from judge.cli.resolve import current, this_folder
 from judge.errors import ProblemError, StoreError, UsageError, nearest
-from judge.practice.sets import USUAL, sound_sets
+from judge.practice.progress import levels, solved, stars, tried
+from judge.practice.syllabus import USUAL, sound_sets
 from judge.problem.find import find_problem, listed_problems
 from judge.problem.model import Listed
 from judge.report.published import KataInFull, KataList, KataRow, KataShown, SetRow, kata_row
 from judge.report.screen import note
-
-if TYPE_CHECKING:
-    from judge.practice.events import Run
 
 _OTHERS = "others"  # the set of the katas that are in none
 
@@ -71,17 +69,9 @@ def _rows(problems: Sequence[Listed], db: Path | None) -> tuple[tuple[KataRow, .
     except StoreError as fault:
         note(str(fault))
         runs, taken_up = [], None
-    rows = (row_of(each, [run for run in runs if run.counts and run.problem == each.id]) for each in problems)
-    return tuple(rows), taken_up.problem if taken_up else ""
-
-
-def row_of(problem: Listed, runs: Sequence[Run]) -> KataRow:
-    """How far these runs have come: a level counts once one run has passed all its groups."""
-    solved = any(run.solved for run in runs)
-    passed = [set(run.passed) for run in runs]
-    levels = [{group.name for group in problem.of_level(level)} for level in problem.levels]
-    stars = len(levels) if solved else sum(any(level <= each for each in passed) for level in levels)
-    return kata_row(problem, solved=solved, stars=stars)
+    done, won = solved(runs), stars(levels(problems, tried(runs)))
+    rows = tuple(kata_row(each, solved=each.id in done, stars=won[each.id]) for each in problems)
+    return rows, taken_up.problem if taken_up else ""
 
 
 def _sets(

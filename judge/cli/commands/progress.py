@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Annotated
@@ -10,20 +9,38 @@ from typing import Annotated
 import click
 from msgspec import Struct
 
-from judge.cli.drilling import known_cards
 from judge.cli.kept import history_at
 from judge.cli.options import Common, command, opt, takes
 from judge.cli.resolve import shown
 from judge.cli.target import OutFile, moment
 from judge.errors import ProblemError, UsageError
 from judge.practice import events
-from judge.practice.checklist import find_row, read_checklist, unknown_skills
-from judge.practice.events import Answer, Hack, Help
-from judge.practice.hacks import hack_shares
-from judge.practice.history import History
-from judge.practice.progress import Progress, State, read_progress, standings
-from judge.practice.review import card_reviews, reviews
-from judge.practice.sets import USUAL, PracticeSet, find_set, sound_sets
+from judge.practice.cards import known_cards, read_decks
+from judge.practice.events import Answer, Hack, Help, Run
+from judge.practice.progress import (
+    SkillProgress,
+    State,
+    Tried,
+    hack_shares,
+    levels,
+    mistakes,
+    questions,
+    skills,
+    solved,
+    stars,
+    tried,
+)
+from judge.practice.review import reviews
+from judge.practice.syllabus import (
+    USUAL,
+    Checklist,
+    PracticeSet,
+    find_row,
+    find_set,
+    read_checklist,
+    sound_sets,
+    unknown_names,
+)
 from judge.problem import Problem
 from judge.problem.find import problem_folders, sound_problems
 from judge.report.published_progress import (
@@ -75,85 +92,89 @@ def progress(name: str, ask: ProgressAsk, common: Common) -> Struct:
         raise UsageError("--out, --name and --open go with --html", remedy="add --html")
     if ask.html:
         return _page(ask, common)
+    folders = common.problems
     with history_at(common.db, reading=True) as history:
-        if ask.due:
-            return _due(history, common.problems)
-        chosen = find_set(name, common.problems)
-        for fault in chosen.faults:
-            note(str(fault), bad=True)
-        problems, _ = sound_problems(common.problems)
-        found, faults = read_progress(history, problems, common.problems)
-        for fault in (*unknown_skills(chosen.problems, common.problems), *faults):
-            note(str(fault), bad=True)
-        if ask.question is not None:
-            row = find_row(ask.question, read_checklist(common.problems).rows).id
-            (one,) = (each for _, rows in found.sections for each in rows if each.row == row)
-            return QuestionShown(question=one)
-        shares = tuple(hack_shares(chosen.problems, history.events(Hack)))
-        due = _due(history, common.problems)
-    sets = sound_sets(problems, common.problems)[0] if chosen.name == USUAL else []
-    own = found.within([problem.id for problem in chosen.problems])
-    parts = [each for each in own.sections if chosen.name in (USUAL, *each[0].sets)] or own.sections
-    stars = Counter(found.stars(problem.id) for problem in chosen.problems)
+        runs, helps = history.runs(), history.events(Help)
+        answers, hacks = history.events(Answer), history.events(Hack)
+    due = _due(runs, helps, answers, folders)
+    if ask.due:
+        return due
+    problems, broken = sound_problems(folders)
+    chosen = find_set(name, problems, folders)
+    checklist = read_checklist(folders)
+    cards, faults = read_decks(folders)
+    for fault in (*broken, *unknown_names(problems, folders), *faults):
+        note(str(fault), bad=True)
+    own, done = tried(runs), solved(runs)
+    every = skills(problems, own, checklist.skills)
+    asked = questions(problems, done, every, checklist, cards, answers, hacks)
+    if ask.question is not None:
+        row = find_row(ask.question, checklist.rows).id
+        return QuestionShown(question=next(each for each in asked if each.row == row))
+    sets = sound_sets(problems, folders)[0] if name == USUAL else []
+    parts = {each.title for each in checklist.sections if name in (USUAL, *each.sets)}
+    shown_levels = levels(chosen.problems, own)
+    won = list(stars(shown_levels).values())
+    shown_skills = skills(chosen.problems, own, checklist.skills)
+    ids = tuple(problem.id for problem in chosen.problems)
     told = ProgressShown(
-        set=chosen.name,
+        set=name,
         title=chosen.title,
-        katas=tuple(problem.id for problem in chosen.problems),
-        solved=tuple(problem.id for problem in chosen.problems if found.solved(problem.id)),
-        one_star=stars[1],
-        two_stars=stars[2],
-        sets=tuple(_share(each, found) for each in sets if each.problems and each.name != USUAL),
-        skills=own.skills,
-        levels=own.levels,
-        mistakes=dict(sum(own.mistakes.values(), Counter[str]()).most_common()),
-        rows=tuple(row for _, rows in parts for row in rows),
-        hacks=shares,
-        next=_next(chosen.problems, found),
+        katas=ids,
+        solved=tuple(each for each in ids if each in done),
+        one_star=won.count(1),
+        two_stars=won.count(2),
+        sets=tuple(_share(each, own, checklist) for each in sets if each.problems and each.name != USUAL),
+        skills=tuple(shown_skills),
+        levels=tuple(shown_levels),
+        mistakes=dict(mistakes(run for name in own if name in ids for run in own[name]).most_common()),
+        rows=tuple([each for each in asked if each.section in parts] or asked),
+        hacks=tuple(hack_shares(chosen.problems, hacks)),
+        next=_next(chosen.problems, own, every),
     )
     return ProgressPage(told, due, ask.whole)
 
 
-def _share(part: PracticeSet[Problem], progress: Progress) -> SetShare:
-    own = progress.within([problem.id for problem in part.problems])
-    stars = Counter(own.stars(problem.id) for problem in part.problems)
+def _share(part: PracticeSet[Problem], own: Tried, checklist: Checklist) -> SetShare:
+    its = levels(part.problems, own)
+    won, shown = list(stars(its).values()), skills(part.problems, own, checklist.skills)
     return SetShare(
         name=part.name,
         katas=len(part.problems),
-        solved=sum(own.solved(problem.id) for problem in part.problems),
-        levelled=len({level.problem for level in own.levels}),
-        one_star=stars[1],
-        two_stars=stars[2],
-        skills=len(own.skills),
-        shown=sum(skill.state is State.SHOWN for skill in own.skills),
+        solved=sum(any(run.solved for run in own.get(each.id, ())) for each in part.problems),
+        levelled=len({level.problem for level in its}),
+        one_star=won.count(1),
+        two_stars=won.count(2),
+        skills=len(shown),
+        shown=sum(skill.state is State.SHOWN for skill in shown),
     )
 
 
-def _next(problems: Sequence[Problem], progress: Progress) -> NextKata | None:
+def _next(problems: Sequence[Problem], own: Tried, shown: Sequence[SkillProgress]) -> NextKata | None:
     """The first that was not tried; None where all were."""
     for problem in problems:
-        if problem.id not in progress.standings:
-            skills = (
-                skill.name
-                for skill in progress.skills
-                if skill.state is not State.SHOWN and problem.id in {need.problem for need in skill.needs}
-            )
-            return NextKata(problem=problem.id, title=problem.title, skill=next(skills, ""))
+        if problem.id not in own:
+            named = {skill.name for skill in problem.skills}
+            new = (each.name for each in shown if each.state is not State.SHOWN and each.name in named)
+            return NextKata(problem=problem.id, title=problem.title, skill=next(new, ""))
     return None
 
 
-def _due(history: History, folders: Sequence[Path]) -> DueShown:
+def _due(
+    runs: Sequence[Run], helps: Sequence[Help], answers: Sequence[Answer], folders: Sequence[Path]
+) -> DueShown:
     """What is unfinished, and what comes again when; a kata that is unfinished is not repeated yet."""
-    today, runs = events.now().astimezone(), history.runs()
-    here = {folder.name for folder in problem_folders(folders)}
-    found = reviews(runs, history.events(Help))
-    tried = {name: each for name, each in standings(runs).items() if each.passed is None and name in here}
-    known = [each for each in found if each.name in here and each.name not in tried]
-    cards = card_reviews(history.events(Answer))
-    if cards:  # whoever has answered none waits for no deck
-        cards = known_cards(cards, folders)
+    today, here = events.now().astimezone(), {folder.name for folder in problem_folders(folders)}
+    found, own, done = reviews(runs, helps), tried(runs), solved(runs)
+    unsolved = {name: tries for name, tries in own.items() if name in here and name not in done}
+    known = [each for each in found if each.name in here and each.name not in unsolved]
+    cards = known_cards(answers, folders)
     return DueShown(
         time=today,
-        now=tuple(Unfinished(problem=name, best=each.best, last=each.last) for name, each in tried.items()),
+        now=tuple(
+            Unfinished(problem=name, best=max(run.score for run in tries), last=tries[-1].when)
+            for name, tries in unsolved.items()
+        ),
         due=tuple(each for each in known if each.is_due(today)),
         later=tuple(each for each in known if not each.is_due(today)),
         elsewhere=tuple(sorted({each.name for each in found} - here)),
@@ -175,20 +196,20 @@ def _page(ask: ProgressAsk, common: Common) -> ProgressWritten:
         runs = [run for run in history.runs() if run.counts]
         if not runs:
             raise UsageError("You have no runs yet", remedy="judge a file first: judge run FILE")
-        solved = {run.problem: run.id for run in runs if run.solved}
-        sources = {name: history.source(number) for name, number in solved.items()}
+        last = {run.problem: run.id for run in runs if run.solved}
+        sources = {name: history.source(number) for name, number in last.items()}
         problems, faults = sound_problems(common.problems)
         for fault in faults:  # its runs are shown all the same
             note(f"a kata is left out: {fault}")
         try:
-            skills = read_progress(history, problems, common.problems)[0].skills
+            shown_skills = skills(problems, tried(runs), read_checklist(common.problems).skills)
         except ProblemError as fault:
             note(f"the skills are left out: {fault}")
-            skills = ()
+            shown_skills = []
     generated = moment().astimezone()
-    page = learner_page(runs, problems, skills, sources, person=ask.person, generated=generated)
+    page = learner_page(runs, problems, shown_skills, sources, person=ask.person, generated=generated)
     target.write(page)
     if ask.opened:
         click.launch(str(ask.out))
-    tried = tuple(sorted({run.problem for run in runs}))
-    return ProgressWritten(out=shown(ask.out), bytes=len(page), runs=len(runs), problems=tried)
+    names = tuple(sorted({run.problem for run in runs}))
+    return ProgressWritten(out=shown(ask.out), bytes=len(page), runs=len(runs), problems=names)

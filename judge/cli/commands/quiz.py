@@ -15,12 +15,11 @@ from judge.cli.kept import history_at
 from judge.cli.options import Common, command, opt, takes
 from judge.errors import ProblemError, UsageError, nearest
 from judge.practice import events
-from judge.practice.checklist import find_row, read_checklist
-from judge.practice.quiz.cards import Card, all_cards, cards_of
-from judge.practice.quiz.choose import next_cards, next_due, to_practise
-from judge.practice.quiz.questions import Sources
+from judge.practice.cards import Card, all_cards, cards_of
+from judge.practice.questions import Sources
+from judge.practice.quiz import next_cards, next_due, to_practise
 from judge.practice.review import card_reviews
-from judge.practice.sets import FIRST, USUAL
+from judge.practice.syllabus import FIRST, USUAL, find_row, read_checklist
 from judge.problem.find import find_problem, problem_folders
 from judge.report.published_quiz import CardList, CardRow, Quizzed, quizzed
 from judge.report.screen import err, out

@@ -25,8 +25,7 @@ from judge.packs.export.forms import why_left_out
 from judge.packs.export.job import Export, Order, check_places, export
 from judge.packs.export.metadata import Version, short_name, short_names
 from judge.packs.export.statement import latex
-from judge.practice.begin import begin_kata
-from judge.practice.check import deck_faults, kata_faults
+from judge.practice.setter import begin_kata, deck_faults, kata_faults
 from judge.problem import Problem
 from judge.problem.find import find_problem, folders_within, problem_folders
 from judge.problem.model import chosen_groups

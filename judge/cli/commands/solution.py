@@ -16,7 +16,7 @@ from judge.cli.resolve import kata_meant
 from judge.errors import UsageError
 from judge.languages import language_of
 from judge.practice.events import Help
-from judge.practice.model import approaches, chosen_approach
+from judge.practice.solutions import approaches, chosen_approach
 from judge.problem import Problem
 from judge.report.published_practice import ApproachRow, HintShown, SolutionShown, Yours
 
@@ -107,26 +107,26 @@ def solution(name: str | None, approach: str | None, ask: SolutionAsk, common: C
     models = approaches(problem)
     model = chosen_approach(problem, models, approach, ask.language)
     yours = _admit(problem, common.db, giving_up=ask.giving_up)
-    programs = [(each.path.name, each.source) for each in models]
+    programs = [(each.file, each.solution.source) for each in models]
     programs += [(yours[0].submission, yours[1])] if yours else []
     taken = (
         _measured(problem, programs, ask.rounds or _ROUNDS, common) if ask.times else [None] * len(programs)
     )
     return SolutionShown(
         problem=problem.id,
-        file=model.path.name,
+        file=model.file,
         language=model.tongue,
-        code=model.language.id if model.language else "python",
-        idea=model.idea,
-        explanation=model.explanation,
+        code=model.solution.language.id if model.solution.language else "python",
+        idea=model.solution.name,
+        explanation=model.solution.text,
         program=model.program,
         approaches=tuple(
             ApproachRow(
                 name=each.name,
                 call=each.call,
-                file=each.path.name,
+                file=each.file,
                 language=each.tongue,
-                about=each.about,
+                about=each.solution.sentence,
                 taken=its,
             )
             for each, its in zip(models, taken, strict=False)

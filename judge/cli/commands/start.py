@@ -11,7 +11,6 @@ from typing import Annotated
 import click
 from msgspec import Struct
 
-from judge.cli.home import next_kata, solved_katas
 from judge.cli.kept import history_at
 from judge.cli.options import Common, command, opt, takes
 from judge.cli.resolve import current, is_problem, problem_of, problem_of_file, shown, this_folder
@@ -19,7 +18,9 @@ from judge.cli.submissions import read_submissions
 from judge.cli.watching import Kata, take_up
 from judge.errors import UsageError
 from judge.languages import file_name, is_program
+from judge.practice.progress import solved
 from judge.practice.stub import write_stub
+from judge.practice.syllabus import next_kata, sound_sets
 from judge.problem import Problem
 from judge.problem.find import find_problem, id_of, sound_problems
 from judge.problem.model import LEVELS
@@ -93,14 +94,17 @@ def _usual(ask: StartAsk, common: Common) -> Kata:
     """The current file, as long as its kata is not solved; else the usual file of the next kata."""
     problems, _ = sound_problems(common.problems)
     with history_at(common.db, reading=True) as history:
-        here, places, solved = current(this_folder(), history), history.places(), solved_katas(history)
-    if here is not None and (here.problem not in solved or ask.reset):
+        here, places, runs = current(this_folder(), history), history.places(), history.runs()
+    done = solved(runs)
+    if here is not None and (here.problem not in done or ask.reset):
         problem = problem_of(here, common.problems)
         if ask.language is None:
             return Kata(problem, Path(here.path))
         return _checked(problem, _named(problem, ask.language))
     last = here or next(iter(places), None)
-    following = next_kata(last.problem if last else "", problems, common.problems, solved)
+    following = next_kata(
+        last.problem if last else "", problems, sound_sets(problems, common.problems)[0], done
+    )
     if following is None:
         raise UsageError("All katas are solved. judge progress shows what you can do")
     return _checked(following, _named(following, ask.language))

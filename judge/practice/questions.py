@@ -11,34 +11,33 @@ spot                               which test group breaks a wrong program
 from __future__ import annotations
 
 import ast
-from collections.abc import Callable, Iterator, Sequence
+import dataclasses
+from collections.abc import Callable, Sequence
 from contextlib import AbstractContextManager
-from dataclasses import replace
 from fractions import Fraction
 from functools import cache, partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import Any, NoReturn
 
 from msgspec import Struct
+from msgspec.structs import replace
 
+from judge.data.draw import Draw, seeded
+from judge.data.load import ProblemData, Progress, load_data
+from judge.drawing import Picture
 from judge.errors import ProblemError
-from judge.practice.quiz.cards import LETTERS, Card, Choice, Count, Drawn, Number, Spot
-from judge.practice.quiz.typed import NONE, NUMBER, count, letters_of, listed, number, option, sequence
-from judge.problem import Problem
+from judge.practice import cards
+from judge.practice.cards import NONE, Card, Choice, Count, Drawn, Number, Spot, listed
+from judge.problem import Group, Problem
+from judge.problem.declare import Shown
 from judge.problem.find import find_problem
-
-if TYPE_CHECKING:
-    from judge.data.draw import Draw
-    from judge.data.load import ProblemData, Progress
-    from judge.drawing import Picture
-    from judge.problem import Group
-    from judge.problem.module import Module
+from judge.problem.model import EXAMPLES
+from judge.problem.module import Module, blaming, load_module
 
 _FRESH = 1_000  # cases that are looked at for one of small numbers
 _PROGRAMS = 12  # wrong programs that are looked at
 _LONGEST = 60  # lines of a program that are shown
 _OPTIONS = 4  # groups to choose from
-_Part = TypeVar("_Part")
 
 
 class Reply(Struct, frozen=True):
@@ -95,17 +94,10 @@ class Sources:
         self.seed = seed
         self._bars = bars
         self.problem: Callable[[str], Problem] = cache(partial(find_problem, extra=folders))
-        self.module: Callable[[str], Module] = cache(self._module)
+        self.module: Callable[[str], Module] = cache(lambda name: load_module(self.problem(name)))
         self.data: Callable[[str], ProblemData] = cache(self._data)
 
-    def _module(self, name: str) -> Module:
-        from judge.problem.module import load_module
-
-        return load_module(self.problem(name))
-
     def _data(self, name: str) -> ProblemData:
-        from judge.data.load import load_data
-
         with self._bars(f"building the data of {name}") as progress:
             return load_data(self.problem(name), progress=progress)
 
@@ -117,18 +109,16 @@ def ask(card: Card, sources: Sources, turn: str) -> Question:
         UsageError: a problem that it names is not here.
         ProblemError: a problem's own code fails, or the card asks for what it has not.
     """
-    from judge.data.draw import Draw, seeded
-
     draw = Draw(seeded(f"quiz/{sources.seed}/{card.key}/{turn}"))
     match card.content:
         case Choice() as content:
-            right = (content.right, Reply(True, ""))
-            wrong = [(each.text, Reply(False, "", each.mistake, each.why)) for each in content.wrong]
-            return _options(card, [right, *wrong], draw, content.right, content.back)
+            replies = [(content.right, Reply(True, ""))]
+            replies += [(each.text, Reply(False, "", each.mistake, each.why)) for each in content.wrong]
+            return _options(card, replies, draw, content.right, content.back)
         case Number() as content:
             answer = f"{content.answer} {content.unit}".rstrip()
-            expects, check = f"a number: {NUMBER}", partial(_nearly, content)
-            return Question(card, expects, answer, check, why=content.back.strip())
+            check = partial(_nearly, content)
+            return Question(card, f"a number: {cards.NUMBER}", answer, check, why=content.back.strip())
         case Count() as content:
             return _count(card, content, sources, draw)
         case Drawn() as content:
@@ -138,33 +128,34 @@ def ask(card: Card, sources: Sources, turn: str) -> Question:
     return Question(card, "Your answer (only Enter if you say it aloud)", card.content.back.strip())
 
 
-def _cannot(card: Card, what: str, remedy: str) -> ProblemError:
-    """The fault of a card that asks for what its problem has not."""
-    return ProblemError(f"card {card.id!r}: {what}", where=f"quiz/{card.deck}.toml", remedy=remedy)
+def _refuse(card: Card, what: str, remedy: str) -> NoReturn:
+    """Raise the ProblemError of a card that asks for what its problem has not."""
+    raise ProblemError(f"card {card.content.id!r}: {what}", where=f"quiz/{card.deck}.toml", remedy=remedy)
 
 
 def _options(
     card: Card, replies: Sequence[tuple[str, Reply]], draw: Draw, answer: str, why: str, program: str = ""
 ) -> Question:
     """A choice between texts, each with what it comes to; the first is right."""
-    order = _shuffled(replies, draw)
-    letters = LETTERS[: len(order)]
-    found = dict(zip(letters, order, strict=True))
-    right = next(letter for letter, each in found.items() if each is replies[0])
+    found: dict[str, tuple[str, Reply]] = dict(zip(cards.LETTERS, _shuffled(replies, draw), strict=False))
+    (right,) = (letter for letter, each in found.items() if each is replies[0])
 
     def check(typed: str) -> Reply:
-        letter = option(typed, letters)
-        reply = found[letter][1]
-        return Reply(reply.right, letter, reply.mistake, reply.why)
+        letter = cards.option(typed, list(found))
+        return replace(found[letter][1], given=letter)
 
-    options = tuple((letter, text) for letter, (text, _) in found.items())
-    shown = f"{right}  {answer}"
     return Question(
-        card, letters_of(letters), shown, check, options=options, program=program, why=why.strip()
+        card,
+        listed(list(found), "or"),
+        f"{right}  {answer}",
+        check,
+        options=tuple((letter, text) for letter, (text, _) in found.items()),
+        program=program,
+        why=why.strip(),
     )
 
 
-def _shuffled(parts: Sequence[_Part], draw: Draw) -> list[_Part]:
+def _shuffled(parts: Sequence[Any], draw: Draw) -> list[Any]:
     """The parts in an order by chance."""
     found = list(parts)
     for end in range(len(found) - 1, 0, -1):
@@ -174,8 +165,8 @@ def _shuffled(parts: Sequence[_Part], draw: Draw) -> list[_Part]:
 
 
 def _nearly(content: Number, typed: str) -> Reply:
-    typed = typed.strip().removesuffix(content.unit) if content.unit else typed
-    found, wanted = number(typed), number(content.answer)
+    typed = typed.strip().removesuffix(content.unit)
+    found, wanted = cards.number(typed), cards.number(content.answer)
     return Reply(abs(found - wanted) <= Fraction(content.within) * abs(wanted), typed.strip())
 
 
@@ -184,62 +175,53 @@ def _nearly(content: Number, typed: str) -> Reply:
 
 def _count(card: Card, content: Count, sources: Sources, draw: Draw) -> Question:
     from judge.data.build import new_case
-    from judge.problem.declare import Shown
-    from judge.problem.module import blaming
 
     problem, module = sources.problem(content.problem), sources.module(content.problem)
+    groups = _groups(card, content, problem)
     with blaming(problem, f"card {card.key}: the problem's own code fails on a fresh case"):
         for _ in range(_FRESH):
-            group = draw.choice(_groups(card, content, problem))
-            case, exact, *_ = new_case(problem, module, group, lambda _attempt: draw.integer)
-            if not content.largest or all(
-                abs(each) <= content.largest and each == int(each) for each in _numbers(case)
-            ):
+            case, exact, *_ = new_case(problem, module, draw.choice(groups), lambda _attempt: draw.integer)
+            if not content.largest or _is_small(case, content.largest):
                 break
         else:
             what = f"no case is in whole numbers up to {content.largest}"
-            raise _cannot(card, what, "raise largest, or name other groups")
+            _refuse(card, what, "raise largest, or name other groups")
         values = problem.named(case)
         shown = Shown(problem, values, None, None, None)  # else the answer would be drawn
         drawn = module.hooks.picture(shown) if module.hooks.picture else None
     if drawn:  # the figure at true scale alone, and no words but the names of its points
-        whole = replace(drawn.whole, title="", note="")
-        drawn = replace(drawn, heading="", description="", whole=whole, lens=None, facts=())
-    many = NONE if exact is None else str(len(exact)) if isinstance(exact, list) else str(exact)
-    if not (exact is None or isinstance(exact, list) or (type(exact) is int and exact >= 0)):
+        drawn = Picture("", "", "", dataclasses.replace(drawn.whole, title=""), None, ())
+    found = len(exact) if isinstance(exact, list) else exact
+    if found is not None and not (type(found) is int and found >= 0):
         what = f"the answer of {card.problem} counts nothing"
-        raise _cannot(card, what, "name a problem that answers a count or a list")
+        _refuse(card, what, "name a problem that answers a count or a list")
+    many = NONE if found is None else str(found)
 
     def check(typed: str) -> Reply:
-        found = count(typed)
-        return Reply(found == many, found)
+        given = cards.count(typed)
+        return Reply(given == many, given)
 
-    given = ", ".join(f"{name}={_plain(value)}" for name, value in values.items())
-    expects, why = "a number, or none", content.back.strip()
-    return Question(card, expects, many, check, given=(given,), picture=drawn, why=why)
+    told = ", ".join(f"{name}={_plain(value)}" for name, value in values.items())
+    why = content.back.strip()
+    return Question(card, "a number, or none", many, check, given=(told,), picture=drawn, why=why)
 
 
-def _numbers(value: Any) -> Iterator[float]:
-    """The numbers in a case."""
-    if isinstance(value, int | float):
-        yield value
-    elif isinstance(value, tuple | list):
-        for part in value:
-            yield from _numbers(part)
+def _is_small(value: Any, largest: int) -> bool:
+    """Whether all numbers in a case are whole and at most so large."""
+    if isinstance(value, tuple | list):
+        return all(_is_small(part, largest) for part in value)
+    return not isinstance(value, int | float) or (abs(value) <= largest and value == int(value))
 
 
 def _groups(card: Card, content: Count, problem: Problem) -> list[Group]:
-    from judge.problem.model import EXAMPLES
-
     able = {each.name: each for each in problem.groups if each.name != EXAMPLES and each.size is None}
     for name in content.groups:
         if name not in able:
             what = f"{problem.id} has no group {name!r} to draw from"
-            raise _cannot(card, what, f"name some of {', '.join(able)}")
-    found = [each for name, each in able.items() if not content.groups or name in content.groups]
-    if not found:
-        raise _cannot(card, f"{problem.id} has no group to draw from", "name another problem")
-    return found
+            _refuse(card, what, f"name some of {', '.join(able)}")
+    if not able:
+        _refuse(card, f"{problem.id} has no group to draw from", "name another problem")
+    return [each for name, each in able.items() if name in (content.groups or able)]
 
 
 def _plain(value: Any) -> str:
@@ -249,24 +231,24 @@ def _plain(value: Any) -> str:
 
 
 def _drawn(card: Card, content: Drawn, sources: Sources, draw: Draw) -> Question:
-    from judge.problem.module import blaming
-
     problem, module = sources.problem(content.problem), sources.module(content.problem)
     make = module.hooks.puzzle
     with blaming(problem, f"card {card.key}: the figure cannot be made"):
         figure = make(card.form, draw, module.solve) if make else None
     if figure is None:
-        raise _cannot(card, f"{problem.id} has no figure for {card.form!r}", "name another problem, or form")
+        _refuse(card, f"{problem.id} has no figure for {card.form!r}", "name another problem, or form")
     words = [f"{word} ({meaning})" if meaning else word for word, meaning in figure.words.items()]
-    expects = f"{listed(words, 'or' if figure.one else 'and')}{'' if figure.one else ' in order'}, or {NONE}"
+    expects = listed(words, "or") if figure.one else f"{listed(words, 'and')} in order"
+    answer = " ".join(figure.answer) or NONE
 
     def check(typed: str) -> Reply:
-        found = sequence(typed, figure.words)
-        return Reply(found == figure.answer, " ".join(found) or NONE)
+        found = " ".join(cards.sequence(typed, figure.words)) or NONE
+        return Reply(found == answer, found)
 
-    answer = " ".join(figure.answer) or NONE
-    why = " ".join(part for part in (figure.why, content.back.strip()) if part)
-    return Question(card, expects, answer, check, given=figure.given, picture=figure.picture, why=why)
+    why = f"{figure.why} {content.back}".strip()
+    return Question(
+        card, f"{expects}, or {NONE}", answer, check, given=figure.given, picture=figure.picture, why=why
+    )
 
 
 # -- wrong programs ----------------------------------------------------------------------------------------
@@ -286,7 +268,7 @@ def _spot(card: Card, content: Spot, sources: Sources, draw: Draw) -> Question:
     ]
     if not puzzles:
         what = f"{card.problem} has no program with such a mistake"
-        raise _cannot(card, what, f"name mistakes of its {MISTAKES}, or none")
+        _refuse(card, what, f"name mistakes of its {MISTAKES}, or none")
     data = sources.data(content.problem)
     for _ in range(_PROGRAMS):
         puzzle = draw.choice(puzzles)
@@ -296,15 +278,14 @@ def _spot(card: Card, content: Spot, sources: Sources, draw: Draw) -> Question:
         passing = [each for each in asked if not does[each.name].wrong]
         if breaking and passing:
             right = draw.choice(breaking)
-            others = _shuffled(passing, draw)[: _OPTIONS - 1]
             replies = [(f"{right.name}: {right.about}", Reply(True, ""))]
-            for each in others:
+            for each in _shuffled(passing, draw)[: _OPTIONS - 1]:
                 why = f"It answers every case of {each.name} rightly."
                 replies.append((f"{each.name}: {each.about}", Reply(False, "", why=why)))
             answer, why = f"{right.name}: it is {puzzle.mistake}", f"{puzzle.advice} {content.back}"
             return _options(card, replies, draw, answer, why, puzzle.source.decode())
     what = f"no program of {card.problem} is broken by some groups and not by others"
-    raise _cannot(card, what, "name other mistakes, or another problem")
+    _refuse(card, what, "name other mistakes, or another problem")
 
 
 def _readable(source: bytes) -> bool:

@@ -15,7 +15,8 @@ it practises, `sets` the practice sets that the deck's cards are asked with.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import re
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from pathlib import Path
 
@@ -23,18 +24,21 @@ import msgspec
 from msgspec import Struct
 
 from judge.errors import ProblemError, UsageError
-from judge.practice.checklist import read_checklist
-from judge.practice.quiz.typed import NUMBER, MistypedError, number
-from judge.practice.sets import USUAL, set_names
-from judge.problem.find import problem_roots
+from judge.practice.events import Answer
+from judge.practice.review import Review, card_reviews
+from judge.practice.syllabus import USUAL, Table, read_checklist, set_files, toml_files
 from judge.problem.toml import TomlFile, meant, refusal
 
 _NAME = frozenset("abcdefghijklmnopqrstuvwxyz0123456789-")
 _LONGEST = 2_000  # characters of a text
+_QUOTED = 40  # characters of what is typed
+_NUMBER = re.compile(r"([+-]?\d{1,40}(?:\.\d{0,40})?)(?:[eE]([+-]?\d{1,3}))?(?:/(\d{1,40}))?", re.ASCII)
 LETTERS = "abcdefgh"  # of options
+NONE = "none"
+NUMBER = "4, 0.5, 1e-9 or 2/3"
 
 
-class WrongOption(Struct, forbid_unknown_fields=True, frozen=True):
+class WrongOption(Table, frozen=True):
     """A wrong option of a choice: a mistake with its name, and why it is one."""
 
     text: str
@@ -42,7 +46,7 @@ class WrongOption(Struct, forbid_unknown_fields=True, frozen=True):
     why: str
 
 
-class Content(Struct, tag_field="form", forbid_unknown_fields=True, frozen=True, kw_only=True):
+class Content(Table, tag_field="form", frozen=True, kw_only=True):
     """What a card of any form says: `front` is asked, and `back` is told afterwards."""
 
     id: str
@@ -55,9 +59,10 @@ class Content(Struct, tag_field="form", forbid_unknown_fields=True, frozen=True,
             raise refusal(f"{self.id!r} is not an id", "write it in small letters, digits and -")
         for field in msgspec.structs.fields(self):
             text = getattr(self, field.name)
-            empty = isinstance(text, str) and field.required and not text.strip()
-            if empty or (isinstance(text, str) and len(text) > _LONGEST):
-                raise refusal(f"{field.name} is {'empty' if empty else 'too long'}", "write a sentence")
+            if isinstance(text, str):
+                empty = field.required and not text.strip()
+                if empty or len(text) > _LONGEST:
+                    raise refusal(f"{field.name} is {'empty' if empty else 'too long'}", "write a sentence")
 
 
 class Recall(Content, tag="recall", frozen=True):
@@ -79,9 +84,8 @@ class Choice(Content, tag="choice", frozen=True):
             if text in texts[:place]:
                 raise refusal(f"two options say {text!r}", "change one of them")
         if not all(part.strip() for each in self.wrong for part in (each.text, each.mistake, each.why)):
-            raise refusal(
-                "a wrong option is empty", "write its text, its mistake's name, and why it is wrong"
-            )
+            remedy = "write its text, its mistake's name, and why it is wrong"
+            raise refusal("a wrong option is empty", remedy)
 
 
 class Number(Content, tag="number", frozen=True):
@@ -136,11 +140,10 @@ class Spot(Content, tag="spot", frozen=True, kw_only=True):
 
 
 AnyForm = Recall | Choice | Number | Count | FirstHit | Order | Tags | Spot
-FORMS = {each.__struct_config__.tag: each for each in AnyForm.__args__}
 
 
 class Card(Struct, frozen=True):
-    """One card of a deck; `key` is how the history knows it: `junior/three-counts`."""
+    """One card of a deck, which is asked with these practice sets."""
 
     deck: str
     content: AnyForm
@@ -148,13 +151,8 @@ class Card(Struct, frozen=True):
 
     @property
     def key(self) -> str:
-        """Its deck and its id."""
-        return f"{self.deck}/{self.id}"
-
-    @property
-    def id(self) -> str:
-        """Its name in its deck."""
-        return self.content.id
+        """How the history knows it: its deck and its id, `junior/three-counts`."""
+        return f"{self.deck}/{self.content.id}"
 
     @property
     def form(self) -> str:
@@ -177,67 +175,61 @@ class Card(Struct, frozen=True):
         return getattr(self.content, "problem", "")
 
 
-class Deck(Struct, frozen=True):
-    """One file of cards."""
-
-    name: str
-    path: Path
-    title: str
-    cards: tuple[Card, ...]
-
-
-class _DeckTable(Struct, forbid_unknown_fields=True, frozen=True):
+class _DeckTable(Table, frozen=True):
     title: str
     cards: list[AnyForm]
     sets: tuple[str, ...] = ()
 
 
-def read_decks(extra: Sequence[Path] = ()) -> tuple[list[Deck], list[ProblemError]]:
-    """Every deck that can be read, one of each name, and the fault of each that cannot.
+def read_decks(extra: Sequence[Path] = ()) -> tuple[list[Card], list[ProblemError]]:
+    """The cards of every deck that can be read, one deck of each name, and the fault of each that cannot.
 
     The sets' own decks come first, in the sets' order.
     """
-    found: dict[str, Path] = {}
-    for root in problem_roots(extra):
-        for path in sorted((root / "quiz").glob("*.toml")):
-            found.setdefault(path.stem, path)
-    sets = set_names(extra)
-    decks: list[Deck] = []
+    cards: list[Card] = []
     faults: list[ProblemError] = []
+    sets = list(set_files(extra))
     try:
         rows = [row.id for row in read_checklist(extra).rows]
     except ProblemError as fault:
         return [], [fault]
-    for name in sorted(found, key=lambda name: (sets.index(name) if name in sets else len(sets), name)):
+    for name, path in toml_files("quiz", sets, extra).items():
         try:
-            decks.append(_deck(name, found[name], rows, sets))
+            cards += _deck(TomlFile(path), name, rows, sets)
         except ProblemError as fault:
             faults.append(fault)
-    return decks, faults
+    return cards, faults
 
 
 def all_cards(extra: Sequence[Path] = ()) -> list[Card]:
     """The cards of all decks, in their order. Raises ProblemError where a deck is broken."""
-    decks, faults = read_decks(extra)
+    cards, faults = read_decks(extra)
     for fault in faults:
         raise fault
-    return [card for deck in decks for card in deck.cards]
+    return cards
+
+
+def known_cards(answers: Sequence[Answer], extra: Sequence[Path] = ()) -> list[Review]:
+    """How the cards stand that were answered and are in a deck that can be read, as `card_reviews`."""
+    if not answers:  # whoever has answered none waits for no deck
+        return []
+    keys = {card.key for card in read_decks(extra)[0]}
+    return [review for review in card_reviews(answers) if review.name in keys]
 
 
 def cards_of(name: str, cards: Sequence[Card], extra: Sequence[Path] = ()) -> list[Card]:
     """The cards of a practice set, or of a deck. Raises UsageError where nothing is called so."""
-    found = [card for card in cards if name == USUAL or name == card.deck or name in card.sets]
+    found = [card for card in cards if name in (USUAL, card.deck, *card.sets)]
     if not found:
-        known = list(dict.fromkeys([*set_names(extra), *(card.deck for card in cards)]))
-        what = f"The set {name!r} has no cards" if name in known else f"There is no set of cards {name!r}"
+        known = list(dict.fromkeys([*set_files(extra), *(card.deck for card in cards)]))
+        if name not in known:
+            raise UsageError(f"There is no set of cards {name!r}", remedy=meant(name, known))
         holding = [each for each in known if each == USUAL or any(each in card.sets for card in cards)]
-        remedy = meant(name, known) if name not in known else f"cards are in {', '.join(holding)}"
-        raise UsageError(what, remedy=remedy)
+        raise UsageError(f"The set {name!r} has no cards", remedy=f"cards are in {', '.join(holding)}")
     return found
 
 
-def _deck(name: str, path: Path, rows: Sequence[str], sets: Sequence[str]) -> Deck:
-    file = TomlFile(path)
+def _deck(file: TomlFile, name: str, rows: Sequence[str], sets: Sequence[str]) -> list[Card]:
     table = file.read(_DeckTable)
     for place, each in enumerate(table.sets):
         if each not in sets:
@@ -253,4 +245,70 @@ def _deck(name: str, path: Path, rows: Sequence[str], sets: Sequence[str]) -> De
             if row not in rows:
                 what = f"the checklist has no row {row!r}"
                 raise file.fault(what, meant(row, rows), "cards", place, "rows", at)
-    return Deck(name, path, table.title, tuple(Card(name, card, table.sets) for card in table.cards))
+    return [Card(name, card, table.sets) for card in table.cards]
+
+
+# -- what a person types -----------------------------------------------------------------------------------
+
+
+class MistypedError(Exception):
+    """What was typed is not an answer; the message says what one looks like."""
+
+
+def number(text: str) -> Fraction:
+    """The number that is typed. Raises MistypedError."""
+    found = _NUMBER.fullmatch(text.strip().replace("−", "-").replace(" ", ""))
+    if found is None:
+        raise _mistyped(text, "a number", NUMBER)
+    value, power, under = found.groups()
+    if under and not int(under):
+        raise MistypedError("Nothing can be divided by 0")
+    return Fraction(value) * Fraction(10) ** int(power or 0) / int(under or 1)
+
+
+def count(text: str) -> str:
+    """How many are typed, or `none`. Raises MistypedError."""
+    word = text.strip().lower()
+    if word == NONE:
+        return NONE
+    if not re.fullmatch(r"\d{1,6}", word, re.ASCII):
+        raise _mistyped(text, "a number", "0, 1, 2 … or none")
+    return str(int(word))
+
+
+def option(text: str, letters: Sequence[str]) -> str:
+    """The letter that is typed. Raises MistypedError."""
+    word = text.strip().lower().strip("().")
+    if word not in letters:
+        raise _mistyped(text, "one of the options", listed(letters, "or"))
+    return word
+
+
+def sequence(text: str, words: Mapping[str, str]) -> tuple[str, ...]:
+    """The words that are typed, each as it is or by what it means, in any case; empty for `none`.
+
+    Words of one letter each may be typed without blanks. Raises MistypedError.
+    """
+    parts = [part for part in re.split(r"[\s,;>→]+", text.lower()) if part]
+    if parts == [NONE]:
+        return ()
+    known = {word.lower(): word for word in words}
+    known |= {meaning.lower(): word for word, meaning in words.items() if meaning}
+    if len(parts) == 1 and parts[0] not in known and all(len(word) == 1 for word in words):
+        parts = list(parts[0])
+    lost = next((part for part in parts if part not in known), None)
+    if lost is not None or not parts:
+        raise _mistyped(lost or text, f"one of {listed(list(words), 'and')}", "them in their order, or none")
+    return tuple(known[part] for part in parts)
+
+
+def listed(words: Sequence[str], last: str) -> str:
+    """The words with commas, and the `last` word before the last of them: `a, b or c`."""
+    *first, end = words
+    return f"{', '.join(first)} {last} {end}" if first else end
+
+
+def _mistyped(text: str, kind: str, remedy: str) -> MistypedError:
+    word = text.strip()
+    shown = repr(word if len(word) <= _QUOTED else f"{word[:_QUOTED]}…")
+    return MistypedError(f"{shown} is not {kind}. Type {remedy}")

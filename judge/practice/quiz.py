@@ -1,0 +1,164 @@
+"""Which cards are asked next, what to practise afterwards, and the mock interview: cards, a kata, cards."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from contextlib import suppress
+from datetime import datetime
+from itertools import chain, zip_longest
+from pathlib import Path
+
+from msgspec import Struct
+
+from judge.errors import UsageError
+from judge.practice.cards import Card
+from judge.practice.events import Help, Run
+from judge.practice.progress import solved
+from judge.practice.review import Review, reviews
+from judge.practice.syllabus import FIRST, USUAL, find_set, read_checklist
+from judge.problem import Problem, Tier, Verdict
+from judge.problem.find import problem_folders, sound_problems
+from judge.run.result import Result
+
+_BEFORE, _AFTER = 6, 15  # minutes of the interview for each card before the kata, and after it
+
+
+class Practise(Struct, frozen=True):
+    """A question of the checklist to practise, and the commands that do."""
+
+    question: str
+    ask: str
+    commands: tuple[str, ...]
+
+
+def next_cards(
+    cards: Sequence[Card], reviews: Sequence[Review], now: datetime, *, own: str = "", ahead: bool = False
+) -> list[Card]:
+    """The cards that are due, the longest overdue first, then new ones, those of the set `own` before others.
+
+    With `ahead` all the others follow, the next due first.
+    """
+    by_key = {card.key: card for card in cards}
+    known = [(by_key[review.name], review.is_due(now)) for review in reviews if review.name in by_key]
+    answered = {card.key for card, _ in known}
+    new = [card for card in cards if card.key not in answered]
+    later = [card for card, is_due in known if not is_due]
+    return [
+        *(card for card, is_due in known if is_due),
+        *sorted(new, key=lambda card: own not in card.sets),
+        *(later if ahead else ()),
+    ]
+
+
+def next_due(cards: Iterable[Card], reviews: Iterable[Review]) -> datetime | None:
+    """When the next of these cards is due; None where none was ever answered."""
+    keys = {card.key for card in cards}
+    return next((review.due for review in reviews if review.name in keys), None)
+
+
+def to_practise(
+    missed: Sequence[Card], folders: Sequence[Path], more: Mapping[str, str] | None = None
+) -> tuple[Practise, ...]:
+    """The questions of cards that were not known, and those in `more`, each with its command.
+
+    A card that practises several questions stands for its first one. Raises ProblemError where the
+    checklist is broken.
+    """
+    asked = [card.rows[0] for card in missed if card.rows]
+    commands = {**(more or {}), **{row: f"judge quiz --question {row}" for row in asked}}
+    here = {folder.name for folder in problem_folders(folders)}
+    return tuple(
+        Practise(
+            row.id,
+            row.ask,
+            (commands[row.id], *(f"judge start {kata}" for kata in row.katas if kata in here)),
+        )
+        for row in read_checklist(folders).rows
+        if row.id in commands
+    )
+
+
+# -- the interview -----------------------------------------------------------------------------------------
+
+
+class Plan(Struct, frozen=True):
+    """The cards before the kata and after it."""
+
+    before: tuple[Card, ...]
+    after: tuple[Card, ...]
+
+    @property
+    def count(self) -> int:
+        """How many cards it has."""
+        return len(self.before) + len(self.after)
+
+
+def plan(cards: Sequence[Card], minutes: int, answered: Sequence[Review], now: datetime) -> Plan:
+    """At least two cards before the kata and one after it, from easy to hard.
+
+    They are about equally many of each set, and within a set in their order; cards of no set come last.
+    """
+    before, after = max(2, minutes // _BEFORE), max(1, minutes // _AFTER)
+    sets = [FIRST, *(tier.value for tier in Tier), ""]
+    of_set: dict[str, list[Card]] = {name: [] for name in sets}
+    for card in next_cards(cards, answered, now, ahead=True):
+        of_set[next((name for name in sets if name in card.sets), "")].append(card)
+    in_turn = [card for turn in zip_longest(*of_set.values()) for card in turn if card][: before + after]
+    found = [card for card in chain(*of_set.values()) if card in in_turn]
+    return Plan(tuple(found[:before]), tuple(found[before:]))
+
+
+def usual_kata(
+    name: str, runs: Sequence[Run], helps: Sequence[Help], now: datetime, folders: Sequence[Path]
+) -> Problem:
+    """The kata of the set that is due; failing that, the first unsolved one past the first steps; or any."""
+    every, _ = sound_problems(folders)
+    problems = find_set(USUAL, every, folders).problems
+    with suppress(UsageError):  # the name of a deck
+        problems = find_set(name, every, folders).problems
+    named = {problem.id: problem for problem in problems}
+    for review in reviews(runs, helps):
+        if review.name in named and review.is_due(now):
+            return named[review.name]
+    done = solved(runs)
+    new = [each for each in problems if each.id not in done]
+    later = [each for each in new if FIRST not in each.sets]
+    return (later or new or problems)[0]
+
+
+class Held(Struct, frozen=True):
+    """What became of the kata: how often its file was judged, and the last result."""
+
+    problem: Problem
+    file: str
+    runs: int = 0
+    last: Result | None = None
+
+    def after(self, result: Result) -> Held:
+        """The same once that result is there."""
+        return Held(self.problem, self.file, self.runs + 1, result)
+
+    @property
+    def solved(self) -> bool:
+        """Whether the last run was accepted with no group left out."""
+        return self.last is not None and self.last.verdict is Verdict.AC
+
+    @property
+    def lacking(self) -> tuple[str, ...]:
+        """The skills that the last run did not show; none where nothing was judged."""
+        if self.last is None:
+            return ()
+        passed = {group.name for group in self.last.groups if group.verdict is Verdict.AC}
+        return tuple(skill.name for skill in self.problem.skills if not passed.issuperset(skill.groups))
+
+    def questions(self, folders: Sequence[Path]) -> dict[str, str]:
+        """The questions of the checklist that the last run left open, each with a command that goes on."""
+        if self.solved or not self.runs:
+            return {}
+        lacking = set(self.lacking)
+        command = f"judge {'hint' if self.problem.has_hints else 'show'} {self.problem.id}"
+        return {
+            row.id: command
+            for row in read_checklist(folders).rows
+            if lacking.intersection(row.skills) or (not lacking and self.problem.id in row.katas)
+        }

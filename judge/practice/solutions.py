@@ -1,0 +1,112 @@
+"""The solutions that are shown after a problem is solved: the approaches, why each works, its program."""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Sequence
+from importlib.util import decode_source
+
+from msgspec import Struct
+
+from judge.errors import ProblemError, UsageError
+from judge.languages import NAME, SUFFIX
+from judge.problem import Problem
+from judge.problem.solutions import Kind, Solution, parted, read_solutions, tree_of
+from judge.problem.toml import meant
+
+
+class Model(Struct, frozen=True):
+    """An approach: its solution, and the program without the lines that tell of it."""
+
+    solution: Solution
+    program: str
+
+    @property
+    def file(self) -> str:
+        """The name of its file."""
+        return self.solution.path.name
+
+    @property
+    def name(self) -> str:
+        """What the approach is called by: `cross-product`."""
+        language = self.solution.language
+        suffixes = language.suffixes if language else (SUFFIX,)
+        suffix = next(each for each in suffixes if self.file.endswith(each))
+        return self.file.removesuffix(suffix).replace("_", "-")
+
+    @property
+    def tongue(self) -> str:
+        """The name of its language."""
+        return self.solution.language.name if self.solution.language else NAME
+
+    @property
+    def call(self) -> str:
+        """What names it among those of all languages: its name in Python, its file's in another one."""
+        return self.file if self.solution.language else self.name
+
+
+def approaches(problem: Problem) -> list[Model]:
+    """The accepted functions, at least one: Python's first, and of these the one that sets the time limit.
+
+    Raises:
+        ProblemError: there is none, or none that can be read.
+    """
+    programs, faults = read_solutions(problem, Kind.ACCEPTED)
+    timed = problem.time.function if problem.time else None
+
+    def rank(solution: Solution) -> tuple[int, str, bool]:
+        language = solution.language
+        order = (language.order, language.id) if language else (-1, "")
+        return (*order, solution.path.name != timed)
+
+    shown = [(each, _program(each, problem.entry)) for each in sorted(programs, key=rank)]
+    if found := [Model(each, program) for each, program in shown if program is not None]:
+        return found
+    for fault in faults:
+        raise fault
+    what = f"there is no accepted solution that defines {problem.entry}"
+    folder = problem.solutions / Kind.ACCEPTED.value
+    raise ProblemError(what, where=f"{problem.solutions.name}/{folder.name}", remedy=f"add one to {folder}")
+
+
+def _program(solution: Solution, entry: str) -> str | None:
+    """What follows the text that it begins with; None where it does not define `entry`."""
+    if solution.language is not None:
+        from judge.languages.sources import definition  # only where there is such a file
+
+        defined = definition(solution.language, solution.source, entry) is not None
+        return parted(solution.source, solution.language)[1] if defined else None
+    tree = tree_of(solution.source)
+    if not any(isinstance(part, ast.FunctionDef) and part.name == entry for part in tree.body):
+        return None
+    lines = decode_source(solution.source).splitlines()
+    if ast.get_docstring(tree) is not None:
+        lines[tree.body[0].lineno - 1 : tree.body[0].end_lineno] = []
+    return "\n".join(lines).strip("\n")
+
+
+def chosen_approach(
+    problem: Problem, models: Sequence[Model], name: str | None, language: str | None = None
+) -> Model:
+    """The approach of that name, or the first; in the language that is meant, where one is.
+
+    Raises UsageError where there is none.
+    """
+    if language is not None:
+        from judge.languages.model import named_language
+
+        tongue = named_language(language)
+        mine = [model for model in models if model.solution.language == tongue]
+        if not mine:
+            what = f"{problem.id} has no solution in {tongue.name if tongue else NAME}"
+            tongues = ", ".join(dict.fromkeys(model.tongue for model in models))
+            raise UsageError(what, remedy=f"there are some in {tongues}")
+        models = mine
+    if name is None:
+        return models[0]
+    wanted = name.removesuffix(SUFFIX).replace("_", "-").replace(" ", "-")
+    for model in models:
+        if name == model.file or wanted in (model.name, model.solution.name.replace(" ", "-")):
+            return model
+    remedy = meant(wanted, [model.call for model in models])
+    raise UsageError(f"{problem.id} has no approach {name!r}", remedy=remedy)

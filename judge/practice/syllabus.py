@@ -1,0 +1,282 @@
+"""What there is to learn, in the folders of problems: practice sets, skills, and a checklist of questions.
+
+    problems/sets/middle.toml          title = "Middle"
+                                       about = "One sentence for the list of sets."
+    problems/count/problem.toml        sets = ["middle", "path"]
+
+    problems/skills.toml               [[skills]]
+                                       name = "far from the origin"
+                                       about = "Subtract first: large squares drown small numbers."
+    problems/count/problem.py          group("offset", …, skills="far from the origin")
+
+    problems/checklist.toml            [[sections]]
+                                       id = "junior"
+                                       title = "Junior questions"
+                                       sets = ["junior"]
+                                       [[rows]]
+                                       id = "J3"
+                                       section = "junior"
+                                       ask = "How far is a point from the line through A and B?"
+                                       katas = ["distance"]
+
+The katas of a set are in the order in which to take them up. A set's file may list its `problems` itself, in
+an order of its own. `judge.practice.progress` says when a skill is shown and what ticks a row.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Generic, TypeVar
+
+import msgspec
+from msgspec import Struct
+
+from judge.cache import DISK, digest, stamp
+from judge.errors import ProblemError, UsageError, nearest
+from judge.problem import Problem, Tier
+from judge.problem.find import find_problem, problem_roots
+from judge.problem.model import Listed, group_place
+
+if TYPE_CHECKING:
+    from judge.problem.toml import TomlFile
+
+P = TypeVar("P", bound=Listed)
+USUAL = "path"  # the set that stands for all of them in order
+FIRST = "first-steps"  # the set that a newcomer begins with
+_ORDER = [FIRST, *(tier.value for tier in Tier)]  # sets of these names come first; others after them, by name
+
+
+class PracticeSet(Struct, Generic[P], frozen=True):
+    """Problems to practise, in order; `name` is the file's."""
+
+    name: str
+    title: str
+    about: str
+    problems: tuple[P, ...]
+
+
+class Table(Struct, frozen=True, forbid_unknown_fields=True):
+    """A table of a TOML file."""
+
+
+class Skill(Table, frozen=True):
+    """Something to be able to do, as a person would tick it off."""
+
+    name: str
+    about: str
+
+
+class Section(Table, frozen=True):
+    """A part of the checklist; the first of all is what a person ticks off before an interview."""
+
+    id: str
+    title: str
+    sets: tuple[str, ...] = ()
+
+
+class Row(Table, frozen=True):
+    """One question, and what ticks it; `broken` names mistakes, as "count/no-clamp"."""
+
+    id: str
+    section: str
+    ask: str
+    katas: tuple[str, ...] = ()
+    skills: tuple[str, ...] = ()
+    broken: tuple[str, ...] = ()
+
+
+class Checklist(Struct, frozen=True):
+    """All skills, sections and rows, in their order."""
+
+    skills: tuple[Skill, ...] = ()
+    sections: tuple[Section, ...] = ()
+    rows: tuple[Row, ...] = ()
+
+
+class _SetTable(Table, frozen=True):
+    title: str
+    about: str
+    problems: list[str] | None = None
+
+
+class _ChecklistTable(Table, frozen=True):
+    skills: list[Skill] = []
+    sections: list[Section] = []
+    rows: list[Row] = []
+
+
+# -- sets --------------------------------------------------------------------------------------------------
+
+
+def find_set(name: str, problems: Sequence[P], extra: Sequence[Path] = ()) -> PracticeSet[P]:
+    """The set of that name among these problems, which are all; `extra` are folders to look in first.
+
+    Raises:
+        UsageError: there is none of that name.
+        ProblemError: its file, or a problem that it lists, is broken, or it has no problem.
+    """
+    from judge.problem.toml import TomlFile, meant
+
+    files = set_files(extra)
+    if name not in files:
+        raise UsageError(f"no practice set is called {name!r}", remedy=meant(name, list(files)))
+    file = TomlFile(files[name])
+    table = file.read(_SetTable)
+    listed = table.problems or []
+    _refuse_doubles(file, listed, "problems", said="is listed twice")
+    for place, each in enumerate(listed):
+        try:
+            find_problem(each, extra)
+        except UsageError as fault:
+            raise file.fault(fault.what, fault.remedy or "", "problems", place) from None
+    found = _set_of(name, table, problems)
+    if not found.problems:
+        raise file.fault("the set holds no problem", f"name {name!r} in the sets of a problem.toml")
+    return found
+
+
+def sound_sets(
+    problems: Sequence[P], extra: Sequence[Path] = ()
+) -> tuple[list[PracticeSet[P]], list[ProblemError]]:
+    """Every set of these problems, easiest first, and the fault of each that cannot be read."""
+    tables, faults = _tables(set_files(extra))
+    return [_set_of(name, table, problems) for name, table in tables.items()], faults
+
+
+def _tables(files: Mapping[str, Path]) -> tuple[dict[str, _SetTable], list[ProblemError]]:
+    """What the files say, from the cache while none of them changes; and the fault of each that is broken."""
+    paths = [os.fspath(path) for path in files.values()]
+    name, key = f"sets/{digest(os.fsencode('/'.join(paths)))[:16]}", stamp(paths)
+    kept = DISK.read(name, key, dict[str, _SetTable]) if key else None
+    if kept is not None:
+        return kept, []
+    from judge.problem.toml import TomlFile  # not for who reads the cache
+
+    tables, faults = {}, []
+    for each, path in files.items():
+        try:
+            tables[each] = TomlFile(path).read(_SetTable)
+        except ProblemError as fault:
+            faults.append(fault)
+    if key and not faults:
+        DISK.write(name, key, msgspec.json.encode(tables))
+    return tables, faults
+
+
+def _set_of(name: str, table: _SetTable, problems: Sequence[P]) -> PracticeSet[P]:
+    """The set of those that name it, or of those that its file lists."""
+    here = {problem.id: problem for problem in problems}
+    names = table.problems or [problem.id for problem in problems if name in problem.sets]
+    return PracticeSet(name, table.title, table.about, tuple(here[each] for each in names if each in here))
+
+
+def set_files(extra: Sequence[Path] = ()) -> dict[str, Path]:
+    """The sets' files by name: the usual ones in their order, easiest first, then others by name."""
+    return toml_files("sets", _ORDER, extra)
+
+
+def toml_files(folder: str, order: Sequence[str], extra: Sequence[Path]) -> dict[str, Path]:
+    """The files in a folder of each folder of problems, by name, one of each: those in `order` come first."""
+    found: dict[str, Path] = {}
+    for root in problem_roots(extra):
+        for path in (root / folder).glob("*.toml"):
+            found.setdefault(path.stem, path)
+    first = [name for name in order if name in found]
+    return {name: found[name] for name in (*first, *sorted(found.keys() - first))}
+
+
+def set_of(problem: str, sets: Iterable[PracticeSet[P]]) -> PracticeSet[P] | None:
+    """The first set that a kata belongs to; None where it is in none but the whole path."""
+    return next(
+        (each for each in sets if each.name != USUAL and problem in [own.id for own in each.problems]), None
+    )
+
+
+def next_kata(
+    after: str, problems: Sequence[Problem], sets: Sequence[PracticeSet[Problem]], solved: Collection[str]
+) -> Problem | None:
+    """The kata that comes after that one and is not solved; None where all others are.
+
+    First in its own set, from there on and then from the start, so that one that was left out comes back;
+    then on the whole path.
+    """
+    own = set_of(after, sets)
+    path = next((each.problems for each in sets if each.name == USUAL), problems)
+    for row in (own.problems if own else (), path):
+        names = [each.id for each in row]
+        at = names.index(after) + 1 if after in names else 0
+        for each in (*row[at:], *row[:at]):
+            if each.id not in solved and each.id != after:
+                return each
+    return None
+
+
+# -- skills and questions ----------------------------------------------------------------------------------
+
+
+def read_checklist(extra: Sequence[Path] = ()) -> Checklist:
+    """What every folder's files list, each name once; the first of a name wins. Raises ProblemError."""
+    from judge.problem.toml import TomlFile, meant
+
+    skills: dict[str, Skill] = {}
+    sections: dict[str, Section] = {}
+    rows: dict[str, Row] = {}
+    paths = [root / name for root in problem_roots(extra) for name in ("skills.toml", "checklist.toml")]
+    for file in (TomlFile(path) for path in paths if path.is_file()):
+        table = file.read(_ChecklistTable)
+        _refuse_doubles(file, [skill.name for skill in table.skills], "skills", "name")
+        _refuse_doubles(file, [row.id for row in table.rows], "rows", "id")
+        for skill in table.skills:
+            skills.setdefault(skill.name, skill)
+        for section in table.sections:
+            sections.setdefault(section.id, section)
+        for place, row in enumerate(table.rows):
+            if row.section not in sections:
+                what, remedy = f"no section is called {row.section!r}", meant(row.section, list(sections))
+                raise file.fault(what, remedy, "rows", place, "section")
+            for at, mistake in enumerate(row.broken):
+                if mistake.count("/") != 1:
+                    what = f"{mistake!r} does not name a mistake"
+                    raise file.fault(what, 'write "problem/mistake"', "rows", place, "broken", at)
+            rows.setdefault(row.id, row)
+    return Checklist(tuple(skills.values()), tuple(sections.values()), tuple(rows.values()))
+
+
+def find_row(name: str, rows: Iterable[Row]) -> Row:
+    """The row of that id, in any case. Raises UsageError where there is none."""
+    known = {row.id.upper(): row for row in rows}
+    if found := known.get(name.upper()):
+        return found
+    near = nearest(name.upper(), known)
+    remedy = f"did you mean {near!r}? " if near else ""
+    raise UsageError(f"there is no question {name!r}", remedy=f"{remedy}'judge progress --all' lists them")
+
+
+def unknown_names(problems: Iterable[Problem], extra: Sequence[Path] = ()) -> Iterator[ProblemError]:
+    """A fault for each set and skill that a problem names and no file does. Raises as read_checklist."""
+    from judge.problem.toml import key_place, meant
+
+    sets, skills = list(set_files(extra)), [skill.name for skill in read_checklist(extra).skills]
+    for problem in problems:
+        for at, name in enumerate(problem.sets):
+            if name not in sets:
+                remedy = f"{meant(name, sets)}; a new one needs a file sets/{name}.toml"
+                where = key_place(problem, ("sets", at))
+                yield ProblemError(f"no practice set is called {name!r}", where=where, remedy=remedy)
+        for shown in problem.skills:
+            if shown.name not in skills:
+                near = nearest(shown.name, skills)
+                remedy = f"did you mean {near!r}?" if near else "explain it in skills.toml"
+                where = group_place(problem, shown.groups[0])
+                yield ProblemError(f"no skill is called {shown.name!r}", where=where, remedy=remedy)
+
+
+def _refuse_doubles(
+    file: TomlFile, names: Sequence[str], table: str, *key: str, said: str = "is there twice"
+) -> None:
+    """Raise a ProblemError for the first name of a list in the file that is there for the second time."""
+    for place, name in enumerate(names):
+        if name in names[:place]:
+            raise file.fault(f"{name!r} {said}", "take one out", table, place, *key)
