@@ -15,7 +15,7 @@ import json
 import shutil
 import zipfile
 from collections.abc import Callable, Iterable, Sequence
-from contextlib import nullcontext
+from contextlib import nullcontext, suppress
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -28,9 +28,9 @@ from judge.data.load import load_data
 from judge.errors import JudgeError, UsageError
 from judge.files import replace_file
 from judge.mistakes.namer import Namer
-from judge.practice.quiz.cards import Card, read_decks
-from judge.practice.quiz.questions import Question, Sources, ask
-from judge.practice.sets import USUAL, sound_sets
+from judge.practice.cards import Card, read_decks
+from judge.practice.questions import Question, Sources, ask
+from judge.practice.syllabus import USUAL, sound_sets
 from judge.problem import Problem
 from judge.problem.module import load_module
 from judge.report.published import Published
@@ -283,13 +283,10 @@ def _cards(problems: Sequence[Problem], folders: Sequence[Path]) -> list[CardSho
     sources = Sources(folders, _SEED, lambda _label: nullcontext())
     names: set[str] = {"", *(problem.id for problem in problems)}
     found = []
-    for deck in read_decks(folders)[0]:
-        for card in deck.cards:
-            if card.problem in names:
-                try:
-                    found.append(_card(card, ask(card, sources, "site")))
-                except JudgeError:  # `judge verify` tells of it
-                    continue
+    for card in read_decks(folders)[0]:
+        if card.problem in names:
+            with suppress(JudgeError):  # `judge verify` tells of it
+                found.append(_card(card, ask(card, sources, "site")))
     return found
 
 

@@ -9,7 +9,7 @@ from typing import Any
 from msgspec import Struct
 
 from judge.errors import UsageError
-from judge.practice.model import approaches
+from judge.practice.solutions import approaches
 from judge.problem import Problem
 from judge.problem.texts import read_hints
 
