@@ -39,7 +39,7 @@ def kata_page(problem: Problem) -> KataPage:
     return KataPage(
         markdown(_FIGURE.sub(rf"![\1](kata/{problem.id}.svg)", statement)),
         tuple(Text(each.title, markdown(each.text)) for each in read_hints(problem)),
-        Text(first.solution.idea, markdown(first.solution.explanation), first.program),
+        Text(first.solution.name, markdown(first.solution.text), first.program),
     )
 
 
