@@ -5,18 +5,18 @@ from __future__ import annotations
 from collections import Counter, defaultdict
 from collections.abc import Iterable, Mapping, Sequence
 
-from judge.batch.model import Row, Student
+from judge.batch.model import Row
 from judge.problem.model import Verdict
-from judge.report.cohort import (
+from judge.report.published_klass import (
     Cohort,
     Counted,
     EqualFiles,
     GroupBar,
     Machine,
     MistakeBar,
-    Person,
     ProblemView,
     Stuck,
+    Student,
 )
 from judge.run.result import Result
 
@@ -46,15 +46,14 @@ def cohort_of(
     met = tuple(each for each in problems if any(each == problem for _, problem in counts))
     failures = [(row.file, row.result.failure) for row in rows if row.verdict == Verdict.JE.value]
     return Cohort(
-        people=tuple(Person(each.id, each.name, each.group, each.known) for each in students),
-        problems=met,
+        people=tuple(students),
         marks=marks,
-        views=tuple(_view(each, counts, order) for each in met),
+        problems=tuple(_view(each, counts, order) for each in met),
         stuck=tuple(_stuck(met, _in_turn([*history, *rows]), order)),
-        unaccepted=tuple(each for each in order if each in handed_in - solved),
-        silent=tuple(each for each in order if each not in handed_in),
+        nothing_accepted=tuple(each for each in order if each in handed_in - solved),
+        nothing_handed_in=tuple(each for each in order if each not in handed_in),
         machines=_machines(rows),
-        equal=tuple(equal),
+        equal_files=tuple(equal),
         unjudged=tuple((file, failure.message if failure else "") for file, failure in failures),
         left=left,
     )

@@ -17,7 +17,7 @@ from judge.errors import ProblemError
 from judge.languages import SUFFIX
 from judge.practice.stub import make_stub
 from judge.problem import Problem
-from judge.report.cohort import EqualFiles
+from judge.report.published_klass import EqualFiles
 
 # Of 339 functions in independent accepted programs equal pairs have at most 41 words, such as the dot product
 # of two points. No two such programs are equal; a whole one of twice that is no accident any more.

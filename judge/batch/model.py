@@ -19,18 +19,6 @@ from judge.problem.model import Verdict
 from judge.run.result import Result, judge_fault, read_result
 
 
-class Student(Struct, frozen=True):
-    """Somebody of the class: the name of their folder or files, and what the list of students says of them.
-
-    `known` is whether that list holds them; where there is none, everybody is.
-    """
-
-    id: str
-    name: str = ""
-    group: str = ""
-    known: bool = True
-
-
 class Handin(Struct, frozen=True):
     """A file that a student has handed in; `file` is its path within the class's folder, with slashes.
 

@@ -15,7 +15,7 @@ from judge.errors import JudgeError
 from judge.judging.api import RunOptions
 from judge.judging.session import Bars, Session, silent
 from judge.problem import Problem, Verdict
-from judge.report.cohort import Cohort
+from judge.report.published_klass import Cohort
 from judge.run.result import Result
 
 _BROKEN = (Verdict.WA, Verdict.RTE, Verdict.TLE, Verdict.MLE)
@@ -24,7 +24,7 @@ _BROKEN = (Verdict.WA, Verdict.RTE, Verdict.TLE, Verdict.MLE)
 def representatives(cohort: Cohort, rows: Iterable[Row]) -> list[Row]:
     """For each mistake of each problem, the row of the first student who made it."""
     by_file = {(row.problem, row.file): row for row in rows}
-    firsts = [(view.problem, bar.students[0]) for view in cohort.views for bar in view.mistakes]
+    firsts = [(view.problem, bar.students[0]) for view in cohort.problems for bar in view.mistakes]
     return [by_file[problem, cohort.marks[student, problem].file] for problem, student in firsts]
 
 

@@ -15,9 +15,10 @@ from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
 from judge.batch.folder import legible
-from judge.batch.model import Handin, Student
+from judge.batch.model import Handin
 from judge.errors import UsageError
 from judge.files import read_ordinary
+from judge.report.published_klass import Student
 
 _LARGEST = 2**24  # bytes
 _LONGEST = 500  # characters of an id

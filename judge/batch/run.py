@@ -28,7 +28,7 @@ from judge.judging.pool import Executor, Processes
 from judge.mistakes.known import is_kept
 from judge.problem import Problem
 from judge.problem.find import find_problem
-from judge.report.cohort import ClassRow, Cohort
+from judge.report.published_klass import ClassRow, Cohort
 from judge.report.wait import Live, progress
 from judge.report.words import counted
 from judge.run.result import Result

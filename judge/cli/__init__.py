@@ -1,19 +1,16 @@
 """The command line: thin, and quick to start.
 
     table.py        the commands: sentence, module, page of the manual, examples; old names
-    app.py          loading a command when it is used, and how everything ends
+    app.py          loading a command when it is used, completing words, and how everything ends
     options.py      options as fields of structs
     emit.py         a command's value to JSON, or to its view in judge/report
     commands/       the commands
-    submissions.py  reading the files to judge; target.py: the files that options write
+    resolve.py      what words mean; the history, and the current kata of a folder
+    files.py        the files to judge, and those that options write
     judging.py      what `judge run` and `judge start` ask of `judge.judging`
-    picture.py      the picture of a failing case; kept.py: the history
-    resolve.py      what words mean; the current kata of a folder
+    drawings.py     results as they are kept, shown and drawn
     home.py         `judge` alone: where a person stands, and the next kata
-    asking.py       asking cards
     watching.py     a file under watch; watch_screen.py: the loop of `judge start`
-    wish.py         what is asked for
-    complete.py     what a shell completes
 
 Starting is kept short on purpose: `judge --help` imports click and nothing else of weight.
 """

@@ -8,6 +8,8 @@ import importlib
 import os
 import sys
 from collections.abc import Sequence
+from contextlib import suppress
+from functools import partial
 from typing import TYPE_CHECKING, Any, NoReturn
 
 import click
@@ -33,10 +35,6 @@ class ReaderLeftError(Exception):
 class Commands(click.Group):
     """A group that imports a command's module when the command is used, and says every fault in one line."""
 
-    def list_commands(self, ctx: click.Context) -> list[str]:  # noqa: ARG002
-        """The commands in the order of the table."""
-        return list(COMMANDS)
-
     def get_command(self, ctx: click.Context | None, cmd_name: str) -> click.Command | None:
         """The command of that name, its module imported now."""
         if cmd_name not in COMMANDS:
@@ -47,31 +45,38 @@ class Commands(click.Group):
         command = next(each for each in found if each.name == cmd_name)
         gc.enable()
         imported()
-        command.epilog = _epilog(cmd_name)
+        examples = "\n".join(f"  {each}" for each in COMMANDS[cmd_name].examples)
+        more = f"More: judge help {COMMANDS[cmd_name].topic}"
+        command.epilog = f"\b\nFor example:\n{examples}\n\n{more}"
         if ctx is not None and ctx.resilient_parsing:
-            from judge.cli.complete import offer_names  # only where a shell asks
-
-            offer_names(command)
+            _offer_names(command)
         return command
 
     def resolve_command(
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
         """The command that the first argument names, or named; any other name is refused with a near one."""
-        name = args[0]
-        if name in OLD and not ctx.resilient_parsing:
-            now = OLD[name]
-            _note(f"{name} is now: judge {' '.join(now)}")
-            return super().resolve_command(ctx, [*now, *args[1:]])
-        if name not in COMMANDS and not ctx.resilient_parsing and not name.startswith("-"):
-            raise UsageError(_unknown(name))
+        name, *rest = args
+        if not ctx.resilient_parsing:
+            if name in OLD:
+                from judge.report.screen import note
+
+                note(f"{name} is now: judge {' '.join(OLD[name])}")
+                args = [*OLD[name], *rest]
+            elif name not in COMMANDS and not name.startswith("-"):
+                raise UsageError(_unknown(name))
         return super().resolve_command(ctx, args)
 
     def shell_complete(self, ctx: click.Context, incomplete: str) -> list[CompletionItem[str]]:
         """What a shell may offer for the first word: from the table, without importing any command."""
-        from judge.cli.complete import commands
+        from click.shell_completion import CompletionItem
 
-        return [*commands(incomplete), *click.Command.shell_complete(self, ctx, incomplete)]
+        mine = [
+            CompletionItem(name, help=entry.sentence)
+            for name, entry in COMMANDS.items()
+            if name.startswith(incomplete)
+        ]
+        return [*mine, *click.Command.shell_complete(self, ctx, incomplete)]
 
     def format_help(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         """The commands by what a person wants to do, the further ones by name, the options on a line.
@@ -99,31 +104,53 @@ class Commands(click.Group):
     ) -> NoReturn:
         """Run the command line and leave with its status; nothing but `--debug` shows a traceback."""
         words = list(sys.argv[1:] if args is None else args)
-        words, debug = _without_debug(words)
+        end = words.index("--") if "--" in words else len(words)  # what stands behind it is not ours
+        kept = [word for word in words[:end] if word != _DEBUG] + words[end:]
         settings["standalone_mode"] = False
         settings.setdefault("terminal_width", _help_width())
         try:
-            status = super().main(words, prog_name or "judge", **settings)
+            status = super().main(kept, prog_name or "judge", **settings)
         except (click.Abort, KeyboardInterrupt):
             sys.exit(ExitCode.INTERRUPTED)
-        except ReaderLeftError:
-            _hush()
-            sys.exit(_CLOSED_PIPE)
         except Exception as fault:
-            if debug and not isinstance(fault, UsageError | click.ClickException):
-                _show_traceback(fault)
+            from judge.report.screen import hush, note  # only for the one who is told
+
+            if isinstance(fault, ReaderLeftError):
+                hush(sys.stdout)
+                sys.exit(_CLOSED_PIPE)
+            if kept != words and not isinstance(fault, UsageError | click.ClickException):
+                import traceback
+
+                try:
+                    traceback.print_exception(fault)
+                except OSError:  # standard error is full
+                    hush(sys.stderr)
             message, status = explain(fault)
-            _complain(message)
+            note(message, bad=True)
             if isinstance(fault, OSError):
-                _hush()
+                hush(sys.stdout)
         sys.exit(int(status or 0))
 
 
-def _epilog(name: str) -> str:
-    """What ends a command's help: what to type, line by line, and the page that tells more."""
-    examples = "\n".join(f"  {each}" for each in COMMANDS[name].examples)
-    more = f"More: judge help {COMMANDS[name].topic}"
-    return f"\b\nFor example:\n{examples}\n\n{more}"
+def _offer_names(command: click.Command) -> None:
+    """Let the command's parameters that name a kata or a file complete themselves, where a shell asks."""
+    for each in command.params:
+        words = each.metavar or ""
+        if "KATA" in words or words.strip("[].") == "FILE":
+            each.shell_complete = partial(_offered, each)  # type: ignore[method-assign]
+
+
+def _offered(parameter: click.Parameter, ctx: click.Context, incomplete: str) -> list[CompletionItem[str]]:
+    from click.shell_completion import CompletionItem
+
+    from judge.problem.find import problem_folders
+
+    words, found = parameter.metavar or "", []
+    if "KATA" in words and not (parameter.nargs == -1 and ctx.params.get(parameter.name or "")):
+        with suppress(JudgeError, OSError):  # a folder that is gone: nothing to offer
+            names = sorted({folder.name for folder in problem_folders(ctx.params.get("problems") or ())})
+            found = [CompletionItem(name) for name in names if name.startswith(incomplete)]
+    return [*found, CompletionItem(incomplete, type="file")] if "FILE" in words else found
 
 
 def _unknown(name: str) -> str:
@@ -155,29 +182,21 @@ def explain(fault: Exception) -> tuple[str, int]:
     short = None if isinstance(fault, BlockingIOError) else shortage(fault)  # that may be a pipe's
     if short:
         return str(short), short.exit_code
-    what = " ".join(str(fault).split())
-    kind = type(fault).__name__
-    return (
-        f"internal fault: {kind}{': ' if what else ''}{what}; run again with {_DEBUG} for the traceback",
-        ExitCode.FAULT,
-    )
+    what = ": ".join(filter(None, (type(fault).__name__, " ".join(str(fault).split()))))
+    return f"internal fault: {what}; run again with {_DEBUG} for the traceback", ExitCode.FAULT
 
 
 def _usage(fault: click.UsageError) -> str:
     """click's message, in the form of the judge's own: no capital, no full stop, the nearest option named."""
-    if isinstance(fault, click.NoSuchOption):
-        if fault.option_name in GONE:
-            return f"no such option '{fault.option_name}'; {GONE[fault.option_name]}"
-        meant = nearest(fault.option_name, _option_names(fault.ctx))
-        return f"no such option '{fault.option_name}'" + (f"; did you mean '{meant}'?" if meant else "")
-    message = " ".join(fault.format_message().split()).rstrip(".")
-    return message[:1].lower() + message[1:]
-
-
-def _option_names(ctx: click.Context | None) -> list[str]:
-    if ctx is None:
-        return []
-    return [name for parameter in ctx.command.get_params(ctx) for name in parameter.opts if name[:1] == "-"]
+    if not isinstance(fault, click.NoSuchOption):
+        message = " ".join(fault.format_message().split()).rstrip(".")
+        return message[:1].lower() + message[1:]
+    said, name = f"no such option '{fault.option_name}'", fault.option_name
+    if name in GONE:
+        return f"{said}; {GONE[name]}"
+    own = fault.ctx.command.get_params(fault.ctx) if fault.ctx else ()
+    meant = nearest(name, [word for each in own for word in each.opts if word[:1] == "-"])
+    return f"{said}; did you mean '{meant}'?" if meant else said
 
 
 def _help_width() -> int:
@@ -188,42 +207,6 @@ def _help_width() -> int:
     except (OSError, ValueError, AttributeError):  # into a pipe, a closed stream
         found = 0
     return max(min(found or _USUAL_WIDTH, _WIDEST) - 2, _NARROWEST)
-
-
-def _without_debug(words: list[str]) -> tuple[list[str], bool]:
-    """The arguments less `--debug`, which every command takes; what stands after `--` is not ours."""
-    end = words.index("--") if "--" in words else len(words)
-    kept = [word for word in words[:end] if word != _DEBUG]
-    return kept + words[end:], len(kept) != end
-
-
-def _complain(message: str) -> None:
-    from judge.report.screen import note
-
-    note(message, bad=True)
-
-
-def _note(message: str) -> None:
-    from judge.report.screen import note  # only for the one who is told
-
-    note(message)
-
-
-def _show_traceback(fault: Exception) -> None:
-    import traceback  # only for --debug
-
-    from judge.report.screen import hush
-
-    try:
-        traceback.print_exception(fault)
-    except OSError:  # standard error is full
-        hush(sys.stderr)
-
-
-def _hush() -> None:
-    from judge.report.screen import hush
-
-    hush(sys.stdout)
 
 
 @click.group(

@@ -2,17 +2,30 @@
 
 from __future__ import annotations
 
-from collections.abc import Generator, Iterator, Sequence
-from contextlib import AbstractContextManager
+from collections.abc import Callable, Generator, Iterator, Sequence
+from contextlib import AbstractContextManager, ExitStack, contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING
 
-from judge.cli.kept import Recording
-from judge.cli.picture import Drawing
-from judge.cli.submissions import Submission
-from judge.cli.wish import Wish
+from msgspec import Struct
+
+from judge.cli.files import OutFile, Submission
+from judge.cli.judging import Wish, judged_at_once
+from judge.cli.resolve import history_at
+from judge.data.load import ProblemData
+from judge.errors import told
 from judge.judging.session import Session
-from judge.report.screen import Notes
+from judge.problem import Problem
+from judge.report.screen import Notes, Screen, note
 from judge.report.wait import Advance, progress
 from judge.run.result import Result
+
+if TYPE_CHECKING:
+    from rich.text import Text
+
+    from judge.drawing import Picture
+    from judge.drawing.chart import Chart
+    from judge.practice.history import History
 
 
 def drawings(
@@ -23,31 +36,108 @@ def drawings(
     def numbered(label: str) -> AbstractContextManager[Advance | None]:
         return progress(f"{done + 1} of {wish.total}: {label}")
 
-    done = wish.before
+    done, said, problem = wish.before, Notes(), session.problem
     session.bars = numbered if wish.total > 1 else progress
-    said = Notes()
-    with Recording(wish.db, wanted=wish.kept) as recording:
-        recording.open()  # while the box boots
-        judged = _results(session, submissions, wish, said)
+    with _recording(wish) as keep:  # opened while the box boots
+        if (jobs := min(wish.jobs, len(submissions))) > 1:
+            results, short = judged_at_once(problem, submissions, session.options, jobs)
+            said.say(short)
+        else:
+            session.prepare()
+            results = (session.judge(each.source, each.name) for each in submissions)
         said.say(session.data.notes)
-        for submission, result in zip(submissions, judged, strict=True):
-            recording.add(submission, result)
+        for submission, result in zip(submissions, results, strict=True):
+            keep(submission, result)
             said.say(result.notes)
             done += 1
-            yield Drawing(session.problem, session.data, result, submission.source)
+            yield Drawing(problem, session.data, result, submission.source)
 
 
-def _results(
-    session: Session, submissions: Sequence[Submission], wish: Wish, said: Notes
-) -> Iterator[Result]:
-    """The results in order, once the data are there. Raises JudgeError."""
-    jobs = min(wish.jobs, len(submissions))
-    if jobs > 1:
-        from judge.cli.several import judged_at_once  # most runs are of one file
-        from judge.judging.pool import Processes
+@contextmanager
+def _recording(wish: Wish) -> Iterator[Callable[[Submission, Result], None]]:
+    """What adds a result to the history, if they are wanted there.
 
-        pool = Processes(jobs)
-        said.say([pool.short] if pool.short else [])
-        return judged_at_once(session.problem, submissions, session.options, wish.had, pool)
-    session.prepare()
-    return (session.judge(each.source, each.name) for each in submissions)
+    A result is added before it is shown: whoever has seen it finds it there, even if the judge is killed at
+    that moment. A commit hands it to the system, which outlives the judge (see `judge.database`). A history
+    that fails gets one note and is then left alone: exit status and verdicts are what they would be without.
+    """
+    history: History | None = None
+
+    def keep(submission: Submission, result: Result) -> None:
+        nonlocal history
+        if history is None:
+            return
+        from judge.practice.history import run_of
+
+        try:
+            history.keep(run_of(result, submission.source, _absolute(submission.name)), submission.source)
+        except Exception as fault:
+            history = None
+            note(f"not kept in the history: {told(fault)}")
+
+    with ExitStack() as stack:
+        if wish.kept:
+            try:
+                history = stack.enter_context(history_at(wish.db))
+            except Exception as fault:
+                note(f"not kept in the history: {told(fault)}")
+        yield keep
+
+
+def _absolute(name: str) -> str:
+    """The file from the root, or nothing where there will be no such file tomorrow: a pipe."""
+    path = Path(name)
+    try:
+        return str(path.absolute()) if path.is_file() else ""
+    except OSError:  # the current folder is gone
+        return ""
+
+
+class Drawing(Struct, frozen=True):
+    """A result and what its picture is drawn from; nothing is computed until it is asked for.
+
+    Where no small case failed and the time has grown with n, how it has is drawn instead.
+    """
+
+    problem: Problem
+    data: ProblemData
+    result: Result
+    source: bytes = b""
+
+    def rows(self, screen: Screen) -> Callable[[int], Sequence[Text]] | None:
+        """What draws it in so many rows; None where there is nothing to draw, or no room."""
+        found = self.result
+        if found.hurdle or (found.failure is None and found.time.growth is None):
+            return None
+        from judge.report.picture import drawing
+
+        return drawing(self.picture, screen, "the failing case")
+
+    def picture(self) -> Picture | Chart | None:
+        """The smallest case found that fails, or else the first one; None where there is nothing to draw."""
+        from judge.report.picture import case_picture, growth_chart
+
+        failure, small, growth = self.result.failure, self.result.counterexample, self.result.time.growth
+        if growth is not None and (failure is None or failure.input is None):
+            return growth_chart(growth)
+        if failure is None:
+            return None
+        shown, heading = failure, f"{failure.group}, case {failure.case}"
+        if small is not None and small.input:
+            shown, heading = small, "counterexample"
+        return case_picture(self.problem, self.data.module, shown, failure.group, heading)
+
+    def save(self, target: OutFile) -> None:
+        """Write the SVG, if one was asked for. Raises UsageError where that cannot be done."""
+        if target.path is None:
+            return
+        from judge.drawing import Picture
+        from judge.drawing.chart import chart_svg
+        from judge.drawing.svg import to_svg
+
+        picture = self.picture()
+        if picture is None:
+            note(f"nothing to draw, {target.path} is not written: no case failed that can be drawn")
+            return
+        drawn = to_svg(picture) if isinstance(picture, Picture) else chart_svg(picture, alone=True)
+        target.write(drawn.encode())

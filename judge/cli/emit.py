@@ -12,7 +12,6 @@ import sys
 from collections.abc import Generator, Iterable
 from contextlib import suppress
 from inspect import cleandoc
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -78,25 +77,18 @@ def schema_of(command: click.Command) -> dict[str, Any]:
 
 
 def _json(value: Struct) -> str:
-    """The value on one line."""
+    """The value on one line; paths, types and exact numbers are text."""
     try:
-        return msgspec.json.encode(value, enc_hook=_plain).decode()
+        return msgspec.json.encode(value, enc_hook=str).decode()
     except UnicodeEncodeError:  # half of a surrogate pair, in a file's name for one
         import json
 
-        return json.dumps(msgspec.to_builtins(value, enc_hook=_plain))
-
-
-def _plain(value: object) -> str:
-    """Paths as text."""
-    if isinstance(value, Path):
-        return str(value)
-    raise NotImplementedError(type(value))
+        return json.dumps(msgspec.to_builtins(value, enc_hook=str))
 
 
 def _show(value: Struct) -> None:
-    from judge.report.screen import out, show, show_paged  # --json does without the screen
+    from judge.report.screen import out, show  # --json does without the screen
     from judge.report.views import view
 
     screen = out()
-    (show_paged if getattr(value, "paged", False) else show)(view(value, screen), screen)
+    show(view(value, screen), screen, paged=getattr(value, "paged", False))

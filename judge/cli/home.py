@@ -7,15 +7,14 @@ from collections.abc import Collection, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from judge.cli.kept import history_at
-from judge.cli.resolve import current, this_folder
+from judge.cli.resolve import current, history_at, this_folder
 from judge.practice import events
 from judge.practice.events import Answer, Help
 from judge.practice.progress import levels, solved, stars, tried
 from judge.practice.syllabus import next_kata, sound_sets
 from judge.problem import Problem
 from judge.problem.find import sound_problems
-from judge.report.published_start import Again, Home, Next, Now, Standing
+from judge.report.published_look import Again, Home, Next, Now, Standing
 
 if TYPE_CHECKING:
     from judge.cli.options import Common

@@ -5,21 +5,34 @@ Containers are started as early as can be: most of what judging and showing need
 
 from __future__ import annotations
 
-import os
-from collections.abc import Generator, Sequence
-from contextlib import suppress
+import atexit
+from collections.abc import Generator, Iterator, Sequence
+from functools import cache, partial
+from pathlib import Path
 from typing import TYPE_CHECKING
 
-from msgspec.structs import replace
+from msgspec import Struct
 
-from judge.cli.submissions import Submission
-from judge.cli.wish import Wish
+from judge.cli.files import Submission
+from judge.judging.api import RunOptions
 from judge.judging.session import Session
-from judge.problem import Problem, Verdict
-from judge.problem.load import load_problem, own_files
+from judge.problem import Problem
+from judge.problem.load import load_problem
+from judge.run.result import Result, judge_fault
 
 if TYPE_CHECKING:
-    from judge.cli.picture import Drawing
+    from judge.cli.drawings import Drawing
+
+
+class Wish(Struct, frozen=True):
+    """How submissions are to be judged, and what is kept of them."""
+
+    options: RunOptions
+    jobs: int = 1
+    kept: bool = True  # in the history
+    db: Path | None = None
+    total: int = 1  # submissions, to all problems
+    before: int = 0  # those among them that were judged already
 
 
 def judged(problem: Problem, submissions: Sequence[Submission], wish: Wish) -> Generator[Drawing, None, None]:
@@ -27,63 +40,35 @@ def judged(problem: Problem, submissions: Sequence[Submission], wish: Wish) -> G
 
     Close it, so that what was started for the rest ends. Raises JudgeError.
     """
-    first = submissions[0]
-    with Session(problem, wish.options, had=wish.had) as session:
+    with Session(problem, wish.options) as session:
         if min(wish.jobs, len(submissions)) == 1:
-            session.boot(first.source, first.name)
+            session.boot(submissions[0].source, submissions[0].name)
         from judge.cli.drawings import drawings  # while it boots
 
         yield from drawings(session, submissions, wish)
 
 
-class Sitting:
-    """One problem whose submissions come one by one, such as the saves of a file: what can be kept between
-    two of them is, the data and the reference's box. Close it, so that the box ends.
-    """
+def judged_at_once(
+    problem: Problem, submissions: Sequence[Submission], options: RunOptions, jobs: int
+) -> tuple[Iterator[Result], Sequence[str]]:
+    """The results, in order, of several processes; and what to say of them. Judging raises JudgeError."""
+    from judge.judging.pool import Processes, in_order  # most runs are of one file
 
-    def __init__(self, problem: Problem, wish: Wish) -> None:
-        self._problem = problem
-        self._wish = wish
-        self._session: Session | None = None
-        self._seen: list[tuple[str, int, int]] = []
+    pool = Processes(jobs)
+    work = partial(_judge_one, problem.folder, problem.solutions, options, pool.count)
+    results = in_order(pool, work, submissions, lambda each, why: judge_fault(problem.id, each.name, why))
+    return results, [pool.short] if pool.short else []
 
-    def judged(self, submission: Submission) -> Drawing:
-        """Judge it, and keep the result in the history. Raises JudgeError.
 
-        Whatever is raised, and a verdict that says nothing of the submission, ends what was kept.
-        """
-        clean = False
-        try:
-            self._look_at_problem()
-            if self._session is None:
-                self._session = Session(self._problem, self._wish.options, had=self._wish.had)
-            self._session.boot(submission.source, submission.name)
-            from judge.cli.drawings import drawings  # while it boots
+def _judge_one(
+    folder: Path, solutions: Path, options: RunOptions, jobs: int, submission: Submission
+) -> Result:
+    """What a process does; the session stays open for its next file."""
+    return _session(folder, solutions, options, jobs).judge(submission.source, submission.name)
 
-            (drawn,) = drawings(self._session, [submission], self._wish)
-            if drawn.result.verdict is not Verdict.JE:  # that one was held nowhere
-                self._wish = replace(self._wish, had=drawn.result.isolation or self._wish.had)
-                clean = True
-        finally:
-            if not clean:
-                self.close()
-        return drawn
 
-    def _look_at_problem(self) -> None:
-        """A setter may be at work on the problem: then nothing is kept."""
-        seen = []
-        with suppress(OSError):  # whoever reads them says so
-            for path in own_files(self._problem.folder):
-                mark = os.stat(path)  # noqa: PTH116
-                seen.append((path, mark.st_mtime_ns, mark.st_size))
-        if seen != self._seen:
-            self.close()
-            if self._seen:
-                self._problem = load_problem(self._problem.folder, self._problem.solutions)
-            self._seen = seen
-
-    def close(self) -> None:
-        """End what was kept; judging goes on without."""
-        session, self._session = self._session, None
-        if session is not None:
-            session.close()
+@cache
+def _session(folder: Path, solutions: Path, options: RunOptions, jobs: int) -> Session:
+    session = Session(load_problem(folder, solutions), options, jobs=jobs)
+    atexit.register(session.close)
+    return session

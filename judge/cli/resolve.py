@@ -13,50 +13,66 @@ file. Nothing points to the current kata: it is read from the history, so lookin
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from itertools import pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+import click
 from msgspec import Struct
 
+from judge.cli.files import Submission, Unjudged, gathered, read_submissions
 from judge.errors import JudgeError, StoreError, UsageError
 from judge.languages import file_name, is_program
 from judge.problem import Problem
-from judge.problem.find import find_problem, near_problem_folders, problem_folders, shipped_problems
+from judge.problem.find import find_problem, problem_folders, shipped_problems
 from judge.problem.model import is_name
 
 if TYPE_CHECKING:
     from judge.cli.options import Common
-    from judge.cli.submissions import Submission, Unjudged
     from judge.practice.events import Started
     from judge.practice.history import History
 
 
-class Task(Struct, frozen=True):
-    """Submissions to one kata."""
+class Kata(Struct, frozen=True):
+    """A kata and the file that is to solve it, from the root."""
 
     problem: Problem
-    submissions: tuple[Submission, ...]
+    path: Path
+
+    @property
+    def name(self) -> str:
+        """The file as a person would name it from here."""
+        return shown(self.path)
 
 
-def resolve(words: Sequence[str], common: Common) -> tuple[list[Task], list[Unjudged]]:
+Tasks = list[tuple[Problem, list[Submission]]]  # submissions by their kata
+
+
+def resolve(words: Sequence[str], common: Common) -> tuple[Tasks, list[Unjudged]]:
     """The files that are meant, by kata in the order of their first files; and those that fit none.
 
     Raises JudgeError: no file is meant, or the only one cannot be read or fits none.
     """
-    folders, db = common.problems, common.db
-    from judge.cli.submissions import gathered  # not where somebody only looks
-
     if words:
-        name, files = split(words, "run", folders, db)
-        problem = find_problem(name, folders) if name else None
+        name, files = _split(words, common)
+        problem = find_problem(name, common.problems) if name else None
     else:
-        found = here(db)
-        problem, files = problem_of(found, folders), (shown(found.path),)
-    submissions, unread = gathered(files, problem.id if problem else "")
-    tasks, unfit = assigned(submissions, problem, folders, db)
-    return tasks, [*unread, *unfit]
+        found = here(common.db)
+        problem, files = problem_of(found, common.problems), (shown(found.path),)
+    submissions, unjudged = gathered(files, problem.id if problem else "")
+    tasks: dict[str, tuple[Problem, list[Submission]]] = {}
+    for each in submissions:
+        try:
+            kata = problem or problem_of_file(each, "run", common)
+        except JudgeError as fault:
+            if len(submissions) == 1:
+                raise
+            unjudged.append(Unjudged(each.name, fault.what))
+        else:
+            tasks.setdefault(kata.id, (kata, []))[1].append(each)
+    return [*tasks.values()], unjudged
 
 
 def kata_meant(word: str | None, common: Common) -> Problem:
@@ -66,10 +82,51 @@ def kata_meant(word: str | None, common: Common) -> Problem:
     """
     if word is None:
         return problem_of(here(common.db), common.problems)
-    return problem_meant(word, common.problems, common.db)
+    if is_problem(word, common) or not (is_program(word) or _is_file(word)):
+        return find_problem(word, common.problems)
+    return problem_of_file(read_submissions([word])[0], "hint", common)
 
 
-# -- the current kata ----------------------------------------------------------------------------------------
+# -- the history, and the current kata -----------------------------------------------------------------------
+
+
+@contextmanager
+def history_at(path: Path | None, *, reading: bool = False) -> Iterator[History]:
+    """As `History.open`; afterwards a note says what was left out or set aside, each once a command."""
+    from judge.practice.history import History
+
+    with History.open(path, reading=reading) as history:
+        try:
+            yield history
+        finally:
+            context = click.get_current_context(silent=True)
+            said: set[object] = set() if context is None else context.meta.setdefault(__name__, set())
+            if found := len(history.left_out - said):
+                what = "1 damaged row is" if found == 1 else f"{found} damaged rows are"
+                _note(f"{what} left out of the history")
+            said |= history.left_out
+            if history.set_aside is not None:
+                from judge.report.words import shown_name  # only for the one who is told
+
+                name = shown_name(str(history.set_aside))
+                _note(f"the history was damaged: it is kept as {name}, and a new one is begun")
+
+
+def take_up(kata: Kata, db: Path | None) -> None:
+    """Note that the kata was started; a history that fails does not stand in the way."""
+    from judge.practice.events import Started
+
+    try:
+        with history_at(db) as history:
+            history.keep(Started(kata.problem.id, str(kata.path), folder_to_keep(kata.problem)))
+    except StoreError as fault:
+        _note(f"not kept in the history: {fault}")
+
+
+def _note(text: str) -> None:
+    from judge.report.screen import note  # only for the one who is told
+
+    note(text)
 
 
 def current(folder: Path, history: History) -> Started | None:
@@ -80,8 +137,6 @@ def current(folder: Path, history: History) -> Started | None:
 
 def here(db: Path | None) -> Started:
     """The current file of this folder. Raises UsageError, which says where the last one is; StoreError."""
-    from judge.cli.kept import history_at
-
     folder = this_folder()
     with history_at(db, reading=True) as history:
         found, places = current(folder, history), history.places()
@@ -127,8 +182,8 @@ def this_folder() -> Path:
 def shown(path: str | Path) -> str:
     """An absolute path as a person in the current folder would write it."""
     try:
-        return str(Path(path).relative_to(Path.cwd()))
-    except (ValueError, OSError):  # it is elsewhere, or the current folder is gone
+        return str(Path(path).relative_to(this_folder()))
+    except ValueError:  # it is elsewhere, or the current folder is gone
         return str(path)
 
 
@@ -150,76 +205,35 @@ def _places(db: Path | None) -> list[Started]:
 # -- words ---------------------------------------------------------------------------------------------------
 
 
-def split(
-    words: Sequence[str], command: str, folders: Sequence[Path], db: Path | None
-) -> tuple[str | None, tuple[str, ...]]:
+def _split(words: Sequence[str], common: Common) -> tuple[str | None, Sequence[str]]:
     """The kata's name, None where the files tell it, and the files, at least one.
 
     Raises:
         UsageError: the first word is neither a kata nor a file, or there is no file.
     """
     first, *rest = words
-    own = is_problem(first, folders)
+    own = is_problem(first, common)
     for word in rest if own else words:
         if _is_file(f"{word}/problem.yaml") or (word.endswith((".zip", ".kpp")) and _is_file(word)):
             remedy = "bt run and verifyproblem judge on it; see 'judge help packages'"
             raise UsageError("this is a package of another judge", where=word, remedy=remedy)
     if own and rest:
-        return first, tuple(rest)
+        return first, rest
     if own:
         try:
-            return first, (usual_file(first, db),)
+            return first, (usual_file(first, common.db),)
         except UsageError:
             if not os.path.lexists(first):
                 raise
     elif not (is_program(first) or _is_file(first)):
-        find_problem(first, folders)  # which says what is near
+        find_problem(first, common.problems)  # which says what is near
     for word in rest:
-        if not os.path.lexists(word) and is_problem(word, folders):
-            raise UsageError(f"The kata comes first: judge {command} {word} FILE")
-    return None, tuple(words)
+        if not os.path.lexists(word) and is_problem(word, common):
+            raise UsageError(f"The kata comes first: judge run {word} FILE")
+    return None, words
 
 
-def assigned(
-    submissions: Sequence[Submission], problem: Problem | None, folders: Sequence[Path], db: Path | None
-) -> tuple[list[Task], list[Unjudged]]:
-    """The submissions by kata, all to `problem` or each to its own; and of several those that fit none.
-
-    Raises JudgeError where that is so of the only one.
-    """
-    if problem is not None:
-        return ([Task(problem, tuple(submissions))] if submissions else []), []
-    from judge.cli.submissions import Unjudged
-
-    problems: dict[str, Problem] = {}
-    mine: dict[str, list[Submission]] = {}
-    unfit = []
-    for submission in submissions:
-        try:
-            found = problem_of_file(submission, "run", folders, db)
-        except JudgeError as fault:
-            if len(submissions) == 1:
-                raise
-            unfit.append(Unjudged(submission.name, fault.what))
-            continue
-        problems.setdefault(found.id, found)
-        mine.setdefault(found.id, []).append(submission)
-    return [Task(problems[name], tuple(own)) for name, own in mine.items()], unfit
-
-
-def problem_meant(word: str, folders: Sequence[Path], db: Path | None) -> Problem:
-    """The kata of that name, or the one that the file of that name is for. Raises JudgeError."""
-    if is_problem(word, folders) or not (is_program(word) or _is_file(word)):
-        return find_problem(word, folders)
-    from judge.cli.submissions import read_submissions
-
-    (submission, *_) = read_submissions([word])
-    return problem_of_file(submission, "hint", folders, db)
-
-
-def problem_of_file(
-    submission: Submission, command: str, folders: Sequence[Path], db: Path | None
-) -> Problem:
+def problem_of_file(submission: Submission, command: str, common: Common) -> Problem:
     """The kata that a file is for, told from its text and name, or from having been judged before.
 
     Raises:
@@ -229,38 +243,33 @@ def problem_of_file(
     from judge.problem.find import fitting_problems, meant_problem, signs  # only where no kata is named
     from judge.report.words import shown_command
 
-    found = signs(submission.source, submission.name)
+    file, folders = submission.name, common.problems
+    found = signs(submission.source, file)
     fitting = fitting_problems(found, folders)
     if len(fitting) == 1:
         return fitting[0]
-    path = Path(submission.name).absolute()
+    path, names = Path(file).absolute(), [each.id for each in fitting]
     for above, name in pairwise(path.parent.parts):
-        meant = above == "solutions" and (not fitting or name in [each.id for each in fitting])
-        if meant and is_problem(name, folders):
+        if above == "solutions" and (not names or name in names) and is_problem(name, common):
             return find_problem(name, folders)
-    if known := next((each for each in _places(db) if each.path == str(path)), None):
+    if known := next((each for each in _places(common.db) if each.path == str(path)), None):
         return problem_of(known, folders)
-    if fitting:
-        names = [problem.id for problem in fitting]
-        chosen = shown_command("judge", command, names[0], file=submission.name)
-        what = f"this file fits {' and '.join(names)}"
-        raise UsageError(what, where=submission.name, remedy=f"'{chosen}' takes the first")
-    if near := meant_problem(found, folders):
-        name, entry, problem = near
-        what = f"this file defines {name}; did you mean {entry}, of {problem}?"
-        chosen = shown_command("judge", command, problem, file=submission.name)
-        raise UsageError(what, where=submission.name, remedy=f"rename it, or write '{chosen}'")
-    chosen = shown_command("judge", command, "KATA", file=submission.name)
-    what = "I cannot tell which kata this file is for"
-    raise UsageError(what, where=submission.name, remedy=f"say it: {chosen}")
+    near = None if names else meant_problem(found, folders)
+    chosen = shown_command("judge", command, names[0] if names else near[2] if near else "KATA", file=file)
+    if names:
+        what, remedy = f"this file fits {' and '.join(names)}", f"'{chosen}' takes the first"
+    elif near:
+        what = f"this file defines {near[0]}; did you mean {near[1]}, of {near[2]}?"
+        remedy = f"rename it, or write '{chosen}'"
+    else:
+        what, remedy = "I cannot tell which kata this file is for", f"say it: {chosen}"
+    raise UsageError(what, where=file, remedy=remedy)
 
 
-def is_problem(word: str, folders: Sequence[Path]) -> bool:
+def is_problem(word: str, common: Common) -> bool:
     """Whether a kata has that name; installed packs are searched where no nearer one has."""
-    if not is_name(word):
-        return False
-    near = [folder.name for folder in near_problem_folders(folders)]
-    return word in near or word in [folder.name for folder in problem_folders(folders)]
+    found = (problem_folders(common.problems, installed=installed) for installed in (False, True))
+    return is_name(word) and any(word == each.name for folders in found for each in folders)
 
 
 def usual_file(problem: str, db: Path | None) -> str:
@@ -274,9 +283,8 @@ def usual_file(problem: str, db: Path | None) -> str:
         return usual
     folder = this_folder()
     mine = [each for each in _places(db) if each.problem == problem and os.path.isfile(each.path)]  # noqa: PTH113
-    for each in mine:
-        if _within(each, folder):
-            return shown(each.path)
+    if own := next((each for each in mine if _within(each, folder)), None):
+        return shown(own.path)
     where = f" The last one is {mine[0].path}." if mine else ""
     raise UsageError(f"{usual} is not in this folder.{where} Create it: judge start {problem}")
 

@@ -2,24 +2,25 @@
 
 from __future__ import annotations
 
+import signal
 import sys
 import tempfile
 import threading
 import time
 from collections.abc import Callable, Collection, Iterator, Sequence
-from contextlib import ExitStack, closing, contextmanager, redirect_stderr, suppress
+from contextlib import closing, contextmanager, redirect_stderr, suppress
 from io import StringIO
-from queue import SimpleQueue
+from queue import Empty, SimpleQueue
 from types import FrameType
 from typing import TYPE_CHECKING, NoReturn
 
-from judge.cli.hints import next_hint, note_seen
+from judge.cli.commands.practise import HintAsk, hints, note_seen
+from judge.cli.drawings import Drawing
 from judge.cli.home import standing
-from judge.cli.kept import history_at
+from judge.cli.judging import Wish
 from judge.cli.options import Common
-from judge.cli.picture import Drawing
-from judge.cli.watching import Kata, WatchedFile, await_event, handled, take_up
-from judge.cli.wish import Wish
+from judge.cli.resolve import Kata, history_at, take_up
+from judge.cli.watching import WatchedFile
 from judge.errors import JudgeError
 from judge.judging.api import RunOptions
 from judge.languages import file_name, language_of
@@ -29,27 +30,34 @@ from judge.practice.stub import make_stub, write_stub
 from judge.practice.syllabus import PracticeSet, next_kata, set_of, sound_sets
 from judge.problem import Problem
 from judge.problem.find import sound_problems
-from judge.report.parts import FAINT, GOOD, WARNING
+from judge.report.parts import FAINT, GOOD, WARNING, prose
 from judge.report.picture import has_room
 from judge.report.result import Shown, accepted, magnified, result, verdict_line
 from judge.report.screen import Screen, drawn, out
-from judge.report.statement import prose
 from judge.report.tell import Told, tell
-from judge.report.terminal import GONE, Keys, height, redraw, reprompt
 from judge.report.views import view
-from judge.report.watch import begun_text, keys_text, note_text, place_text, waiting_text
+from judge.report.watch import (
+    GONE,
+    begun_text,
+    keys,
+    keys_text,
+    note_text,
+    place_text,
+    redraw,
+    reprompt,
+    waiting_text,
+)
 
 if TYPE_CHECKING:
-    from rich.console import Group, RenderableType
+    from rich.console import Group
 
-    from judge.report.published_start import Standing
-    from judge.run.result import Failure, Result
+    from judge.report.published_look import Standing
 
 _SAVED, _RESIZED = "saved", "resized"
 _END = ("q", "\x04", GONE)
+_LOOK = 1.0  # seconds after which the file is looked at even if nothing was told of it
 _AGAIN = 2.0  # seconds that breaking off may take
 _TICK = 0.1  # seconds between two states of the line that says what is being judged
-_NO_CASE = "There is no failing case to draw."
 _BELOW = 2  # rows that the keys take, and one to spare
 
 View = Callable[[Screen], str]
@@ -58,9 +66,9 @@ View = Callable[[Screen], str]
 def loop(kata: Kata, level: str | None, common: Common) -> None:
     """Judge a kata on every save, and those that are gone on to, until the person has enough."""
     screen = out()
-    screen.write("\n" * (height(screen) - 1))  # what stood there can be scrolled back to
+    screen.write("\n" * (screen.height - 1))  # what stood there can be scrolled back to
     following: Kata | None = kata
-    with handled(dict.fromkeys(("SIGTERM", "SIGHUP"), _leave)):
+    with _handled(_leave, signal.SIGTERM, signal.SIGHUP):
         while following is not None:
             following = _Loop(following, level, common).watch()
 
@@ -68,6 +76,17 @@ def loop(kata: Kata, level: str | None, common: Common) -> None:
 def _leave(number: int, _frame: FrameType | None) -> NoReturn:
     """End like any program that was asked to, but after clearing up."""
     raise SystemExit(128 + number)
+
+
+@contextmanager
+def _handled(handler: Callable[[int, FrameType | None], None], *signals: signal.Signals) -> Iterator[None]:
+    """Have these signals handled while the block runs."""
+    before = [(each, signal.signal(each, handler)) for each in signals]
+    try:
+        yield
+    finally:
+        for each in before:
+            signal.signal(*each)
 
 
 @contextmanager
@@ -95,12 +114,13 @@ class _Loop:
     """One kata on the screen."""
 
     def __init__(self, kata: Kata, level: str | None, common: Common) -> None:
-        self._kata, self._level, self._common = kata, level, common
+        self._kata, self._common = kata, common
         options = RunOptions(isolation=common.isolation, level=level)
         self._file = WatchedFile(kata, Wish(options, db=common.db))
         self._stub = make_stub(kata.problem, language_of(kata.path)).encode()
         self._events: SimpleQueue[str] = SimpleQueue()
-        self._found: Drawing | str = ""
+        self._found: Drawing | None = None
+        self._text = ""  # why there is no result
         self._notes = ""
         self._standing: Standing | None = None
         self._view: View = self._report
@@ -110,25 +130,24 @@ class _Loop:
     def watch(self) -> Kata | None:
         """Judge on every save and obey the keys; the kata to go on to, or None to end."""
         try:
-            with ExitStack() as stack:
-                stack.enter_context(closing(self._file))
-                keys = stack.enter_context(Keys(sys.stdin.fileno(), self._pressed))
-                stack.enter_context(handled(self._signals(keys)))
-                stack.enter_context(Saves(self._kata.path, self._saved))
-                return self._obey()
+            with closing(self._file), keys(sys.stdin.fileno(), self._pressed) as take:
+
+                def resized(number: int, _frame: object) -> None:
+                    if number == signal.SIGCONT:
+                        take()
+                    self._events.put(_RESIZED)
+
+                with (
+                    _handled(resized, signal.SIGWINCH, signal.SIGCONT),
+                    Saves(self._kata.path, self._saved),
+                ):
+                    return self._obey()
         except KeyboardInterrupt:
             if not self._leaving:
                 raise
             return None
         finally:
             reprompt(out(), "")
-
-    def _signals(self, keys: Keys) -> dict[str, Callable[..., None]]:
-        def go_on(*_: object) -> None:
-            keys.take()
-            self._events.put(_RESIZED)
-
-        return {"SIGWINCH": lambda *_: self._events.put(_RESIZED), "SIGCONT": go_on}
 
     def _saved(self) -> None:
         """Perhaps, as the thread tells that watches the file."""
@@ -147,23 +166,26 @@ class _Loop:
         while not self._leaving:
             if self._file.saved():
                 self._judge()
-            event = await_event(self._events)
+            event = ""
+            with suppress(Empty):
+                event = self._events.get(timeout=_LOOK)
             if event == _RESIZED:
                 self._draw()
-            elif event and event != _SAVED and not self._leaving:
-                following = self._key(event)
-                if following is not None:
-                    return following
+            elif event and event != _SAVED and not self._leaving and (following := self._key(event)):
+                return following
         return None
 
     def _judge(self) -> None:
         """Judge what stands in the file, unless that is still the stub."""
-        if self._is_stub():
-            self._found, self._notes = "", ""
+        untouched = False
+        with suppress(OSError):  # judging says so
+            untouched = self._kata.path.read_bytes() == self._stub
+        if untouched:
+            self._found, self._text, self._notes = None, "", ""
             self._show(self._begun)
             return
         screen = out()
-        if not self._found:
+        if not (self._found or self._text):
             redraw(screen, drawn(self._place(screen), screen), "")
         notes = StringIO()
         found: Drawing | str | None = None
@@ -173,23 +195,17 @@ class _Loop:
                     found = self._file.judge()
         if found is None:  # what was judged is out of date: what is there now comes next
             return
-        self._found, self._notes = found, notes.getvalue()
-        self._asked, self._standing = "", None
+        self._found, self._text = (None, found) if isinstance(found, str) else (found, "")
+        self._notes, self._asked, self._standing = notes.getvalue(), "", None
         self._show(self._report)
-        if self._solved():  # the verdict stands there already, and is worth more
+        if self._solved:  # the verdict stands there already, and is worth more
             with suppress(JudgeError):
                 self._standing = standing(self._kata.problem.id, self._common)
                 self._draw()
 
-    def _is_stub(self) -> bool:
-        try:
-            return self._kata.path.read_bytes() == self._stub
-        except OSError:  # judging says so
-            return False
-
     def _begun(self, screen: Screen) -> str:
         """The kata, whose file is still to be written."""
-        rows = height(screen) - _BELOW
+        rows = screen.height - _BELOW
         return begun_text(self._place(screen), self._kata.problem, self._kata.name, screen, rows)
 
     def _place(self, screen: Screen) -> Group:
@@ -207,26 +223,27 @@ class _Loop:
 
     def _key(self, key: str) -> Kata | None:
         """Do what a key says; the kata to go on to, if it says so."""
-        asked, self._asked = self._asked, ""
+        sure, self._asked = key == self._asked, ""
         try:
             if key == "n":
-                return self._next(confirmed=asked == "n")
-            if key == "x":
-                self._start_over(confirmed=asked == "x")
+                if sure or self._solved:
+                    return self._next()
+                self._ask_again(key, "Not solved yet. Press n again to skip it.")
+            elif key == "x":
+                if sure:
+                    write_stub(self._kata.problem, self._kata.path, over=True)
+                else:
+                    text = "Start over? Your text will be kept as a .bak file. Press x again."
+                    self._ask_again(key, text)
             elif key in _VIEWS:
                 self._show(_VIEWS[key](self))
         except JudgeError as fault:
             self._say(str(fault))
         return None
 
-    def _next(self, *, confirmed: bool) -> Kata | None:
-        """The kata to go on to; one that is not solved is only left when that is asked for twice."""
-        problem, common = self._kata.problem, self._common
-        if not (confirmed or self._solved()):
-            self._ask_again("n", "Not solved yet. Press n again to skip it.")
-            return None
-        problems, sets, done = self._katas()
-        following = next_kata(problem.id, problems, sets, done)
+    def _next(self) -> Kata | None:
+        """The kata to go on to, taken up; None where all others are solved."""
+        common, following = self._common, next_kata(self._kata.problem.id, *self._katas())
         if following is None:
             self._say("All other katas are solved.", GOOD)
             return None
@@ -236,16 +253,9 @@ class _Loop:
         take_up(kata, common.db)
         return kata
 
-    def _start_over(self, *, confirmed: bool) -> None:
-        """Write the stub again, once that is asked for twice."""
-        if not confirmed:
-            self._ask_again("x", "Start over? Your text will be kept as a .bak file. Press x again.")
-            return
-        write_stub(self._kata.problem, self._kata.path, over=True)
-
     def hint(self) -> View:
         """The next hint."""
-        hint = next_hint(self._kata.problem, self._common.db)
+        (hint,) = hints(self._kata.problem, HintAsk(), self._common.db)
         note_seen(hint, self._common.db)
         return lambda screen: drawn(view(hint, screen), screen)
 
@@ -256,7 +266,7 @@ class _Loop:
     def katas(self) -> View:
         """The katas by set."""
         from judge.cli.commands.look import ListAsk, listed
-        from judge.report.katas import kata_list
+        from judge.report.look import kata_list
 
         found = listed(None, ListAsk(), self._common)
         return lambda screen: drawn(kata_list(found, screen), screen)
@@ -264,18 +274,26 @@ class _Loop:
     def picture(self) -> View:
         """The failing case, drawn below its arguments."""
         found = self._found
-        if isinstance(found, str):
-            return lambda screen: note_text(_NO_CASE, screen)
-        return lambda screen: picture_text(found, screen, _BELOW + 2)
+
+        def shown(screen: Screen) -> str:
+            if found and not has_room(screen):
+                return note_text("A picture needs a terminal of 60 columns that knows braille.", screen)
+            drawing = found.rows(screen) if found else None
+            if found is None or drawing is None:
+                return note_text("There is no failing case to draw.", screen)
+            rows = screen.height - _BELOW - 2
+            return drawn(magnified(_told(found), drawing, rows, screen.width), screen)
+
+        return shown
 
     def browser(self) -> View:
         """The failing case on a page where it can be dragged, opened in the browser."""
-        found = self._found
-        explore = None if isinstance(found, str) else found.data.module.hooks.explore
-        case = None if isinstance(found, str) else smallest(found.result)
-        page = explore(self._kata.problem, case.input if case else None) if explore else None
+        problem, page = self._kata.problem, None
+        if self._found and (explore := self._found.data.module.hooks.explore):
+            failures = (self._found.result.counterexample, self._found.result.failure)
+            page = explore(problem, next((each.input for each in failures if each and each.input), None))
         if page is None:
-            return lambda screen: note_text(f"There is no page for {self._kata.problem.id} yet.", screen)
+            return lambda screen: note_text(f"There is no page for {problem.id} yet.", screen)
         import click
 
         with tempfile.NamedTemporaryFile("w", suffix=".html", delete=False, encoding="utf-8") as file:
@@ -288,21 +306,24 @@ class _Loop:
         return self._report
 
     def _report(self, screen: Screen) -> str:
-        if isinstance(self._found, str):
-            return note_text(self._found, screen)
+        if self._found is None:
+            return note_text(self._text, screen)
         after = None
-        if self._solved():
+        if self._solved:
             after = accepted(self._kata.problem.id, self._standing, screen.width, key="n")
-        return result_text(self._found, screen, _BELOW + self._notes.count("\n"), after)
+        told, name, rows = _told(self._found), self._found.result.submission, self._found.rows(screen)
+        shown = Shown(told, name, drawing=rows, after=after, commands=False)
+        return drawn(result(shown, screen, screen.height - _BELOW - self._notes.count("\n")), screen)
 
     def _end(self, screen: Screen) -> str:
         """The last lines, whatever else is shown: the verdict."""
-        if isinstance(self._found, str):
-            return note_text(self._found, screen) if self._found else ""
-        return drawn(verdict_line(told_of(self._found), self._kata.name), screen)
+        if self._found is None:
+            return note_text(self._text, screen) if self._text else ""
+        return drawn(verdict_line(_told(self._found), self._kata.name), screen)
 
+    @property
     def _solved(self) -> bool:
-        return not isinstance(self._found, str) and self._found.result.solved
+        return self._found is not None and self._found.result.solved
 
     def _ask_again(self, key: str, text: str) -> None:
         self._asked = key
@@ -321,34 +342,11 @@ class _Loop:
         parts = [self._notes, self._view(screen)]
         if self._view != self._report and (end := self._end(screen)):
             parts += ["" if parts[-1].endswith("\n\n") else "\n", end]
-        failed = not isinstance(self._found, str) and self._found.result.failure is not None
+        failed = self._found is not None and self._found.result.failure is not None
         redraw(screen, "".join([*parts, "\n"]), keys_text(screen, failed=failed))
 
 
-def smallest(result: Result) -> Failure | None:
-    """The smallest case that fails, of those whose arguments are known."""
-    return next((each for each in (result.counterexample, result.failure) if each and each.input), None)
-
-
-def picture_text(found: Drawing, screen: Screen, spare: int) -> str:
-    """The failing case and its picture, which leave so many rows of the terminal free."""
-    if not has_room(screen):
-        return note_text("A picture needs a terminal of 60 columns that knows braille.", screen)
-    drawing = found.rows(screen)
-    if drawing is None:
-        return note_text(_NO_CASE, screen)
-    return drawn(magnified(told_of(found), drawing, height(screen) - spare, screen.width), screen)
-
-
-def result_text(found: Drawing, screen: Screen, spare: int, after: RenderableType | None = None) -> str:
-    """A result, and what follows it, that leaves so many rows of the terminal free."""
-    shown = Shown(
-        told_of(found), found.result.submission, drawing=found.rows(screen), after=after, commands=False
-    )
-    return drawn(result(shown, screen, height(screen) - spare), screen)
-
-
-def told_of(found: Drawing) -> Told:
+def _told(found: Drawing) -> Told:
     """The result in words."""
     return tell(found.problem, found.result, found.source)
 

@@ -1,55 +1,24 @@
-"""Where a kata lies that is being watched: its file, its saves, its judging."""
+"""The file of a kata that is being watched: its saves, and its judging."""
 
 from __future__ import annotations
 
 import signal
 import threading
-from collections.abc import Callable, Iterator, Mapping
-from contextlib import contextmanager
+from contextlib import suppress
 from pathlib import Path
-from queue import Empty, SimpleQueue
-from types import FrameType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from msgspec import Struct
-
-from judge.cli.judging import Sitting
-from judge.cli.resolve import folder_to_keep, shown
-from judge.cli.submissions import read_submissions
-from judge.cli.wish import Wish
-from judge.errors import JudgeError, StoreError, UsageError
+from judge.cli.files import Submission, read_submissions
+from judge.cli.judging import Wish
+from judge.cli.resolve import Kata
+from judge.errors import JudgeError, UsageError
+from judge.judging.session import Session
 from judge.practice.saves import SavedMark, mark, settled
-from judge.problem import Problem
-from judge.report.screen import note
+from judge.problem import Verdict
+from judge.problem.load import load_problem, own_files
 
 if TYPE_CHECKING:
-    from judge.cli.picture import Drawing
-
-_LOOK = 1.0  # seconds after which the file is looked at even if nothing was told of it
-
-
-class Kata(Struct, frozen=True):
-    """A kata and the file that is to solve it, from the root."""
-
-    problem: Problem
-    path: Path
-
-    @property
-    def name(self) -> str:
-        """The file as a person would name it from here."""
-        return shown(self.path)
-
-
-def take_up(kata: Kata, db: Path | None) -> None:
-    """Note that the kata was started; a history that fails does not stand in the way."""
-    from judge.cli.kept import history_at
-    from judge.practice.events import Started
-
-    try:
-        with history_at(db) as history:
-            history.keep(Started(kata.problem.id, str(kata.path), folder_to_keep(kata.problem)))
-    except StoreError as fault:
-        note(f"not kept in the history: {fault}")
+    from judge.cli.drawings import Drawing
 
 
 class Judging:
@@ -94,25 +63,32 @@ class Judging:
 
 
 class WatchedFile:
-    """A kata under watch: whether its file was saved since it was judged, and judging it."""
+    """A kata under watch: whether its file was saved since it was judged, and judging it.
+
+    What can be kept from one save to the next is, the data and the reference's box. Close it, so that the box
+    ends.
+    """
 
     def __init__(self, kata: Kata, wish: Wish) -> None:
-        self.kata = kata
-        self._sitting = Sitting(kata.problem, wish)
+        self.judging = Judging()
+        self._kata, self._wish = kata, wish
         self._seen: SavedMark | None = None
         self._looked = False
-        self.judging = Judging()
+        self._session: Session | None = None
+        self._had: str | None = None  # the level of isolation so far
+        self._problem = kata.problem
+        self._files: list[tuple[str, SavedMark | None]] = []  # of the problem, as it was judged
 
     def look(self) -> None:
         """Something has happened to the file: give up judging what stood in it before, from any thread."""
-        if mark(self.kata.path) != self._seen:
+        if mark(self._kata.path) != self._seen:
             self.judging.break_off(outdated=True)
 
     def saved(self) -> bool:
         """Whether there is something new to judge or to tell; waits while the file is being written."""
-        if self._looked and mark(self.kata.path) == self._seen:
+        if self._looked and mark(self._kata.path) == self._seen:
             return False
-        now = settled(self.kata.path)
+        now = settled(self._kata.path)
         new = not self._looked or now != self._seen
         self._seen, self._looked = now, True
         return new
@@ -123,41 +99,52 @@ class WatchedFile:
         Raises:
             UsageError: the isolation that was demanded cannot be had.
         """
-        name = self.kata.name
+        name = self._kata.name
         if self._seen is None:
             return f"{name} is gone; it is judged again when it is back"
         try:
-            submissions = read_submissions([name])
+            submission, *_ = read_submissions([name])
         except UsageError as fault:
             return str(fault)
-        if not submissions[0].source.strip():
+        if not submission.source.strip():
             return f"{name} is empty; it is judged when there is something in it"
         try:
-            return self._sitting.judged(submissions[0])
-        except UsageError:
-            raise
+            return self._judged(submission)
         except JudgeError as fault:
+            if isinstance(fault, UsageError):
+                raise
             return str(fault)
 
+    def _judged(self, submission: Submission) -> Drawing:
+        """Judge it; whatever is raised, and a verdict that says nothing of it, ends what was kept.
+
+        So does a change of the problem, at which a setter may be at work.
+        """
+        problem, clean = self._problem, False
+        with suppress(OSError):  # whoever reads them says so
+            files = [(path, mark(Path(path))) for path in own_files(problem.folder)]
+            if files != self._files:
+                self.close()
+                if self._files:
+                    self._problem = problem = load_problem(problem.folder, problem.solutions)
+                self._files = files
+        try:
+            if self._session is None:
+                self._session = Session(problem, self._wish.options, had=self._had)
+            self._session.boot(submission.source, submission.name)
+            from judge.cli.drawings import drawings  # while it boots
+
+            (drawn,) = drawings(self._session, [submission], self._wish)
+            if drawn.result.verdict is not Verdict.JE:  # that one was held nowhere
+                self._had = drawn.result.isolation or self._had
+                clean = True
+        finally:
+            if not clean:
+                self.close()
+        return drawn
+
     def close(self) -> None:
-        """End what is kept from one save to the next."""
-        self._sitting.close()
-
-
-def await_event(events: SimpleQueue[str]) -> str | None:
-    """The next event, or None after a second without one."""
-    try:
-        return events.get(timeout=_LOOK)
-    except Empty:
-        return None
-
-
-@contextmanager
-def handled(handlers: Mapping[str, Callable[[int, FrameType | None], Any]]) -> Iterator[None]:
-    """Have these signals handled while the block runs."""
-    before = {name: signal.signal(getattr(signal, name), handler) for name, handler in handlers.items()}
-    try:
-        yield
-    finally:
-        for name, handler in before.items():
-            signal.signal(getattr(signal, name), handler)
+        """End what was kept; judging goes on without."""
+        session, self._session = self._session, None
+        if session is not None:
+            session.close()

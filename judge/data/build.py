@@ -31,6 +31,7 @@ from judge.problem.declare import InvalidCase
 from judge.problem.model import EXAMPLES, Parameter, group_place
 from judge.problem.module import Module, blaming
 from judge.values import check, parameters
+from judge.values.atoms import NumberType
 
 if TYPE_CHECKING:
     from judge.values.answers import Exact, Target
@@ -247,13 +248,14 @@ def bounds_fault(problem: Problem, case: Case) -> str | None:
     """What number of a well-shaped case is beyond its parameter's bounds, or too near to 0, or None."""
     for parameter, value in zip(problem.parameters, case, strict=True):
         low, high, smallest = _bounds(parameter)
-        if found := parameters.outside(parameter.type, value, low, high):
-            number, low, high = found
-            return f"{parameter.name} has {number!r}, outside {_text(low)} to {_text(high)}"
-        for number in parameters.reals(parameter.type, value) if smallest else ():
-            if 0 < abs(number) < smallest:
-                least = float(parameter.smallest)
-                return f"{parameter.name} has {number!r}, nearer to 0 than {least:g} but not 0"
+        for atom, number in parameters.leaves(parameter.type, value):
+            if not isinstance(atom, NumberType):
+                continue
+            least = low if atom.least is None else max(low, atom.least)
+            if not least <= number <= high:
+                return f"{parameter.name} has {number!r}, outside {_text(least)} to {_text(high)}"
+            if atom.measured and 0 < abs(number) < smallest:
+                return f"{parameter.name} has {number!r}, nearer to 0 than {smallest:g} but not 0"
     return None
 
 

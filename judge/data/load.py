@@ -45,18 +45,16 @@ class GroupData(Struct, frozen=True):
     choices: tuple[tuple[int, ...] | None, ...] = ()
 
 
-class ProblemData:
-    """All groups' data of one problem; `notes` are sentences for the person about how they came to be."""
+class ProblemData(Struct, eq=False):
+    """All groups' data of one problem; `notes` are sentences for the person about how they came to be.
 
-    def __init__(
-        self,
-        problem: Problem,
-        groups: tuple[GroupData, ...],
-        notes: tuple[str, ...] = (),
-        module: Module | None = None,
-    ) -> None:
-        self.problem, self.groups, self.notes = problem, groups, notes
-        self._module = module
+    `loaded` is the module, where it is.
+    """
+
+    problem: Problem
+    groups: tuple[GroupData, ...]
+    notes: tuple[str, ...] = ()
+    loaded: Module | None = None
 
     def exact(self, case: Case, group: Group) -> tuple[Exact, Tolerance]:
         """The exact answer to a case of that group, and its tolerance. Raises ProblemError.
@@ -70,9 +68,9 @@ class ProblemData:
         """What problem.py defines; it is loaded on the first use. Raises ProblemError."""
         from judge.problem.module import load_module
 
-        if self._module is None:
-            self._module = load_module(self.problem)
-        return self._module
+        if self.loaded is None:
+            self.loaded = load_module(self.problem)
+        return self.loaded
 
 
 def reseeded(group: Group, seed: int | None) -> Group:
@@ -96,20 +94,6 @@ def _form() -> Any:
 _FORM = _form()
 
 
-def _in_tuples(plain: Any) -> Any:
-    """A file that has more than the form allows, such as several right answers, as the form would read it."""
-
-    def tuples(value: Any) -> Any:
-        if isinstance(value, dict):
-            return {key: tuples(each) for key, each in value.items()}
-        return tuple(map(tuples, value)) if isinstance(value, list) else value
-
-    return {
-        name: [[*map(tuples, each)] for each in group] if isinstance(group, list) else group
-        for name, group in (plain or {}).items()
-    }
-
-
 def load_data(
     problem: Problem,
     *,
@@ -122,8 +106,9 @@ def load_data(
     With `seed`, each group's own seed is derived from it. `progress` hears how many cases are built.
     Without a `store` they are built afresh and not kept. Raises ProblemError.
     """
-    place = data_name("data", problem, seed), data_key(problem, seed)
-    plain = store and (store.read(*place, _FORM) or _in_tuples(store.read(*place, dict[str, Any])))
+    place = kept_place("data", problem, seed)
+    # The form has no place for several right answers: they are read without one.
+    plain = store and (store.read(*place, _FORM) or tupled(store.read(*place, dict[str, Any])))
     kept = _data(plain, problem, seed) if plain else None
     if kept is not None:
         return kept
@@ -145,19 +130,17 @@ def load_data(
 
 def is_kept(problem: Problem, seed: int | None) -> bool:
     """Whether the data are in the cache."""
-    name, key = data_name("data", problem, seed), data_key(problem, seed)
-    return DISK.read(name, key, dict[str, Any]) is not None
+    return DISK.read(*kept_place("data", problem, seed), dict[str, Any]) is not None
 
 
-def data_name(folder: str, problem: Problem, seed: int | None) -> str:
-    """The name in that folder of the store of what is kept for this problem, in this place, for a seed."""
+def kept_place(folder: str, problem: Problem, seed: int | None) -> tuple[str, str]:
+    """The name in that folder of the store of what is kept for this problem, in this place, for a seed.
+
+    After it the key of all that the data are made from.
+    """
     place = digest(os.fsencode(problem.folder))[:8]
-    return f"{folder}/{problem.id}-{place}-{'own' if seed is None else 'seeded'}"
-
-
-def data_key(problem: Problem, seed: int | None) -> str:
-    """The key of all that the data are made from."""
-    return f"{FORMAT}/{seed}/{problem.key}"
+    name = f"{folder}/{problem.id}-{place}-{'own' if seed is None else 'seeded'}"
+    return name, f"{FORMAT}/{seed}/{problem.key}"
 
 
 def _data(plain: Any, problem: Problem, seed: int | None) -> ProblemData | None:
@@ -177,7 +160,7 @@ def _data(plain: Any, problem: Problem, seed: int | None) -> ProblemData | None:
                 cases, targets = from_seeds(kept, problem, module, group), list(map(tupled, kept["targets"]))
             if len(cases) != group.count or len(targets) != group.count:
                 return None
-            groups.append(GroupData(group, cases, targets))
+            groups.append(GroupData(group, list(cases), list(targets)))
     except (KeyError, TypeError, ValueError, IndexError, AttributeError, ProblemError):
         return None  # whatever a foreign file can hold
-    return ProblemData(problem, tuple(groups), module=module)
+    return ProblemData(problem, tuple(groups), loaded=module)

@@ -75,15 +75,13 @@ def write_pins(problem: Problem, pins: Mapping[str, Any]) -> None:
 
 def differences(pins: Mapping[str, Any], found: Mapping[str, Any]) -> list[str]:
     """What the pins and the data disagree about, a sentence each."""
-    drifted = [
-        _drift(name, pins[name], pin) for name, pin in found.items() if name in pins and pin != pins[name]
-    ]
-    unpinned = [f"group {name!r} has no pinned hash" for name in found if name not in pins]
-    stale = [f"the pinned hash of {name!r} belongs to no group" for name in pins if name not in found]
-    return drifted + unpinned + stale
-
-
-def _drift(name: str, pin: Any, found: Any) -> str:
-    if isinstance(pin, dict) and pin.get("hash") == found["hash"]:
-        return f"group {name!r} rejects other mistakes than its pin says"
-    return f"the data of group {name!r} differ from their pinned hash"
+    told = []
+    for name, now in found.items():
+        pin = pins.get(name)
+        if name not in pins:
+            told.append(f"group {name!r} has no pinned hash")
+        elif not isinstance(pin, dict) or pin.get("hash") != now["hash"]:
+            told.append(f"the data of group {name!r} differ from their pinned hash")
+        elif pin != now:
+            told.append(f"group {name!r} rejects other mistakes than its pin says")
+    return told + [f"the pinned hash of {name!r} belongs to no group" for name in pins if name not in found]

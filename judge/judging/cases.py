@@ -53,7 +53,7 @@ def try_case(problem: Problem, case: Case, group: str = "") -> Tried:
         raise UsageError(f"Not a valid input: {what}", remedy=f"see judge show {problem.id}") from None
     judged_by = problem.group(group) or _usual(problem)
     target = target_of(problem, exact, judged_by.tolerance)
-    data = ProblemData(problem, (GroupData(judged_by, [case], [target]),), module=module)
+    data = ProblemData(problem, (GroupData(judged_by, [case], [target]),), loaded=module)
     return Tried(problem, case, judged_by, exact, target, data)
 
 
@@ -170,7 +170,7 @@ def judge_fresh(
     module = load_module(problem)  # while the box boots
     fresh = Fresh(problem, module, groups, seed)
     with session.take(source, name) as box:
-        data = ProblemData(problem, (), module=module)
+        data = ProblemData(problem, (), loaded=module)
         stressed = stress(
             data, fresh, box, source, name, seconds=seconds, on_cases=on_cases, lock=session.lock
         )
@@ -184,7 +184,7 @@ def judge_fresh(
                     series = broken.series
                     failed = session.diagnosed(
                         Judged(replace(result, failure=broken.failure), runner, {}),
-                        ProblemData(problem, (series,), module=module),
+                        ProblemData(problem, (series,), loaded=module),
                         box,
                         lambda _group, _builder, number, _case: series.choices[number],
                     )

@@ -14,6 +14,8 @@ from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
+from msgspec import Struct
+
 from judge.cache import DISK, digest
 from judge.errors import JudgeError
 from judge.languages.model import Language
@@ -71,7 +73,7 @@ def why_not(language: Language) -> str:
     return ""
 
 
-class Found(NamedTuple):
+class Found(Struct, frozen=True):
     """What this machine has of a language: its version, or what is missing and the command for that.
 
     `works` is None where it was not tried; where it fails, `why_not` says why and `remedy` what would help.

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from msgspec.structs import replace
+
 from judge.errors import JudgeError
 from judge.languages.boxes import recipe_of
 from judge.languages.find import Found, remedy, toolchain
@@ -38,5 +40,5 @@ def tried(language: Language, found: Found, boxes: Boxes) -> Found:
     try:
         measured(recipe_of(toolchain(language)), boxes, _Nothing())
     except JudgeError as fault:
-        return found._replace(works=False, why_not=fault.what, remedy=f"repair it, or {remedy(language)}")
-    return found._replace(works=True)
+        return replace(found, works=False, why_not=fault.what, remedy=f"repair it, or {remedy(language)}")
+    return replace(found, works=True)

@@ -17,7 +17,7 @@ from itertools import chain
 from typing import Any
 
 from judge.cache import DISK, Store, code_key
-from judge.data.load import ProblemData, data_key, data_name
+from judge.data.load import ProblemData, kept_place
 from judge.mistakes.agreement import kind_of
 from judge.mistakes.computed import Computer, Program
 from judge.mistakes.packed import packed, unpacked
@@ -37,9 +37,7 @@ _WHAT = "the known mistakes' answers"
 class KnownAnswers:
     """The answers of known programs on one problem's data, read from the cache and added to it."""
 
-    def __init__(
-        self, data: ProblemData, seed: int | None, settings: Settings, store: Store = DISK
-    ) -> None:
+    def __init__(self, data: ProblemData, seed: int | None, settings: Settings, store: Store = DISK) -> None:
         self._data = data
         self._settings = settings
         self._kinds: dict[tuple[str, int, Outline], str] = {}
@@ -119,8 +117,8 @@ def is_kept(problem: Problem, seed: int | None) -> bool:
 
 def _place(problem: Problem, seed: int | None) -> tuple[str, str]:
     """Its name in the store, and the key of all that the behaviours depend on beside the programs."""
-    key = f"{FORMAT}/{sys.version}/{data_key(problem, seed)}/{code_key(*_CODE)}"
-    return data_name("mistakes", problem, seed), key
+    name, key = kept_place("mistakes", problem, seed)
+    return name, f"{FORMAT}/{sys.version}/{key}/{code_key(*_CODE)}"
 
 
 def _shared(kept: dict[str, Any]) -> dict[str, Any]:

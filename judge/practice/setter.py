@@ -27,7 +27,7 @@ from judge.practice.questions import Sources, ask
 from judge.practice.stub import make_stub
 from judge.practice.syllabus import unknown_names
 from judge.problem import Problem
-from judge.problem.find import near_problem_folders, problem_roots
+from judge.problem.find import problem_folders, problem_roots
 from judge.problem.load import load_problem
 from judge.problem.model import EXAMPLES, is_name
 from judge.problem.texts import read_hints
@@ -113,7 +113,7 @@ def _check_free(name: str, places: Iterable[Path]) -> None:
         if place.is_symlink() or place.is_file() or (place.is_dir() and any(place.iterdir())):
             remedy = "choose another name, or take it away first"
             raise UsageError("it is there already", where=str(place), remedy=remedy)
-    for other in near_problem_folders():
+    for other in problem_folders(installed=False):
         if other.name == name:
             what, remedy = f"a kata is called {name!r} already", "choose another name: runs are kept by it"
             raise UsageError(what, where=str(other), remedy=remedy)

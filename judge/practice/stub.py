@@ -54,9 +54,9 @@ def write_stub(problem: Problem, path: Path, *, over: bool = False) -> Path | No
         ProblemError: no stub can be made of the problem.
     """
     text = make_stub(problem, language_of(path)).encode()
-    if not path.name or path.is_dir():
-        raise UsageError("this is a folder", where=str(path), remedy="name a file in it")
     try:
+        if not path.name or path.is_dir():
+            raise UsageError("this is a folder", where=str(path), remedy="name a file in it")
         if not (over and path.exists()):
             new_file(path, text)
         elif (old := read_ordinary(path)) != text:
@@ -70,6 +70,9 @@ def write_stub(problem: Problem, path: Path, *, over: bool = False) -> Path | No
         raise UsageError("its folder does not exist", where=str(path), remedy=remedy) from fault
     except OSError as fault:
         raise unwritable(path, fault, "name another file") from fault
+    except ValueError as fault:  # a NUL in the name
+        what = f"cannot be written ({fault})"
+        raise UsageError(what, where=repr(str(path)), remedy="name another file") from fault
     return None
 
 

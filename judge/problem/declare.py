@@ -14,7 +14,6 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from contextvars import ContextVar
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -36,25 +35,23 @@ class Decided(NamedTuple):
     gap: float
 
 
-_made: ContextVar[list[Decided] | None] = ContextVar("_made", default=None)
+_told: list[list[Decided]] = []  # of those who ask, the innermost last
 
 
 @contextmanager
 def decisions() -> Iterator[list[Decided]]:
     """The decisions that are made inside, in order."""
-    made: list[Decided] = []
-    token = _made.set(made)
+    _told.append([])
     try:
-        yield made
+        yield _told[-1]
     finally:
-        _made.reset(token)
+        _told.pop()
 
 
 def decided(what: str, gap: float) -> None:
     """Tell of a decision those who ask for them."""
-    made = _made.get()
-    if made is not None:
-        made.append(Decided(what, gap))
+    if _told:
+        _told[-1].append(Decided(what, gap))
 
 
 class InvalidCase(Exception):  # noqa: N818 - of the case, not of the program

@@ -47,6 +47,9 @@ _MARKS = ("problem.toml", "problem.py", "statement.md")  # a problem's folder ho
 _FEW = 8  # problems that a message may name
 _READ = 2**20  # characters of a file that are looked at
 _MOST_NAMES = 200  # of functions, one of which may be meant
+_DOCSTRING = r"(?:#[^\n]*\n\s*)*[rR]?(?:\"\"\"|''')"
+_TOP = r"(?m)^(?:async[ \t]+def|def|class)[ \t]+(\w+)|^(\w+)[ \t]*(?::[^=\n]*)?=(?!=)"
+_NESTED = r"(?m)^[ \t]+(?:async[ \t]+)?def[ \t]+(\w+)"
 
 
 def find_problem(name: str, extra: Sequence[Path] = ()) -> Problem:
@@ -54,26 +57,17 @@ def find_problem(name: str, extra: Sequence[Path] = ()) -> Problem:
 
     Raises UsageError if there is none and ProblemError if it is broken.
     """
-    names: list[str] = []
-    for folders in (near_problem_folders, problem_folders):
-        found = {folder.name: folder for folder in reversed(folders(extra))}
+    found: dict[str, Path] = {}
+    for installed in (False, True):
+        found = {folder.name: folder for folder in problem_folders(extra, installed=installed)}
         if name in found:
             return load_problem(found[name])
-        names = [*reversed(found)]
-    meant = nearest(name, names)
-    known = f"there are {', '.join(names) or 'none at all'}"
-    if len(names) > _FEW:
-        known = f"'judge list' shows all {len(names)}"
+    meant = nearest(name, found)
+    known = f"there are {', '.join(found) or 'none at all'}"
+    if len(found) > _FEW:
+        known = f"'judge list' shows all {len(found)}"
     remedy = f"did you mean {meant!r}?" if meant else known
     raise UsageError(f"no problem is called {name!r}", remedy=remedy)
-
-
-def all_problems(extra: Sequence[Path] = ()) -> list[Problem]:
-    """Every problem that can be found, easiest first. Raises as find_problem does."""
-    problems, faults = sound_problems(extra)
-    for fault in faults:
-        raise fault
-    return problems
 
 
 def sound_problems(extra: Sequence[Path] = ()) -> tuple[list[Problem], list[ProblemError]]:
@@ -97,22 +91,19 @@ def listed_problems(extra: Sequence[Path], kind: type[P]) -> tuple[list[P], list
     for shelf in shelves.values():
         shelf.keep()
     tiers = list(Tier)
-    return sorted(
-        problems, key=lambda each: (tiers.index(each.tier), each.place is None, each.place or 0, each.id)
-    ), faults
+    return sorted(problems, key=lambda each: (tiers.index(each.tier), each.place, each.id)), faults
 
 
 # -- folders -----------------------------------------------------------------------------------------------
 
 
-def problem_folders(extra: Sequence[Path] = ()) -> list[Path]:
-    """The folder of every problem that can be found, one of each name, none of them read yet."""
-    return _folders(problem_roots(extra))
+def problem_folders(extra: Sequence[Path] = (), *, installed: bool = True) -> list[Path]:
+    """The folder of every problem that can be found, one of each name, none of them read yet.
 
-
-def near_problem_folders(extra: Sequence[Path] = ()) -> list[Path]:
-    """The folders of the problems that are found without searching installed packages for packs."""
-    return _folders(problem_roots(extra, installed=False))
+    Looking up the `installed` packs takes time: leave them out where what is wanted was found without.
+    Raises as find_problem does.
+    """
+    return _folders(problem_roots(extra, installed=installed))
 
 
 def folders_within(named: Sequence[Path]) -> list[Path]:
@@ -136,10 +127,7 @@ def _folders(roots: Sequence[Path]) -> list[Path]:
 
 
 def problem_roots(extra: Sequence[Path] = (), *, installed: bool = True) -> list[Path]:
-    """The folders of problems that are looked in, in their order. Raises as find_problem does.
-
-    Looking up the installed packs takes time: leave them out where what is wanted was found without.
-    """
+    """The folders of problems that are looked in, in their order. Raises as find_problem does."""
     roots = [_root(folder, "--problems") for folder in extra]
     parts = os.environ.get(_VARIABLE, "").split(os.pathsep)
     roots += [_root(Path(part), f"${_VARIABLE}") for part in parts if part]
@@ -174,31 +162,28 @@ def _installed_roots() -> list[Path]:
 
     roots = []
     for point in entry_points(group=_ENTRY_POINTS):
-        where, remedy = f"entry point {point.value}", "repair or uninstall it"
         try:
             pack = point.load()
             root = Path(pack if isinstance(pack, str | Path) else pack.__path__[0])
+            if not root.is_dir():
+                raise NotADirectoryError(f"{root} is not a folder")
         except (Exception, SystemExit) as error:  # foreign code: whatever it raises is one clear line
             what = f"the pack {point.name!r} cannot be loaded: {type(error).__name__}: {error}"
-            raise ProblemError(what, where=where, remedy=remedy) from error
-        if not root.is_dir():
-            what = f"the pack {point.name!r} names {root}, which is not a folder"
-            raise ProblemError(what, where=where, remedy=remedy)
+            where = f"entry point {point.value}"
+            raise ProblemError(what, where=where, remedy="repair or uninstall it") from error
         roots.append(root.resolve())
     return roots
 
 
 def _may_be_installed() -> bool:
     """Whether an installed distribution speaks of packs; seen without importlib.metadata, which is slow."""
+    from glob import iglob
+
     for place in dict.fromkeys(sys.path):
-        if os.path.isfile(place):  # noqa: PTH113 - a zip archive
-            return True
-        with suppress(OSError):
-            for name in os.listdir(place or "."):  # noqa: PTH208 - pathlib takes three times as long
-                if name.endswith("-info"):
-                    with suppress(OSError), open(f"{place or '.'}/{name}/entry_points.txt", "rb") as told:  # noqa: PTH123
-                        if _ENTRY_POINTS.encode() in told.read():
-                            return True
+        for told in iglob("*-info/entry_points.txt", root_dir=place or "."):  # noqa: PTH207 - pathlib takes twice as long
+            with suppress(OSError):
+                if _ENTRY_POINTS.encode() in Path(place, told).read_bytes():
+                    return True
     return False
 
 
@@ -208,16 +193,11 @@ def _may_be_installed() -> bool:
 class Signs(Struct, frozen=True):
     """What of a file tells its problem."""
 
-    defined: frozenset[str]  # at its top level
-    nested: frozenset[str]  # functions below it
-    stub: str  # the problem's id in the first line, or nothing
-    stem: str  # the id that the file's name stands for
-    file: str  # the file's own name
-    defines: Callable[[str], object] | None = None  # in another language: whether it defines such an entry
-
-    def has(self, entry: str) -> bool:
-        """Whether the file defines the entry where it is called."""
-        return bool(self.defines(entry)) if self.defines else entry in self.defined
+    file: str  # its name
+    hints: tuple[str, str]  # the id in the first line of a stub, or nothing; the id that the name stands for
+    has: Callable[[str], object]  # whether it defines such an entry where it is called
+    defined: frozenset[str] = frozenset()  # in Python: at its top level
+    nested: frozenset[str] = frozenset()  # functions below it
 
 
 def signs(source: bytes, name: str) -> Signs:
@@ -228,23 +208,16 @@ def signs(source: bytes, name: str) -> Signs:
     with reading(name):
         text = source[:_READ].decode("utf-8", "replace").replace("\r\n", "\n").removeprefix("\ufeff")
         language = language_of(name)
-        if language is not None:
+        begins = re.escape(language.comment) if language else _DOCSTRING
+        stub = re.match(rf"\s*{begins}\s*([a-z][a-z0-9-]*): ", text)
+        hints = stub[1] if stub else "", id_of(PurePath(name).name.partition(".")[0])
+        bare = stripped(text.encode(), language.tokens if language else usual_tokens("#"))
+        if language:
             from judge.languages.sources import defined
 
-            stub = re.match(rf"\s*{re.escape(language.comment)}\s*([a-z][a-z0-9-]*): ", text)
-            defines = partial(defined, language, stripped(text.encode(), language.tokens))
-            suffix = next(each for each in language.suffixes if name.endswith(each))
-            stem = id_of(PurePath(name).name.removesuffix(suffix))
-            return Signs(frozenset(), frozenset(), stub[1] if stub else "", stem, name, defines)
-        stub = re.match(r"\s*(?:#[^\n]*\n\s*)*[rR]?(?:\"\"\"|''')\s*([a-z][a-z0-9-]*): ", text)
-        bare = stripped(text.encode(), usual_tokens("#"))
-        tops = re.findall(
-            r"(?m)^(?:async[ \t]+def|def|class)[ \t]+(\w+)|^(\w+)[ \t]*(?::[^=\n]*)?=(?!=)", bare
-        )
-        nested = re.findall(r"(?m)^[ \t]+(?:async[ \t]+)?def[ \t]+(\w+)", bare)
-        stem = id_of(PurePath(name).stem)
-        defined_here = frozenset(one or other for one, other in tops)
-        return Signs(defined_here, frozenset(nested), stub[1] if stub else "", stem, name)
+            return Signs(name, hints, partial(defined, language, bare))
+        tops = frozenset(one or other for one, other in re.findall(_TOP, bare))
+        return Signs(name, hints, tops.__contains__, tops, frozenset(re.findall(_NESTED, bare)))
 
 
 def id_of(stem: str) -> str:
@@ -261,18 +234,18 @@ def fitting_problems(found: Signs, extra: Sequence[Path] = ()) -> list[Problem]:
     from judge.languages.scan import reading
 
     with reading(found.file):
-        near = _entries(near_problem_folders(extra))
-        fitting = _fitting(found, near)
-        if not fitting or (found.stub and found.stub not in [folder.name for folder in near]):
-            every = _fitting(found, _entries(problem_folders(extra)))
-            if not fitting or [folder.name for folder in every] == [found.stub]:
-                fitting = every
+        near = _entries(problem_folders(extra, installed=False))
+        fitting, (stub, _) = _fitting(found, near), found.hints
+        if not fitting or (stub and stub not in [folder.name for folder in near]):
+            fitting = _fitting(found, _entries(problem_folders(extra)))
     return [load_problem(folder) for folder in fitting]
 
 
 def meant_problem(found: Signs, extra: Sequence[Path] = ()) -> tuple[str, str, str] | None:
     """The function of the file that may be meant as an entry, the entry, and its problem; or None."""
-    names = {entry: folder.name for folder, entry in _entries(near_problem_folders(extra)).items()}
+    names = {
+        entry: folder.name for folder, entry in _entries(problem_folders(extra, installed=False)).items()
+    }
     for name in sorted(found.defined | found.nested)[:_MOST_NAMES]:
         entry = nearest(name, names)
         if entry:
@@ -281,16 +254,13 @@ def meant_problem(found: Signs, extra: Sequence[Path] = ()) -> tuple[str, str, s
 
 
 def _fitting(found: Signs, entries: dict[Path, str]) -> list[Path]:
-    hinted = [[folder for folder in entries if folder.name == name] for name in (found.stub, found.stem)]
-    for at_top in (True, False):
-        has = found.has if at_top else found.nested.__contains__
+    hinted = [folder for name in found.hints for folder in entries if folder.name == name]
+    for has in (found.has, found.nested.__contains__):
         fitting = [folder for folder, entry in entries.items() if has(entry)]
-        if len(fitting) > 1:  # the stub's line or the file's name says which
-            fitting = next((hint for hint in hinted if hint and hint[0] in fitting), fitting)
-        if fitting:
-            return fitting
-        if at_top and any(hinted):
-            return next(hint for hint in hinted if hint)
+        if fitting:  # of several the stub's line or the file's name says which
+            return [folder for folder in hinted if folder in fitting][:1] or fitting
+        if hinted:
+            return hinted[:1]
     return []
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import keyword
 import re
 from collections.abc import Mapping, Sequence
 from enum import Enum
@@ -11,7 +12,7 @@ from typing import Annotated, Any
 
 from msgspec import Meta, Struct
 
-from judge.errors import UsageError, nearest
+from judge.errors import UsageError
 from judge.values.answers import Tolerance
 from judge.values.atoms import Type
 
@@ -23,12 +24,27 @@ FULL_SCORE = 100  # what the points of a problem's groups sum to
 MOST_INPUT_MB = 72  # what a container's memory has room for beside the answers
 _MEGABYTE = 2**20
 Bound = Annotated[float, Meta(ge=1e-3, le=1e6)]
-_NAME = re.compile(r"[a-z][a-z0-9]*(-[a-z0-9]+)*")
+# Patterns of texts, each with what to use.
+NAME = r"^[a-z][a-z0-9]*(-[a-z0-9]+)*\Z"
+_PYTHON = rf"^(?!(?:{'|'.join(keyword.kwlist)})\Z)[A-Za-z_]\w*\Z"
+_FILE = r"^[^./\\][^/\\]*\Z"
+_LINE = r"^(\S[^\x00-\x1f]*)?\Z"
+_AUTHOR = r"^\S[^\x00-\x1f,&]*\Z"
+FORMS = {
+    NAME: "small letters, digits and single hyphens",
+    _PYTHON: "a plain Python name",
+    _FILE: "the name of a file of the accepted solutions",
+    _LINE: "a line of text, or leave the key out",
+    _AUTHOR: "each author's name by itself",
+}
+Name = Annotated[str, Meta(pattern=NAME)]
+PythonName = Annotated[str, Meta(pattern=_PYTHON)]
+FileName = Annotated[str, Meta(pattern=_FILE)]
 
 
 def is_name(text: str) -> bool:
-    """Whether a problem, a group or a set may be called so: small letters, digits and single hyphens."""
-    return _NAME.fullmatch(text) is not None
+    """Whether a problem, a group or a set may be called so."""
+    return re.match(NAME, text) is not None
 
 
 def is_solution(path: str, problem: str) -> bool:
@@ -43,6 +59,8 @@ def case_of(arguments: Mapping[str, Any]) -> Case:
 
 def tupled(value: Any) -> Any:
     """The value with a tuple in place of every list, at every level."""
+    if isinstance(value, dict):
+        return {key: tupled(each) for key, each in value.items()}
     return tuple(map(tupled, value)) if isinstance(value, tuple | list) else value
 
 
@@ -109,18 +127,19 @@ class Tier(Enum):
     PROFESSIONAL = "professional"
 
 
-class Parameter(Struct, frozen=True, cache_hash=True):
-    """One parameter of the entry function; `low` and `high` bound each of its numbers, ends included.
+class Parameter(Struct, frozen=True, forbid_unknown_fields=True, cache_hash=True):
+    """A row of `[parameters]`: `cx = { type = "number", about = "x of the centre" }`.
 
-    A real number other than 0 is at least `smallest` in magnitude, which is 0 where nothing is said of it.
+    `low` and `high` bound each of its numbers, ends included. A real number other than 0 is at least
+    `smallest` in magnitude: 1e-30 where nothing is said of it.
     """
 
-    name: str
+    name: PythonName
     type: Type
-    low: Fraction
-    high: Fraction
     about: str
-    smallest: Fraction = Fraction(0)
+    low: Fraction = Fraction(-(2**30))
+    high: Fraction = Fraction(2**30)
+    smallest: Fraction = Fraction(1, 10**30)
 
 
 class GroupLimits(Struct, frozen=True, forbid_unknown_fields=True):
@@ -157,10 +176,10 @@ class TimeRule(Struct, frozen=True, forbid_unknown_fields=True):
     """
 
     limit: Annotated[float, Meta(ge=1, le=1e6)]
-    function: str
-    program: str | None = None
-    needs: tuple[str, ...] = ()
-    references: dict[str, str] = {}
+    function: FileName
+    program: FileName | None = None
+    needs: tuple[PythonName, ...] = ()
+    references: dict[str, FileName] = {}
 
 
 class GrowthRule(Struct, frozen=True):
@@ -187,6 +206,7 @@ class ListedGroup(
 class Group(ListedGroup, frozen=True, kw_only=True):
     """A test group: `count` cases of one draw, named after what they probe."""
 
+    name: Name
     about: Annotated[str, Meta(min_length=1)]  # one sentence for a person: what the group probes
     tolerance: Tolerance = Tolerance()
     seed: int | str  # with which the seed text of each case begins
@@ -209,9 +229,9 @@ class ShownSkill(Struct, frozen=True):
 class Source(Struct, frozen=True, forbid_unknown_fields=True):
     """`[source]`: where the problem comes from; what its setter says nothing of is empty."""
 
-    authors: tuple[str, ...] = ()
-    license: str = ""
-    origin: str = ""
+    authors: tuple[Annotated[str, Meta(pattern=_AUTHOR)], ...] = ()
+    license: Annotated[str, Meta(pattern=_LINE)] = ""
+    origin: Annotated[str, Meta(pattern=_LINE)] = ""
 
 
 class Example(Struct, frozen=True):
@@ -232,7 +252,7 @@ class Listed(Struct, frozen=True, kw_only=True, omit_defaults=True):
     entry: str
     groups: tuple[ListedGroup, ...]
     sets: tuple[str, ...] = ()  # the practice sets that it is in
-    place: int | None = None  # in its tier's order; without one it comes last
+    place: int = 1_000_000  # in its tier's order
 
     @property
     def levels(self) -> tuple[KataLevel, ...]:
@@ -326,9 +346,9 @@ def chosen_groups(problem: Problem, names: Sequence[str], level: str | None = No
     known = [group.name for group in problem.groups]
     for name in names:
         if name not in known:
-            meant = nearest(name, known)
-            remedy = f"did you mean {meant!r}?" if meant else f"it has {', '.join(known)}"
-            raise UsageError(f"{problem.id} has no group {name!r}", remedy=remedy)
+            from judge.problem.toml import meant
+
+            raise UsageError(f"{problem.id} has no group {name!r}", remedy=meant(name, known, "it has"))
     chosen = tuple(group for group in problem.groups if not names or group.name in names)
     if level is None:
         return chosen

@@ -22,8 +22,8 @@ from msgspec.structs import replace
 
 from judge.errors import JudgeError, ProblemError
 from judge.files import read_ordinary
-from judge.problem.declare import Declared, Hooks, InvalidCase
-from judge.problem.load import made, tolerance_fault
+from judge.problem.declare import Declared, Hooks, InvalidCase, group
+from judge.problem.load import exact, tolerance_fault
 from judge.problem.model import (
     EXAMPLES,
     FULL_SCORE,
@@ -31,7 +31,6 @@ from judge.problem.model import (
     Group,
     KataLevel,
     Problem,
-    is_name,
 )
 from judge.problem.toml import read_text, told
 from judge.values.answers import Tolerance
@@ -126,16 +125,13 @@ def _solver(module: ModuleType, problem: Problem) -> Callable[..., Exact]:
     InvalidCase alone goes through. Raises ProblemError where there is no such function, or it takes other
     parameters than problem.toml names.
     """
-    function = getattr(module, "solve", None)
-    remedy = f"define solve({', '.join(each.name for each in problem.parameters)})"
-    if not callable(function):
-        raise _fault(problem, "problem.py defines no function 'solve'", remedy)
-    code = getattr(function, "__code__", None)
-    line = code.co_firstlineno if code is not None else 1
+    function: Any = getattr(module, "solve", None)
+    line = getattr(getattr(function, "__code__", None), "co_firstlineno", None)
     try:
         inspect.signature(function).bind(*problem.parameters)
     except TypeError:
-        what = f"solve does not take the {len(problem.parameters)} parameters of problem.toml"
+        what = "there is no function 'solve' of the parameters of problem.toml"
+        remedy = f"define solve({', '.join(each.name for each in problem.parameters)})"
         raise _fault(problem, what, remedy, line) from None
 
     def solve(*case: Any) -> Exact:
@@ -177,88 +173,70 @@ def with_groups(problem: Problem, tolerance: Tolerance | None) -> Problem:
     `tolerance` is that of a group which has none of its own.
     """
     rows = load_module(problem).rows
-    levels = {level for level, _ in rows}
-    groups: dict[str, Group] = {}
-    points: dict[str, int | None] = {EXAMPLES: None}
-    for level, declared in rows:
-        group = _checked(problem, declared, level, tolerance)
-        if group.name in points:
-            remedy = "the examples come by themselves" if group.name == EXAMPLES else "rename or remove one"
-            raise _fault(problem, f"there are two groups {group.name!r}", remedy, group.line)
-        groups[group.name], points[group.name] = group, declared.row["points"]
-    if len(levels) == 1 and None not in levels:
-        what = f"every group is in {' and '.join(level.name for level in levels if level)}"
+    levels = list(dict.fromkeys(level for level, _ in rows))
+    if len(levels) == 1 and levels[0] is not None:
         remedy = "declare groups of both, or all of them in GROUPS"
-        raise _fault(problem, what, remedy, rows[0][1].line)
+        raise _fault(problem, f"every group is in {levels[0].name}", remedy, rows[0][1].line)
     if not problem.examples:
         remedy = f"add a line >>> {problem.entry}(…) and the answer below it"
         raise ProblemError("there are no worked examples", where=f"{problem.id}/statement.md", remedy=remedy)
-    examples = Group(
-        name=EXAMPLES,
-        about="The worked examples of the statement.",
-        count=len(problem.examples),
-        points=0,
-        tolerance=tolerance or next((each.tolerance for each in groups.values()), Tolerance()),
-        seed=problem.id,
-        level=None if levels == {None} else KataLevel.INTERVIEW,
-    )
-    shares, kills = _shares(problem, points), _pinned_kills(problem)
-    found = tuple(
-        replace(each, points=shares[each.name], kills=kills.get(each.name, ()))
-        for each in (examples, *groups.values())
-    )
-    if problem.slope is not None and len({each.size for each in found} - {None}) < 2:
+    about = "The worked examples of the statement."
+    examples = replace(group(EXAMPLES, about, tuple, cases=len(problem.examples)), line=0)
+    first = tolerance or next((row.row["tolerance"] for _, row in rows), None) or Tolerance()
+    groups = {EXAMPLES: _checked(problem, examples, levels[0] if levels else None, first)}
+    for level, row in rows:
+        made = _checked(problem, row, level, tolerance)
+        if made.name in groups:
+            remedy = "the examples come by themselves" if made.name == EXAMPLES else "rename or remove one"
+            raise _fault(problem, f"there are two groups {made.name!r}", remedy, made.line)
+        groups[made.name] = made
+    if problem.slope is not None and len({each.size for each in groups.values()} - {None}) < 2:
         raise _fault(problem, "growth needs groups of two different sizes", "add a group with size = …")
-    return replace(problem, groups=found)
+    left = FULL_SCORE - sum(each.points for each in groups.values())
+    if left < 0:
+        remedy = f"make them sum to {FULL_SCORE} at most: what is left is shared"
+        raise _fault(problem, f"the groups' points sum to {FULL_SCORE - left}", remedy)
+    free = [EXAMPLES, *(str(row.row["name"]) for _, row in rows if row.row["points"] is None)]
+    share, rest = divmod(left, len(free))
+    for at, name in enumerate(free):
+        groups[name] = replace(groups[name], points=share + (at < rest))
+    kills = _pinned_kills(problem)
+    return replace(
+        problem, groups=tuple(replace(each, kills=kills.get(name, ())) for name, each in groups.items())
+    )
 
 
-def _checked(problem: Problem, declared: Declared, level: KataLevel | None, usual: Tolerance | None) -> Group:
-    """The group of a row, without its share of the points."""
-    name: Any = declared.row["name"]
-    draw: Any = declared.draw
+def _checked(problem: Problem, declared: Declared, level: KataLevel | None, usual: Any) -> Group:
+    """The group of a row, without its share of the points; `usual` is the tolerance where it has none."""
     raw = {key: value for key, value in declared.row.items() if value is not None}
-    raw |= {"points": raw.get("points", 0), "seed": problem.id, "line": declared.line}
+    own = "tolerance" in raw
+    raw = {"points": 0, "tolerance": usual or Tolerance()} | raw | {"seed": problem.id, "line": declared.line}
     if isinstance(limits := raw.get("limits"), Mapping):
         usually, wall = problem.limits, {}
         if isinstance(cpu := limits.get("cpu_seconds"), int | float):
             wall = {"wall_seconds": usually.wall_seconds * cpu / usually.cpu_seconds}
         raw["limits"] = {**msgspec.to_builtins(usually), **wall, **limits}
-    what = f"group {name!r}"
+    what = f"group {raw['name']!r}"
 
     def fault(what: str, remedy: str) -> ProblemError:
         return _fault(problem, what, remedy, declared.line)
 
     try:
-        group = msgspec.convert(raw, Group, dec_hook=lambda kind, value: made(kind, value, problem.folder))
+        made = msgspec.convert(raw, Group, dec_hook=lambda kind, value: exact(kind, value, problem.folder))
     except msgspec.ValidationError as why:
         said, remedy, _ = told(why, raw, Group)
         raise fault(f"{what}: {said}", remedy) from None
-    if not is_name(name):
-        raise fault(f"{name!r} is no name for a group", "use small letters, digits and single hyphens")
-    if not callable(draw):
-        raise fault(f"{what} draws from {draw!r}", "give a function that takes a draw")
-    if group.size is not None and group.neighbours:
-        raise fault(f"the cases of {name!r} are big and cannot take turns", "remove turns")
-    if group.time_limit is not None and problem.time is None:
-        raise fault(f"{name!r} is timed beside a reference solution", "add a [time] table that names one")
-    if "tolerance" in raw and (wrong := tolerance_fault(group.tolerance, problem.answer)):
+    if not callable(declared.draw):
+        raise fault(f"{what} draws from {declared.draw!r}", "give a function that takes a draw")
+    if made.size is not None and made.neighbours:
+        raise fault(f"the cases of {what} are big and cannot take turns", "remove turns")
+    if made.time_limit is not None and problem.time is None:
+        raise fault(f"{what} is timed beside a reference solution", "add a [time] table that names one")
+    if own and (wrong := tolerance_fault(made.tolerance, problem.answer)):
         raise fault(wrong[0], wrong[1])
-    tolerance = group.tolerance if "tolerance" in raw else usual
-    if tolerance is None:
+    if not own and usual is None:
         raise fault(f"{what} has no tolerance", "add tolerance = { … } to problem.toml")
-    return replace(group, tolerance=tolerance, level=level)
-
-
-def _shares(problem: Problem, given: Mapping[str, int | None]) -> dict[str, int]:
-    """Each group's points."""
-    shares = {name: points for name, points in given.items() if points is not None}
-    left = FULL_SCORE - sum(shares.values())
-    if left < 0:
-        remedy = f"make them sum to {FULL_SCORE} at most: what is left is shared"
-        raise _fault(problem, f"the groups' points sum to {FULL_SCORE - left}", remedy)
-    free = [name for name in given if name not in shares]
-    each, rest = divmod(left, len(free))
-    return shares | {name: each + (at < rest) for at, name in enumerate(free)}
+    return replace(made, level=level)
 
 
 class _Pin(Struct):

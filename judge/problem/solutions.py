@@ -180,14 +180,11 @@ def _fault(path: Path, what: str, remedy: str, parts: int = 3, line: int | None 
 
 def parted(source: bytes, language: Language) -> tuple[str, str]:
     """The text of the line comments that a source of another language begins with, and the lines below."""
-    mark = language.comment
-    lines = source.decode("utf-8-sig", errors="replace").splitlines()
-    first = next((at for at, line in enumerate(lines) if line.strip() and not line.startswith("#!")), 0)
-    end = first
-    while end < len(lines) and lines[end].startswith(mark):
-        end += 1
-    head = [line.removeprefix(mark).removeprefix(" ").rstrip() for line in lines[first:end]]
-    return "\n".join(head), "\n".join(lines[end:]).strip("\n")
+    text, mark = "\n".join(source.decode("utf-8-sig", "replace").splitlines()), re.escape(language.comment)
+    head = re.match(rf"(?:#!.*\n|[^\S\n]*+\n)*+((?:{mark}.*(?:\n|\Z))*)", text)
+    assert head is not None  # it may be empty
+    said = re.sub(rf"(?m)^{mark} ?|[^\S\n]+$", "", head[1])
+    return said.removesuffix("\n"), text[head.end() :].strip("\n")
 
 
 def tree_of_stranger(source: bytes) -> ast.Module:

@@ -19,7 +19,7 @@ import ast
 import re
 from collections.abc import Iterator, Mapping
 from decimal import Decimal
-from typing import Any, NoReturn
+from typing import Any
 
 from msgspec import Struct, to_builtins
 
@@ -34,6 +34,7 @@ HINTS = "hints.md"
 _BRIEF = 80  # characters of what is wrong: a message is one line, whatever stands in the file
 # What reading a text as Python raises: MemoryError if nested deeply, TypeError for {[]} and its like.
 _UNREADABLE = (SyntaxError, ValueError, TypeError, RecursionError, MemoryError)
+_PROMPT = r"(?m)^[ \t]*>>>(.*(?:\n[ \t]*\.\.\..*)*)((?:\n(?![ \t]*(?:>>>|```|$)).+)*)"
 _PLACEHOLDER = re.compile(r"\{\{\s*(.*?)\s*\}\}")
 
 
@@ -42,16 +43,16 @@ def read_statement(problem: Problem, raw: Mapping[str, Any]) -> tuple[str, tuple
 
     `raw` are the tables of problem.toml, with Decimals.
     """
-    text = _filled(problem, "statement.md", _words(raw))
+    text = "\n".join([*_filled(problem, "statement.md", _words(raw)), ""])
     examples = [
         Example(
             _call(call, problem, where := f"{problem.id}/statement.md:{line}"),
-            _wanted(wanted, problem.answer, where),
+            _wanted(wanted.strip(), problem.answer, where),
             line,
         )
         for line, call, wanted in _prompts(text)
     ]
-    return "\n".join(text) + "\n", tuple(examples)
+    return text, tuple(examples)
 
 
 def _filled(problem: Problem, file: str, words: Mapping[str, str]) -> list[str]:
@@ -60,8 +61,8 @@ def _filled(problem: Problem, file: str, words: Mapping[str, str]) -> list[str]:
     def word(found: re.Match[str]) -> str:
         name = found[1]
         if name not in words:
-            meant = nearest(name, words)
-            remedy = f"did you mean {{{{{meant}}}}}?" if meant else f"use one of {', '.join(words)}"
+            near = nearest(name, words)
+            remedy = f"did you mean {{{{{near}}}}}?" if near else f"use one of {', '.join(words)}"
             where = f"{problem.id}/{file}:{len(lines) + 1}"
             raise ProblemError(f"unknown placeholder {found[0]}", where=where, remedy=remedy)
         return words[name]
@@ -90,45 +91,31 @@ def _written(number: Any) -> str:
     return (f"{number:e}" if small else str(number)).replace("E", "e").replace("e+", "e")
 
 
-def _prompts(text: list[str]) -> Iterator[tuple[int, str, str]]:
+def _prompts(text: str) -> Iterator[tuple[int, str, str]]:
     """Each example: the line it starts on, its call and the answer below it, as text."""
-    lines = [line.strip() for line in text]
-    for start, line in enumerate(lines):
-        if not line.startswith(">>>"):
-            continue
-        call, wanted = line[3:], ""
-        for below in lines[start + 1 :]:
-            if not wanted and below.startswith("..."):
-                call += below[3:]
-            elif not below or below.startswith((">>>", "```")):
-                break
-            else:
-                wanted += below + " "
-        yield start + 1, call.strip(), wanted.strip()
+    for found in re.finditer(_PROMPT, text):
+        call = re.sub(r"\n[ \t]*\.\.\.", "", found[1])
+        yield (
+            text.count("\n", 0, found.start()) + 1,
+            call.strip(),
+            " ".join(map(str.strip, found[2].split("\n"))),
+        )
 
 
 def _call(text: str, problem: Problem, where: str) -> Case:
     """The arguments of an example's call."""
-
-    def refuse(what: str) -> NoReturn:
-        names = ", ".join(each.name for each in problem.parameters)
-        raise ProblemError(what, where=where, remedy=f"write {problem.entry}({names}) with plain values")
-
+    taken = problem.parameters
     try:
-        call = ast.parse(text, mode="eval").body
+        match ast.parse(text, mode="eval").body:
+            case ast.Call(ast.Name(problem.entry), given, []) if len(given) == len(taken):
+                case = tuple(tupled(ast.literal_eval(each)) for each in given)
+            case _:
+                raise ValueError
     except _UNREADABLE:
-        refuse(f"the example {_brief(text)!r} is no Python call")
-    if not isinstance(call, ast.Call) or not isinstance(call.func, ast.Name) or call.keywords:
-        refuse(f"the example {_brief(text)!r} is no plain call")
-    if call.func.id != problem.entry:
-        refuse(f"the example calls {call.func.id!r}, not the entry")
-    if len(call.args) != len(problem.parameters):
-        refuse(f"the example gives {len(call.args)} arguments where {len(problem.parameters)} are wanted")
-    try:
-        case = tuple(tupled(ast.literal_eval(argument)) for argument in call.args)
-    except _UNREADABLE:
-        refuse("the example's arguments are no plain values")
-    for parameter, value in zip(problem.parameters, case, strict=True):
+        what = f"the example {_brief(text)!r} is no call of {problem.entry} with plain values"
+        remedy = f"write {problem.entry}({', '.join(each.name for each in taken)})"
+        raise ProblemError(what, where=where, remedy=remedy) from None
+    for parameter, value in zip(taken, case, strict=True):
         if fault := parameters.fault(parameter.type, parameter.name, value):
             raise ProblemError(f"the example is invalid: {fault}", where=where, remedy="correct the example")
     return case
@@ -175,10 +162,11 @@ def read_hints(problem: Problem) -> tuple[Hint, ...]:
     raw = TomlFile(problem.folder / "problem.toml", exact=True).raw
     lines = _filled(problem, HINTS, _words(raw))
 
-    def fault(what: str, remedy: str, line: int | None = None) -> ProblemError:
-        where = f"{problem.id}/{HINTS}"
-        return ProblemError(what, where=f"{where}:{line}" if line else where, remedy=remedy)
+    def fault(what: str, line: int = 0) -> ProblemError:
+        remedy = "begin each step with a line '## Its title', and write its text below"
+        return ProblemError(what, where=f"{problem.id}/{HINTS}" + f":{line}" * (line > 0), remedy=remedy)
 
+    hints: list[Hint] = []
     steps: list[tuple[int, str, list[str]]] = []
     fenced = False  # in a code block, where a comment begins no step
     for number, line in enumerate(lines, 1):
@@ -188,15 +176,12 @@ def read_hints(problem: Problem) -> tuple[Hint, ...]:
         elif steps:
             steps[-1][2].append(line)
         elif line.strip() and not line.startswith("# "):
-            raise fault("this text belongs to no step", "put a line '## Its title' above it", number)
-    if not steps:
-        raise fault("it has no step", "begin each with a line '## Its title'")
-    hints: list[Hint] = []
+            raise fault("this text belongs to no step", number)
     for number, title, body in steps:
         text = "\n".join(body).strip("\n")
-        if not title:
-            raise fault("the step has no title", "write '## Its title'", number)
-        if not text.strip():
-            raise fault(f"the step {title!r} says nothing", "write it, or remove it", number)
+        if not title or not text.strip():
+            raise fault(f"the step {title!r} has no title or says nothing", number)
         hints.append(Hint(len(hints) + 1, title, text))
+    if not hints:
+        raise fault("it has no step")
     return tuple(hints)

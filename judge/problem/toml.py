@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import re
-from collections import defaultdict
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from decimal import Decimal
+from itertools import islice
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -13,17 +13,15 @@ import msgspec
 
 from judge.errors import ProblemError, nearest
 from judge.files import read_ordinary_text
-from judge.problem.model import Problem
+from judge.problem.model import FORMS, Problem
 
 T = TypeVar("T")
-KeyPath = tuple[str | int, ...]  # ("parameters", "cx", "low")
+KeyPath = Sequence[str | int]  # ("parameters", "cx", "low")
 
-_MOST_PARTS = 100  # of a dotted key, each of which the parser copies
-_DOTTED = r"""(?:(?<![\w-])[\w-]++|"(?:[^"\\\n]|\\.){0,100}+"|'[^'\n]*+')[ \t]*+\.[ \t]*+"""
-_ENDLESS = f"(?:{_DOTTED}){{{_MOST_PARTS}}}"
+_ENDLESS = r"(?m)^(?:[^.\n]*+\.){100}"  # the parser copies each part of a dotted key
 _REFUSED = r"(?s)(.*?)(?: - at `\$(.*)`)?"
 _STEP = r"\.([^.\[]+)|\[(\d+)\]"
-_EXPECTED = r"Expected `([^`]+)`(?:, got `([^`]+)`)?(.*)"
+_EXPECTED = r"Expected `([^`]+?)(?: \| null)?`(?:, got `([^`]+)`)?(.*?)(?:\.0)?"
 _KINDS = {
     "bool": "true or false",
     "int": "a whole number",
@@ -33,24 +31,20 @@ _KINDS = {
     "array": "a list",
     "object": "a table",
 }
-_HEADER = r"\s*(\[\[?)\s*([^\[\]]+?)\s*\]\]?\s*(#.*)?$"
-_NAME = r"(?:[A-Za-z0-9_-]++|\"[^\"]*+\"|'[^']*+')"
-_KEY = rf"\s*+({_NAME}(?:\s*+\.\s*+{_NAME})*+)\s*+="
+_TEXTS = r"(?s)\"\"\".*?\"\"\"|'''.*?'''"  # of several lines
 
 
 def read_text(path: Path) -> str:
     """The text of one of a problem's files. Raises ProblemError."""
-    where = f"{path.parent.name}/{path.name}"
     try:
         return read_ordinary_text(path)
     except FileNotFoundError:
-        raise ProblemError("the file is missing", where=where, remedy=f"create {path}") from None
+        what, remedy = "the file is missing", f"create {path}"
     except UnicodeDecodeError as error:
-        what = f"byte {error.start} is not UTF-8"
-        raise ProblemError(what, where=where, remedy="save the file as UTF-8") from None
+        what, remedy = f"byte {error.start} is not UTF-8", "save the file as UTF-8"
     except OSError as error:
-        what = f"cannot be read: {error.strerror}"
-        raise ProblemError(what, where=where, remedy=f"make {path} a readable file") from None
+        what, remedy = f"cannot be read: {error.strerror}", f"make {path} a readable file"
+    raise ProblemError(what, where=f"{path.parent.name}/{path.name}", remedy=remedy)
 
 
 def parse_toml(text: str, name: str, *, exact: bool = False) -> dict[str, Any]:
@@ -61,9 +55,9 @@ def parse_toml(text: str, name: str, *, exact: bool = False) -> dict[str, Any]:
     """
     import tomllib  # not for who reads the cache
 
-    line = None
-    if text.count(".") >= _MOST_PARTS and (endless := re.search(_ENDLESS, text)):
-        what, line = f"a key of more than {_MOST_PARTS} parts", text.count("\n", 0, endless.start()) + 1
+    line = 0
+    if endless := re.search(_ENDLESS, text):
+        what, line = "a key of more than 100 parts", text.count("\n", 0, endless.end()) + 1
     else:
         try:
             return tomllib.loads(text, parse_float=Decimal if exact else float)
@@ -90,10 +84,13 @@ class TomlFile:
         self._text = read_text(path)
         self.raw = parse_toml(self._text, self._name, exact=exact)
 
+    def place(self, path: KeyPath) -> str:
+        """Where a key stands, or the nearest thing around it: `quadratic/problem.toml:12`."""
+        return f"{self._name}:{line_of(self._text, path)}"
+
     def fault(self, what: str, remedy: str, *path: str | int) -> ProblemError:
         """The fault of what stands at `path`."""
-        where = f"{self._name}:{line_of(path, key_lines(self._text))}"
-        return ProblemError(what, where=where, remedy=remedy)
+        return ProblemError(what, where=self.place(path), remedy=remedy)
 
     def read(self, shape: type[T], hook: Callable[[type, Any], Any] | None = None, *path: str | int) -> T:
         """The table at `path`, the whole file without one, in that shape. Raises ProblemError.
@@ -109,34 +106,58 @@ class TomlFile:
             raise self.fault(what, remedy, *path, *inside) from None
 
 
+def key_place(problem: Problem, path: KeyPath) -> str:
+    """Where a key of its problem.toml stands, for faults that the file alone does not show."""
+    return TomlFile(problem.folder / "problem.toml").place(path)
+
+
+def line_of(text: str, path: KeyPath) -> int:
+    """The line, from 1, of the key or table at that path; else of the nearest thing around it."""
+    text = re.sub(_TEXTS, lambda found: "\n" * found[0].count("\n"), text)
+    at, key = 0, ""
+    for part in path:
+        if isinstance(part, str):
+            key = rf"""(?m)^[ \t]*+\[*+(?:[^=\n\]]*\.)?[ \t]*["']?{re.escape(part)}["']?[ \t]*"""
+            places = re.compile(f"{key}[=.\\]]").finditer(text, at)
+        else:
+            places = islice(re.compile(f"{key}\\]\\]").finditer(text, at), part, None)
+        found = next(places, None)
+        if found is None:
+            break
+        at = found.start()
+    return text.count("\n", 0, at) + 1
+
+
+# -- what msgspec refuses ----------------------------------------------------------------------------------
+
+
 def told(why: msgspec.ValidationError, raw: Any, shape: Any) -> tuple[str, str, KeyPath]:
     """What is wrong with what msgspec refused to make that shape of, what to do about it, and where it is."""
     said, place = re.fullmatch(_REFUSED, str(why)).groups()  # type: ignore[union-attr]
-    path = tuple(key or int(number) for key, number in re.findall(_STEP, place or ""))
-    name = str(next((part for part in reversed(path) if isinstance(part, str)), "the file"))
-    dotted = ".".join(part for part in path if isinstance(part, str)) or "the file"
+    path = [key or int(number) for key, number in re.findall(_STEP, (place or "").replace("[...]", ""))]
+    key = ".".join(part for part in path if isinstance(part, str)) or "the file"
     given = _at(raw, path)
     what, nul, remedy = said.partition("\0")
     if nul:
-        return what.replace("{key}", name), remedy, path
-    if expected := re.match(_EXPECTED, said):
+        return what.replace("{key}", key), remedy, path
+    if expected := re.fullmatch(_EXPECTED, said):
         kind, got, bound = expected.groups()
-        kind = kind.removesuffix(" | null")
         shown = repr(given) if isinstance(given, str) else given
-        said = f"{dotted} is {_KINDS.get(got, f'a {got}')}" if got else f"{dotted} = {shown}"
-        return said, f"give {_KINDS.get(kind, kind)}{bound.removesuffix('.0')}", path
-    quoted = said.split("`")[1] if "`" in said else ""
+        what = f"{key} is {_KINDS.get(got, f'a {got}')}" if got else f"{key} = {shown}"
+        form = next((f"use {form}" for pattern, form in FORMS.items() if repr(pattern) in bound), None)
+        return what, form or f"give {_KINDS.get(kind, kind)}{bound}", path
     from msgspec import inspect  # only for who mistyped something
 
-    known = _known(inspect.type_info(shape), path, given)
+    known = list(_known(inspect.type_info(shape), path, given))
+    quoted = said.split("`")[1] if "`" in said else ""
     if said.startswith("Object contains unknown field"):
         return f"unknown key {quoted!r}", meant(quoted, known, "the keys are"), (*path, quoted)
     if said.startswith("Object missing required field"):
         stray = nearest(quoted, set(given) - set(known))
         if stray is not None:  # it is most often there, misspelt
             return f"unknown key {stray!r}", f"did you mean {quoted!r}?", (*path, stray)
-        return f"the key {quoted!r} is missing in {dotted}", f"add {quoted} = …", path
-    return f"{name} = {given!r} is unknown", meant(str(given), known, "use one of"), path
+        return f"the key {quoted!r} is missing in {key}", f"add {quoted} = …", path
+    return f"{path[-1]} = {given!r} is unknown", meant(str(given), known, "use one of"), path
 
 
 def refusal(what: str, remedy: str) -> ValueError:
@@ -150,76 +171,28 @@ def meant(name: str, names: Sequence[str], introduction: str = "there are") -> s
     return f"did you mean {near!r}?" if near else f"{introduction} {', '.join(names) or 'none'}"
 
 
-def _known(kind: Any, path: KeyPath, given: Any) -> list[str]:
+def _known(kind: Any, path: KeyPath, given: Any) -> Iterator[str]:
     """The keys of the table at `path`, which is `given`, or the words that may stand there.
 
     `kind` is what `msgspec.inspect` says of the whole.
     """
-    found: list[str] = []
     for form in getattr(kind, "types", (kind,)):
         fields = {field.encode_name: field.type for field in getattr(form, "fields", ())}
-        tag_field, tag = getattr(form, "tag_field", None), getattr(form, "tag", None)
-        if not path:
-            found += [member.value for member in getattr(form, "cls", ())] if not fields else []
-            found += fields if tag is None or given.get(tag_field) == tag else []
-        elif tag is not None and path[0] == tag_field:
-            found.append(tag)
-        elif isinstance(path[0], int):
-            found += _known(getattr(form, "item_type", None), path[1:], given)
-        elif path[0] in fields:
-            found += _known(fields[path[0]], path[1:], given)
-    return list(dict.fromkeys(found))
+        tag = getattr(form, "tag", None)
+        match path:
+            case [] if fields:
+                yield from fields if tag is None or given.get(form.tag_field) == tag else ()
+            case []:
+                yield from (word.value for word in getattr(form, "cls", ()))
+            case [int(), *inner]:
+                yield from _known(getattr(form, "item_type", None), inner, given)
+            case [name, *inner] if name in fields:
+                yield from _known(fields[name], inner, given)
+            case [_] if tag is not None:
+                yield tag
 
 
 def _at(raw: Any, path: KeyPath) -> Any:
     for part in path:
         raw = raw[part]
     return raw
-
-
-# -- lines -------------------------------------------------------------------------------------------------
-
-
-def key_place(problem: Problem, path: KeyPath) -> str:
-    """Where a key stands, as `id/problem.toml:12`, for faults that the file alone does not show."""
-    lines = key_lines(read_text(problem.folder / "problem.toml"))
-    return f"{problem.id}/problem.toml:{line_of(path, lines)}"
-
-
-def key_lines(text: str) -> dict[KeyPath, int]:
-    """The line, from 1, of every table header and key that stands at the start of a line.
-
-    Keys inside inline tables and arrays are not listed: their own key is (see `line_of`).
-    """
-    lines: dict[KeyPath, int] = {(): 1}
-    sizes: defaultdict[KeyPath, int] = defaultdict(int)  # of each array of tables so far
-    table: KeyPath = ()
-    inside: str | None = None  # the quotes of the multi-line string we are in
-    for number, line in enumerate(text.splitlines(), start=1):
-        if inside is None:
-            if header := re.match(_HEADER, line):
-                table = ()
-                names = _parts(header[2])
-                for depth, name in enumerate(names, start=1):
-                    table += (name,)
-                    if header[1] == "[[" and depth == len(names):
-                        sizes[table] += 1
-                    if sizes[table]:  # the name of an array of tables stands for its last one
-                        table += (sizes[table] - 1,)
-                lines.setdefault(table, number)
-            elif key := re.match(_KEY, line):
-                lines.setdefault(table + _parts(key[1]), number)
-        for quotes in re.findall(r"\"\"\"|'''", line):
-            inside = quotes if inside is None else None if inside == quotes else inside
-    return lines
-
-
-def line_of(path: KeyPath, lines: dict[KeyPath, int]) -> int:
-    """The line of `path`, or of the nearest thing around it that has one."""
-    while path not in lines:
-        path = path[:-1]
-    return lines[path]
-
-
-def _parts(dotted: str) -> KeyPath:
-    return tuple(part.strip("\"'") for part in re.findall(_NAME, dotted))

@@ -16,20 +16,11 @@ import io
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
-from xml.etree import ElementTree as Xml
 
 from judge.problem.model import Verdict
-from judge.report.tell import Told, annotated_place, level_share, tell
+from judge.report.tell import annotated_place, place_of, tell
 from judge.report.words import counted, printable, shown_name
-from judge.run.result import Failure, GroupResult, Result
-
-
-def place_of(failure: Failure | None) -> str:
-    """`grid, case 7`; nothing where a failure has no place."""
-    if failure is None or failure.group is None:
-        return ""
-    return failure.group if failure.case is None else f"{failure.group}, case {failure.case}"
-
+from judge.run.result import Result
 
 # -- editors -------------------------------------------------------------------------------------------------
 
@@ -88,94 +79,41 @@ def _escaped(text: str, more: str = "") -> str:
     return text
 
 
-# -- JUnit ---------------------------------------------------------------------------------------------------
+# -- JUnit and CSV -------------------------------------------------------------------------------------------
 
 
 def junit(results: Sequence[Result]) -> bytes:
     """The document, in UTF-8."""
-    root = Xml.Element("testsuites", {"name": "judge"})
+    from judge.report.html import rendered
+
+    suites = []
+    counts = dict.fromkeys(("tests", "failures", "errors"), 0)
     for result in results:
-        root.append(_suite(result))
-    for name in ("tests", "failures", "errors"):
-        root.set(name, str(sum(int(suite.get(name, "0")) for suite in root)))
-    root.set("time", _time(sum(result.time.cpu_seconds for result in results)))
-    Xml.indent(root)
-    text = Xml.tostring(root, encoding="unicode")
-    return f'<?xml version="1.0" encoding="UTF-8"?>\n{text}\n'.encode()
+        cases = [*_cases(result)]
+        rejected = sum(bool(lines) for *_, lines in cases)
+        counts["tests"] += len(cases)
+        counts["errors" if result.verdict is Verdict.JE else "failures"] += rejected
+        suites.append((result, cases, rejected))
+    time = sum(result.time.cpu_seconds for result in results)
+    return rendered("junit.xml.j2", suites=suites, time=time, **counts)
 
 
-def _suite(result: Result) -> Xml.Element:
-    suite, told = (
-        Xml.Element("testsuite", {"name": printable(f"{result.problem} {result.submission}")}),
-        tell(None, result),
-    )
-    properties = Xml.SubElement(suite, "properties")
-    for name, value in _properties(result):
-        Xml.SubElement(properties, "property", {"name": name, "value": printable(value)})
-    # Jenkins takes what is before the last dot for the package: the problem.
-    classname = printable(f"{result.problem}.{result.submission.replace('.', '_')}")
-    cases = [_case(result, told, group, classname) for group in result.groups]
-    suite.extend(cases or [_nothing_run(result, classname)])
-    suite.set("tests", str(len(cases) or 1))
-    suite.set("failures", str(len(suite.findall("testcase/failure"))))
-    suite.set("errors", str(len(suite.findall("testcase/error"))))
-    suite.set("skipped", "0")
-    suite.set("time", _time(result.time.cpu_seconds))
-    return suite
-
-
-def _properties(result: Result) -> Iterator[tuple[str, str]]:
-    yield "problem", result.problem
-    yield "submission", result.submission
-    yield "verdict", result.verdict.value
-    yield "score", str(result.score)
-    for each in result.levels:
-        yield f"{each.level.value}_level", level_share(each)
-    yield "mode", result.mode.value
-    if result.isolation:
-        yield "isolation", result.isolation
-    yield "memory_bytes", str(result.memory_bytes)
-    yield "cpu_seconds", f"{result.time.cpu_seconds:.6f}"
-    yield "wall_seconds", f"{result.time.wall_seconds:.6f}"
-    if result.time.ratio:
-        yield "ratio", f"{result.time.ratio.median:.3f}"
-    if result.pitfall:
-        yield "pitfall", result.pitfall.name
-
-
-def _case(result: Result, told: Told, group: GroupResult, classname: str) -> Xml.Element:
-    attributes = {"name": group.name, "classname": classname, "time": _time(group.cpu_seconds)}
-    case = Xml.Element("testcase", attributes)
-    if group.verdict is not Verdict.AC:
+def _cases(result: Result) -> Iterator[tuple[str, float, Verdict, str, list[str]]]:
+    """A test group's name and CPU seconds; why it is rejected: in a line, and at length."""
+    told, failure, verdict = tell(None, result), result.failure, result.verdict
+    for group in result.groups:
         passed = f"{group.passed:,} of {counted(group.cases, 'case')} pass"
-        failure = result.failure
-        if failure is not None and failure.group == group.name:
-            message = f"{place_of(failure)}: {failure.message}"
-            _rejected(case, result, message, [passed, failure.message, *told.lines])
+        seconds = group.cpu_seconds
+        if group.verdict is Verdict.AC:
+            yield group.name, seconds, group.verdict, "", []
+        elif failure is not None and failure.group == group.name:
+            why = [passed, failure.message, *told.lines]
+            yield group.name, seconds, verdict, f"{place_of(failure)}: {failure.message}", why
         else:
-            _rejected(case, result, f"{group.verdict.meaning}: {passed}", [passed], group.verdict)
-    return case
-
-
-def _nothing_run(result: Result, classname: str) -> Xml.Element:
-    name = "judge" if result.verdict is Verdict.JE else "compile"
-    case = Xml.Element("testcase", {"name": name, "classname": classname, "time": _time(0.0)})
-    message = result.failure.message if result.failure else result.verdict.meaning
-    _rejected(case, result, message, [result.verdict.meaning, message])
-    return case
-
-
-def _rejected(
-    case: Xml.Element, result: Result, message: str, lines: Sequence[str], verdict: Verdict | None = None
-) -> None:
-    kind = "error" if result.verdict is Verdict.JE else "failure"
-    attributes = {"type": (verdict or result.verdict).value, "message": printable(message)}
-    # A backspace or half a surrogate pair has no form in XML at all, not even as an entity: written out.
-    Xml.SubElement(case, kind, attributes).text = "\n".join(printable(line) for line in lines)
-
-
-def _time(seconds: float) -> str:
-    return f"{seconds:.3f}"  # Surefire takes three decimals and no exponent
+            yield group.name, seconds, group.verdict, f"{group.verdict.meaning}: {passed}", [passed]
+    if not result.groups:
+        message = failure.message if failure else verdict.meaning
+        yield "judge" if verdict is Verdict.JE else "compile", 0, verdict, message, [verdict.meaning, message]
 
 
 _FORMULA = re.compile(r"""(^|[;,"'|\t])(\s*)(?=[=+\-@＝＋－＠])""")

@@ -11,8 +11,21 @@ from rich.console import Group, RenderableType
 from rich.text import Text
 
 from judge.problem import Verdict
-from judge.report.cohort import EQUAL_CAUTION, Cohort, Counted, ProblemView
-from judge.report.parts import BAD, FAINT, GOOD, STRONG, WARNING, Cell, indented, joined, table, text
+from judge.report.parts import (
+    FAINT,
+    Cell,
+    blocks,
+    faint,
+    head,
+    indented,
+    paragraph,
+    strong,
+    table,
+    text,
+    verdict_style,
+    warning,
+)
+from judge.report.published_klass import EQUAL_CAUTION, Cohort, Counted, ProblemView
 from judge.report.screen import Screen, fitted
 from judge.report.words import counted
 
@@ -26,66 +39,57 @@ _MEANING = {
     _BUSY: "timed while the machine was busy with other things",
     _UNKNOWN: "not in the list of students",
 }
-_STYLES = {Verdict.AC: GOOD, Verdict.JE: WARNING}
 
 
-def klass(found: Cohort, screen: Screen) -> RenderableType:
+def cohort(found: Cohort, screen: Screen) -> RenderableType:
     """The table with its footnotes and a line that sums it up, then the katas, then who needs help.
 
     Long lists are cut on a terminal; a pipe or a file gets them whole.
     """
     whole = screen.rows is None
     letters = _letters(found.marks.values())
-    parts: list[RenderableType] = [*_blocks(found, letters, screen.width)]
-    parts += [text(each, FAINT) for each in _footnotes(found, letters)]
-    parts += [text(f"{file}: {why}", WARNING) for file, why in found.unjudged[:_FAULTS]]
+    below: list[RenderableType] = [faint(each) for each in _footnotes(found, letters)]
+    below += [warning(f"{file}: {why}") for file, why in found.unjudged[:_FAULTS]]
     if len(found.unjudged) > _FAULTS:
-        parts.append(text(f"… and {len(found.unjudged) - _FAULTS} more; --json has them all", WARNING))
-    parts.append(text(_sum(found), STRONG))
-    for view in found.views:
-        parts += [Text(), *_kata(view, len(found.people), whole=whole)]
-    some = f"{len(found.unaccepted)} of {counted(len(found.people), 'student')}"
-    for head, about, rows in (
-        (
-            "stuck",
-            "the same mistake in the last two submissions",
-            [(f"{each.problem}  {each.mistake}", each.students) for each in found.stuck],
-        ),
-        ("no accepted solution yet", some, [("", found.unaccepted)] if found.unaccepted else []),
-        (
-            "equal files",
-            EQUAL_CAUTION,
-            [(f"{each.problem}  {each.how}", each.students) for each in found.equal],
-        ),
+        below.append(warning(f"… and {len(found.unjudged) - _FAULTS} more; --json has them all"))
+    return blocks(
+        *_tables(found, letters, screen.width),
+        Group(*below, strong(_sum(found))),
+        *(Group(*_kata(view, len(found.people), whole=whole)) for view in found.problems),
+        *_need_help(found, whole=whole),
+    )
+
+
+def _need_help(found: Cohort, *, whole: bool) -> Iterator[RenderableType]:
+    """Who is stuck, who has solved nothing, and whose files are equal."""
+    some = f"{len(found.nothing_accepted)} of {counted(len(found.people), 'student')}"
+    stuck = [(f"{each.problem}  {each.mistake}: ", each.students) for each in found.stuck]
+    equal = [(f"{each.problem}  {each.how}: ", each.students) for each in found.equal_files]
+    for title, about, rows in (
+        ("stuck", "the same mistake in the last two submissions", stuck),
+        ("no accepted solution yet", some, [("", found.nothing_accepted)] if found.nothing_accepted else []),
+        ("equal files", EQUAL_CAUTION, equal),
     ):
         if rows:
-            said = [f"{label + ': ' if label else ''}{_names(who, whole=whole)}" for label, who in rows]
-            shown, more = _cut(said, whole=whole)
-            parts += [Text(), joined(text(head, STRONG), text(f"  {about}", FAINT))]
-            parts += [indented(table(("",), [(each,)])) for each in shown]
-            parts += [indented(text(more, FAINT))] if more else []
-    return Group(*parts)
+            said = _some([f"{name}{_names(who, whole=whole)}" for name, who in rows], _SHOWN, whole=whole)
+            yield Group(head(title, faint(about)), *(indented(paragraph(each)) for each in said))
 
 
-def _blocks(
+def _tables(
     found: Cohort, letters: dict[tuple[str, str], str], width: int | None
 ) -> Iterator[RenderableType]:
     """The columns beside the names, as many at a time as there is room for."""
     names = [fitted(each.id, _NAME) + ("" if each.known else _UNKNOWN) for each in found.people]
     columns: list[tuple[str, list[Text]]] = [
-        (problem, [_mark(found.marks.get((each.id, problem)), letters) for each in found.people])
-        for problem in found.problems
+        (view.problem, [_mark(found.marks.get((each.id, view.problem)), letters) for each in found.people])
+        for view in found.problems
     ]
     if len(columns) > 1:
         of = f" of {len(columns)}"
         solved = Counter(who for (who, _), mark in found.marks.items() if mark.accepted)
-        columns += [
-            ("solved", [text(f"{solved[each.id]}{of}") for each in found.people]),
-            ("points", [text(str(found.total(each.id))) for each in found.people]),
-        ]
-    if not names:
-        return
-    while columns:
+        columns.append(("solved", [text(f"{solved[each.id]}{of}") for each in found.people]))
+        columns.append(("points", [text(str(found.total(each.id))) for each in found.people]))
+    while names and columns:
         fit, used = 0, max(map(cell_len, names))
         while fit < len(columns):
             title, column = columns[fit]
@@ -95,17 +99,16 @@ def _blocks(
             fit += 1
         titles = ("", *(title for title, _ in columns[:fit]))
         rows = zip(map(text, names), *(column for _, column in columns[:fit]), strict=True)
-        yield table(titles, rows, prose=None)
-        yield Text()
+        yield table(rows, *titles, prose=None)
         columns = columns[fit:]
 
 
 def _mark(mark: Counted | None, letters: dict[tuple[str, str], str]) -> Text:
     if mark is None:
-        return text(_NOTHING, FAINT)
+        return faint(_NOTHING)
     points = "" if mark.verdict is Verdict.JE else f" {mark.score}"
     signs = _signs(mark) + letters.get((mark.machine, mark.isolation), "")
-    return text(f"{mark.verdict.value}{points}{signs}", _STYLES.get(mark.verdict, BAD))
+    return text(f"{mark.verdict.value}{points}{signs}", verdict_style(mark.verdict))
 
 
 def _signs(mark: Counted) -> str:
@@ -126,8 +129,8 @@ def _footnotes(found: Cohort, letters: dict[tuple[str, str], str]) -> Iterator[s
     for (machine, isolation), letter in letters.items():
         what = f"{isolation} isolation on {machine or 'a machine without a name'}"
         yield f"{letter} {what}" if letter else f"judged with {what}"
-    if found.silent and not found.left:
-        yield f"nothing submitted: {', '.join(found.silent)}"
+    if found.nothing_handed_in and not found.left:
+        yield f"nothing submitted: {', '.join(found.nothing_handed_in)}"
 
 
 def _sum(found: Cohort) -> str:
@@ -139,33 +142,30 @@ def _sum(found: Cohort) -> str:
 
 def _kata(view: ProblemView, people: int, *, whole: bool) -> Iterator[RenderableType]:
     """How many submitted and are accepted, the mistakes with who made them, the groups that fail."""
-    about = f"  {view.handed_in} of {people} submitted, {view.accepted} accepted"
-    yield joined(text(view.problem, STRONG), text(about, FAINT))
+    yield head(view.problem, faint(f"{view.handed_in} of {people} submitted, {view.accepted} accepted"))
+    mistakes = view.mistakes if whole else view.mistakes[:_SHOWN]
     rows: list[Sequence[Cell]] = [
         (
             text(each.label, "" if each.named else FAINT),
             str(len(each.students)),
-            text(_names(each.students, whole=whole), FAINT),
+            faint(_names(each.students, whole=whole)),
         )
-        for each in (view.mistakes if whole else view.mistakes[:_SHOWN])
+        for each in mistakes
     ]
     if rows:
-        yield indented(table(("", "", ""), rows, right=[1]))
+        yield indented(table(rows, right=[1]))
     if len(rows) < len(view.mistakes):
-        yield indented(text(f"and {len(view.mistakes) - len(rows)} more", FAINT))
+        yield indented(faint(f"and {len(view.mistakes) - len(rows)} more"))
     if view.groups:
-        groups, more = _cut([f"{each.name} {each.failed}" for each in view.groups], whole=whole)
-        said = ", ".join([*groups, *([more] if more else [])])
-        yield indented(table(("",), [(f"groups that fail: {said}",)]))
+        groups = _some([f"{each.name} {each.failed}" for each in view.groups], _SHOWN, whole=whole)
+        yield indented(paragraph(f"groups that fail: {', '.join(groups)}"))
 
 
 def _names(students: Sequence[str], *, whole: bool) -> str:
-    shown = students if whole else students[:_NAMES]
-    more = len(students) - len(shown)
-    return ", ".join([*(fitted(each, _NAME) for each in shown), *([f"and {more:,} more"] if more else [])])
+    return ", ".join(_some([fitted(each, _NAME) for each in students], _NAMES, whole=whole))
 
 
-def _cut(found: Sequence[str], *, whole: bool) -> tuple[Sequence[str], str]:
-    """What is shown of a list, and how much is left out."""
-    shown = found if whole else found[:_SHOWN]
-    return shown, f"and {len(found) - len(shown):,} more" if len(shown) < len(found) else ""
+def _some(found: Sequence[str], most: int, *, whole: bool) -> list[str]:
+    """All of a list, or the first of it and how many more there are."""
+    left = 0 if whole else max(0, len(found) - most)
+    return [*found[: len(found) - left], *([f"and {left:,} more"] if left else [])]

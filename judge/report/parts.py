@@ -1,22 +1,23 @@
-"""The parts that every view is made of: one table, facts, a bar, a verdict, commands to type, prose.
+"""The parts that every view is made of: one table, facts, a bar, a verdict, commands to type, Markdown.
 
 Text of others (names, messages, sources) goes in as it is: each part writes out what a terminal would obey.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+import re
+from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
-from rich.console import Console, ConsoleOptions, RenderableType, RenderResult
+from rich.console import Console, ConsoleOptions, Group, RenderableType, RenderResult
 from rich.measure import Measurement
 from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
 from judge.problem import Verdict
-from judge.report.screen import ENDLESS
-from judge.report.words import printable
+from judge.report.screen import ENDLESS, Screen, is_terminal
+from judge.report.words import counted, printable
 
 Cell = str | Text
 
@@ -24,6 +25,10 @@ STRONG, FAINT, GOOD, BAD, WARNING = "bold", "dim", "green", "red", "yellow"
 READABLE = 100  # columns that prose has at most, however wide the screen is
 _LEAST = 20  # columns of prose below which it goes under its row
 _BAR = 40
+_STATEMENT = 88  # columns of a statement
+_VERDICTS = dict.fromkeys((Verdict.TLE, Verdict.MLE, Verdict.OLE, Verdict.JE), WARNING) | {Verdict.AC: GOOD}
+_FIGURE = re.compile(r"^!\[[^]]*\]\([^)]*\)\n\n?", re.MULTILINE)
+_REMARK = re.compile(r"^( *)(>>> .*?) {2,}(# .*)$", re.MULTILINE)
 
 
 def text(content: Cell, style: str = "") -> Text:
@@ -31,9 +36,50 @@ def text(content: Cell, style: str = "") -> Text:
     return content if isinstance(content, Text) else Text(printable(content), style)
 
 
+def strong(content: Cell) -> Text:
+    """What a row is about."""
+    return text(content, STRONG)
+
+
+def faint(content: Cell) -> Text:
+    """What is said beside it."""
+    return text(content, FAINT)
+
+
+def good(content: Cell) -> Text:
+    """What is as it should be."""
+    return text(content, GOOD)
+
+
+def bad(content: Cell) -> Text:
+    """What is wrong."""
+    return text(content, BAD)
+
+
+def warning(content: Cell) -> Text:
+    """What is worth a look."""
+    return text(content, WARNING)
+
+
 def joined(*parts: Cell) -> Text:
     """Several pieces on one line."""
     return Text.assemble(*map(text, parts))
+
+
+def head(name: Cell, *said: Cell) -> Text:
+    """A strong name and what is said of it, on one line; what is empty is left out."""
+    return joined(strong(name), *(part for each in said if each for part in ("  ", each)))
+
+
+def blocks(*parts: RenderableType | None) -> Group:
+    """The parts below each other, an empty row between two; None is left out."""
+    rows = [row for part in parts if part is not None for row in (Text(), part)]
+    return Group(*rows[1:])
+
+
+def heading(name: Cell, *below: RenderableType) -> Group:
+    """A name, and what belongs to it right below, indented."""
+    return Group(strong(name), *map(indented, below))
 
 
 def indented(what: RenderableType, columns: int = 2) -> Padding:
@@ -90,11 +136,7 @@ class _Table(NamedTuple):
 
 
 def table(
-    titles: Sequence[str],
-    rows: Iterable[Sequence[Cell]],
-    *,
-    right: Sequence[int] = (),
-    prose: int | None = -1,
+    rows: Iterable[Sequence[Cell]], *titles: str, right: Sequence[int] = (), prose: int | None = -1
 ) -> RenderableType:
     """Rows of cells under titles; a column without any text is left out, and those in `right` end flush.
 
@@ -102,24 +144,35 @@ def table(
     where it is None, a row that is too wide is cut.
     """
     cells = [[text(cell) for cell in row] for row in rows]
-    kept = [at for at, title in enumerate(titles) if title or any(row[at].plain for row in cells)]
-    last = None if prose is None else prose % len(titles)
+    named = titles or ("",) * max(map(len, cells), default=0)
+    kept = [at for at, title in enumerate(named) if title or any(row[at].plain for row in cells)]
+    last = None if prose is None or not named else prose % len(named)
     return _Table(
-        [titles[at] for at in kept],
+        [named[at] for at in kept],
         [[row[at] for at in kept] for row in cells],
         [kept.index(at) for at in right if at in kept],
         kept.index(last) if last in kept else None,
     )
 
 
+def paragraph(said: Cell) -> RenderableType:
+    """A text that is wrapped."""
+    return table([(said,)])
+
+
 def facts(pairs: Iterable[tuple[Cell, Cell]]) -> RenderableType:
     """Labels, each with what is said of it."""
-    return table(("", ""), [(text(label, FAINT), said) for label, said in pairs])
+    return table([(faint(label), said) for label, said in pairs])
+
+
+def under(name: Cell, rows: Iterable[Cell]) -> Iterator[tuple[Cell, Cell]]:
+    """Rows for `facts`, of which the first alone has a label."""
+    yield from ((name if at == 0 else "", row) for at, row in enumerate(rows))
 
 
 def commands(pairs: Iterable[tuple[str, str]]) -> RenderableType:
     """Commands to type, each with what it does."""
-    return table(("", ""), [(command, text(about, FAINT)) for command, about in pairs])
+    return table([(command, faint(about)) for command, about in pairs])
 
 
 def bar(done: int, total: int, said: str, width: int | None = None) -> Text:
@@ -129,11 +182,64 @@ def bar(done: int, total: int, said: str, width: int | None = None) -> Text:
     return Text(f"[{'#' * filled:.<{length}}]  {printable(said)}")
 
 
+def solved_bar(solved: int, katas: int, stars: Sequence[int], width: int | None) -> Text:
+    """How many katas are solved, and how many have one star and two, where any has."""
+    said = "".join(f"   {'★' * at} {count}" for at, count in enumerate(stars, 1) if count)
+    return bar(solved, katas, f"{solved} of {counted(katas, 'kata')}{said}", width)
+
+
 def verdict_style(found: Verdict) -> str:
     """The colour of a verdict."""
-    return GOOD if found is Verdict.AC else WARNING if found is Verdict.JE else BAD
+    return _VERDICTS.get(found, BAD)
 
 
-def verdict(found: Verdict) -> Text:
+def label(found: Verdict, said: str = "") -> Text:
+    """The verdict in its colour, strong, or what is `said` instead."""
+    return text(said or found.value, f"{STRONG} {verdict_style(found)}")
+
+
+def verdict(found: Verdict, *said: Cell) -> Text:
     """`WA  Wrong answer`, in its colour."""
-    return Text.assemble((found.value, f"{STRONG} {verdict_style(found)}"), f"  {found.meaning.capitalize()}")
+    return joined(label(found), f"  {found.meaning.capitalize()}", *said)
+
+
+def prose(markdown: str, screen: Screen) -> RenderableType:
+    """Markdown, drawn where a person is looking; a figure on a line of its own is left out.
+
+    Its colours are those of the person's own theme, without a background, so that light and dark both serve.
+    """
+    markdown = _FIGURE.sub("", markdown)
+    if not is_terminal(screen.stream):
+        return Text("\n".join(map(printable, markdown.rstrip("\n").split("\n"))))
+    from rich.markdown import CodeBlock, Heading, Markdown
+    from rich.theme import Theme
+
+    class Code(CodeBlock):
+        def __rich_console__(self, console: Console, options: ConsoleOptions) -> RenderResult:
+            source = _unbroken(str(self.text).rstrip(), options.max_width - 4)
+            yield indented(Text(source, style="cyan"), 4)
+
+    class Title(Heading):
+        def __rich_console__(self, console: Console, options: ConsoleOptions) -> RenderResult:
+            self.text.justify = "left"
+            self.text.stylize(STRONG)
+            yield self.text
+
+    class Statement(Markdown):
+        elements = {**Markdown.elements, "fence": Code, "code_block": Code, "heading_open": Title}  # noqa: RUF012
+
+        def __rich_console__(self, console: Console, options: ConsoleOptions) -> RenderResult:
+            width = min(options.max_width, _STATEMENT)
+            with console.use_theme(Theme({"markdown.code": "cyan"})):
+                yield from super().__rich_console__(console, options.update(width=width))
+
+    return Statement(markdown, hyperlinks=False)
+
+
+def _unbroken(source: str, width: int) -> str:
+    """Examples with a remark at the end of a row that is too wide: the remark goes above the call."""
+
+    def above(row: re.Match[str]) -> str:
+        return row[0] if len(row[0]) <= width else f"{row[1]}{row[3]}\n{row[1]}{row[2]}"
+
+    return _REMARK.sub(above, source)

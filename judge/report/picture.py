@@ -1,7 +1,9 @@
-"""Pictures: the failing case on a terminal, how the time grows, the figure of a statement."""
+"""Pictures: a failing case, how the time grows, the figure of a statement; as rows of a terminal."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import partial
 from typing import TYPE_CHECKING
 
 from judge.drawing import Picture
@@ -9,14 +11,20 @@ from judge.drawing.braille import COLUMNS, ROWS, to_braille
 from judge.drawing.braille import LEAST_ROWS as LEAST_ROWS
 from judge.drawing.chart import Axis, Chart, Series, chart_braille
 from judge.drawing.shapes import Role
+from judge.errors import JudgeError, told
 from judge.problem import Problem
-from judge.problem.declare import Shown
-from judge.report.screen import Screen, is_terminal
+from judge.problem.declare import InvalidCase, Shown
+from judge.problem.model import EXAMPLES, case_of
+from judge.report.screen import Screen, is_terminal, note
+from judge.report.tell import grows
 from judge.report.words import seconds
-from judge.run.result import Growth
+from judge.run.result import Failure, Growth
+from judge.values.answers import within
 
 if TYPE_CHECKING:
     from rich.text import Text
+
+    from judge.problem.module import Module
 
 _COLOURS: dict[Role | None, str] = {
     Role.WANTED: "green",
@@ -28,17 +36,11 @@ _COLOURS: dict[Role | None, str] = {
 
 def has_room(screen: Screen, columns: int = COLUMNS) -> bool:
     """Whether a drawing can be read there: a terminal that is wide enough and knows the characters."""
-    wide = screen.width is not None and screen.width >= columns
-    return is_terminal(screen.stream) and wide and writes(screen, "\u28ff")
-
-
-def writes(screen: Screen, text: str) -> bool:
-    """Whether the screen's encoding has these characters."""
     try:
-        text.encode(getattr(screen.stream, "encoding", None) or "utf-8")
+        "\u28ff".encode(getattr(screen.stream, "encoding", None) or "utf-8")
     except UnicodeEncodeError:
         return False
-    return True
+    return is_terminal(screen.stream) and screen.width is not None and screen.width >= columns
 
 
 def growth_chart(growth: Growth) -> Chart | None:
@@ -50,9 +52,8 @@ def growth_chart(growth: Growth) -> Chart | None:
     own = tuple((float(each.size), each.cpu_seconds) for each in points)
     stopped = frozenset(float(each.size) for each in points if not each.ended)
     title = "How the time of a case grows"
-    about = f"Your time grows like n^{growth.exponent:.1f}, the reference's like n^{growth.reference:.1f}."
     series = (Series("reference", reference, Role.WANTED), Series("yours", own, Role.GOT, stopped))
-    return Chart(title, series, Axis("n", log=True), Axis("CPU time", seconds, log=True), about)
+    return Chart(title, series, Axis("n", log=True), Axis("CPU time", seconds, log=True), f"{grows(growth)}.")
 
 
 def picture_rows(picture: Picture | Chart, rows: int = ROWS, *, answered: bool = True) -> list[Text]:
@@ -66,6 +67,18 @@ def picture_rows(picture: Picture | Chart, rows: int = ROWS, *, answered: bool =
     return [Text.assemble(*((each.text, _COLOURS.get(each.role, "")) for each in row)) for row in drawn]
 
 
+def drawing(
+    make: Callable[[], Picture | Chart | None], screen: Screen, what: str
+) -> Callable[[int], list[Text]] | None:
+    """What draws a picture in about so many rows; None where there is none, or no room on the screen."""
+    try:
+        picture = make() if has_room(screen) else None
+    except Exception as fault:  # what is known without it is worth more
+        note(f"{what} is not drawn: {told(fault)}")
+        return None
+    return partial(picture_rows, picture) if picture else None
+
+
 FIGURE = "figure.svg"
 
 
@@ -76,14 +89,31 @@ def figure(problem: Problem) -> str | None:
     from judge.values import show
 
     module = load_module(problem)
-    draw = module.hooks.picture
-    if draw is None:
-        return None
-    names = [parameter.name for parameter in problem.parameters]
     for example in problem.examples:
-        values = dict(zip(names, example.case, strict=True))
-        exact = module.solve(*example.case)
-        picture = draw(Shown(problem, values, exact, str(show.exact_text(exact)), None, heading="example"))
+        wanted = str(show.exact_text(module.solve(*example.case)))
+        case = Failure("", input=problem.named(example.case), expected=wanted)
+        picture = case_picture(problem, module, case, EXAMPLES, "example")
         if picture is not None:
             return panel_svg(picture.whole, "figure", picture.description, alone=True) + "\n"
     return None
+
+
+def case_picture(
+    problem: Problem, module: Module, failure: Failure, group: str | None, heading: str = ""
+) -> Picture | None:
+    """A failing case of a test group, drawn with both answers.
+
+    None where the kata draws no such case, or it is none of its cases any more.
+    """
+    from judge.data.build import validate
+
+    draw, values = module.hooks.picture, failure.input
+    if not draw or not values or not problem.group(group or ""):
+        return None
+    if [*values] != [each.name for each in problem.parameters]:
+        return None
+    try:
+        exact = within(validate(problem, module, case_of(values)), group or "")
+    except (InvalidCase, JudgeError):
+        return None
+    return draw(Shown(problem, values, exact, failure.expected, failure.got, failure.given, heading))

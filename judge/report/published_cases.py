@@ -13,7 +13,8 @@ from judge.errors import ExitCode
 from judge.mistakes.puzzles import Puzzle
 from judge.practice.progress import HackState
 from judge.problem import Problem, Verdict
-from judge.report.published import Published
+from judge.problem.model import Mode
+from judge.report.views import Published, copied
 from judge.run.tried import Said, Tried
 from judge.values import show
 
@@ -37,8 +38,8 @@ class SaidRow(Struct, frozen=True):
     """What a submission answered to it; `mode` is null where nothing could be run."""
 
     submission: str
-    mode: str | None
-    verdict: str
+    mode: Mode | None
+    verdict: Verdict
     got: str
     message: str
     printed: str
@@ -68,7 +69,7 @@ class HackLine(Published, frozen=True, kw_only=True):
     problem: str
     number: int
     outcome: str
-    state: str
+    state: HackState
     why: str
     mistake: str | None
     advice: str | None
@@ -81,7 +82,7 @@ class HackProgram(Struct, frozen=True):
     """How a wrong program stands: open, broken or given-up; `mistake` is null while it is open."""
 
     number: int
-    state: str
+    state: HackState
     mistake: str | None
 
 
@@ -107,12 +108,11 @@ class CaseTried(Struct, frozen=True):
     @property
     def published(self) -> tuple[CaseLine]:
         """The line of JSON."""
-        line = CaseLine(problem=self.tried.problem.id, case=_case(self.tried), said=_said(self.said))
-        return (line,)
+        return (CaseLine(problem=self.tried.problem.id, case=_case(self.tried), said=_said(self.said)),)
 
 
 class HackTurn(Struct, frozen=True):
-    """A wrong program that is shown, attacked or given up, among all those of the kata.
+    """A wrong program that is shown, attacked or given up, among all those of the kata; or these are listed.
 
     `states` is by mistake. `why` says why a case does not break it. With `goes_on` a terminal asks for more.
     """
@@ -146,15 +146,22 @@ class HackTurn(Struct, frozen=True):
         return ExitCode.NOT_ACCEPTED if ended else ExitCode.ACCEPTED
 
     @property
-    def published(self) -> tuple[HackLine]:
+    def published(self) -> tuple[HackLine | HackList]:
         """The line of JSON."""
+        if self.outcome == "listed":
+            rows = ((each, self.states[each.mistake]) for each in self.puzzles)
+            programs = (
+                HackProgram(each.number, state, None if state is HackState.OPEN else each.mistake)
+                for each, state in rows
+            )
+            return (HackList(self.problem.id, tuple(programs)),)
         state = self.states[self.puzzle.mistake]
         told = state is not HackState.OPEN
         line = HackLine(
             problem=self.problem.id,
             number=self.puzzle.number,
             outcome=self.outcome,
-            state=state.value,
+            state=state,
             why=self.why,
             mistake=self.puzzle.mistake if told else None,
             advice=self.puzzle.advice if told else None,
@@ -163,22 +170,6 @@ class HackTurn(Struct, frozen=True):
             said=_said(self.said),
         )
         return (line,)
-
-
-class HackStanding(Struct, frozen=True):
-    """How all wrong programs of a kata stand."""
-
-    turn: HackTurn
-
-    @property
-    def published(self) -> tuple[HackList]:
-        """The line of JSON."""
-        rows = ((each, self.turn.states[each.mistake]) for each in self.turn.puzzles)
-        programs = tuple(
-            HackProgram(each.number, state.value, None if state is HackState.OPEN else each.mistake)
-            for each, state in rows
-        )
-        return (HackList(problem=self.turn.problem.id, programs=programs),)
 
 
 def _case(tried: Tried) -> CaseRow:
@@ -195,14 +186,4 @@ def _case(tried: Tried) -> CaseRow:
 
 
 def _said(said: Said | None) -> SaidRow | None:
-    if said is None:
-        return None
-    return SaidRow(
-        said.name,
-        said.mode.value if said.mode else None,
-        said.verdict.value,
-        said.got,
-        said.message,
-        said.printed,
-        said.isolation or None,
-    )
+    return copied(SaidRow, said, submission=said.name, isolation=said.isolation or None) if said else None

@@ -3,21 +3,19 @@
 from __future__ import annotations
 
 from datetime import datetime
+from typing import ClassVar
 
 from msgspec import Struct
 
 from judge.practice.events import Run
 from judge.problem import Verdict
 from judge.problem.model import Mode
-from judge.report.published import Published
+from judge.report.views import Published, copied
 from judge.run.result import Result, Taken
 
 
 class RunRow(
-    Published,
-    frozen=True,
-    kw_only=True,
-    rename={"id": "run", "when": "time", "source_hash": "source"},
+    Published, frozen=True, kw_only=True, rename={"id": "run", "when": "time", "source_hash": "source"}
 ):
     """A run with its result; `source` is the sha256 of what was judged, `passed` and `failed` name groups."""
 
@@ -41,11 +39,6 @@ class RunRow(
 _COLUMNS = RunRow.__struct_fields__[1:]  # without the schema
 
 
-def run_row(run: Run) -> RunRow:
-    """The row of a run. Raises StoreError where its result is damaged."""
-    return RunRow(**{name: getattr(run, name) for name in _COLUMNS})
-
-
 class RunList(Struct, frozen=True):
     """Runs, the latest last; `more` says that older ones are left out, `csv` that CSV is wanted."""
 
@@ -57,7 +50,7 @@ class RunList(Struct, frozen=True):
     @property
     def published(self) -> tuple[RunRow, ...]:
         """Each run in full."""
-        return tuple(map(run_row, self.runs))
+        return tuple(copied(RunRow, run) for run in self.runs)
 
     @property
     def plain(self) -> str:
@@ -77,17 +70,6 @@ def _cell(value: object) -> object:
     if isinstance(value, datetime):
         return value.isoformat()
     return "" if value is None else getattr(value, "value", value)
-
-
-class RunShown(Struct, frozen=True):
-    """One run in full."""
-
-    run: Run
-
-    @property
-    def published(self) -> tuple[RunRow]:
-        """The run."""
-        return (run_row(self.run),)
 
 
 class GroupChange(Struct, frozen=True):
@@ -132,7 +114,7 @@ class HintShown(Published, frozen=True, kw_only=True):
     text: str
 
 
-class ApproachRow(Struct, frozen=True, kw_only=True):
+class ApproachRow(Struct, frozen=True):
     """An approach, by its name and by what `judge solution` calls it; what it takes, if measured."""
 
     name: str
@@ -143,7 +125,7 @@ class ApproachRow(Struct, frozen=True, kw_only=True):
     taken: Taken | None
 
 
-class Yours(Struct, frozen=True, kw_only=True):
+class Yours(Struct, frozen=True):
     """The latest run of the person's own that solved the kata, and what it takes."""
 
     run: int
@@ -163,8 +145,4 @@ class SolutionShown(Published, frozen=True, kw_only=True):
     program: str
     approaches: tuple[ApproachRow, ...]
     yours: Yours | None
-
-    @property
-    def paged(self) -> bool:
-        """It is longer than most terminals."""
-        return True
+    paged: ClassVar[bool] = True  # longer than most terminals

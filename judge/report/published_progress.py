@@ -8,7 +8,7 @@ from msgspec import Struct
 
 from judge.practice.progress import Covered, HackShare, Question, SkillProgress
 from judge.practice.review import Review
-from judge.report.published import Published
+from judge.report.views import Published
 
 
 class SetShare(Struct, frozen=True, kw_only=True):

@@ -11,7 +11,8 @@ from judge.practice.cards import Card
 from judge.practice.events import Rating
 from judge.practice.quiz import Practise
 from judge.practice.review import Review
-from judge.report.published import Published
+from judge.problem import Verdict
+from judge.report.views import Published, copied
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -43,20 +44,11 @@ class CardList(Struct, frozen=True):
     @property
     def published(self) -> tuple[CardRow, ...]:
         """A row for each card."""
-        return tuple(_card_row(card, self.reviews.get(card.key)) for card in self.cards)
+        return tuple(self._row(card, self.reviews.get(card.key)) for card in self.cards)
 
-
-def _card_row(card: Card, review: Review | None) -> CardRow:
-    return CardRow(
-        card.key,
-        card.form,
-        card.rows,
-        card.sets,
-        front=card.front,
-        last=review.last if review else None,
-        rating=review.rating.name.lower() if review else None,
-        due=review.due if review else None,
-    )
+    def _row(self, card: Card, review: Review | None) -> CardRow:
+        rated = (review.last, review.rating.name.lower(), review.due) if review else (None, None, None)
+        return CardRow(card.key, card.form, card.rows, card.sets, card.front, *rated)
 
 
 class Answered(Struct, frozen=True):
@@ -91,7 +83,7 @@ class Interviewed(Published, frozen=True):
     file: str
     runs: int
     solved: bool
-    verdict: str | None
+    verdict: Verdict | None
     score: int | None
     mistake: str | None
     lacking: tuple[str, ...]
@@ -119,15 +111,15 @@ def interviewed(
 ) -> Interviewed:
     """What an interview comes to that took the first of the `minutes`, of the second."""
     last = held.last
-    return Interviewed(
-        *minutes,
-        len(asked),
-        _known(asked),
-        held.problem.id,
-        held.file,
-        runs=held.runs,
-        solved=held.solved,
-        verdict=last.verdict.value if last else None,
+    return copied(
+        Interviewed,
+        held,
+        minutes=minutes[0],
+        out_of=minutes[1],
+        asked=len(asked),
+        known=_known(asked),
+        problem=held.problem.id,
+        verdict=last.verdict if last else None,
         score=last.score if last else None,
         mistake=last.pitfall.name if last and last.pitfall else None,
         lacking=() if held.solved else held.lacking,

@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 from msgspec import Struct
 
 from judge.errors import ExitCode
+from judge.languages.find import Found
 from judge.mistakes.verified import ChoicesReport
 from judge.packs.export.job import Export, Package
 from judge.packs.export.programs import LeftOut
-from judge.report.published import Published
+from judge.problem import Verdict
+from judge.report.views import Published, copied
 from judge.run.verify import Fault, VerifyReport
+from judge.sandbox.probe import Level
 
 
 class NewKata(Published, frozen=True):
@@ -26,7 +31,7 @@ class SolutionRow(Struct, frozen=True):
 
     file: str
     name: str
-    verdict: str | None
+    verdict: Verdict | None
     ok: bool
     failed: tuple[str, ...]
     unjudged: str
@@ -73,36 +78,17 @@ def verified(report: VerifyReport, choices: ChoicesReport | None = None) -> Veri
     """What is published of a report, and of what came of the problem's mistakes.py."""
     choices = choices or ChoicesReport()
     found = {
-        each.name: MistakeRow(
-            each.name,
-            each.line,
-            each.group,
-            each.cases,
-            tuple(group for group, names in choices.kills.items() if each.name in names),
+        each.name: copied(
+            MistakeRow, each, groups=tuple(at for at, names in choices.kills.items() if each.name in names)
         )
         for each in sorted(choices.least, key=lambda least: (least.name, -least.cases))
     }
-    return Verified(
-        report.problem,
-        report.ok,
-        report.groups,
-        report.cases,
-        report.pins,
-        solutions=tuple(
-            SolutionRow(
-                each.file,
-                each.name,
-                each.verdict.value if each.verdict else None,
-                each.ok,
-                each.failed,
-                each.unjudged,
-            )
-            for each in report.solutions
-        ),
+    return copied(
+        Verified,
+        report,
+        solutions=tuple(copied(SolutionRow, each) for each in report.solutions),
         mistakes=tuple(found.values()),
-        edges=tuple(EdgeRow(what, cases) for what, cases in report.edges),
-        faults=report.faults,
-        warnings=report.warnings,
+        edges=tuple(EdgeRow(*each) for each in report.edges),
     )
 
 
@@ -139,7 +125,7 @@ class ProgramRow(Struct, frozen=True):
     """A program of the packages: its verdict there, and the test that decides it."""
 
     file: str
-    verdict: str
+    verdict: Verdict
     test: str | None
 
 
@@ -150,7 +136,7 @@ class Exported(Published, frozen=True):
     package: str
     left_out: str | None
     packages: tuple[Package, ...]
-    domjudge: str | None
+    domjudge: Path | None
     time_limit: int | None
     programs: tuple[ProgramRow, ...]
     programs_left_out: tuple[LeftOut, ...]
@@ -165,42 +151,15 @@ def exported(found: Export) -> Exported:
         found.short,
         found.why or None,
         packages=found.packages,
-        domjudge=str(found.domjudge) if found.domjudge else None,
+        domjudge=found.domjudge,
         time_limit=programs.seconds if programs else None,
         programs=tuple(
-            ProgramRow(each.path, each.trial.verdict.value, each.trial.file or None)
+            ProgramRow(each.path, each.trial.verdict, each.trial.file or None)
             for each in (programs.held if programs else ())
         ),
         programs_left_out=programs.left_out if programs else (),
         notes=found.notes,
     )
-
-
-class LevelRow(Struct, frozen=True):
-    """A level of isolation: what it means, or why this machine has it not and what would help.
-
-    `visible` is what a submission can read there that none may: a path, "" for nothing, null if not tried;
-    `lasting` is false where the machine was only short of something.
-    """
-
-    name: str
-    available: bool
-    meaning: str
-    why_not: str
-    remedy: str
-    lasting: bool
-    visible: str | None
-
-
-class LanguageRow(Struct, frozen=True):
-    """A language: its version, or what is missing; `works` is null where it was not tried."""
-
-    name: str
-    version: str
-    missing: str
-    remedy: str
-    works: bool | None
-    why_not: str
 
 
 class AttackRow(Struct, frozen=True):
@@ -223,8 +182,8 @@ class Doctor(Published, frozen=True):
     """What this machine gives; `isolation` is the best level, null where nothing can be run."""
 
     isolation: str | None
-    levels: tuple[LevelRow, ...]
-    languages: tuple[LanguageRow, ...]
+    levels: tuple[Level, ...]
+    languages: tuple[Found, ...]
     attacks: Attacks | None
     judge: str
     python: str
@@ -237,3 +196,14 @@ class Doctor(Published, frozen=True):
         """1 where an attack was not held."""
         held = self.attacks is None or all(each.held for each in self.attacks.attacks)
         return ExitCode.ACCEPTED if held else ExitCode.NOT_ACCEPTED
+
+
+class SiteBuilt(Published, frozen=True):
+    """What came of a build: katas made now, those that were there, those for the terminal, all bytes."""
+
+    out: str
+    made: tuple[str, ...]
+    kept: tuple[str, ...]
+    elsewhere: tuple[str, ...]
+    bytes: int
+    opened: bool

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from rich.console import Group, RenderableType
@@ -10,20 +10,25 @@ from rich.text import Text
 
 from judge.report.parts import (
     BAD,
-    FAINT,
     GOOD,
-    STRONG,
-    WARNING,
     Cell,
+    bad,
+    blocks,
     facts,
+    faint,
+    good,
+    head,
+    heading,
     indented,
-    joined,
+    paragraph,
+    strong,
     table,
     text,
+    warning,
 )
 from judge.report.published_quiz import CardList, Interviewed, Quizzed
 from judge.report.screen import Screen, drawn
-from judge.report.words import counted, shown_name
+from judge.report.words import counted, due_words, shown_name
 
 if TYPE_CHECKING:
     from judge.practice.events import Rating
@@ -38,43 +43,37 @@ _AROUND = 2  # rows for the prompt and one above
 
 def question(asked: Question, place: str, screen: Screen) -> RenderableType:
     """The card, what is known of its figure, and the figure where the terminal has room for it."""
-    parts: list[RenderableType] = [text(place, FAINT), _prose(text(asked.card.front, STRONG))]
-    parts += map(_prose, asked.given)
+    parts: list[RenderableType] = [faint(place), _prose(strong(asked.card.front)), *map(_prose, asked.given)]
     if asked.program:
         rows = [indented(text(row), 4) if row else Text() for row in asked.program.splitlines()]
         parts += [Text(), *rows, Text()]
     if asked.options:
-        parts.append(
-            indented(table(("", ""), [(text(letter, STRONG), said) for letter, said in asked.options]))
-        )
-    return Group(*parts, *_picture(asked, screen, drawn(Group(*parts), screen).count("\n")))
+        parts.append(indented(table([(strong(letter), said) for letter, said in asked.options])))
+    if asked.picture is not None:
+        from judge.report.picture import LEAST_ROWS, has_room, picture_rows
+
+        if has_room(screen, _PANEL):
+            room = screen.height - drawn(Group(*parts), screen).count("\n") - _AROUND
+            parts += map(indented, picture_rows(asked.picture, max(room, LEAST_ROWS), answered=False))
+    return Group(*parts)
 
 
 def _prose(said: Cell) -> RenderableType:
-    return indented(table(("",), [(said,)]))
-
-
-def _picture(asked: Question, screen: Screen, taken: int) -> Iterator[RenderableType]:
-    from judge.report.picture import LEAST_ROWS, has_room, picture_rows
-    from judge.report.terminal import height
-
-    if asked.picture is not None and has_room(screen, _PANEL):
-        rows = max(height(screen) - taken - _AROUND, LEAST_ROWS)
-        yield from map(indented, picture_rows(asked.picture, rows, answered=False))
+    return indented(paragraph(said))
 
 
 def prompt(asks: str, screen: Screen) -> str:
     """What may be typed, ready to be written: its last line is left open."""
-    return drawn(indented(text(asks.rstrip(), FAINT)), screen).removesuffix("\n") + " "
+    return drawn(indented(faint(asks.rstrip())), screen).removesuffix("\n") + " "
 
 
 def reply(asked: Question, found: Reply | None, rating: Rating) -> RenderableType:
     """Whether the answer was right, what the right one is, and why; `found` is None where none was given."""
     if asked.check is None:
-        return Group(indented(text(f"noted: {rating.name.lower()}", FAINT)), Text())
+        return Group(indented(faint(f"noted: {rating.name.lower()}")), Text())
     right = found is not None and found.right
     mistake = f": {found.mistake}" if found and found.mistake else ""
-    verdict = text("✓ right", GOOD) if right else text(f"✗ wrong{mistake}" if found else "✗ skipped", BAD)
+    verdict = good("✓ right") if right else bad(f"✗ wrong{mistake}" if found else "✗ skipped")
     because = found.why if found and not right else ""
     pairs = [("because", because), ("answer", "" if right else asked.answer), ("why", asked.why)]
     said = [pair for pair in pairs if pair[1]]
@@ -88,41 +87,33 @@ def model(asked: Question) -> RenderableType:
 
 def mistyped(message: str) -> RenderableType:
     """What was typed is not an answer."""
-    return indented(text(message, WARNING))
+    return indented(warning(message))
 
 
 def quizzed(found: Quizzed, _screen: Screen) -> RenderableType:
     """How the cards went, and what to practise."""
     if found.next_due is not None:
         when = f"The next card is due on {found.next_due.astimezone():%Y-%m-%d}."
-        return text(f"Nothing is due today. {when}", GOOD)
+        return good(f"Nothing is due today. {when}")
     if not found.asked:
-        return text("No card was answered.", FAINT)
-    known = text(f"{found.known} of {counted(found.asked, 'card')} known", STRONG)
-    return Group(known, *_practise(found.practise))
+        return faint("No card was answered.")
+    known = strong(f"{found.known} of {counted(found.asked, 'card')} known")
+    return blocks(known, _practise(found.practise))
 
 
-def _practise(found: Sequence[Practise]) -> Iterator[RenderableType]:
-    if found:
-        yield from (Text(), text("Practise", STRONG))
-        rows = [(each.commands[0], each.ask) for each in found]
-        yield indented(table(("", ""), rows))
+def _practise(found: Sequence[Practise]) -> RenderableType | None:
+    rows = [(each.commands[0], each.ask) for each in found]
+    return heading("Practise", table(rows)) if rows else None
 
 
 def card_list(found: CardList, _screen: Screen) -> RenderableType:
     """The cards, a row each, with when each is due."""
-    from judge.report.learned import due_words
-
     due = {key: due_words(review.due, found.now) for key, review in found.reviews.items()}
-    rows = [
-        (text(card.key, STRONG), card.form, text(due.get(card.key, ""), FAINT), card.front)
-        for card in found.cards
-    ]
+    rows = [(strong(card.key), card.form, faint(due.get(card.key, "")), card.front) for card in found.cards]
     new = sum(card.key not in due for card in found.cards)
-    return Group(
-        table(("card", "form", "due" if due else "", "question"), rows),
-        Text(),
-        text(f"{counted(len(rows), 'card')}, {new} new", FAINT),
+    return blocks(
+        table(rows, "card", "form", "due" if due else "", "question"),
+        faint(f"{counted(len(rows), 'card')}, {new} new"),
     )
 
 
@@ -130,8 +121,8 @@ def opening(minutes: int, planned: Plan, held: Held) -> RenderableType:
     """What is to come in an interview."""
     before, after = (counted(len(cards), "card") for cards in (planned.before, planned.after))
     return Group(
-        joined(text("Mock interview", STRONG), text(f"  {counted(minutes, 'minute')}", FAINT)),
-        text(f"{before}, the kata {held.problem.id}, {after}. q leaves; your answers are kept.", FAINT),
+        head("Mock interview", faint(counted(minutes, "minute"))),
+        faint(f"{before}, the kata {held.problem.id}, {after}. q leaves; your answers are kept."),
         Text(),
     )
 
@@ -139,7 +130,7 @@ def opening(minutes: int, planned: Plan, held: Held) -> RenderableType:
 def kata(held: Held, minutes: int) -> RenderableType:
     """The kata of an interview, its file, and the time for it."""
     return Group(
-        joined(text(held.problem.title, STRONG), text(f"  {counted(minutes, 'minute')}", FAINT)),
+        head(held.problem.title, faint(counted(minutes, "minute"))),
         _prose(held.problem.summary),
         _prose(f"Write it in {shown_name(held.file)}: the statement is in there. I judge it on every save."),
         Text(),
@@ -148,28 +139,23 @@ def kata(held: Held, minutes: int) -> RenderableType:
 
 def time_over() -> RenderableType:
     """The time for the kata is over."""
-    return Group(Text(), text("The time for the kata is over.", WARNING), Text())
+    return Group(Text(), warning("The time for the kata is over."), Text())
 
 
 def interviewed(found: Interviewed, _screen: Screen) -> RenderableType:
     """How it went, and what to practise."""
-    time = f"  {found.minutes} of {counted(found.out_of, 'minute')}"
     cards = f"{found.known} of {counted(found.asked, 'card')} known" if found.asked else "none answered"
     said: list[tuple[Cell, Cell]] = [("cards", cards), ("kata", _kata(found))]
     if found.lacking:
         said.append(("not yet", ", ".join(found.lacking)))
-    nothing = found.solved and found.known == found.asked
-    return Group(
-        Text(),
-        joined(text("The interview", STRONG), text(time, FAINT)),
-        indented(facts(said)),
-        *((Text(), text("Nothing to practise.", GOOD)) if nothing else _practise(found.practise)),
-    )
+    title = head("The interview", faint(f"{found.minutes} of {counted(found.out_of, 'minute')}"))
+    nothing = good("Nothing to practise.") if found.solved and found.known == found.asked else None
+    return Group(Text(), blocks(Group(title, indented(facts(said))), nothing or _practise(found.practise)))
 
 
 def _kata(found: Interviewed) -> Text:
     if found.verdict is None:
-        return text(f"{found.problem}: not judged", FAINT)
+        return faint(f"{found.problem}: not judged")
     mistake = f", {found.mistake}" if found.mistake else ""
-    points = f"{found.verdict}, {found.score} of 100 points after {counted(found.runs, 'run')}"
+    points = f"{found.verdict.value}, {found.score} of 100 points after {counted(found.runs, 'run')}"
     return text(f"{found.problem}: {points}{mistake}", GOOD if found.solved else BAD)

@@ -15,26 +15,31 @@ from judge.report.parts import (
     FAINT,
     GOOD,
     STRONG,
-    WARNING,
     Cell,
-    bar,
+    blocks,
     commands,
     facts,
+    faint,
     indented,
     joined,
+    label,
+    solved_bar,
+    strong,
     table,
     text,
+    verdict_style,
 )
-from judge.report.published_start import Standing
+from judge.report.published_look import Standing
+from judge.report.published_result import Judged, Several
 from judge.report.screen import Screen, drawn
-from judge.report.tell import Told
+from judge.report.tell import Told, place_of, tell
 from judge.report.words import counted, shown_name, times
 from judge.run.result import GroupResult, Result
 
 Drawing = Callable[[int], Sequence[Text]]  # the picture of the failing case in about so many rows
-_STYLES = dict.fromkeys((Verdict.TLE, Verdict.MLE, Verdict.OLE, Verdict.JE), WARNING) | {Verdict.AC: GOOD}
 _LABELS = {"got": BAD, "expected": GOOD}
 _LEAST, _MOST = 9, 14  # rows of a picture
+_ROWS = 60  # of a result, on whatever screen
 _GAP = 3  # columns between the case and its picture
 
 
@@ -72,6 +77,24 @@ _CUTS = (
 )
 
 
+def judged(found: Judged, screen: Screen) -> RenderableType:
+    """The screen of one result, or its line."""
+    told = tell(found.problem, found.result, found.source)
+    if found.several and not found.whole:
+        return _line(found.result, told, kata=found.several > 1)
+    if found.quiet:
+        return verdict_line(told, found.result.submission)
+    after: RenderableType | None = None
+    if found.fresh:
+        after = indented(facts([("fresh", found.fresh)]))
+    elif found.result.solved and found.commands:
+        after = accepted(found.result.problem, found.standing, screen.width)
+    groups = found.result.groups if found.whole else ()
+    drawing = found.drawing(screen) if found.drawing else None
+    rows = None if found.whole else min(screen.height - 1, _ROWS)
+    return result(Shown(told, found.result.submission, groups, drawing, after, found.commands), screen, rows)
+
+
 def result(shown: Shown, screen: Screen, rows: int | None) -> RenderableType:
     """One result in at most so many rows, if that can be; all there is where they are None."""
     width = screen.width
@@ -89,55 +112,41 @@ def result(shown: Shown, screen: Screen, rows: int | None) -> RenderableType:
 
 def verdict_line(told: Told, name: str = "") -> Text:
     """The verdict, and what all of it comes to; with the `name` of the file where nothing else is shown."""
-    label = text(told.verdict.value, f"{STRONG} {_STYLES.get(told.verdict, BAD)}")
-    parts: list[Cell] = [label, "  "]
-    if name:
-        parts += [text(shown_name(name), STRONG), "  "]
-        parts += [f"{told.meaning}: "] if told.verdict is not Verdict.AC else []
-    parts += [told.happened if name and told.last == "nothing was run" else told.last]
-    return joined(*parts)
+    if not name:
+        return joined(label(told.verdict), f"  {told.last}")
+    meaning = f"{told.meaning}: " if told.verdict is not Verdict.AC else ""
+    last = told.happened if told.last == "nothing was run" else told.last
+    return joined(label(told.verdict), "  ", strong(shown_name(name)), f"  {meaning}{last}")
 
 
 def _laid(shown: Shown, cut: _Cut, width: int | None) -> RenderableType:
     told = shown.told
-    return Group(
-        joined(
-            text(told.verdict.value, f"{STRONG} {_STYLES.get(told.verdict, BAD)}"),
-            f"  {told.meaning}  ",
-            text(shown_name(shown.name), STRONG),
-            f"  {told.stars}" if told.stars else "",
-            text(f"  {told.how}" if told.how else "", FAINT),
-        ),
-        Text(),
-        *_spaced(_parts(shown, cut, width)),
-        verdict_line(told),
+    top = joined(
+        label(told.verdict),
+        f"  {told.meaning}  ",
+        strong(shown_name(shown.name)),
+        f"  {told.stars}" if told.stars else "",
+        faint(f"  {told.how}" if told.how else ""),
     )
-
-
-def _spaced(parts: Iterator[RenderableType]) -> Iterator[RenderableType]:
-    for part in parts:
-        yield part
-        yield Text()
+    return blocks(top, *_parts(shown, cut, width), verdict_line(told))
 
 
 def _parts(shown: Shown, cut: _Cut, width: int | None) -> Iterator[RenderableType]:
     told = shown.told
     if told.happened:
-        rows = [text(each) for each in told.source]
-        yield Group(
-            indented(text(_cut(told.happened, cut.values, width))), *(indented(row, 4) for row in rows)
-        )
+        source = [indented(text(each), 4) for each in told.source]
+        yield Group(indented(text(_cut(told.happened, cut.values, width))), *source)
     if told.case:
         yield indented(_with_picture(_case(told, cut, width), shown.drawing, cut, width))
     elif cut.picture and shown.drawing is not None:
         yield indented(Group(*shown.drawing(cut.picture)))
     if told.mistake:
         advice = [text(_cut(each, cut.advice, width)) for each in told.advice if cut.advice != 0]
-        yield Group(indented(text(told.mistake, STRONG)), *(indented(each, 4) for each in advice))
+        yield Group(indented(strong(told.mistake)), *(indented(each, 4) for each in advice))
     if told.time:
         yield indented(text(told.time))
     if shown.groups:
-        yield indented(group_table(shown.groups))
+        yield indented(table(map(_row, shown.groups), "group", "verdict", "passed", "points", right=[2, 3]))
     elif told.fails and cut.fails:
         more = f", {told.more} more" if told.more else ""
         yield indented(facts([("fails", ", ".join(told.fails) + more)]))
@@ -158,11 +167,9 @@ def _case(told: Told, cut: _Cut, width: int | None) -> RenderableType:
     if told.input:
         rows.append(("", text(_cut("   ".join(told.input), cut.values, width))))
     rows += [
-        (text(label, FAINT), text(_cut(said, cut.values, width), _LABELS.get(label, "")))
-        for label, said in told.facts
+        (faint(name), text(_cut(said, cut.values, width), _LABELS.get(name, ""))) for name, said in told.facts
     ]
-    body = indented(table(("", ""), rows)) if rows else Text()
-    return Group(text(told.case, STRONG), body) if rows else text(told.case, STRONG)
+    return Group(strong(told.case), *([indented(table(rows))] if rows else []))
 
 
 def _with_picture(
@@ -188,53 +195,49 @@ def _cut(said: str, rows: int | None, width: int | None) -> str:
     return said if room is None or len(said) <= room else f"{said[: room - 2].rstrip(' ,')} …"
 
 
-def group_table(groups: Sequence[GroupResult]) -> RenderableType:
-    """One row a group: its verdict, the cases it passed, the points it earned."""
-    return table(("group", "verdict", "passed", "points"), [_row(group) for group in groups], right=[2, 3])
-
-
 def _row(group: GroupResult) -> tuple[Cell, ...]:
+    """A group: its verdict, the cases it passed, the points it earned."""
     accepted = group.verdict is Verdict.AC
     points = str(group.points) if accepted else f"0 of {group.points}"
+    style = FAINT if accepted else ""
     return (
         text(group.name, "" if accepted else STRONG),
-        text(group.verdict.value, _STYLES.get(group.verdict, BAD)),
-        text(f"{group.passed}/{group.cases}", FAINT if accepted else ""),
-        text(points if group.points else "extra", FAINT if accepted else ""),
+        text(group.verdict.value, verdict_style(group.verdict)),
+        text(f"{group.passed}/{group.cases}", style),
+        text(points if group.points else "extra", style),
     )
 
 
-def row(found: Result, told: Told, *, kata: bool = False) -> Text:
+def _line(found: Result, told: Told, *, kata: bool = False) -> Text:
     """One of several submissions on a line, which is written as soon as it is judged."""
     ratio = f"{times(found.time.ratio.median)} ×" if found.time.ratio else ""
     first = _first(found, told)
     return joined(
-        text(f"{found.verdict.value:<3}", f"{STRONG} {_STYLES.get(found.verdict, BAD)}"),
-        text(f" {found.score if found.groups else '':>3}  {ratio:>7}  ", FAINT),
+        label(found.verdict, f"{found.verdict.value:<3}"),
+        faint(f" {found.score if found.groups else '':>3}  {ratio:>7}  "),
         shown_name(found.submission),
-        text(f"  {found.problem}" if kata and found.problem else "", FAINT),
+        faint(f"  {found.problem}" if kata and found.problem else ""),
         f"  {first}" if first else "",
     )
-
-
-def several(found: Sequence[Result], left: int) -> Text:
-    """How many of several submissions were accepted, and how many could not be, or are not yet, judged."""
-    accepted = sum(each.verdict is Verdict.AC for each in found)
-    unjudged = left + sum(each.verdict is Verdict.JE for each in found)
-    said = f"{accepted} of {len(found) + left} accepted" + (f", {unjudged} not judged" if unjudged else "")
-    partial = list(dict.fromkeys(each.partial for each in found if each.partial))
-    said += f", on {', '.join(partial)} only" if partial else ""
-    return text(said, GOOD if accepted == len(found) and not left else BAD)
 
 
 def _first(found: Result, told: Told) -> str:
     """Where it failed first, or why nothing could be run."""
     if found.verdict is Verdict.AC:
         return ""
-    failure = found.failure
-    if failure is None or failure.group is None or found.hurdle is not None:
-        return told.happened or told.last
-    return failure.group if failure.case is None else f"{failure.group}, case {failure.case}"
+    place = place_of(found.failure) if found.hurdle is None else ""
+    return place or told.happened or told.last
+
+
+def several(found: Several, _screen: Screen) -> Text:
+    """How many of several submissions were accepted, and how many could not be, or are not yet, judged."""
+    accepted = sum(each.verdict is Verdict.AC for each in found.results)
+    unjudged = found.left + sum(each.verdict is Verdict.JE for each in found.results)
+    every = len(found.results) + found.left
+    said = f"{accepted} of {every} accepted" + (f", {unjudged} not judged" if unjudged else "")
+    partial = dict.fromkeys(each.partial for each in found.results if each.partial)
+    said += f", on {', '.join(partial)} only" if partial else ""
+    return text(said, GOOD if accepted == every else BAD)
 
 
 def accepted(problem: str, standing: Standing | None, width: int | None, key: str = "") -> RenderableType:
@@ -242,20 +245,16 @@ def accepted(problem: str, standing: Standing | None, width: int | None, key: st
 
     `key` is the one that goes on, where a loop takes keys and no commands.
     """
-    said: list[tuple[str, str]] = []
     onward = [] if key else [(f"judge solution {problem}", "the model solution")]
-    following = "the next kata"
-    if standing is not None:
-        hints = f", {counted(standing.hints, 'hint')}" if standing.hints else ""
-        said = [("you", counted(standing.runs, "run") + hints)]
-        title = standing.next.title if standing.next else ""
-        following = f"next: {standing.next.problem}, {title[:1].lower()}{title[1:]}" if standing.next else ""
-    if following:
-        onward.append((key or "judge start", following))
-    parts: list[RenderableType] = [indented(facts(said))] if said else []
-    if onward:
-        parts.append(indented(commands(onward)))
-    if standing is not None:
-        solved = f"{standing.solved} of {counted(standing.katas, 'kata')}"
-        parts.append(bar(standing.solved, standing.katas, solved, width))
-    return Group(*[row for part in parts for row in (part, Text())][:-1])
+    go_on = key or "judge start"
+    if standing is None:
+        return blocks(indented(commands([*onward, (go_on, "the next kata")])))
+    hints = f", {counted(standing.hints, 'hint')}" if standing.hints else ""
+    if following := standing.next:
+        title = f"{following.title[:1].lower()}{following.title[1:]}"
+        onward.append((go_on, f"next: {following.problem}, {title}"))
+    return blocks(
+        indented(facts([("you", counted(standing.runs, "run") + hints)])),
+        indented(commands(onward)) if onward else None,
+        solved_bar(standing.solved, standing.katas, (), width),
+    )

@@ -45,8 +45,11 @@ class Screen(Struct, frozen=True):
     @property
     def rows(self) -> int | None:
         """How many rows a person sees at once; None where nobody looks."""
-        if not is_terminal(self.stream):
-            return None
+        return self.height if is_terminal(self.stream) else None
+
+    @property
+    def height(self) -> int:
+        """How many rows can be seen, the usual number where it does not tell."""
         try:
             return os.get_terminal_size(self.stream.fileno()).lines or _USUAL_ROWS
         except (OSError, ValueError):
@@ -61,15 +64,11 @@ class Screen(Struct, frozen=True):
         self.stream.flush()
 
 
-def show(what: RenderableType, screen: Screen) -> None:
-    """Draw what a view returned."""
-    screen.write(drawn(what, screen))
-
-
-def show_paged(what: RenderableType, screen: Screen) -> None:
-    """Draw it; what is longer than the terminal is shown by the pager, without colours."""
-    if screen.rows is None or drawn(what, screen).count("\n") < screen.rows:
-        show(what, screen)
+def show(what: RenderableType, screen: Screen, *, paged: bool = False) -> None:
+    """Draw what a view returned; with `paged`, what is too long goes to the pager, without colours."""
+    text = drawn(what, screen)
+    if not (paged and screen.rows and text.count("\n") >= screen.rows):
+        screen.write(text)
         return
     import click
 
@@ -130,6 +129,11 @@ def is_terminal(stream: IO[str]) -> bool:
         return stream.isatty()
     except ValueError:
         return False
+
+
+def draws(screen: Screen) -> bool:
+    """Whether lines can be drawn over there: a terminal that obeys more than text."""
+    return is_terminal(screen.stream) and os.environ.get("TERM", "dumb") != "dumb"
 
 
 def out() -> Screen:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from shlex import quote
 
 from rich.console import Group, RenderableType
@@ -11,16 +11,22 @@ from rich.text import Text
 
 from judge.report.parts import (
     BAD,
-    FAINT,
     GOOD,
     STRONG,
     WARNING,
+    bad,
+    blocks,
     commands,
     facts,
+    faint,
+    good,
+    head,
     indented,
     joined,
+    strong,
     table,
     text,
+    warning,
 )
 from judge.report.published_setter import (
     DecksVerified,
@@ -28,11 +34,13 @@ from judge.report.published_setter import (
     Exported,
     FilesWritten,
     NewKata,
+    SiteBuilt,
     Verified,
     VerifySummary,
 )
 from judge.report.screen import Screen
 from judge.report.words import counted, shown_name
+from judge.run.verify import Fault
 
 _NAMED = 3  # files that are named beside a reason
 
@@ -46,74 +54,80 @@ def new_kata(found: NewKata, _screen: Screen) -> RenderableType:
         (f"judge show {chosen}", "see it as others will"),
     ]
     files = [text(f"  {shown_name(each)}") for each in found.files]
-    return Group(joined(text(found.problem, STRONG), f"  {found.title}"), *files, Text(), commands(below))
+    return blocks(Group(head(found.problem, found.title), *files), commands(below))
+
+
+def _sound(faults: int) -> Text:
+    return bad(counted(faults, "fault")) if faults else good("sound")
+
+
+def _faults(found: Sequence[Fault], warnings: Sequence[Fault] = ()) -> list[RenderableType]:
+    rows = [(bad("fault"), str(each)) for each in found]
+    rows += [(warning("warning"), str(each)) for each in warnings]
+    return [indented(table(rows))] if rows else []
 
 
 def verified(found: Verified, _screen: Screen) -> RenderableType:
     """What is wrong, the verdict of each solution, and how well each mistake is found."""
-    verdict = text("sound", GOOD) if found.ok else text(counted(len(found.faults), "fault"), BAD)
-    said = f"  {counted(found.groups, 'group')}, {counted(found.cases, 'case')}, pins {found.pins}"
-    parts: list[RenderableType] = [
-        joined(text(found.problem, STRONG), "  ", verdict, said if found.cases else "")
+    said = f"{counted(found.groups, 'group')}, {counted(found.cases, 'case')}, pins {found.pins}"
+    top = head(found.problem, _sound(len(found.faults)), said if found.cases else "")
+    solutions = [
+        (
+            each.file,
+            text(each.verdict.value if each.verdict else "", GOOD if each.ok else BAD),
+            each.unjudged or ", ".join(each.failed),
+        )
+        for each in found.solutions
     ]
-    wrong = [(text("fault", BAD), str(each)) for each in found.faults]
-    wrong += [(text("warning", WARNING), str(each)) for each in found.warnings]
-    if wrong:
-        parts.append(indented(table(("", ""), wrong)))
-    if found.solutions:
-        rows = [
-            (
-                each.file,
-                text(each.verdict or "", GOOD if each.ok else BAD),
-                each.unjudged or ", ".join(each.failed),
-            )
-            for each in found.solutions
-        ]
-        parts += [Text(), indented(table(("solution", "verdict", "fails"), rows))]
-    if found.mistakes:
-        mistakes = [
-            (each.name, str(each.cases), each.group, ", ".join(each.groups)) for each in found.mistakes
-        ]
-        titles = ("mistake", "cases", "best group", "found by")
-        parts += [Text(), indented(table(titles, mistakes, right=[1]))]
-    if found.edges:
-        edges = [
-            (str(each.cases) if each.cases else text("none", WARNING), each.what) for each in found.edges
-        ]
-        parts += [Text(), indented(table(("cases", "edge"), edges, right=[0]))]
-    return Group(*parts)
+    mistakes = [(each.name, str(each.cases), each.group, ", ".join(each.groups)) for each in found.mistakes]
+    edges = [(str(each.cases) if each.cases else warning("none"), each.what) for each in found.edges]
+    tables = (
+        (("solution", "verdict", "fails"), solutions, ()),
+        (("mistake", "cases", "best group", "found by"), mistakes, (1,)),
+        (("cases", "edge"), edges, (0,)),
+    )
+    below = (indented(table(rows, *titles, right=right)) for titles, rows, right in tables if rows)
+    return blocks(Group(top, *_faults(found.faults, found.warnings)), *below)
 
 
 def decks_verified(found: DecksVerified, _screen: Screen) -> RenderableType:
     """What is wrong with the cards."""
-    verdict = text(counted(len(found.faults), "fault"), BAD) if found.faults else text("sound", GOOD)
-    rows = [(text("fault", BAD), str(each)) for each in found.faults]
-    return Group(
-        joined(text("quiz", STRONG), "  ", verdict, f"  {counted(found.cards, 'card')}"),
-        *([indented(table(("", ""), rows))] if rows else []),
-    )
+    top = head("quiz", _sound(len(found.faults)), counted(found.cards, "card"))
+    return Group(top, *_faults(found.faults))
 
 
 def verify_summary(found: VerifySummary, _screen: Screen) -> RenderableType:
     """What all of it comes to."""
-    verdict = text(counted(found.faults, "fault"), BAD) if found.faults else text("sound", GOOD)
-    return joined(verdict, f"  {counted(found.katas, 'kata')} checked")
+    return joined(_sound(found.faults), f"  {counted(found.katas, 'kata')} checked")
 
 
 def files_written(found: FilesWritten, _screen: Screen) -> RenderableType:
     """Where the data are."""
-    what = f"  {counted(found.cases, 'case')} in {counted(len(found.files), 'file')}"
-    return joined(text(shown_name(found.out), STRONG), what)
+    what = f"{counted(found.cases, 'case')} in {counted(len(found.files), 'file')}"
+    return head(shown_name(found.out), what)
+
+
+def site_built(found: SiteBuilt, _screen: Screen) -> RenderableType:
+    """Where the site is, what was made, and how to look at it."""
+    done = [counted(len(found.made), "kata") + " made"]
+    done += [f"{len(found.kept)} as they were"] if found.kept else []
+    done += [f"{len(found.elsewhere)} for the terminal alone"] if found.elsewhere else []
+    size = f"{found.bytes / 1e6:,.0f} MB"
+    below = (
+        []
+        if found.opened
+        else [(f"judge site --open --out {quote(found.out)}", "look at it on this machine")]
+    )
+    return blocks(
+        head(shown_name(found.out), f"{size}, {', '.join(done)}"), commands(below) if below else None
+    )
 
 
 def exported(found: Exported, _screen: Screen) -> RenderableType:
     """The packages of a kata, and what was left out."""
     if found.left_out:
-        return joined(text(found.problem, STRONG), f"  left out: {found.left_out}")
-    return Group(
-        joined(text(found.problem, STRONG), f"  time limit {found.time_limit} s"),
-        indented(facts(_packages(found))),
-    )
+        return head(found.problem, f"left out: {found.left_out}")
+    return Group(head(found.problem, f"time limit {found.time_limit} s"), indented(facts(_packages(found))))
 
 
 def _packages(found: Exported) -> Iterator[tuple[str, str]]:
@@ -121,7 +135,7 @@ def _packages(found: Exported) -> Iterator[tuple[str, str]]:
         places = ", ".join(shown_name(str(place)) for place in (each.folder, each.archive) if place)
         yield each.version.value, f"{places}  {each.bytes / 1000:,.0f} kB"
     if found.domjudge:
-        yield "DOMjudge", shown_name(found.domjudge)
+        yield "DOMjudge", shown_name(str(found.domjudge))
     kinds = Counter(each.file.partition("/")[0].replace("_", " ") for each in found.programs)
     if kinds:
         yield "programs", ", ".join(f"{count} {kind}" for kind, count in kinds.items())
@@ -141,13 +155,10 @@ def doctor(found: Doctor, _screen: Screen) -> RenderableType:
         return _attacked(found)
     machine = [(name, str(getattr(found, name))) for name in ("judge", "python", "system", "cores", "cache")]
     used = f"Isolation: {found.isolation}" if found.isolation else "Nothing can be run"
-    return Group(
+    return blocks(
         facts(machine),
-        Text(),
-        table(("", ""), [*_levels(found)]),
-        Text(),
-        table(("", ""), [*_languages(found)]),
-        Text(),
+        table(_levels(found)),
+        table(_languages(found)),
         text(used, STRONG if found.isolation else BAD),
     )
 
@@ -157,9 +168,9 @@ def _levels(found: Doctor) -> Iterator[tuple[Text, Text]]:
         said = [text(level.meaning)]
         if level.visible is not None:
             seen = level.visible or "nothing of the judge, its problems and its solutions"
-            said.append(text(f"Tried: a submission can read {seen}.", FAINT))
+            said.append(faint(f"Tried: a submission can read {seen}."))
         if level.why_not:
-            said.append(text(f"Missing: {level.why_not}", WARNING))
+            said.append(warning(f"Missing: {level.why_not}"))
         if level.remedy:
             said.append(text(f"Remedy: {level.remedy}"))
         yield text(level.name, GOOD if level.available else WARNING), Text("\n").join(said)
@@ -168,12 +179,12 @@ def _levels(found: Doctor) -> Iterator[tuple[Text, Text]]:
 def _languages(found: Doctor) -> Iterator[tuple[Text, Text]]:
     for each in found.languages:
         if not each.version:
-            yield text(each.name, FAINT), text(f"not installed: {each.remedy}", FAINT)
+            yield faint(each.name), faint(f"not installed: {each.remedy}")
         elif each.works is False:
-            yield text(each.name, WARNING), text(f"{each.version}, fails: {each.why_not} ({each.remedy})")
+            yield warning(each.name), text(f"{each.version}, fails: {each.why_not} ({each.remedy})")
         else:
             tried = f", works at {found.isolation}" if each.works else ""
-            yield text(each.name, GOOD), text(each.version + tried)
+            yield good(each.name), text(each.version + tried)
 
 
 def _attacked(found: Doctor) -> RenderableType:
@@ -181,16 +192,15 @@ def _attacked(found: Doctor) -> RenderableType:
     attacks = found.attacks.attacks
     rows = [
         (
-            text(each.name, STRONG),
-            text("held", GOOD) if each.held else text("NOT HELD", BAD),
+            strong(each.name),
+            good("held") if each.held else bad("NOT HELD"),
             each.tries if each.held else f"{each.tries}: {each.how}",
         )
         for each in attacks
     ]
     held = sum(each.held for each in attacks)
     said = f"{held} of {counted(len(attacks), 'attack')} held at isolation {found.attacks.isolation}"
-    return Group(
-        table(("attack", "result", "a submission tries to"), rows),
-        Text(),
+    return blocks(
+        table(rows, "attack", "result", "a submission tries to"),
         text(said, GOOD if held == len(attacks) else BAD),
     )

@@ -17,9 +17,9 @@ from msgspec import Struct
 from judge.errors import nearest
 from judge.languages import file_name
 from judge.problem import Problem, Verdict
-from judge.problem.model import KataLevel, Mode
+from judge.problem.model import Mode
 from judge.report.words import argument, counted, seconds, times
-from judge.run.result import Failure, GroupResult, Hurdle, LevelResult, Obstacle, Pitfall, Result
+from judge.run.result import Failure, GroupResult, Growth, Hurdle, LevelResult, Obstacle, Pitfall, Result
 from judge.sandbox.boundary import IMPORTING
 
 _PLACE = re.compile(r" \(line (\d{1,9})\)")
@@ -70,25 +70,26 @@ class Told(Struct, frozen=True, kw_only=True):
 
 def tell(problem: Problem | None, result: Result, source: bytes = b"") -> Told:
     """What the result says, as far as that can be said without the problem where there is none."""
-    shown = shown_failure(result)
-    stub = result.hurdle is not None and result.hurdle.kind is Obstacle.STUB
-    hurdle = result.hurdle is not None
-    failing = _failing(result)[:_MOST_FAILS]
+    hurdle, pitfall = result.hurdle, result.pitfall
+    shown = None if hurdle else shown_failure(result)
+    failing = [] if hurdle else _failing(result)
+    stub = hurdle is not None and hurdle.kind is Obstacle.STUB
+    values = shown.input if shown and shown.input else {}
     return Told(
         verdict=result.verdict,
         meaning="Not written yet" if stub else result.verdict.meaning.capitalize(),
         how="run as a program" if result.mode is Mode.PROGRAM and result.groups else "",
-        stars=STARS.get(sum(level.passed for level in result.levels), "") if result.levels else "",
+        stars=STARS.get(sum(level.passed for level in result.levels), ""),
         happened=_happened(problem, result),
         source=() if hurdle else _source(result, source),
-        case="" if hurdle else _case(result, shown),
-        input=() if hurdle or shown is None else _input(shown),
-        facts=() if hurdle or shown is None else tuple(_facts(result, shown)),
-        mistake=mistake_text(result.pitfall) if result.pitfall else "",
-        advice=_advice(result.pitfall) if result.pitfall else (),
+        case=_case(result, shown),
+        input=tuple(f"{name} = {argument(value)}" for name, value in values.items()),
+        facts=tuple(_facts(result, shown)),
+        mistake=mistake_text(pitfall) if pitfall else "",
+        advice=_advice(pitfall) if pitfall else (),
         time=_time(result),
-        fails=() if hurdle else tuple(f"{each.name} {each.passed}/{each.cases}" for each in failing),
-        more=max(0, len(_failing(result)) - _MOST_FAILS),
+        fails=tuple(f"{each.name} {each.passed}/{each.cases}" for each in failing[:_MOST_FAILS]),
+        more=max(0, len(failing) - _MOST_FAILS),
         commands=tuple(_commands(problem, result, shown)),
         last=_last(result),
     )
@@ -98,6 +99,13 @@ def shown_failure(result: Result) -> Failure | None:
     """The failing case that is shown: the smallest one, if it fails by itself, or else the first one."""
     small = result.counterexample
     return small if small is not None and small.replay is not None else result.failure
+
+
+def place_of(failure: Failure | None) -> str:
+    """`grid, case 7`; nothing where a failure has no place."""
+    if failure is None or failure.group is None:
+        return ""
+    return failure.group if failure.case is None else f"{failure.group}, case {failure.case}"
 
 
 def mistake_text(pitfall: Pitfall) -> str:
@@ -110,59 +118,54 @@ def mistake_text(pitfall: Pitfall) -> str:
 
 def _advice(pitfall: Pitfall) -> tuple[str, ...]:
     several = len(pitfall.names) > 1
-    pairs = zip(pitfall.names, pitfall.advice, strict=True)
+    pairs = zip(pitfall.names, pitfall.advice, strict=False)  # a kept result may be damaged
     return tuple(f"{name}: {text}" if several else text for name, text in pairs if text)
 
 
 def _happened(problem: Problem | None, result: Result) -> str:
     """What ended the program, or keeps it from running; nothing for a wrong answer."""
-    failure = result.failure
-    if failure is None or result.verdict is Verdict.AC:
+    failure, verdict = result.failure, result.verdict
+    if failure is None or verdict is Verdict.AC:
         return ""
+    message, unplaced = failure.message, failure.input is None
     if result.hurdle is not None and problem is not None:
-        return obstacle_text(result, result.hurdle, problem)
-    message = failure.message
-    if result.verdict is Verdict.JE:
+        return obstacle_text(result.hurdle, problem, result.submission, message)
+    if verdict is Verdict.JE or (verdict is Verdict.WA and not unplaced):
         return ""
-    if result.verdict is Verdict.CE:
-        line = fault_place(result)
-        return f"line {line.line}: {_COMPILED.sub('', message)}" if line else message
-    if result.verdict is Verdict.WA and failure.input is not None:
-        return ""
-    placed = _PLACE.sub(r", at line \1", message)
-    if result.verdict is Verdict.TLE and (spent := _SPENT.search(message)):
-        where = f", at line {place[1]}" if (place := _PLACE.search(message)) else ""
+    place = fault_place(result)
+    if verdict is Verdict.CE:
+        return f"line {place.line}: {_COMPILED.sub('', message)}" if place else message
+    if verdict is Verdict.TLE and (spent := _SPENT.search(message)):
+        where = f", at line {found[1]}" if (found := _PLACE.search(message)) else ""
         return f"Stopped after {spent[1]} of CPU time{where}. An endless loop?"
-    if result.verdict is Verdict.TLE and failure.input is None and failure.case is None and _slow(result):
-        return ""
-    return placed
-
-
-def _slow(result: Result) -> bool:
-    """Whether it is too slow beside the reference, and not stopped."""
-    return result.time.ratio is not None or result.time.growth is not None
+    slow = result.time.ratio is not None or result.time.growth is not None
+    if verdict is Verdict.TLE and unplaced and failure.case is None and slow:
+        return ""  # it is too slow beside the reference, and was not stopped
+    return _PLACE.sub(r", at line \1", message)
 
 
 def _time(result: Result) -> str:
     """How long it took beside the reference, where that was measured."""
-    time, ratio = result.time, result.time.ratio
+    time, ratio, growth = result.time, result.time.ratio, result.time.growth
+    late = result.verdict is Verdict.TLE
     said = []
-    if ratio is not None and (not ratio.unreliable or result.verdict is Verdict.TLE):
+    if ratio is not None and (late or not ratio.unreliable):
         whose = f"the {time.reference} reference's" if time.reference else "the reference's"
-        doubts = [ratio.busy] if ratio.busy else []
-        doubts += ["near the limit"] if time.borderline else []
-        limit = f" (limit {ratio.limit:g} ×)" if result.verdict is Verdict.TLE and ratio.limit else ""
-        said.append(f"{times(ratio.median)} × {whose} time{limit}")
-        if doubts:
-            said[-1] += f" ({'; '.join(doubts)})"
-    if time.growth is not None:
-        mine, theirs = time.growth.exponent, time.growth.reference
-        said.append(f"Your time grows like n^{mine:.1f}, the reference's like n^{theirs:.1f}")
+        doubts = "; ".join(filter(None, (ratio.busy, "near the limit" if time.borderline else "")))
+        limit = f" (limit {ratio.limit:g} ×)" if late and ratio.limit else ""
+        said.append(f"{times(ratio.median)} × {whose} time{limit}{f' ({doubts})' if doubts else ''}")
+    if growth is not None:
+        said.append(grows(growth))
     if time.import_tells and result.verdict in (Verdict.AC, Verdict.TLE):
         said.append(f"Its import alone takes {seconds(time.import_seconds)}")
-    if result.verdict is Verdict.TLE and said and result.failure and result.failure.group:
+    if late and said and result.failure and result.failure.group:
         said[0] = f"Too slow in {result.failure.group}: {said[0]}"
     return ". ".join(said) + ("." if said and result.verdict is not Verdict.AC else "")
+
+
+def grows(growth: Growth) -> str:
+    """`Your time grows like n^2.0, the reference's like n^1.1`."""
+    return f"Your time grows like n^{growth.exponent:.1f}, the reference's like n^{growth.reference:.1f}"
 
 
 def _source(result: Result, source: bytes) -> tuple[str, ...]:
@@ -180,7 +183,7 @@ def _source(result: Result, source: bytes) -> tuple[str, ...]:
 
 def _case(result: Result, shown: Failure | None) -> str:
     first, small = result.failure, result.counterexample
-    if shown is None or first is None or (shown.input is None and shown.group is None):
+    if shown is None or first is None:
         return ""
     place = f" ({first.group}, case {first.case})" if first.group and first.case else ""
     if shown.input is None:
@@ -191,24 +194,22 @@ def _case(result: Result, shown: Failure | None) -> str:
     return f"Smallest failing case{place if small.input == first.input else ''}{later}"
 
 
-def _input(shown: Failure) -> tuple[str, ...]:
-    return tuple(f"{name} = {argument(value)}" for name, value in (shown.input or {}).items())
-
-
-def _facts(result: Result, shown: Failure) -> Iterator[tuple[str, str]]:
+def _facts(result: Result, shown: Failure | None) -> Iterator[tuple[str, str]]:
+    if shown is None:
+        return
+    wrong = result.verdict is Verdict.WA
     if shown.expected is not None:
         yield "expected", shown.expected
-    if shown.got is not None and shown.expected is not None and result.verdict is Verdict.WA:
-        yield "got", shown.got
+        if shown.got is not None and wrong:
+            yield "got", shown.got
     if shown.printed:
         yield "printed", shown.printed
-    if result.verdict is Verdict.WA:
-        plain = (f"{shown.expected} wanted, {shown.got} given", f"{shown.expected} expected, {shown.got} got")
-        if shown.input is not None and shown.message not in plain:
-            yield "why", shown.message
-        small = result.counterexample
-        if small is not None and small.replay is None:
-            yield "alone", small.message
+    plain = (f"{shown.expected} wanted, {shown.got} given", f"{shown.expected} expected, {shown.got} got")
+    if wrong and shown.input is not None and shown.message not in plain:
+        yield "why", shown.message
+    small = result.counterexample
+    if wrong and small is not None and small.replay is None:
+        yield "alone", small.message
 
 
 def _failing(result: Result) -> list[GroupResult]:
@@ -220,7 +221,7 @@ def _commands(problem: Problem | None, result: Result, shown: Failure | None) ->
         return
     if problem.has_hints:
         yield f"judge hint {problem.id}", "one hint"
-    if shown is not None and shown.replay and result.hurdle is None:
+    if shown and shown.replay:
         yield f"judge try {problem.id}", "runs this case alone"
 
 
@@ -258,13 +259,9 @@ def _points(result: Result) -> str:
 
 def level_text(levels: Sequence[LevelResult]) -> str:
     """`Interview level passed; production: 9 of 23 groups`; nothing where no level was passed, or all are."""
-    passed = [each for each in levels if each.passed]
-    if not passed or len(passed) == len(levels):
-        return ""
-    rest = [each for each in levels if not each.passed]
-    said = [f"{_level(each.level)} level passed" for each in passed]
-    said += [f"{each.level.value}: {level_share(each)}" for each in rest]
-    return "; ".join(said)
+    said = [f"{each.level.value.capitalize()} level passed" for each in levels if each.passed]
+    rest = [f"{each.level.value}: {level_share(each)}" for each in levels if not each.passed]
+    return "; ".join([*said, *rest]) if said and rest else ""
 
 
 def level_share(result: LevelResult) -> str:
@@ -275,10 +272,6 @@ def level_share(result: LevelResult) -> str:
         return "not judged"
     judged = f", {result.run} judged" if result.run < result.groups else ""
     return f"{result.accepted} of {counted(result.groups, 'group')}{judged}"
-
-
-def _level(level: KataLevel) -> str:
-    return level.value.capitalize()
 
 
 # As judge.run.execute writes a compiler's complaint, whose quotation of the line follows it …
@@ -326,23 +319,22 @@ _ONE_FILE = "a submission is one file"
 _KNOWN = ("numpy", "scipy", "sympy", "mpmath", "shapely")  # of the modules that Python does not bring
 
 
-def obstacle_text(result: Result, hurdle: Hurdle, problem: Problem) -> str:
-    """The obstacle and the remedy in a sentence or two."""
-    entry = problem.entry
+def obstacle_text(hurdle: Hurdle, problem: Problem, submission: str, message: str) -> str:
+    """The obstacle and the remedy in a sentence or two; `message` is the failure's."""
+    entry, count = problem.entry, len(problem.parameters)
     call = f"{entry}({', '.join(parameter.name for parameter in problem.parameters)})"
     match hurdle.kind:
         case Obstacle.STUB:
             line = f" (line {hurdle.line})" if hurdle.line else ""
             return f"Write the body of {entry}{line}, then save."
         case Obstacle.ARITY:
-            count = len(problem.parameters)
             return f"{entry} takes {hurdle.takes} arguments and is called with {count}: {call}"
         case Obstacle.MODULE:
-            return _missing_module(result, hurdle.name)
+            return _missing_module(submission, hurdle.name)
         case Obstacle.IMPORT:
-            message = result.failure.message.removesuffix(IMPORTING) if result.failure else ""
-            more = ", or use 'judge run --mode program'" if message.startswith("EOFError") else ""
-            return f"{message} ends the import; put what only you need below if __name__ == '__main__':{more}"
+            ended = message.removesuffix(IMPORTING)
+            more = ", or use 'judge run --mode program'" if ended.startswith("EOFError") else ""
+            return f"{ended} ends the import; put what only you need below if __name__ == '__main__':{more}"
         case Obstacle.NESTED:
             return f"{entry} stands in a class or another function: move it out, to the left margin"
         case Obstacle.MISNAMED:
@@ -354,9 +346,9 @@ def obstacle_text(result: Result, hurdle: Hurdle, problem: Problem) -> str:
             )
 
 
-def _missing_module(result: Result, name: str) -> str:
+def _missing_module(submission: str, name: str) -> str:
     top = name.partition(".")[0]
-    beside = Path(result.submission).parent / top
+    beside = Path(submission).parent / top
     if any(os.path.lexists(path) for path in (beside, beside.with_name(file_name(top)))):
         return f"{top} cannot be imported: {_ONE_FILE}; move what it needs of {top} into it"
     meant = None if top in _KNOWN else nearest(top, [*_KNOWN, *sys.stdlib_module_names])

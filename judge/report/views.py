@@ -1,62 +1,52 @@
-"""Which view shows a value: the name of its class, and the module that is imported only then.
+"""What a command says: the base of its values, and how the view of a value is found.
 
-A view takes the value and the screen and returns what rich can draw; it writes nothing itself.
+The view of a class `KataShown` of `published_look.py` is the function `kata_shown` of `look.py`, which is
+imported only then. It takes the value and the screen and returns what rich can draw; it writes nothing.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import re
+from collections.abc import Callable
 from importlib import import_module
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
-from judge.report.screen import Screen
+from msgspec import Struct
 
 if TYPE_CHECKING:
     from rich.console import RenderableType
 
-# the name of a value's class -> the module in judge/report, and the function in it
-VIEWS: Mapping[str, tuple[str, str]] = {
-    "Home": ("home", "home"),
-    "Begun": ("home", "begun"),
-    "KataList": ("katas", "kata_list"),
-    "KataShown": ("katas", "kata_shown"),
-    "NewKata": ("setter", "new_kata"),
-    "Verified": ("setter", "verified"),
-    "DecksVerified": ("setter", "decks_verified"),
-    "VerifySummary": ("setter", "verify_summary"),
-    "FilesWritten": ("setter", "files_written"),
-    "Exported": ("setter", "exported"),
-    "Doctor": ("setter", "doctor"),
-    "Judged": ("judged", "judged"),
-    "Several": ("judged", "several"),
-    "CaseTried": ("trying", "case_tried"),
-    "PageWritten": ("trying", "page_written"),
-    "HackTurn": ("hacking", "hack_turn"),
-    "RunList": ("history", "run_list"),
-    "RunShown": ("history", "run_shown"),
-    "RunsCompared": ("history", "runs_compared"),
-    "Restored": ("history", "restored"),
-    "HintShown": ("solution", "hint"),
-    "SolutionShown": ("solution", "solution"),
-    "ProgressPage": ("learned", "progress_page"),
-    "QuestionShown": ("learned", "question"),
-    "DueShown": ("learned", "due"),
-    "ProgressWritten": ("learned", "page_written"),
-    "CardList": ("quiz", "card_list"),
-    "Quizzed": ("quiz", "quizzed"),
-    "Interviewed": ("quiz", "interviewed"),
-    "Cohort": ("klass", "klass"),
-    "HackStanding": ("hacking", "hack_standing"),
-    "Topics": ("manual", "topics"),
-    "PageShown": ("manual", "page"),
-    "Mentions": ("manual", "mentions"),
-    "Document": ("manual", "document"),
-}
+    from judge.report.screen import Screen
+
+S = TypeVar("S", bound=Struct)
+_NONE = object()
+
+
+class Published(Struct, frozen=True, kw_only=True):
+    """One line of a command's JSON; `schema` rises where a key changes its meaning or goes."""
+
+    schema: int = 1
+
+
+def copied(kind: type[S], of: object, **more: Any) -> S:
+    """A value of that kind with the fields that `of` has too; `more` has the others."""
+    found = {name: getattr(of, name, _NONE) for name in kind.__struct_fields__ if name not in more}
+    return kind(**{name: value for name, value in found.items() if value is not _NONE}, **more)
+
+
+def in_words(kind: type[S], of: object) -> S:
+    """A value of that kind, whose fields are texts, with what `of` has by their names."""
+    return kind(*(str(getattr(of, name)) for name in kind.__struct_fields__))
+
+
+def view_of(kind: type) -> Callable[[Any, Screen], RenderableType]:
+    """What draws the values of a class. Raises AttributeError for one that has no view."""
+    module = import_module(kind.__module__.replace("published_", ""))
+    name = re.sub("(?<=[a-z])(?=[A-Z])", "_", kind.__name__).lower()
+    found: Callable[[Any, Screen], RenderableType] = getattr(module, name)
+    return found
 
 
 def view(value: object, screen: Screen) -> RenderableType:
-    """What the screen shows of `value`. Raises KeyError for a class that has no view."""
-    module, function = VIEWS[type(value).__name__]
-    drawn: Any = getattr(import_module(f"judge.report.{module}"), function)
-    shown: RenderableType = drawn(value, screen)
-    return shown
+    """What the screen shows of `value`."""
+    return view_of(type(value))(value, screen)

@@ -1,17 +1,33 @@
-"""What `judge start` shows on a terminal: the kata that was started, a result, and the keys below them."""
+"""The loop of `judge start` on a terminal: what is drawn again and again, single keys, and the texts.
+
+The terminal is given back as it was.
+"""
 
 from __future__ import annotations
+
+import atexit
+import os
+import re
+import select
+import threading
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager, suppress
 
 from rich.console import Group
 from rich.text import Text
 
 from judge.practice.syllabus import PracticeSet
 from judge.problem import Problem
-from judge.report.parts import FAINT, STRONG, WARNING, bar, text
+from judge.report.parts import WARNING, faint, joined, prose, solved_bar, strong, text
 from judge.report.screen import Screen, drawn
-from judge.report.statement import prose
-from judge.report.words import counted, shown_name
+from judge.report.words import shown_name
 
+_HOME = "\x1b[H"
+_REST_OF_LINE = "\x1b[K"
+_REST_OF_SCREEN = "\x1b[J"
+_TOGETHER = ("\x1b[?2026h", "\x1b[?2026l")  # shown at once where the terminal knows how; ignored elsewhere
+_SEQUENCE = re.compile(r"\x1b(\[[0-9;?]*[ -/]*[@-~]|O.|.)?")  # of an arrow, a function key, Alt and a key
+GONE = ""  # told instead of a key when nobody is there any more
 _KEYS = {
     "n": "next",
     "h": "hint",
@@ -33,10 +49,10 @@ def place_text(
     if found:
         at = [each.id for each in found.problems].index(problem.id) + 1
         said = f"{found.title.lower()}, kata {at} of {len(found.problems)}"
-    head = text(f"{problem.id}  {problem.title}", STRONG)
+    head = strong(f"{problem.id}  {problem.title}")
     room = (screen.width or 80) - head.cell_len - len(said)
-    rows = [Text.assemble(head, " " * room, (said, FAINT))] if room > 1 else [head, text(said, FAINT)]
-    return Group(*rows, bar(solved, katas, f"{solved} of {counted(katas, 'kata')}", screen.width))
+    rows = [joined(head, " " * room, faint(said))] if room > 1 else [head, faint(said)]
+    return Group(*rows, solved_bar(solved, katas, (), screen.width))
 
 
 def begun_text(place: Group, problem: Problem, file: str, screen: Screen, rows: int) -> str:
@@ -48,7 +64,7 @@ def begun_text(place: Group, problem: Problem, file: str, screen: Screen, rows: 
     end = drawn(Group(Text(), text("  Write the function, then save. I judge it on every save.")), screen)
     room = max(rows - head.count("\n") - end.count("\n"), 2)
     if len(task) > room:
-        task = [*task[: room - 1], drawn(text("  … press s for the rest", FAINT), screen).rstrip("\n")]
+        task = [*task[: room - 1], drawn(faint("  … press s for the rest"), screen).rstrip("\n")]
     return head + "".join(f"{row}\n" for row in task) + end
 
 
@@ -66,17 +82,89 @@ def waiting_text(file: str, seconds: float, screen: Screen) -> str:
     """What is being judged, and for how long, on one line without its end."""
     width = (screen.width or 80) - 1
     said = f"judging {shown_name(file)}  {seconds:.1f} s"
-    return drawn(text(said[-width:], FAINT), screen).rstrip("\n")
+    return drawn(faint(said[-width:]), screen).rstrip("\n")
 
 
 def keys_text(screen: Screen, *, failed: bool) -> str:
     """The keys on one line, without its end: what they do where there is room for it."""
     width = screen.width or 80
-    shown = {key: about for key, about in _KEYS.items() if failed or key not in _OF_A_CASE}
-    short = {key: about.split()[0] for key, about in shown.items()}
-    for keys, gap in ((shown, "   "), (shown, "  "), (short, " "), (dict.fromkeys(shown, ""), " ")):
-        parts = [Text.assemble((key, STRONG), f" {about}" if about else "") for key, about in keys.items()]
-        line = Text(gap).join(parts)
+    shown = [(key, about) for key, about in _KEYS.items() if failed or key not in _OF_A_CASE]
+    for words, gap in ((2, "   "), (2, "  "), (1, " "), (0, " ")):
+        line = Text(gap).join(
+            joined(strong(key), *map(" {}".format, about.split()[:words])) for key, about in shown
+        )
         if line.cell_len < width:
             break
     return drawn(line, screen).rstrip("\n")
+
+
+def redraw(screen: Screen, text: str, prompt: str) -> None:
+    """Replace what is seen by `text`, whole lines, and the prompt below it: in one write, line over line.
+
+    What is more than the screen holds scrolls out of its top, and can be scrolled back to.
+    """
+    rows = [f"{row}{_REST_OF_LINE}\n" for row in text.splitlines()]
+    begin, end = _TOGETHER
+    screen.write(f"{begin}{_HOME}{''.join(rows)}{prompt}{_REST_OF_SCREEN}{end}")
+
+
+def reprompt(screen: Screen, prompt: str) -> None:
+    """Replace the prompt alone."""
+    screen.write(f"\r{prompt}{_REST_OF_SCREEN}")
+
+
+@contextmanager
+def keys(terminal: int, tell: Callable[[str], None]) -> Iterator[Callable[[], None]]:
+    """Tells every key that is pressed, from a thread of its own, while the block runs.
+
+    The terminal gives keys at once and does not show them meanwhile, and is what it was afterwards. What is
+    given has that done again, after the process was stopped and goes on. Ctrl-C stays as it is.
+    """
+    import termios
+
+    before = termios.tcgetattr(terminal)
+    end, stop = os.pipe()
+
+    def take() -> None:
+        now = [*before]
+        now[3] = now[3] & ~(termios.ICANON | termios.ECHO)
+        now[6] = [*now[6]]
+        now[6][termios.VMIN], now[6][termios.VTIME] = 1, 0
+        termios.tcsetattr(terminal, termios.TCSANOW, now)
+
+    def give_back() -> None:
+        with suppress(termios.error):  # the terminal is gone
+            termios.tcsetattr(terminal, termios.TCSANOW, before)
+
+    def read() -> None:
+        while end not in select.select([terminal, end], [], [])[0]:
+            found = b""
+            with suppress(OSError):
+                found = os.read(terminal, 64)
+            for key in _keys(found):
+                tell(key)
+            if not found:
+                return
+
+    thread = threading.Thread(target=read, name="keys", daemon=True)
+    atexit.register(give_back)  # should a second Ctrl-C come before the first is dealt with
+    take()
+    thread.start()
+    try:
+        yield take
+    finally:
+        try:
+            give_back()
+            atexit.unregister(give_back)
+        finally:
+            os.write(stop, b"\0")  # closing would not do: a child may hold a copy
+            thread.join()
+            os.close(stop)
+            os.close(end)
+
+
+def _keys(read: bytes) -> Sequence[str]:
+    """The keys of what was read at once; those that send a sequence are none of ours."""
+    if not read:
+        return [GONE]
+    return list(_SEQUENCE.sub("", read.decode("ascii", "ignore")).lower())

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import shlex
 from collections.abc import Mapping
+from datetime import date, datetime
 from typing import Any
 
 _ITEMS = 40  # of a list that are shown
@@ -40,19 +41,6 @@ def argument(value: Any) -> str:
     return repr(value)
 
 
-def with_points(values: Mapping[str, Any]) -> dict[str, Any]:
-    """Arguments that JSON has kept: two or three numbers in a list were a tuple, most likely a point."""
-    return {name: _with_points(value) for name, value in values.items()}
-
-
-def _with_points(value: Any) -> Any:
-    if not isinstance(value, list):
-        return value
-    if 2 <= len(value) <= 3 and all(isinstance(each, int | float) for each in value):
-        return tuple(value)
-    return [_with_points(each) for each in value]
-
-
 def counted(number: int, noun: str) -> str:
     """`1 case`, `1,240 cases`."""
     return f"{number:,} {noun}" if number == 1 else f"{number:,} {noun}s"
@@ -63,6 +51,25 @@ def seconds(duration: float) -> str:
     if duration < 0.0095:
         return f"{duration * 1e3:.1f} ms"
     return f"{duration * 1e3:.0f} ms" if duration < 0.9995 else f"{duration:.2f} s"
+
+
+def moment(when: datetime) -> str:
+    """A time as the clock on the wall shows it."""
+    return when.astimezone().strftime("%Y-%m-%d %H:%M")
+
+
+def day(when: datetime | date | None) -> str:
+    """A day as the calendar on the wall shows it; nothing for None."""
+    here = when.astimezone() if isinstance(when, datetime) else when
+    return here.strftime("%Y-%m-%d") if here else ""
+
+
+def due_words(due: datetime, now: datetime) -> str:
+    """When it is due, in days from now: `in 3 days`, `today`, `1 day ago`."""
+    days = (due.astimezone(now.tzinfo).date() - now.date()).days
+    if days < 0:
+        return f"{counted(-days, 'day')} ago"
+    return "today" if days == 0 else f"in {counted(days, 'day')}"
 
 
 def times(factor: float) -> str:

@@ -33,7 +33,7 @@ from judge.practice.questions import Question, Sources, ask
 from judge.practice.syllabus import USUAL, sound_sets
 from judge.problem import Problem
 from judge.problem.module import load_module
-from judge.report.published import Published
+from judge.report.published_setter import SiteBuilt
 from judge.run.settings import Settings
 from judge.site.texts import kata_page
 
@@ -82,16 +82,6 @@ class Site(Struct, frozen=True):
     katas: tuple[Kata, ...]
 
 
-class SiteBuilt(Published, frozen=True):
-    """What came of a build: katas made now, those that were there, those for the terminal, all bytes."""
-
-    out: str
-    made: tuple[str, ...]
-    kept: tuple[str, ...]
-    elsewhere: tuple[str, ...]
-    bytes: int
-
-
 class _Keeping:
     """The judge's cache; every value that is asked for or written stays known as JSON, by its folder."""
 
@@ -124,9 +114,17 @@ def check_folder(out: Path) -> None:
 
 
 def build(
-    out: Path, problems: Sequence[Problem], folders: Sequence[Path], parts: Path, stage: Stage | None = None
+    out: Path,
+    problems: Sequence[Problem],
+    folders: Sequence[Path],
+    parts: Path,
+    stage: Stage | None = None,
+    *,
+    opened: bool = False,
 ) -> SiteBuilt:
     """Write the site; `parts` holds what `judge.site.fetch` brought. What has not changed is left alone.
+
+    `opened` says that it will be looked at now.
 
     Raises JudgeError.
     """
@@ -163,6 +161,7 @@ def build(
         tuple(name for name in after if name not in made),
         tuple(each.id for each in katas if each.elsewhere),
         sum(path.stat().st_size for path in out.rglob("*") if path.is_file()),
+        opened,
     )
 
 

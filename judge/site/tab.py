@@ -100,6 +100,11 @@ class Tab:
         return self._katas[kata].judge(source.encode("utf-8", "surrogatepass"))
 
 
+    def result(self, kata: str, source: bytes) -> Result:
+        """The whole result. Raises JudgeError."""
+        return self._katas[kata].result(source)
+
+
 class _Kata:
     def __init__(self, folder: Path, name: str, page: Page) -> None:
         self._page, self._store = page, Shipped(folder)

@@ -87,6 +87,10 @@ class Place(NamedTuple):
         name = self.name()
         return f"{name}: " if name else ""
 
+    def mismatch(self, why: str) -> Mismatch:
+        """Why what is here is wrong."""
+        return Mismatch(self.prefix() + why, self.name())
+
 
 ROOT = Place()
 
@@ -180,8 +184,10 @@ class Atom(Type):
         return str(value)
 
     def value_from(self, token: str) -> Any:
-        """The value of a token; raises ValueError."""
-        raise NotImplementedError
+        """The value of a token, which may be the token itself; raises ValueError."""
+        if wrong := self.why_not(token):
+            raise ValueError(wrong)
+        return token
 
     def aim(self, exact: Exact, tolerance: Tolerance) -> Target:
         """What answers are held against; raises Unfit."""
@@ -207,8 +213,9 @@ class Atom(Type):
 
     def why(self, value: Value, target: Target, words: Words, place: Place) -> Mismatch:
         """Why a value that is wrong is so: it may even be none of this type."""
-        message = self.why_not(value) or f"{self.shown(target)} wanted, {self.shown(value)} given"
-        return Mismatch(place.prefix() + message, place.name())
+        return place.mismatch(
+            self.why_not(value) or f"{self.shown(target)} wanted, {self.shown(value)} given"
+        )
 
     def take(self, tokens: Tokens, meant: str) -> Raw:
         """The answer that the next token holds, as JSON; raises Unreadable."""
@@ -385,9 +392,3 @@ class WordType(Atom):
         if len(token) > LONGEST_WORD:
             raise Unreadable(f"{quoted(token)} where {self.noun} is meant")
         return {"word": token}
-
-    def value_from(self, token: str) -> Any:
-        """One of the choice."""
-        if token not in self.samples:
-            raise ValueError(f"none of the words: {token[:40]!r}")
-        return token

@@ -21,7 +21,7 @@ from judge.values.answers import AnyOf, Exact, Judged, Target, Tolerance, Words
 from judge.values.atoms import NOTHING, ROOT, Atom, Mismatch, Place, Type, Unfit, Value
 from judge.values.reading import read, read_line
 from judge.values.show import line, shown, wanted
-from judge.values.types import Composite, ListType, OptionalType, TupleType, lasting
+from judge.values.types import ListType, TupleType, lasting
 from judge.values.wire import Raw, Unreadable, Written, quoted
 
 ExactOf = Callable[[], tuple[Exact, Tolerance]]
@@ -77,21 +77,19 @@ def _target(type_: Type, exact: Exact, tolerance: Tolerance) -> Target:
         return {"any": tuple([_target(type_, each, tolerance) for each in exact.answers])}
     if isinstance(exact, Judged):
         return {"such as": _target(type_, exact.sample, tolerance)}
-    if isinstance(type_, OptionalType):
-        return None if exact is None else _target(type_.inner, exact, tolerance)
-    if isinstance(type_, Atom):
-        return type_.aim(exact, tolerance)
-    assert isinstance(type_, Composite)
+    inner = lasting(type_)
+    if exact is None and inner is not type_:
+        return None
+    if isinstance(inner, Atom):
+        return inner.aim(exact, tolerance)
     if type(exact) not in (list, tuple):
-        raise Unfit(f"{exact!r} where a {type_.kind.__name__} is meant")
+        raise Unfit(f"{exact!r} where a {inner.kind.__name__} is meant")
     count = len(exact)
-    if isinstance(type_, TupleType) and count != len(type_.made_of):
-        raise Unfit(f"{count} parts where {len(type_.made_of)} are meant")
-    if isinstance(type_, ListType) and not type_.low <= count <= (inf if type_.high is None else type_.high):
-        raise Unfit(f"{count} {type_.one if count == 1 else type_.several} where {type_.bounds()} are meant")
-    return tuple(
-        [_target(part, each, tolerance) for part, each in zip(type_.parts(count), exact, strict=True)]
-    )
+    if isinstance(inner, TupleType) and count != len(inner.made_of):
+        raise Unfit(f"{count} parts where {len(inner.made_of)} are meant")
+    if isinstance(inner, ListType) and not inner.fits(count):
+        raise Unfit(f"{count} {inner.one if count == 1 else inner.several} where {inner.bounds()} are meant")
+    return tuple([_target(part, each, tolerance) for part, each in inner.pairs(exact)])
 
 
 # -- deciding ----------------------------------------------------------------------------------------------
@@ -157,24 +155,20 @@ def _off(type_: Type, value: Value, target: Target, ask: _Ask, place: Place) -> 
     """How many ulps a value is off at most, or where it is wrong."""
     if type(target) is dict:
         return _off_any(type_, value, target, ask, place)
-    if isinstance(type_, Atom):
-        found = type_.off(value, target, lambda: ask.at(place))
-        return (
-            found if found is not None else _Miss(place, partial(type_.why, value, target, ask.words, place))
-        )
-    if isinstance(type_, OptionalType):
-        if value is not None and target is not None:
-            return _off(type_.inner, value, target, ask, place)
-        return NOTHING if value is target else _Miss(place, partial(_none, type_, value, target, ask, place))
-    assert isinstance(type_, Composite)
+    inner = lasting(type_)
+    if inner is not type_ and (value is None or target is None):
+        return NOTHING if value is target else _Miss(place, partial(_none, inner, value, target, ask, place))
+    if isinstance(inner, Atom):
+        off = inner.off(value, target, lambda: ask.at(place))
+        return _Miss(place, partial(inner.why, value, target, ask.words, place)) if off is None else off
     count, worst = len(value), NOTHING
-    if isinstance(type_, ListType) and count != len(target):
-        return _Miss(place, partial(_other_count, type_, value, target, ask, place))
-    for at, (part, given, each) in enumerate(zip(type_.parts(count), value, target, strict=True)):
-        one = _off(part, given, each, ask, Place(place, at, type_, count))
+    if count != len(target) and isinstance(inner, ListType):
+        return _Miss(place, partial(_other_count, inner, value, target, ask, place))
+    for at, (part, given, each) in enumerate(zip(inner.parts(count), value, target, strict=True)):
+        one = _off(part, given, each, ask, Place(place, at, inner, count))
         if isinstance(one, _Miss):
-            if isinstance(type_, ListType):
-                return _Miss(one.place, partial(_other_items, type_, value, target, ask, place, one))
+            if isinstance(inner, ListType):
+                return _Miss(one.place, partial(_other_items, inner, value, target, ask, place, one))
             return one
         if one > worst:
             worst = one
@@ -186,7 +180,7 @@ def _off_any(type_: Type, value: Value, target: Target, ask: _Ask, place: Place)
     if "such as" in target:
         judged, _ = ask.at(place)
         why = judged.why_not(_plain(value), judged.group)
-        return NOTHING if why is None else _Miss(place, lambda: Mismatch(place.prefix() + why, place.name()))
+        return NOTHING if why is None else _Miss(place, partial(place.mismatch, why))
     misses = []
     for step, each in enumerate(target["any"]):
         found = _off(type_, value, each, ask, Place(place, step))
@@ -208,16 +202,16 @@ def _plain(value: Value) -> Any:
 # -- why an answer is wrong --------------------------------------------------------------------------------
 
 
-def _none(type_: OptionalType, value: Value, target: Target, ask: _Ask, place: Place) -> Mismatch:
+def _none(type_: Type, value: Value, target: Target, ask: _Ask, place: Place) -> Mismatch:
     """None where there is an answer, or the other way round."""
     if target is None:
-        message = f"None wanted, {shown(type_.inner, value)} given"
+        message = f"None wanted, {shown(type_, value)} given"
     elif ask.words.missing and not place.name():
         name = f"{ask.words.answer} = " if ask.words.answer else ""
         message = f"None given, {ask.words.missing}: {name}{wanted(type_, target)}"
     else:
         message = f"{wanted(type_, target)} wanted, None given"
-    return Mismatch(place.prefix() + message, place.name())
+    return place.mismatch(message)
 
 
 def _of_several(type_: Type, value: Value, target: Target, place: Place, misses: Sequence[_Miss]) -> Mismatch:
@@ -225,7 +219,7 @@ def _of_several(type_: Type, value: Value, target: Target, place: Place, misses:
     inner = lasting(type_)
     if value is None or (isinstance(inner, Atom) and not inner.measured):
         given = inner.shown(value) if isinstance(inner, Atom) and value is not None else "None"
-        return Mismatch(f"{place.prefix()}{wanted(type_, target)} wanted, {given} given", place.name())
+        return place.mismatch(f"{wanted(type_, target)} wanted, {given} given")
     longest = max(each.place.steps()[len(place.steps()) + 1 :] for each in misses)
     told = [each.tell() for each in misses if each.place.steps()[len(place.steps()) + 1 :] == longest]
     return min(told, key=lambda why: inf if why.errors[0] is None else why.errors[0])
@@ -238,7 +232,7 @@ def _other_count(type_: ListType, value: Value, target: Target, ask: _Ask, place
     message = f"{count} wanted, {len(value) or 'none'} given"
     if size == 1 and len(value) == 2 and all(_fits(type_, each, target, 0, ask, place) for each in value):
         message += f": the same {type_.one} twice"
-    return Mismatch(place.prefix() + message, place.name())
+    return place.mismatch(message)
 
 
 def _other_items(

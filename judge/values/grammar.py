@@ -27,7 +27,7 @@ _MOST_TEXT = 2_000  # characters of a type's text
 _TOKEN = re.compile(r"[A-Za-z_][\w-]*|\d+|\.\.|\S", re.ASCII)
 _DEEPEST = 12
 _T = TypeVar("_T")
-_LONGEST = 1_000_000_000  # of a list
+_LONGEST = 9  # digits of a list's length
 
 ATOMS: dict[str, Callable[..., Type]] = {
     "int": IntType,
@@ -49,28 +49,18 @@ ALIASES = {
 
 # What people write who know other languages, and what it is called here.
 _FOREIGN = {
-    **dict.fromkeys(("float", "double", "decimal"), "real"),
-    **dict.fromkeys(("str", "string", "text", "enum"), "word(a|b)"),
-    **dict.fromkeys(("list", "vector"), "[T]"),
-    **dict.fromkeys(("tuple", "pair"), "(T, T)"),
-    **dict.fromkeys(("none", "null", "optional", "Optional", "None"), "T?"),
+    "float double decimal": "real",
+    "str string text enum": "word(a|b)",
+    "list vector": "[T]",
+    "tuple pair": "(T, T)",
+    "none null optional Optional None": "T?",
 }
 
 
-def _vector(atom: Callable[[], Type], size: int, alias: str) -> Callable[[], Type]:
-    def made() -> Type:
-        parts = [atom() for _ in range(size)]
-        for part in parts:  # which are made for it
-            part.noun = "a coordinate"
-        return TupleType(parts, COORDINATES[:size], alias)
-
-    return made
-
-
-VECTORS = {
-    "vec2": _vector(RealType, 2, "Point"),
-    "vec3": _vector(RealType, 3, "Point3"),
-    "integer-point": _vector(IntType, 2, "IntPoint"),
+VECTORS: dict[str, Callable[..., Type]] = {
+    "vec2": lambda: TupleType((RealType(), RealType()), COORDINATES[:2], "Point"),
+    "vec3": lambda: TupleType((RealType(), RealType(), RealType()), COORDINATES, "Point3"),
+    "integer-point": lambda: TupleType((IntType(), IntType()), COORDINATES[:2], "IntPoint"),
 }
 
 
@@ -164,7 +154,7 @@ class _Parser:
 
     def _number(self) -> int:
         token = self._next()
-        if not token.isdecimal() or len(token) > 10 or int(token) > _LONGEST:
+        if not token.isdecimal() or len(token) > _LONGEST:
             raise self._fault(f"{token!r} is no length of a list")
         return int(token)
 
@@ -191,7 +181,8 @@ class _Parser:
     def _unknown(self, name: str) -> TypeFault:
         files = sorted(self._folder.glob("[a-z]*.py")) if self._folder else []
         own = [*ALIASES, *VECTORS, *ATOMS, *(path.stem.replace("_", "-") for path in files)]
-        meant = _FOREIGN.get(name) or nearest(name, own)
+        foreign = (meant for names, meant in _FOREIGN.items() if name in names.split())
+        meant = next(foreign, None) or nearest(name, own)
         remedy = f"did you mean {meant!r}?" if meant else f"use one of {', '.join(own)}"
         if self._text.strip() == name:
             return TypeFault(f"{name!r} is unknown", remedy)

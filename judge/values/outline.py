@@ -28,7 +28,7 @@ from judge.values.atoms import LONGEST, Atom, IntType, NumberType, RealType, Typ
 from judge.values.check import ExactOf, decide
 from judge.values.reading import read, read_line
 from judge.values.show import best
-from judge.values.types import Composite, ListType, TupleType, lasting
+from judge.values.types import ListType, TupleType, lasting
 from judge.values.wire import Fault, Raw, Unreadable, items, near, number, word
 
 Outline = tuple[str, tuple[float, ...]]
@@ -82,20 +82,17 @@ def _form(type_: Type, value: Value, numbers: list[float]) -> str:
     """The form of a value without its numbers, which are added to the list."""
     if value is None:
         return "none"
-    type_ = lasting(type_)
-    if isinstance(type_, NumberType):
+    inner = lasting(type_)
+    if isinstance(inner, NumberType):
         numbers.append(near(value))
-        return "count" if isinstance(type_, IntType) else "number"
-    if isinstance(type_, Atom):
-        return f"{type(type_).__name__.removesuffix('Type').lower()} {type_.text_of(value)}"
-    assert isinstance(type_, Composite)
-    count = len(value)
-    parts = islice(zip(type_.parts(count), value, strict=True), LONGEST)
-    forms = [_form(part, each, numbers) for part, each in parts]
-    if isinstance(type_, TupleType):
-        return "point" if type_.is_vector else f"({', '.join(forms)})"
+        return "count" if isinstance(inner, IntType) else "number"
+    if isinstance(inner, Atom):
+        return f"{type(inner).__name__.removesuffix('Type').lower()} {inner.text_of(value)}"
+    forms = [_form(part, each, numbers) for part, each in islice(inner.pairs(value), LONGEST)]
+    if isinstance(inner, TupleType):
+        return "point" if inner.is_vector else f"({', '.join(forms)})"
     plain = set(forms) <= {"point", "number", "count"}
-    return f"{type_.several} {count}" if plain else f"{type_.several} {count} {' '.join(forms)}"
+    return " ".join([inner.several, str(len(value)), *(() if plain else forms)])
 
 
 def _misread(type_: Type, raw: Raw) -> Outline:

@@ -7,8 +7,7 @@ from __future__ import annotations
 
 from array import array
 from collections.abc import Callable, Iterator
-from fractions import Fraction
-from itertools import chain, repeat
+from itertools import chain
 from typing import Any, Protocol
 
 from judge.values.atoms import LONGEST, Atom, Number, NumberType, Type, Value
@@ -27,58 +26,41 @@ def parts_of(type_: Type, value: Value) -> Iterator[tuple[Type, Value]]:
     """The parts of a well-shaped value with their types; an atom and None have none."""
     inner = lasting(type_)
     if value is not None and isinstance(inner, Composite):
-        yield from zip(inner.parts(len(value)), value, strict=True)
+        yield from inner.pairs(value)
 
 
 def fault(type_: Type, name: str, value: Any) -> str | None:
     """What is wrong with the shape of a parameter's value, for a person, or None."""
-    if isinstance(type_, OptionalType):
-        return None if value is None else fault(type_.inner, name, value)
-    if isinstance(type_, Atom):
-        return type_.fault(name, value)
-    if isinstance(type_, TupleType):
-        if type(value) is not tuple or len(value) != len(type_.made_of):
-            meant = f"a tuple {type_.text}"
-            if all(isinstance(part, NumberType) for part in type_.made_of):
-                meant = "a pair of numbers" if len(type_.made_of) == 2 else f"{len(type_.made_of)} numbers"
-            return f"{name} must be {meant}, not {value!r}"
-    elif isinstance(type_, ListType):
+    inner = lasting(type_)
+    if value is None and inner is not type_:
+        return None
+    if isinstance(inner, Atom):
+        return inner.fault(name, value)
+    if isinstance(inner, ListType):
         if type(value) is not tuple:
-            return f"{name} must be a tuple of {type_.several}, not {value!r}"
-        if len(value) < type_.low or (type_.high is not None and len(value) > type_.high):
-            return f"{name} has {len(value)} {type_.several} where {type_.bounds()} are meant"
-    return next((wrong for part, each in parts_of(type_, value) if (wrong := fault(part, name, each))), None)
+            return f"{name} must be a tuple of {inner.several}, not {value!r}"
+        if not inner.fits(len(value)):
+            return f"{name} has {len(value)} {inner.several} where {inner.bounds()} are meant"
+    elif type(value) is not tuple or len(value) != len(inner.made_of):
+        meant = f"a tuple {inner.text}"
+        if all(isinstance(part, NumberType) for part in inner.made_of):
+            meant = "a pair of numbers" if len(inner.made_of) == 2 else f"{len(inner.made_of)} numbers"
+        return f"{name} must be {meant}, not {value!r}"
+    return next(filter(None, (fault(part, name, each) for part, each in inner.pairs(value))), None)
 
 
 def leaves(type_: Type, value: Value) -> Iterator[tuple[Type, Value]]:
     """The atoms of a well-shaped value, each with its value."""
-    type_ = lasting(type_)
+    inner = lasting(type_)
     if value is None:
         return
-    if isinstance(type_, Atom):
-        yield type_, value
-    elif isinstance(type_, ListType) and isinstance(type_.item, Atom):  # a million of them, perhaps
-        yield from zip(repeat(type_.item), value, strict=False)
+    if isinstance(inner, Atom):
+        yield inner, value
+    elif isinstance(inner.made_of[0], Atom) and isinstance(inner, ListType):  # a million of them, perhaps
+        yield from inner.pairs(value)
     else:
-        for part, each in parts_of(type_, value):
+        for part, each in inner.pairs(value):
             yield from leaves(part, each)
-
-
-def outside(
-    type_: Type, value: Value, low: Fraction | int, high: Fraction | int
-) -> tuple[Any, Any, Any] | None:
-    """The first number of a well-shaped value beyond the bounds, with these; None if there is none."""
-    for atom, each in leaves(type_, value):
-        if isinstance(atom, NumberType):
-            least = low if atom.least is None else max(low, atom.least)
-            if not least <= each <= high:
-                return each, least, high
-    return None
-
-
-def reals(type_: Type, value: Value) -> Iterator[Number]:
-    """The numbers of a well-shaped value that are of the type `real`."""
-    return (each for atom, each in leaves(type_, value) if atom.measured)
 
 
 def tokens(type_: Type, value: Value) -> Iterator[str]:
@@ -96,16 +78,16 @@ def tokens(type_: Type, value: Value) -> Iterator[str]:
 
 def from_tokens(type_: Type, words: Iterator[str]) -> Value:
     """The value that `tokens` wrote; raises ValueError or StopIteration for anything else."""
-    if isinstance(type_, OptionalType):
+    inner = lasting(type_)
+    if inner is not type_:
         first = next(words)
-        return None if first == "none" else from_tokens(type_.inner, chain((first,), words))
-    if isinstance(type_, Atom):
-        return type_.value_from(next(words))
-    assert isinstance(type_, Composite)
-    count = int(next(words)) if isinstance(type_, ListType) else 0
-    if isinstance(type_, ListType) and not 0 <= count <= (LONGEST if type_.high is None else type_.high):
+        return None if first == "none" else from_tokens(inner, chain((first,), words))
+    if isinstance(inner, Atom):
+        return inner.value_from(next(words))
+    count = int(next(words)) if isinstance(inner, ListType) else 0
+    if isinstance(inner, ListType) and not 0 <= count <= (LONGEST if inner.high is None else inner.high):
         raise ValueError("no such length")
-    return tuple([from_tokens(part, words) for part in type_.parts(count)])
+    return tuple([from_tokens(part, words) for part in inner.parts(count)])
 
 
 def listed(type_: Type, value: Value) -> Any:
@@ -127,8 +109,7 @@ def argument(type_: Type, value: Value) -> Any:
 
 def literal(type_: Type, value: Value) -> str:
     """The value as it is written in Python."""
-    is_array = value is not None and isinstance(lasting(type_), ArrayType)
-    return f"array('d', {list(value)!r})" if is_array else repr(listed(type_, value))
+    return repr(argument(type_, value))
 
 
 def simpler(type_: Type, value: Value) -> Iterator[Value]:
@@ -152,18 +133,18 @@ def simpler(type_: Type, value: Value) -> Iterator[Value]:
 
 def simple(type_: Type, draw: Draws, number: Callable[[bool], Number], *, positive: bool) -> Value:
     """A simple value: `number(positive)` gives its numbers, `positive` says that none may be negative."""
-    if isinstance(type_, OptionalType):  # None as often as not
-        return simple(type_.inner, draw, number, positive=positive) if draw.integer(0, 1) else None
-    if isinstance(type_, NumberType):
-        found = number(positive or (type_.least is not None and type_.least >= 0))
-        return found if type(found) in type_.kinds else type_.kinds[0](found)
-    if isinstance(type_, Atom):
-        return type_.samples[draw.integer(0, len(type_.samples) - 1)]
-    assert isinstance(type_, Composite)
+    inner = lasting(type_)
+    if inner is not type_ and not draw.integer(0, 1):  # None as often as not
+        return None
+    if isinstance(inner, NumberType):
+        found = number(positive or (inner.least is not None and inner.least >= 0))
+        return found if type(found) in inner.kinds else inner.kinds[0](found)
+    if isinstance(inner, Atom):
+        return inner.samples[draw.integer(0, len(inner.samples) - 1)]
     count = 0
-    if isinstance(type_, ListType):
-        high = type_.low + 3 if type_.high is None else min(type_.high, type_.low + 3)
-        count = draw.integer(type_.low, high)
-    elif isinstance(type_, TupleType) and type_.is_vector:  # a coordinate may always be negative
+    if isinstance(inner, ListType):
+        most = inner.low + 3
+        count = draw.integer(inner.low, most if inner.high is None else min(inner.high, most))
+    elif isinstance(inner, TupleType) and inner.is_vector:  # a coordinate may always be negative
         positive = False
-    return tuple([simple(part, draw, number, positive=positive) for part in type_.parts(count)])
+    return tuple([simple(part, draw, number, positive=positive) for part in inner.parts(count)])

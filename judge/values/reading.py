@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import inf
 
 from judge.values.answers import NO_WORDS, Words
 from judge.values.atoms import ROOT, Atom, Place, Type, Value
@@ -17,28 +16,23 @@ def read(type_: Type, raw: Raw, place: Place = ROOT, *, bounded: bool = True) ->
 
     `bounded` says whether a list may have no more items than its type says.
     """
-    if isinstance(type_, OptionalType):
-        if raw is None:
-            return None
-        if isinstance(type_.inner, Atom):
-            return type_.inner.read(raw, place, type_.noun if place is ROOT else type_.inner.noun)
-        return read(type_.inner, raw, place, bounded=bounded)
-    if isinstance(type_, Atom):
-        return type_.read(raw, place, type_.noun)
-    assert isinstance(type_, Composite)
+    inner = lasting(type_)
+    if raw is None and inner is not type_:
+        return None
+    if isinstance(inner, Atom):
+        return inner.read(raw, place, type_.noun if place is ROOT else inner.noun)
     found = items(raw)
-    if found is None or is_one_item(type_, found):
-        raise Unreadable(_no_parts(type_, raw, found, place))
+    if found is None or is_one_item(inner, found):
+        raise Unreadable(_no_parts(inner, raw, found, place))
     count = len(found)
-    why = type_.wrong_count(count, place) if bounded or isinstance(type_, TupleType) else None
-    if why:
+    if (bounded or isinstance(inner, TupleType)) and (why := inner.wrong_count(count, place)):
         raise Unreadable(why)
-    if isinstance(type_, ListType) and type_.item.text == "int" and set(map(type, found)) <= {int}:
+    if isinstance(inner, ListType) and inner.item.text == "int" and set(map(type, found)) <= {int}:
         return list(found)  # a million of them, perhaps
-    return type_.kind(
+    return inner.kind(
         [
-            read(part, each, Place(place, at, type_, count), bounded=bounded)
-            for at, (part, each) in enumerate(zip(type_.parts(count), found, strict=True))
+            read(part, each, Place(place, at, inner, count), bounded=bounded)
+            for at, (part, each) in enumerate(inner.pairs(found))
         ]
     )
 
@@ -77,20 +71,17 @@ def meant(type_: Type) -> str:
 
 def _take(type_: Type, line: Tokens, *, whole: bool = False) -> Raw:
     """The answer that the next tokens hold; raises Unreadable. `whole` says that it is all of the line."""
-    if isinstance(type_, OptionalType):
-        ahead = line.ahead
+    inner, ahead = lasting(type_), line.ahead
+    if inner is not type_ and ahead.lower() in {"none", "null"}:
         if ahead == "none":
             line.next()
             return None
-        if ahead.lower() in {"none", "null"}:
-            what = line.meant if whole and type_.width == 1 else _hint(type_)
-            raise Unreadable(f"{quoted(ahead)} where {what} is meant: write none in lower case")
-        return _take(type_.inner, line, whole=whole)
-    if isinstance(type_, Atom):
-        return type_.take(line, line.meant if whole else type_.noun)
-    assert isinstance(type_, Composite)
-    count = _count(type_, line, whole=whole) if isinstance(type_, ListType) else 0
-    return [_take(part, line) for part in type_.parts(count)]
+        what = line.meant if whole and type_.width == 1 else _hint(type_)
+        raise Unreadable(f"{quoted(ahead)} where {what} is meant: write none in lower case")
+    if isinstance(inner, Atom):
+        return inner.take(line, line.meant if whole else inner.noun)
+    count = _count(inner, line, whole=whole) if isinstance(inner, ListType) else 0
+    return [_take(part, line) for part in inner.parts(count)]
 
 
 def _count(type_: ListType, line: Tokens, *, whole: bool) -> int:
@@ -98,7 +89,7 @@ def _count(type_: ListType, line: Tokens, *, whole: bool) -> int:
     if line.ahead.lower() == "none":
         raise Unreadable(f'"{line.ahead}" where {_hint(type_)} is meant: no {type_.several} are 0')
     count = line.integer(f"the number of {type_.several} k")
-    if not type_.low <= count <= (inf if type_.high is None else type_.high):
+    if not type_.fits(count):
         given = str(count) if len(str(count)) <= 20 else f"{str(count)[:20]}…"
         bounds = f"{type_.low} or more" if type_.high is None else f"{type_.low} to {type_.high}"
         bounds = str(type_.low) if type_.low == type_.high else bounds
@@ -122,9 +113,5 @@ def _hint(type_: Type, words: Words = NO_WORDS) -> str:
         if isinstance(type_.item, TupleType) and type_.item.is_vector:
             return f"k {' '.join(f'{name}1' for name in type_.item.names)} …"
         item = _hint(type_.item)
-        return (
-            f"k and then k times {item}"
-            if isinstance(lasting(type_.item), Atom)
-            else f"k and then k times ({item})"
-        )
+        return f"k and then k times {item if isinstance(lasting(type_.item), Atom) else f'({item})'}"
     return words.answer or type_.noun

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from itertools import islice
+from itertools import islice, starmap
 from typing import Any
 
 from judge.values.answers import AnyOf, Exact, Judged, Real, Target
-from judge.values.atoms import Atom, IntType, RealType, Type, Value
+from judge.values.atoms import Atom, IntType, Type, Value
 from judge.values.parameters import tokens
-from judge.values.types import Composite, ListType, OptionalType, TupleType, lasting
+from judge.values.types import Composite, ListType, TupleType, lasting
 from judge.values.wire import Raw, items, show
 
 _ANSWERS = 3  # of several that are right, which are shown
@@ -22,12 +22,8 @@ def best(type_: Type, target: Target) -> Value:
         return best(type_, target["any"][0] if "any" in target else target["such as"])
     if target is None:
         return None
-    if isinstance(type_, OptionalType):
-        return best(type_.inner, target)
-    if isinstance(type_, Atom):
-        return type_.best(target)
-    assert isinstance(type_, Composite)
-    return type_.kind(map(best, type_.parts(len(target)), target))
+    inner = lasting(type_)
+    return inner.best(target) if isinstance(inner, Atom) else inner.kind(starmap(best, inner.pairs(target)))
 
 
 def line(type_: Type, target: Target) -> str:
@@ -45,25 +41,20 @@ def wanted(type_: Type, target: Target) -> str:
         return " or ".join(several + ["…"] * (len(answers) > most))
     if target is None:
         return "None"
-    if isinstance(type_, OptionalType):
-        return wanted(type_.inner, target)
-    if isinstance(type_, Atom):
-        return type_.shown(type_.best(target))
-    assert isinstance(type_, Composite)
-    return _bracketed(type_, map(wanted, type_.parts(len(target)), target), len(target))
+    inner = lasting(type_)
+    if isinstance(inner, Atom):
+        return inner.shown(inner.best(target))
+    return _bracketed(inner, starmap(wanted, inner.pairs(target)), len(target))
 
 
 def shown(type_: Type, raw: Raw) -> str:
     """An answer, as JSON or read, as a person would write it, bounded whatever its shape."""
-    if isinstance(type_, OptionalType):
-        return "None" if raw is None else shown(type_.inner, raw)
-    found = items(raw) if isinstance(type_, Composite) else None
-    if found is None or (isinstance(type_, TupleType) and len(found) != len(type_.made_of)):
+    inner, found = lasting(type_), items(raw)
+    if found is None or isinstance(inner, Atom) or is_one_item(inner, found):
         return show(raw)
-    assert isinstance(type_, Composite)
-    if is_one_item(type_, found):
+    if isinstance(inner, TupleType) and len(found) != len(inner.made_of):
         return show(raw)
-    return _bracketed(type_, map(shown, type_.parts(len(found)), found), len(found))
+    return _bracketed(inner, starmap(shown, inner.pairs(found)), len(found))
 
 
 def is_one_item(type_: Composite, found: Sequence[Raw]) -> bool:
@@ -98,30 +89,27 @@ def exact_text(exact: Exact) -> Any:
 def accepted(type_: Type, target: Target) -> Any:
     """What is accepted, as JSON: for each real number the least and the greatest double."""
     if type(target) is dict:
-        ((name, inner),) = target.items()
-        if name == "any":
-            return {name: [accepted(type_, each) for each in inner]}
-        return {name: accepted(type_, inner)}
-    if isinstance(type_, OptionalType):
-        return None if target is None else accepted(type_.inner, target)
-    if isinstance(type_, Composite):
-        return list(map(accepted, type_.parts(len(target)), target))
-    return list(target[:2]) if isinstance(type_, RealType) else target
+        if "any" in target:
+            return {"any": [accepted(type_, each) for each in target["any"]]}
+        return {"such as": accepted(type_, target["such as"])}
+    inner = lasting(type_)
+    if target is not None and not isinstance(inner, Atom):
+        return list(starmap(accepted, inner.pairs(target)))
+    return list(target[:2]) if target is not None and inner.measured else target
 
 
 def asserts(type_: Type, what: str, target: Target) -> Iterator[str]:
     """Python conditions on the expression `what`, all of which hold exactly for the one right answer."""
+    inner = lasting(type_)
     if target is None:
         yield f"{what} is None"
-    elif isinstance(type_, OptionalType):
-        yield from asserts(type_.inner, what, target)
-    elif isinstance(type_, RealType):
-        yield f"{target[0]!r} <= {what} <= {target[1]!r}"
-    elif isinstance(type_, Composite):
-        if isinstance(type_, ListType):
+    elif not isinstance(inner, Atom):
+        if isinstance(inner, ListType):
             yield f"len({what}) == {len(target)}"
-        for at, (part, each) in enumerate(zip(type_.parts(len(target)), target, strict=True)):
+        for at, (part, each) in enumerate(inner.pairs(target)):
             yield from asserts(part, f"{what}[{at}]", each)
+    elif inner.measured:
+        yield f"{target[0]!r} <= {what} <= {target[1]!r}"
     else:  # a bool or a float may be equal to an int
-        plain = f" and not isinstance({what}, (bool, float))" if isinstance(type_, IntType) else ""
+        plain = f" and not isinstance({what}, (bool, float))" if isinstance(inner, IntType) else ""
         yield f"{what} == {target!r}{plain}"

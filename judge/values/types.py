@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from functools import cached_property
 from itertools import repeat
-from typing import Any
+from typing import Any, cast
 
 from judge.values.answers import Target
-from judge.values.atoms import COORDINATES, LONGEST, NOTHING, Place, Quick, RealType, Type
+from judge.values.atoms import COORDINATES, LONGEST, NOTHING, Atom, Place, Quick, RealType, Type, Value
 from judge.values.wire import Raw, items
 
 MANY_LENGTHS = 1000  # of a list without a bound
@@ -66,6 +66,10 @@ class Composite(Made):
     def parts(self, count: int) -> Sequence[Type]:
         """The types of the parts of a value that has so many."""
         return self.made_of * count if self.kind is list else self.made_of
+
+    def pairs(self, values: Sequence[Value]) -> Iterator[tuple[Type, Value]]:
+        """The parts of a value, or of what stands for them, each after its type."""
+        return zip(self.parts(len(values)), values, strict=True)
 
     def word(self, at: int) -> str:
         """What the part `at` is called."""
@@ -130,6 +134,8 @@ class TupleType(Composite):
         if self.is_vector:
             self.noun, self.plural = f"({', '.join(self.names)})", "points"
             self.one, self.several = "point", "points"
+            for part in parts:  # which are made for it
+                part.noun = "a coordinate"
 
     def word(self, at: int) -> str:
         """Its name."""
@@ -164,6 +170,10 @@ class ListType(Composite):
         self.one, self.several = item.one, item.several
         self.noun, self.annotation = f"a list of {item.plural}", f"list[{item.annotation}]"
 
+    def fits(self, count: int) -> bool:
+        """Whether there may be so many items."""
+        return self.low <= count and (self.high is None or count <= self.high)
+
     def bounds(self) -> str:
         """How many items there may be, in words."""
         if self.high is None:
@@ -193,9 +203,9 @@ class ArrayType(ListType):
         self.noun, self.plural, self.annotation = "an array of numbers", "arrays", "array[float]"
 
 
-def lasting(type_: Type) -> Type:
+def lasting(type_: Type) -> Atom | Composite:
     """The type without a question mark."""
-    return type_.inner if isinstance(type_, OptionalType) else type_
+    return cast("Atom | Composite", type_.inner if isinstance(type_, OptionalType) else type_)
 
 
 def is_pair(type_: Type) -> bool:

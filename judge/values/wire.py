@@ -29,11 +29,11 @@ MOST_DIGITS = 2000  # of a decimal: a double's full expansion has 767 significan
 MOST_EXPONENT = 5000
 MOST_HEX = 1100  # hexadecimal digits of an integer
 LONGEST_WORD = 32
-CODES = ("b", "h", "i", "q", "B", "H", "I", "Q", "f", "d")  # of arrays, as Python's `array` has them
-ITERATORS = {
-    "generator", "zip", "map", "filter", "range", "reversed", "enumerate", "list_iterator", "tuple_iterator",
-    "dict_values", "dict_keys", "islice", "chain", "deque",
-}  # fmt: skip
+CODES = tuple("bhiqBHIQfd")  # of arrays, as Python's `array` has them
+ITERATORS = (
+    "generator zip map filter range reversed enumerate list_iterator tuple_iterator dict_values dict_keys "
+    "islice chain deque"
+)
 SETS = {"set", "frozenset"}
 _SHOWN = 60
 
@@ -191,7 +191,7 @@ def _typed(name: str, text: str) -> Fault:
         return Fault(f"{name}, {text},", "return a plain one", name)
     if name == "float":
         return Fault(text, "it is not a finite number", name)
-    unnamed = f"a {name}" if name in (*ITERATORS, *SETS) else f"a value of type {name}"
+    unnamed = f"a {name}" if name in (*ITERATORS.split(), *SETS) else f"a value of type {name}"
     return Fault(f"the {name} {text}" if text else unnamed, "", name)
 
 
@@ -247,7 +247,7 @@ def collecting(type_name: str) -> str:
     """What to do about a value of that type where a list is meant, or nothing."""
     if type_name in SETS:
         return "a set has no order, and list(...) gives it none; collect a list"
-    return "wrap it in list(...)" if type_name in ITERATORS else ""
+    return "wrap it in list(...)" if type_name in ITERATORS.split() else ""
 
 
 # -- a number against the doubles (lo, hi, nearest) that a tolerance accepts ------------------------------

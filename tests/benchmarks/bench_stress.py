@@ -47,7 +47,7 @@ def stressed(name: str, seconds: float) -> Stressed:
     source = (problem.solutions / "accepted" / "quadratic.py").read_bytes()
     fresh = Fresh(problem, module, problem.groups, seed=1)
     with open_box(source, "quadratic.py") as box:
-        data = ProblemData(problem, (), module=module)
+        data = ProblemData(problem, (), loaded=module)
         return stress(data, fresh, box, source, "quadratic.py", seconds=seconds)
 
 

@@ -124,7 +124,7 @@ main()
 
 
 @pytest.mark.parametrize(
-    "place", ["diagnose.shrink.shrink", "mistakes.namer.Vetoes", "cli.picture.Drawing.picture"]
+    "place", ["diagnose.shrink.shrink", "mistakes.namer.Vetoes", "cli.drawings.Drawing.picture"]
 )
 def test_a_fault_in_explaining_leaves_the_verdict_alone(place, judge, submit, monkeypatch):
     def faulty(*_arguments, **_settings):

@@ -72,7 +72,7 @@ def test_help_begins_as_the_table_says_and_ends_with_examples_and_a_page(name, j
     assert command.help.splitlines()[0] == entry.sentence
     assert all(parameter.help for parameter in command.params if parameter.param_type_name == "option")
     start = ended.lines.index("  For example:") + 1
-    shown = tuple(line.strip() for line in ended.lines[start : start + len(entry.examples)])
+    shown = [line.strip() for line in ended.lines[start : start + len(entry.examples)]]
     assert shown == entry.examples
     assert ended.lines[-1] == f"  More: judge help {entry.topic}"
     assert max(map(len, ended.lines)) < 80

@@ -7,6 +7,7 @@ import os
 
 import pytest
 from cli_support import FLOOR, MEAN, ROOT
+from msgspec.structs import replace
 from sampling import nightly
 
 from judge.judging.containment import keep_level, kept_level
@@ -89,7 +90,7 @@ def test_a_shortage_while_the_doctor_looks_lowers_nothing(judge, monkeypatch):
     assert judge("doctor").lines[-1] == "Isolation: strong"
     assert kept_level() == "full"
     monkeypatch.setattr(
-        "judge.cli.commands.doctor.levels", lambda _hide: (found[0]._replace(lasting=True), *found[1:])
+        "judge.cli.commands.doctor.levels", lambda _hide: (replace(found[0], lasting=True), *found[1:])
     )
     judge("doctor")
     assert kept_level() == "strong"

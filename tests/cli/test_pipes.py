@@ -13,7 +13,7 @@ import pytest
 from cli_support import FLOOR, MEAN, PACK, Outcome
 from sampling import nightly
 
-from judge.cli import submissions
+from judge.cli import files
 
 pytestmark = pytest.mark.slow
 
@@ -65,7 +65,7 @@ def test_a_pipe_of_the_shells_is_judged(shell, submit):
 
 def test_a_pipe_that_stays_silent_is_given_up(judge, submit, monkeypatch):
     submit(MEAN)
-    monkeypatch.setattr(submissions, "_SILENCE", 0.1)
+    monkeypatch.setattr(files, "_SILENCE", 0.1)
     reading, writing = os.pipe()
     os.write(writing, b"def middle(a, b):\n")
     ended = judge("run", "middle", f"/dev/fd/{reading}")

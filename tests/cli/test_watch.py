@@ -15,10 +15,9 @@ import pytest
 from cli_support import FLOOR, MEAN
 from terminals import PATIENCE, Terminal
 
-from judge.cli.judging import Sitting
-from judge.cli.submissions import Submission
-from judge.cli.wish import Wish
-from judge.errors import ProblemError
+from judge.cli.judging import Wish
+from judge.cli.resolve import Kata
+from judge.cli.watching import WatchedFile
 from judge.judging.api import RunOptions
 from judge.practice.events import Help
 from judge.practice.history import History
@@ -247,15 +246,15 @@ def test_what_is_judged_is_said_with_its_time(watch, submit):
     terminal.leaves()
 
 
-def test_a_problem_that_has_changed_between_two_saves_is_read_again(pack, tmp_path):
+def test_a_problem_that_has_changed_between_two_saves_is_read_again(pack, submit, tmp_path):
     shutil.copytree(pack, tmp_path / "pack")
-    folder = tmp_path / "pack" / "problems" / "middle"
-    mine = Submission("mine.py", MEAN.encode())
+    folder, mine = tmp_path / "pack" / "problems" / "middle", Path(submit(MEAN))
     module = (folder / "problem.py").read_text()
-    with closing(Sitting(load_problem(folder), Wish(RunOptions(), kept=False))) as sitting:
-        assert sitting.judged(mine).result.verdict.value == "AC"
+    kata = Kata(load_problem(folder), mine.absolute())
+    with closing(WatchedFile(kata, Wish(RunOptions(), kept=False))) as watched:
+        assert watched.saved()
+        assert watched.judge().result.verdict.value == "AC"
         (folder / "problem.py").write_text("raise RuntimeError('half written')\n")
-        with pytest.raises(ProblemError, match="half written"):
-            sitting.judged(mine)
+        assert "half written" in watched.judge()
         (folder / "problem.py").write_text(module)
-        assert sitting.judged(mine).result.verdict.value == "AC"
+        assert watched.judge().result.verdict.value == "AC"

@@ -35,7 +35,7 @@ from judge.languages.sources import sources_of
 from judge.mistakes.features import features
 from judge.problem import Verdict
 from judge.problem.find import find_problem, fitting_problems, meant_problem, signs
-from judge.problem.toml import key_lines, parse_toml
+from judge.problem.toml import line_of, parse_toml
 from judge.report import formats, tell
 from judge.run import hurdle, printed, program
 from judge.run.result import judge_fault
@@ -250,7 +250,7 @@ def _readers() -> dict[str, Callable[[str], None]]:
         "students": _students,
         "type": _type,
         "regression": _regression,
-        "toml lines": key_lines,
+        "toml lines": partial(line_of, path=("a", "b", 7, "c")),
         "toml": partial(parse_toml, name="cards.toml"),
     }
 

@@ -17,7 +17,7 @@ from judge import RunOptions, Session
 from judge.data.build import validate
 from judge.diagnose.simplicity import measure
 from judge.problem import Verdict
-from judge.problem.find import all_problems, find_problem
+from judge.problem.find import find_problem, sound_problems
 from judge.problem.model import KataLevel
 from judge.problem.module import load_module
 
@@ -46,7 +46,7 @@ def _cache(built, monkeypatch):
 
 
 def test_every_kata_of_two_levels_has_a_textbooks_program():
-    levelled = {problem.id for problem in all_problems() if any(group.level for group in problem.groups)}
+    levelled = {problem.id for problem in sound_problems()[0] if any(group.level for group in problem.groups)}
     assert levelled == set(TEXTBOOK)
 
 

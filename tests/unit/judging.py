@@ -27,8 +27,8 @@ def make_group(name="one", points=100):
 def make_problem(groups, answer="count", limits=LIMITS):
     low, high = Fraction(-10), Fraction(10)
     parameters = (
-        Parameter("n", parse("number"), low, high, ""),
-        Parameter("P", parse("point"), low, high, ""),
+        Parameter("n", parse("number"), "", low, high, Fraction(0)),
+        Parameter("P", parse("point"), "", low, high, Fraction(0)),
     )
     folder = Path("/nowhere")
     return Problem(

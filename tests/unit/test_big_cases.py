@@ -15,7 +15,7 @@ from sandboxed import call, limits
 from judge.cache import CacheFolder
 from judge.cli.app import app
 from judge.cli.emit import schema_of
-from judge.data.load import ProblemData, data_key, load_data
+from judge.data.load import ProblemData, kept_place, load_data
 from judge.errors import ProblemError
 from judge.problem import Verdict
 from judge.problem.load import load_problem
@@ -126,7 +126,7 @@ def test_kept_seeds_that_make_other_cases_are_not_believed(cache, spoilt):
     kept = json.loads(file.read_bytes().partition(b"\n")[2])
     kept["n-6000"] |= spoilt
     built = []
-    assert CacheFolder().write(f"data/{file.name}", data_key(problem, None), kept) is None
+    assert CacheFolder().write(f"data/{file.name}", kept_place("data", problem, None)[1], kept) is None
     sound = load_data(problem, progress=lambda done, _: built.append(done))
     assert built
     warm = load_data(problem, progress=lambda *_: pytest.fail("it is built again"))

@@ -73,8 +73,8 @@ def test_pins_notice_drift_new_groups_and_old_ones(copy):
     pins["small"]["hash"] = "0" * 64
     pins["large"] = pins.pop("examples")
     assert differences(pins, found) == [
-        "the data of group 'small' differ from their pinned hash",
         "group 'examples' has no pinned hash",
+        "the data of group 'small' differ from their pinned hash",
         "the pinned hash of 'large' belongs to no group",
     ]
 
@@ -88,7 +88,8 @@ def test_a_broken_file_of_pins_is_a_fault(copy, text):
 
 def parameters(*types):
     return tuple(
-        Parameter(f"p{at}", parse(text), Fraction(-5), Fraction(11, 2), "") for at, text in enumerate(types)
+        Parameter(f"p{at}", parse(text), "", Fraction(-5), Fraction(11, 2), Fraction(0))
+        for at, text in enumerate(types)
     )
 
 

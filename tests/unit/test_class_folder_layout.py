@@ -13,8 +13,8 @@ import pytest
 
 from judge.batch import folder as folder_module
 from judge.batch.folder import legible, read_class
-from judge.batch.model import Student
 from judge.batch.roster import read_students
+from judge.report.published_klass import Student
 
 FIXTURES = Path(__file__).parents[1] / "fixtures"
 PROBLEMS = [FIXTURES / "pack" / "problems", FIXTURES / "problems"]  # middle, root-count

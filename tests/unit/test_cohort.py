@@ -11,12 +11,12 @@ from classes import class_of, row, small_class
 from rich.cells import cell_len
 
 from judge.batch.cohort import cohort_of, counting
-from judge.batch.model import Done, Row, Student
+from judge.batch.model import Done, Row
 from judge.errors import ExitCode
-from judge.report.cohort import gradebook, is_gradebook
 from judge.report.formats import cell
-from judge.report.klass import klass
+from judge.report.published_klass import Student, gradebook, is_gradebook
 from judge.report.screen import Screen, drawn
+from judge.report.views import view
 
 
 def scored(student, problem, verdict="WA", score=40, where=("lab1", "full"), at=1.0, copied="", **done):
@@ -35,7 +35,7 @@ class Terminal(io.StringIO):
 
 def shown(cohort, width=80, stream=None):
     """The class as it is read, without colours; whole where no terminal is given."""
-    return drawn(klass(cohort, screen := Screen(stream or io.StringIO(), colour=False, width=width)), screen)
+    return drawn(view(cohort, screen := Screen(stream or io.StringIO(), colour=False, width=width)), screen)
 
 
 @pytest.mark.parametrize("width", [40, 80, 200])
@@ -97,7 +97,7 @@ def test_it_fits_the_screen_and_nothing_in_it_steers(width, stream):
 
 def test_long_lists_are_folded_on_a_terminal_and_nobody_is_nothing():
     empty = class_of(problems=())
-    assert (empty.people, empty.problems, empty.views, empty.handins) == ((), (), (), 0)
+    assert (empty.people, empty.problems, empty.handins) == ((), (), 0)
     fails = ("grid", "tangent")
     many = class_of(*(row(f"s{at:03}", "count", f"mistake-{at % 9}", fails) for at in range(90)))
     folded, whole = (shown(many, 80, stream).partition("kata\n")[2] for stream in (Terminal(), io.StringIO()))

@@ -17,7 +17,7 @@ import platformdirs
 import pytest
 
 from judge.cache import CacheFolder
-from judge.data.load import data_key, load_data
+from judge.data.load import kept_place, load_data
 from judge.data.pins import hash_of
 from judge.files import cache_folder, user_data
 from judge.problem.load import load_problem
@@ -99,7 +99,7 @@ def test_a_seed_and_a_folder_have_files_of_their_own(copy, folder):
 
 def with_checksum(problem, body):
     """The file of this problem's data as the cache would write it, its checksum right."""
-    key = data_key(problem, None).encode()
+    key = kept_place("data", problem, None)[1].encode()
     return hashlib.blake2b(key + b"\n" + body, digest_size=32).hexdigest().encode() + b"\n" + body
 
 

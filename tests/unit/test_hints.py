@@ -45,10 +45,10 @@ def test_a_comment_in_a_code_block_is_no_step(hinting):
 @pytest.mark.parametrize(
     ("text", "where", "words"),
     [
-        ("", "hints.md", "it has no step; begin each with a line '## Its title'"),
+        ("", "hints.md", "it has no step; begin each step with a line '## Its title'"),
         ("# Hints\n\nThink.\n", "hints.md:3", "belongs to no step"),
-        ("## One\nx\n##\ny\n", "hints.md:3", "no title"),
-        ("## One\n\n## Two\ny\n", "hints.md:1", "'One' says nothing"),
+        ("## One\nx\n##\ny\n", "hints.md:3", "the step '' has no title or says nothing"),
+        ("## One\n\n## Two\ny\n", "hints.md:1", "'One' has no title or says nothing"),
         ("## One\n{{c.hihg}}\n", "hints.md:2", "did you mean {{c.high}}?"),
         (b"## One\n\xff\n", "hints.md", "byte 7 is not UTF-8"),
     ],

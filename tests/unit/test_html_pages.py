@@ -15,13 +15,13 @@ from classes import ROWS, STUDENTS, class_of, row, small_class
 from msgspec.structs import replace
 from past_runs import START, keep, past_result
 
-from judge.batch.model import Student
 from judge.batch.representatives import representatives
 from judge.practice.history import History
 from judge.problem.find import find_problem
 from judge.report.html import is_page
-from judge.report.html.klass import CLASS_MARK, FEEDBACK_MARK, class_page, feedback_pages
+from judge.report.html.klass import CLASS_MARK, FEEDBACK_MARK, ClassPages
 from judge.report.html.learner import MARK, learner_page
+from judge.report.published_klass import Student
 from judge.run.result import Failure
 
 NOW = datetime(2026, 3, 9, 12, 0, tzinfo=UTC)
@@ -127,7 +127,7 @@ def test_the_page_of_a_learner(path):
     assert "katas solved 1 of 2" in text
     assert "mistakes overcome 1 of 1" in text
     assert "2 Mar 2026, the latest of 2 runs" in text
-    assert "Smallest failing case input cx=0, cy=0, r=1, A=(-1, 1), B=(0, 1) expected 1 got 2" in text
+    assert "Smallest failing case (tangent, case 3) input cx=0, cy=0, r=1, A=(-1, 1)," in text
     assert "print(1)" in text
     assert html.count("<figure") == 2  # the chart and the case
 
@@ -172,11 +172,8 @@ def pages_of(cohort, rows, title="geo"):
     """The page of a class, of which count alone is there, and the pages of its students by file."""
     problems = {"count": find_problem("count")}
     results = {(each.problem, each.file): each.result for each in rows}
-    html = class_page(cohort, results, problems, title=title, generated=NOW)
-    return html.decode(), {
-        name: content.decode()
-        for name, content in feedback_pages(cohort, results, problems, title=title, generated=NOW)
-    }
+    pages = ClassPages(cohort, results, problems, title, NOW)
+    return pages.whole().decode(), {name: content.decode() for name, content in pages.students()}
 
 
 def test_the_page_of_a_class():

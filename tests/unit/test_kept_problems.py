@@ -93,8 +93,9 @@ def test_a_torn_or_foreign_file_costs_a_rebuild(body, sealed, end, kata):
 def test_a_head_that_is_none_under_the_right_stamp_is_read_again(kata):
     shelf = loading.Shelf(kata.parent)
     stamp, key, _ = shelf._heads["root-count"]
-    shelf._heads["root-count"] = stamp, key, b'{"id": "root-count"}'
-    assert shelf.problem(kata, Listed).title == load_problem(kata).title
+    torn = {"root-count": (stamp, key, {"id": "root-count"})}
+    loading.DISK.write(shelf._name, loading._FORMAT, torn)
+    assert loading.Shelf(kata.parent).problem(kata, Listed).title == load_problem(kata).title
 
 
 def test_a_folder_that_cannot_be_written_costs_time_alone(kata, tmp_path, monkeypatch):

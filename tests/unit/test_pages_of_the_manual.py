@@ -11,8 +11,8 @@ from pathlib import Path
 import msgspec
 
 from judge.problem.declare import Hooks, group
-from judge.problem.load import Head, Row
-from judge.problem.model import GroupLimits, KataLevel, Source, TimeRule
+from judge.problem.load import Head
+from judge.problem.model import GroupLimits, KataLevel, Parameter, Source, TimeRule
 from judge.sandbox.attacks import ATTACKS
 from judge.values.answers import Tolerance, Words
 from judge.values.grammar import ALIASES, ATOMS, VECTORS
@@ -22,7 +22,7 @@ MANUAL = ROOT / "judge" / "manual"
 PAGE = (MANUAL / "problem.md").read_text(encoding="utf-8")
 TABLES = {
     "The file": Head,
-    "Parameters": Row,
+    "Parameters": Parameter,
     "Limits": GroupLimits,
     "Tolerance": Tolerance,
     "Time": TimeRule,
@@ -44,7 +44,10 @@ def told(section: str) -> dict[str, bool]:
 
 def test_every_key_of_the_loader_is_told_and_no_other_with_an_example():
     for section, table in TABLES.items():
-        assert told(section) == {field.name: not field.required for field in msgspec.structs.fields(table)}
+        keys = {field.name: not field.required for field in msgspec.structs.fields(table)}
+        if table is Parameter:  # its name is the row's own key
+            del keys["name"]
+        assert told(section) == keys
         (example, *_) = re.findall(r"^```toml\n(.*?)^```$", sections()[section], re.MULTILINE | re.DOTALL)
         assert tomllib.loads(example), section
 

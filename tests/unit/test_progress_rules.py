@@ -18,7 +18,7 @@ from judge.practice.progress import State, levels, questions, skills, solved, tr
 from judge.practice.quiz import next_cards, next_due
 from judge.practice.review import LADDER, card_reviews, reviews
 from judge.practice.syllabus import Checklist, Row, Section, find_set, read_checklist
-from judge.problem.find import all_problems, find_problem
+from judge.problem.find import find_problem, sound_problems
 from judge.problem.load import load_problem
 from judge.problem.model import KataLevel
 from judge.run.result import LevelResult
@@ -65,7 +65,7 @@ def ids(chosen):
 
 
 def test_every_group_shows_a_skill_that_is_explained_and_each_skill_is_shown_by_some():
-    problems = all_problems()
+    problems = sound_problems()[0]
     named = {shown.name for problem in problems for shown in problem.skills}
     assert named == {skill.name for skill in read_checklist().skills}
     for problem in problems:
@@ -84,8 +84,8 @@ def test_a_new_problem_joins_sets_and_skills_from_its_own_folder(problem):
     (extra[0] / "skills.toml").write_text(
         '[[skills]]\nname = "half"\nabout = "Halves are kept."\n', encoding="utf-8"
     )
-    junior = find_set("junior", all_problems(extra), extra)
-    assert ids(junior) == ["halves", *ids(find_set("junior", all_problems()))], "its place comes first"
+    junior = find_set("junior", sound_problems(extra)[0], extra)
+    assert ids(junior) == ["halves", *ids(find_set("junior", sound_problems()[0]))], "its place comes first"
     found = {each.name: each for each in skills(junior.problems, {}, read_checklist(extra).skills)}
     assert ("halves", ("whole",)) in [(need.problem, need.groups) for need in found["no slopes"].needs]
     assert found["half"].about == "Halves are kept."
@@ -96,7 +96,7 @@ def test_a_new_problem_joins_sets_and_skills_from_its_own_folder(problem):
     ("head", "tail", "wanted"),
     [
         ('sets = "path"', "", r"mine/problem.toml:1: sets is text; give a list"),
-        ('sets = ["Path"]', "", r"mine/problem.toml:1: 'Path' is no name for a practice set; use small"),
+        ('sets = ["Path"]', "", r"mine/problem.toml:1: sets = 'Path'; use small letters"),
         ('sets = ["path", "path"]', "", r"mine/problem.toml:1: 'path' is there twice in sets; remove one"),
         ("", '[skills]\na = ["half"]', r"mine/problem.toml:\d+: unknown key 'skills'; the keys are"),
     ],

@@ -248,7 +248,12 @@ def test_a_drift_of_the_data_or_of_what_they_reject_is_told(kata):
 
 
 FAULTS = {
-    "a name": ('"large", "Large', '"Large", "Large', 22, "'Large' is no name for a group"),
+    "a name": (
+        '"large", "Large',
+        '"Large", "Large',
+        22,
+        "group 'Large': name = 'Large'; use small letters, digits and single hyphens",
+    ),
     "two of a name": ('"large", "Large', '"small", "Large', 22, "there are two groups 'small'"),
     "examples": ('"large", "Large', '"examples", "Large', 22, "the examples come by themselves"),
     "no sentence": ('"Large numbers."', '""', 22, "group 'large': about = ''; give text of length >= 1"),

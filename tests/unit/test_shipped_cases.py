@@ -102,20 +102,14 @@ def test_a_double_is_too_small_just_when_it_is_below_the_exact_bound(bound):
         assert (bounds_fault(Small, (x,)) is None) is (x >= bound)
 
 
-@pytest.mark.parametrize(
-    ("smallest", "fault"),
-    [
-        ("2", "other than 0 is 2"),
-        ("1e400", r"other than 0 is 1e\+400"),
-        ("-1", "other than 0 is -1"),
-        ("1e-9", "holds no real"),
-    ],
-)
-def test_what_is_no_such_bound_is_a_fault(tmp_path, smallest, fault):
+@pytest.mark.parametrize("smallest", ["2", "1e400", "-1"])
+def test_what_is_no_such_bound_is_a_fault(tmp_path, smallest):
     folder = shutil.copytree(SOUND, tmp_path / "root-count")
     text = (SOUND / "problem.toml").read_text()
-    (folder / "problem.toml").write_text(text.replace("low = -9", f"low = -9, smallest = {smallest}"))
-    with pytest.raises(ProblemError, match=fault):
+    (folder / "problem.toml").write_text(
+        text.replace("low = -9", f"low = -9, smallest = {smallest}").replace("integer", "number")
+    )
+    with pytest.raises(ProblemError, match="other than 0 is not from 0 to 1"):
         load_problem(folder)
 
 

@@ -101,7 +101,10 @@ def referenced(folder, *suffixes, limit=50, **more):
     ("more", "said"),
     [
         ({"python": "mean.py"}, "there is no language 'python'; there are c, cpp, go"),
-        ({"go": "../a.go"}, "'../a.go' is no solution's file; name a file of the accepted solutions"),
+        (
+            {"go": "../a.go"},
+            "time.references = {'go': '../a.go'}; use the name of a file of the accepted solutions",
+        ),
     ],
 )
 def test_what_the_table_may_not_say_is_one_line(tmp_path, more, said):

@@ -10,11 +10,11 @@ import pytest
 
 from judge.practice.solutions import approaches
 from judge.practice.stub import make_stub
-from judge.problem.find import all_problems
+from judge.problem.find import sound_problems
 from judge.problem.load import load_problem
 
 ROOT = Path(__file__).parents[2]
-PROBLEMS = [problem for problem in all_problems() if problem.folder.parent == ROOT / "problems"]
+PROBLEMS = [problem for problem in sound_problems()[0] if problem.folder.parent == ROOT / "problems"]
 MIDDLE = load_problem(ROOT / "tests" / "fixtures" / "pack" / "problems" / "middle")
 every = pytest.mark.parametrize("problem", [*PROBLEMS[::3], MIDDLE], ids=lambda problem: problem.id)
 

@@ -9,8 +9,10 @@ from pathlib import Path
 
 import pytest
 
+from judge.data.build import bounds_fault
 from judge.errors import ProblemError
 from judge.exact import Surd
+from judge.problem import Parameter
 from judge.values import check, parameters, reading, show
 from judge.values.answers import AnyOf, Real, Tolerance, Words, vector
 from judge.values.check import Accepted, Rejection, is_right
@@ -249,9 +251,17 @@ def test_a_type_is_its_text(text):
 def test_a_radius_is_never_negative():
     folder = Path(__file__).parents[2] / "problems" / "types"
     circle, inside = parse("circle", folder), (1, 2, 0)
-    assert parameters.outside(circle, inside, -5, 5) is None
-    assert parameters.outside(circle, (1, 2, -1), -5, 5) == (-1, 0, 5)
-    assert parameters.outside(parse("[integer-circle]", folder), (inside, (1, -9, 1)), -5, 5) == (-9, -5, 5)
+
+    def beyond(type_, value):
+        class Known:
+            parameters = (Parameter("c", type_, "", Fraction(-5), Fraction(5)),)
+
+        return bounds_fault(Known, (value,))
+
+    assert beyond(circle, inside) is None
+    assert beyond(circle, (1, 2, -1)) == "c has -1, outside 0 to 5"
+    several = parse("[integer-circle]", folder)
+    assert beyond(several, (inside, (1, -9, 1))) == "c has -9, outside -5 to 5"
     assert parameters.fault(circle, "c", (1, 2)) == "c must be 3 numbers, not (1, 2)"
     assert (
         parameters.fault(parse("integer-circle", folder), "c", (1, 2, 3.0))

@@ -5,19 +5,16 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
-from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Any
 
 import click
 from msgspec import Struct
 from msgspec.structs import replace
 
-from judge.cli.kept import history_at
-from judge.cli.options import Common, command, opt, takes
-from judge.cli.resolve import kata_meant, problem_of_file, shown, usual_file
-from judge.cli.submissions import read_submissions
-from judge.cli.target import OutFile, svg_target
+from judge.cli.files import OutFile, read_submissions, svg_target
+from judge.cli.options import Common, command, opt
+from judge.cli.resolve import history_at, kata_meant, problem_of_file, shown, usual_file
 from judge.data.parse import example_of, line_of, read_case
 from judge.diagnose.regression import MARK, with_case
 from judge.diagnose.replay import decode, problem_name
@@ -41,7 +38,6 @@ from judge.report.published_cases import (
     CaseTried,
     HackLine,
     HackList,
-    HackStanding,
     HackTurn,
     PageWritten,
 )
@@ -57,29 +53,14 @@ _PAGE_MARK = b'name="generator" content="judge try"'
 class TryAsk(Struct, frozen=True):
     """What to make of the case."""
 
-    opened: Annotated[bool, opt("--open", help="Drag the figure in the browser.")] = False
-    page: Annotated[
-        Path | None, opt("--out", metavar="FILE", help=f"Write that page; {_PAGE} with --open alone.")
-    ] = None
-    svg: Annotated[Path | None, opt("--svg", metavar="FILE", help="Draw the case into an SVG file.")] = None
-    test: Annotated[
-        Path | None,
-        opt("--pytest", metavar="FILE", help="Add the case as a pytest test of your file."),
-    ] = None
+    opened: bool = opt("--open", "Drag the figure in the browser.")
+    page: Path | None = opt("--out FILE", f"Write that page; {_PAGE} with --open alone.")
+    svg: Path | None = opt("--svg FILE", "Draw the case into an SVG file.")
+    test: Path | None = opt("--pytest FILE", "Add the case as a pytest test of your file.")
 
 
-class _Meant(Struct, frozen=True):
-    """What the words mean; `case` is None where none is named and none has failed."""
-
-    problem: Problem
-    case: Case | None
-    group: str = ""
-    file: str | None = None
-
-
-@command("try", CaseLine, PageWritten, numbers=True)
+@command("try", CaseLine, PageWritten, numbers=True, ask=TryAsk)
 @click.argument("words", metavar="[KATA] [CASE|ID] [FILE]", nargs=-1, type=click.UNPROCESSED)
-@takes(TryAsk, "ask")
 def try_(words: tuple[str, ...], ask: TryAsk, common: Common) -> Iterator[Struct]:
     """See the exact answer to one case, and what your file answers.
 
@@ -89,40 +70,32 @@ def try_(words: tuple[str, ...], ask: TryAsk, common: Common) -> Iterator[Struct
 
     Exit status: 0 accepted or no FILE, 1 not accepted, 2 usage or an invalid case, 3 a fault of the judge.
     """
-    meant = _meant(_arguments(words), common)
-    problem, page = meant.problem, ask.page or (_PAGE if ask.opened else None)
-    wanted: list[tuple[OutFile, Callable[[CaseTried | None], str]]] = []
-    if page:
-        target = OutFile(page, "--out", "page of judge try", lambda start: _PAGE_MARK in start)
-        wanted.append((target, partial(_page, problem)))
-    if ask.svg:
-        wanted.append((svg_target(ask.svg), _svg))
-    if ask.test:
-        target = OutFile(ask.test, "--pytest", "file of such tests", lambda start: start.startswith(MARK))
-        wanted.append((target, partial(_test, ask.test)))
-    for target, _ in wanted:
-        target.check()
+    problem, case, group, file = _meant(_arguments(words), common)
+    page = ask.page or (_PAGE if ask.opened else None)
+    wanted: list[tuple[OutFile, Callable[[Path, Problem, CaseTried | None], str]]] = [
+        (OutFile(page, "--out", "page of judge try", lambda start: _PAGE_MARK in start), _page),
+        (svg_target(ask.svg), _svg),
+        (OutFile(ask.test, "--pytest", "file of such tests", lambda start: start.startswith(MARK)), _test),
+    ]
     found = None
-    if meant.case is not None:
-        tried = try_case(problem, meant.case, meant.group)
-        found = CaseTried(tried, _said(tried, meant.file, common) if meant.file else None)
+    if case is not None:
+        tried = try_case(problem, case, group)
+        found = CaseTried(tried, _said(tried, file, common) if file else None)
     elif not page or ask.svg or ask.test:
         raise UsageError(f'Give a case: judge try {problem.id} "{example_of(problem)}"')
-    content = [make(found) for _, make in wanted]
+    written = [
+        (target, target.path, make(target.path, problem, found)) for target, make in wanted if target.path
+    ]
     if found:
         yield found
-    for (target, _), text in zip(wanted, content, strict=True):
+    for target, path, text in written:
         target.write(text.encode())
-        yield PageWritten(problem=problem.id, file=str(target.path))
+        yield PageWritten(problem=problem.id, file=str(path))
     if ask.opened and page:
-        _open(page)
+        import webbrowser  # hardly ever
 
-
-def _open(page: Path) -> None:
-    import webbrowser  # hardly ever
-
-    if not webbrowser.open(page.absolute().as_uri()):
-        note(f"No browser was found. Open {page} yourself")
+        if not webbrowser.open(page.absolute().as_uri()):
+            note(f"No browser was found. Open {page} yourself")
 
 
 def _arguments(words: Sequence[str]) -> list[str]:
@@ -133,11 +106,13 @@ def _arguments(words: Sequence[str]) -> list[str]:
     return list(words)
 
 
-def _meant(words: list[str], common: Common) -> _Meant:
+def _meant(words: list[str], common: Common) -> tuple[Problem, Case | None, str, str | None]:
+    """The kata, the case, None where none is named and none has failed, its group, and the file."""
     is_file = words and (is_program(words[-1]) or words[-1].startswith(("/", "./", "../")))
     file = words.pop() if is_file else None
     named = words and words[0][:1].isalpha() and not any(sign in words[0] for sign in ",=([:")
     name = words.pop(0) if named else None
+    problem, group = find_problem(name, common.problems) if name else None, ""
     if words and ":" in words[0]:
         if len(words) > 1:
             raise UsageError("an ID is a case already", where=words[1], remedy="leave one of them out")
@@ -145,38 +120,36 @@ def _meant(words: list[str], common: Common) -> _Meant:
         if name not in (None, problem.id):
             raise UsageError(f"this ID is a case of {problem.id}, not of {name}")
         found = decode(words[0], problem, load_module(problem))
-        return _Meant(problem, found.case, found.group.name, file or _own_file(problem, common))
-    known = find_problem(name, common.problems) if name else None
-    if known is None and file is not None:
-        known = problem_of_file(read_submissions([file])[0], "try", common.problems, common.db)
-    if not words:
-        return _last_failed(known, file, common)
-    problem = known or kata_meant(None, common)
-    return _Meant(problem, read_case(problem, " ".join(words)), "", file or _own_file(problem, common))
+        case, group = found.case, found.group.name
+    else:
+        if problem is None and file is not None:
+            problem = problem_of_file(read_submissions([file])[0], "try", common)
+        if not words:
+            return _last_failed(problem, file, common)
+        problem = problem or kata_meant(None, common)
+        case = read_case(problem, " ".join(words))
+    if file is None:
+        with suppress(UsageError):
+            file = usual_file(problem.id, common.db)
+    return problem, case, group, file
 
 
-def _own_file(problem: Problem, common: Common) -> str | None:
-    """The usual file of the kata in this folder, if it is there."""
-    with suppress(UsageError):
-        return usual_file(problem.id, common.db)
-    return None
-
-
-def _last_failed(problem: Problem | None, file: str | None, common: Common) -> _Meant:
+def _last_failed(
+    problem: Problem | None, file: str | None, common: Common
+) -> tuple[Problem, Case | None, str, str | None]:
     """The case on which a file of that kata failed last; without a kata, one of this folder."""
     with history_at(common.db, reading=True) as history:
         runs = history.runs(problem.id if problem else None)
-    for run in reversed([run for run in runs if run.verdict not in (Verdict.AC, Verdict.JE)]):
-        near = shown(run.path)
-        if problem or near == Path(near).name:
+    for run in reversed(runs):
+        near, failed = shown(run.path), run.verdict not in (Verdict.AC, Verdict.JE)
+        if failed and (problem or near == Path(near).name):
             problem = problem or find_problem(run.problem, common.problems)
-            smallest, first = run.result.counterexample, run.result.failure
-            failure = smallest if smallest is not None and smallest.input is not None else first
-            if failure is None or failure.input is None:
-                break
-            own = file or (near if near and Path(near).is_file() else None)
-            return _Meant(problem, case_of(failure.input), failure.group or "", own)
-    return _Meant(problem or kata_meant(None, common), None)
+            for failure in (run.result.counterexample, run.result.failure):
+                if failure is not None and failure.input is not None:
+                    own = file or (near if near and Path(near).is_file() else None)
+                    return problem, case_of(failure.input), failure.group or "", own
+            break
+    return problem or kata_meant(None, common), None, "", None
 
 
 def _said(tried: Tried, file: str, common: Common) -> Said:
@@ -189,7 +162,7 @@ def _said(tried: Tried, file: str, common: Common) -> Said:
     return said
 
 
-def _page(problem: Problem, found: CaseTried | None) -> str:
+def _page(_path: Path, problem: Problem, found: CaseTried | None) -> str:
     explore = load_module(problem).hooks.explore
     page = explore(problem, problem.named(found.tried.case) if found else None) if explore else None
     if page is None:
@@ -197,9 +170,9 @@ def _page(problem: Problem, found: CaseTried | None) -> str:
     return page
 
 
-def _svg(found: CaseTried | None) -> str:
+def _svg(_path: Path, _problem: Problem, found: CaseTried | None) -> str:
     from judge.drawing.svg import to_svg
-    from judge.report.trying import picture_of
+    from judge.report.cases import picture_of
 
     picture = picture_of(found.tried, found.said, "your case") if found else None
     if picture is None:
@@ -207,7 +180,7 @@ def _svg(found: CaseTried | None) -> str:
     return to_svg(picture)
 
 
-def _test(path: Path, found: CaseTried | None) -> str:
+def _test(path: Path, _problem: Problem, found: CaseTried | None) -> str:
     said = found.said if found else None
     if not found or not said or said.mode is not Mode.FUNCTION or not Path(said.name).is_file():
         raise UsageError("--pytest tests a function", remedy="name a file that defines it")
@@ -221,14 +194,13 @@ def _test(path: Path, found: CaseTried | None) -> str:
 class HackAsk(Struct, frozen=True):
     """What to do about the wrong programs, other than break one."""
 
-    listed: Annotated[bool, opt("--list", help="List the programs, and which ones you broke.")] = False
-    give_up: Annotated[bool, opt("--give-up", help="Name the mistake, and show a smallest case.")] = False
+    listed: bool = opt("--list", "List the programs, and which ones you broke.")
+    give_up: bool = opt("--give-up", "Name the mistake, and show a smallest case.")
 
 
-@command("hack", HackLine, HackList, numbers=True)
+@command("hack", HackLine, HackList, numbers=True, ask=HackAsk)
 @click.argument("name", metavar="KATA")
 @click.argument("words", metavar="[N] [CASE]", nargs=-1, type=click.UNPROCESSED)
-@takes(HackAsk, "ask")
 def hack(name: str, words: tuple[str, ...], ask: HackAsk, common: Common) -> Iterator[Struct]:
     """Find a case on which a wrong program fails.
 
@@ -245,19 +217,18 @@ def hack(name: str, words: tuple[str, ...], ask: HackAsk, common: Common) -> Ite
         raise UsageError(f"{problem.id} has no wrong programs to break", remedy="judge list shows all katas")
     number, text = _number_and_case(problem, _arguments(words))
     hacking = _Hacking(problem, puzzles, common)
-    puzzle = (
-        puzzle_called(puzzles, number, problem.id) if number else hacking.turn(puzzles[0], "shown").following
-    )
-    puzzle = puzzle or puzzles[0]
-    if ask.listed:
-        yield HackStanding(hacking.turn(puzzle, "shown"))
-    elif ask.give_up:
+    if number:
+        puzzle = puzzle_called(puzzles, number, problem.id)
+    else:
+        puzzle = hacking.turn(puzzles[0], "shown").following or puzzles[0]
+    if ask.give_up and not ask.listed:
         yield hacking.given_up(puzzle)
-    elif text is not None:
+    elif text is not None and not ask.listed:
         yield hacking.attempted(puzzle, sys.stdin.read(1 << 16) if text == "-" else text)
     else:
-        yield hacking.turn(puzzle, "shown")
-        asked = not common.json and is_terminal(sys.stdin) and is_terminal(sys.stdout)
+        turn = hacking.turn(puzzle, "listed" if ask.listed else "shown")
+        yield turn
+        asked = not (common.json or ask.listed) and is_terminal(sys.stdin) and is_terminal(sys.stdout)
         while asked and (typed := _typed()):
             try:
                 turn = hacking.attempted(puzzle, typed)
@@ -279,17 +250,14 @@ def _typed() -> str:
 
 def _number_and_case(problem: Problem, words: list[str]) -> tuple[str | None, str | None]:
     """The program that is meant, and the case; None for what was not given."""
-    if not words:
-        return None, None
-    first, text = words[0], " ".join(words)
+    first, text = words[0] if words else "", " ".join(words)
     if first == "-" or any(sign in first for sign in ",=([ "):
         return None, text
-    if len(words) == 1:
-        return first, None
-    with suppress(UsageError):
-        read_case(problem, text)
-        return None, text
-    return first, " ".join(words[1:])
+    if len(words) > 1:
+        with suppress(UsageError):
+            read_case(problem, text)
+            return None, text
+    return first or None, " ".join(words[1:]) or None
 
 
 class _Hacking(Struct, frozen=True):
@@ -309,7 +277,7 @@ class _Hacking(Struct, frozen=True):
                 why = "this is the case that you saw when you gave up"
             self._keep(puzzle, line, Outcome.LOST if why else Outcome.WON)
         Notes().say(found.notes)
-        return self.turn(puzzle, "lost" if why else "won", found.tried, found.said, why)
+        return self.turn(puzzle, "lost" if why else "won", why, found.tried, found.said)
 
     def given_up(self, puzzle: Puzzle) -> HackTurn:
         """The mistake, and a smallest case."""
@@ -317,19 +285,12 @@ class _Hacking(Struct, frozen=True):
 
         tried, said = smallest(self.problem, puzzle, self.common.isolation, progress) or (None, None)
         self._keep(puzzle, line_of(self.problem, tried.case) if tried else "", Outcome.GIVEN_UP)
-        return self.turn(puzzle, "given-up", tried, said)
+        return self.turn(puzzle, "given-up", "", tried, said)
 
-    def turn(
-        self,
-        puzzle: Puzzle,
-        outcome: str,
-        tried: Tried | None = None,
-        said: Said | None = None,
-        why: str = "",
-    ) -> HackTurn:
-        """What is shown of the program, as all of them stand now."""
+    def turn(self, puzzle: Puzzle, outcome: str, *found: Any) -> HackTurn:
+        """What is shown of the program, as all of them stand now; `found` is the rest of a HackTurn."""
         states = hack_states([each.mistake for each in self.puzzles], self._hacks())
-        return HackTurn(self.problem, self.puzzles, states, puzzle, outcome, why, tried, said)
+        return HackTurn(self.problem, self.puzzles, states, puzzle, outcome, *found)
 
     def _keep(self, puzzle: Puzzle, case: str, outcome: Outcome) -> None:
         try:

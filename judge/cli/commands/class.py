@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from contextlib import AbstractContextManager, nullcontext
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING
 
 import click
 from msgspec import Struct
@@ -14,12 +14,12 @@ from msgspec import Struct
 from judge.batch.folder import root_of
 from judge.batch.run import Classroom, class_options
 from judge.batch.store import Store, store_of
-from judge.cli.options import Common, command, opt, takes
-from judge.cli.target import OutFile, moment
+from judge.cli.files import OutFile, moment
+from judge.cli.options import Common, command, opt
 from judge.errors import UsageError, unwritable
 from judge.problem.find import find_problem
 from judge.problem.model import LEVELS
-from judge.report.cohort import ClassLine, ClassRow, Cohort, gradebook, is_gradebook
+from judge.report.published_klass import ClassLine, ClassRow, Cohort, gradebook, is_gradebook
 from judge.report.screen import note
 from judge.report.words import counted
 
@@ -30,50 +30,25 @@ if TYPE_CHECKING:
 class ClassAsk(Struct, frozen=True):
     """How to judge a class, and what to write of it."""
 
-    students: Annotated[
-        Path | None,
-        opt("--students", metavar="CSV", help="The list of the class, with the columns id, name and group."),
-    ] = None
-    jobs: Annotated[
-        int, opt("-j", "--jobs", type=click.IntRange(1, 256), metavar="N", help="Judge N files at once.")
-    ] = 1
-    level: Annotated[
-        str | None,
-        opt(
-            "--level",
-            type=click.Choice(LEVELS),
-            metavar="|".join(LEVELS),
-            help="Only this level of each kata.",
-        ),
-    ] = None
-    again: Annotated[
-        tuple[str, ...],
-        opt("--again", metavar="NAME", help="Judge a student, a kata or a file again (repeatable)."),
-    ] = ()
-    csv: Annotated[
-        Path | None, opt("--csv", metavar="FILE", help="Write the gradebook, a line a student.")
-    ] = None
-    html: Annotated[
-        Path | None,
-        opt("--html", metavar="FILE", help="Write one page of it all, with a picture of each mistake."),
-    ] = None
-    feedback: Annotated[
-        Path | None, opt("--feedback", metavar="DIR", help="Write a page for each student into this folder.")
-    ] = None
-    where: Annotated[
-        str | None,
-        opt(
-            "--on",
-            metavar="WHERE",
-            help="Judge with the workers of a dask scheduler: tls://HOST:PORT, or its file.",
-        ),
-    ] = None
+    students: Path | None = opt(
+        "--students CSV", "The list of the class, with the columns id, name and group."
+    )
+    jobs: int = opt("-j --jobs N", "Judge N files at once.", type=click.IntRange(1, 256), default=1)
+    level: str | None = opt("--level", "Only this level of each kata.", choices=LEVELS)
+    again: tuple[str, ...] = opt(
+        "--again NAME", "Judge a student, a kata or a file again (repeatable).", default=()
+    )
+    csv: Path | None = opt("--csv FILE", "Write the gradebook, a line a student.")
+    html: Path | None = opt("--html FILE", "Write one page of it all, with a picture of each mistake.")
+    feedback: Path | None = opt("--feedback DIR", "Write a page for each student into this folder.")
+    where: str | None = opt(
+        "--on WHERE", "Judge with the workers of a dask scheduler: tls://HOST:PORT, or its file."
+    )
 
 
-@command("class", ClassRow, ClassLine)
+@command("class", ClassRow, ClassLine, ask=ClassAsk)
 @click.argument("folder", metavar="FOLDER", type=click.Path(path_type=Path))
 @click.argument("katas", metavar="[KATA]...", nargs=-1)
-@takes(ClassAsk, "ask")
 def judge_class(
     folder: Path, katas: tuple[str, ...], ask: ClassAsk, common: Common
 ) -> Iterator[ClassRow | Cohort]:
@@ -91,16 +66,19 @@ def judge_class(
     root_of(folder)  # before a file is made beside it
     for each in katas:
         find_problem(each, common.problems)
-    files = _Files(ask, folder)
+    csv = OutFile(ask.csv, "--csv", "gradebook", is_gradebook)
+    html = OutFile(ask.html, "--html", "page of a class", partial(_is_page, "CLASS"))
+    if ask.html or ask.feedback:
+        moment()  # what cannot be written is said before anything is judged
+    if ask.feedback:
+        try:
+            ask.feedback.mkdir(exist_ok=True)
+        except OSError as fault:
+            raise unwritable(ask.feedback, fault, "name another folder with --feedback") from fault
     with Store.open(store_of(folder)) as store:
+        options, problems = class_options(common.isolation, ask.level), common.problems
         classroom = Classroom(
-            folder,
-            store,
-            class_options(common.isolation, ask.level),
-            students=ask.students,
-            only=katas,
-            folders=common.problems,
-            say=note,
+            folder, store, options, students=ask.students, only=katas, folders=problems, say=note
         )
         try:
             with _executor(ask, common.isolation) as executor:
@@ -114,7 +92,9 @@ def judge_class(
             raise
         found = classroom.cohort()
         yield found
-        files.write(classroom, found)
+        csv.write(gradebook(found))
+        if ask.html or ask.feedback:
+            _write_pages(classroom, found, html, ask.feedback, folder.resolve().name or "class")
 
 
 def _executor(ask: ClassAsk, isolation: str | None) -> AbstractContextManager[Executor]:
@@ -128,46 +108,20 @@ def _executor(ask: ClassAsk, isolation: str | None) -> AbstractContextManager[Ex
     return nullcontext(Processes(ask.jobs) if ask.jobs > 1 else Here())
 
 
-class _Files:
-    """The files to write; raises UsageError, before anything is judged, where one cannot be written."""
+def _write_pages(
+    classroom: Classroom, cohort: Cohort, html: OutFile, feedback: Path | None, title: str
+) -> None:
+    """Write the page of the class, and each student's. Raises UsageError."""
+    from judge.report.html.klass import ClassPages
 
-    def __init__(self, ask: ClassAsk, folder: Path) -> None:
-        self._feedback = ask.feedback
-        self._title = folder.resolve().name or "class"
-        self._csv = OutFile(ask.csv, "--csv", "gradebook", is_gradebook) if ask.csv else None
-        self._html = (
-            OutFile(ask.html, "--html", "page of a class", partial(_is_page, "CLASS")) if ask.html else None
-        )
-        for target in (self._csv, self._html):
-            if target:
-                target.check()
-        if ask.html or ask.feedback:
-            moment()
-        if ask.feedback:
-            try:
-                ask.feedback.mkdir(exist_ok=True)
-            except OSError as fault:
-                raise unwritable(ask.feedback, fault, "name another folder with --feedback") from fault
-
-    def write(self, classroom: Classroom, cohort: Cohort) -> None:
-        """Write them. Raises UsageError."""
-        if self._csv:
-            self._csv.write(gradebook(cohort))
-        if not (self._html or self._feedback):
-            return
-        from judge.report.html.klass import class_page, feedback_pages
-
-        results = classroom.results(cohort, everybody=self._feedback is not None)
-        problems, title, generated = classroom.problems(), self._title, moment()
-        if self._html:
-            self._html.write(class_page(cohort, results, problems, title=title, generated=generated))
-        if self._feedback:
-            for name, content in feedback_pages(cohort, results, problems, title=title, generated=generated):
-                target = OutFile(
-                    self._feedback / name, "--feedback", "feedback page", partial(_is_page, "FEEDBACK")
-                )
-                target.check()
-                target.write(content)
+    results = classroom.results(cohort, everybody=feedback is not None)
+    pages = ClassPages(cohort, results, classroom.problems(), title, moment())
+    if html.path:
+        html.write(pages.whole())
+    if feedback:
+        for name, content in pages.students():
+            page = OutFile(feedback / name, "--feedback", "feedback page", partial(_is_page, "FEEDBACK"))
+            page.write(content)
 
 
 def _is_page(kind: str, start: bytes) -> bool:

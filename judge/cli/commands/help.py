@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from contextlib import suppress
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import click
 from msgspec import Struct
@@ -12,10 +12,10 @@ from msgspec.structs import fields
 
 from judge import manual
 from judge.cli.emit import schema_of
-from judge.cli.options import Common, command, opt, takes
+from judge.cli.options import Common, Option, command, opt
 from judge.cli.table import COMMANDS
 from judge.errors import UsageError, nearest
-from judge.report.published import Document, Mention, Mentions, PageShown, PageText, Topics
+from judge.report.published_look import Document, Mention, Mentions, PageShown, PageText, Topics
 from judge.schema import files, schema_of_file
 
 if TYPE_CHECKING:
@@ -27,23 +27,16 @@ _OPTIONS = "options"  # the page that is made of Common
 class HelpAsk(Struct, frozen=True):
     """What to read, besides the manual."""
 
-    schema: Annotated[
-        str | None, opt("--schema", metavar="COMMAND", help="The JSON Schema of what it writes with --json.")
-    ] = None
-    completion: Annotated[
-        str | None,
-        opt(
-            "--completion",
-            metavar="SHELL",
-            type=click.Choice(("bash", "zsh", "fish")),
-            help="The script with which bash, zsh or fish completes words: put it into its settings.",
-        ),
-    ] = None
+    schema: str | None = opt("--schema COMMAND", "The JSON Schema of what it writes with --json.")
+    completion: str | None = opt(
+        "--completion SHELL",
+        "The script with which bash, zsh or fish completes words: put it into its settings.",
+        choices=("bash", "zsh", "fish"),
+    )
 
 
-@command("help", PageText, Mention)
+@command("help", PageText, Mention, ask=HelpAsk)
 @click.argument("words", metavar="[TOPIC|WORDS]...", nargs=-1)
-@takes(HelpAsk, "ask")
 @click.pass_context
 def read(context: click.Context, words: tuple[str, ...], ask: HelpAsk, common: Common) -> Struct:
     """Read the manual, or search it.
@@ -104,7 +97,7 @@ def _common_options() -> str:
     """The page of the options of every command."""
     rows = []
     for field in fields(Common):
-        option = field.type.__metadata__[0]
+        option = cast("Option", field.default_factory)
         shown = " ".join(filter(None, (*option.names, option.settings.get("metavar"))))
         rows.append(f"- `{shown}`: {option.settings['help']}")
     rows.append("- `--debug`: Show the traceback of a fault.")

@@ -2,25 +2,22 @@
 
 from __future__ import annotations
 
-import contextlib
 from difflib import unified_diff
-from itertools import count
 from pathlib import Path
-from typing import Annotated
 
 import click
 from msgspec import Struct
 
-from judge.cli.kept import history_at
-from judge.cli.options import Common, command, opt, takes
-from judge.cli.resolve import shown
-from judge.cli.target import check_place
+from judge.cli.files import check_place
+from judge.cli.options import Common, command, opt
+from judge.cli.resolve import history_at, shown
 from judge.errors import UsageError, unwritable
 from judge.files import new_file, read_ordinary, replace_file
 from judge.practice.events import Run
 from judge.practice.history import History
 from judge.problem.find import find_problem
-from judge.report.published_practice import GroupChange, Restored, RunList, RunRow, RunsCompared, RunShown
+from judge.report.published_practice import GroupChange, Restored, RunList, RunRow, RunsCompared
+from judge.report.views import copied
 
 _ON_SCREEN = 18  # runs, unless it is said how many
 
@@ -28,17 +25,14 @@ _ON_SCREEN = 18  # runs, unless it is said how many
 class HistoryAsk(Struct, frozen=True):
     """What to show of the runs."""
 
-    limit: Annotated[
-        int | None, opt("--limit", type=click.IntRange(1), metavar="N", help="Only the last N runs.")
-    ] = None
-    csv: Annotated[bool, opt("--csv", help="Write CSV, one run a line.")] = False
-    restore: Annotated[bool, opt("--restore", help="Write the source of that RUN to its file again.")] = False
-    out: Annotated[Path | None, opt("--out", metavar="FILE", help="Restore it to this file instead.")] = None
+    limit: int | None = opt("--limit N", "Only the last N runs.", type=click.IntRange(1))
+    csv: bool = opt("--csv", "Write CSV, one run a line.")
+    restore: bool = opt("--restore", "Write the source of that RUN to its file again.")
+    out: Path | None = opt("--out FILE", "Restore it to this file instead.")
 
 
-@command("history", RunRow, RunsCompared, Restored)
+@command("history", RunRow, RunsCompared, Restored, ask=HistoryAsk)
 @click.argument("words", metavar="[KATA|RUN [RUN]]", nargs=-1)
-@takes(HistoryAsk, "ask")
 def history(words: tuple[str, ...], ask: HistoryAsk, common: Common) -> Struct:
     """Show your runs, one run, or what changed between two.
 
@@ -65,7 +59,7 @@ def history(words: tuple[str, ...], ask: HistoryAsk, common: Common) -> Struct:
         runs = [(found.run(number), found.source(number)) for number in numbers]
     if ask.restore:
         return _restored(*runs[0], ask.out)
-    return _compared(*runs) if len(runs) == 2 else RunShown(runs[0][0])
+    return _compared(*runs) if len(runs) == 2 else copied(RunRow, runs[0][0])
 
 
 def _listed(name: str, ask: HistoryAsk, common: Common, history: History) -> RunList:
@@ -87,32 +81,31 @@ def _compared(first: tuple[Run, bytes], second: tuple[Run, bytes]) -> RunsCompar
     if before.problem != after.problem:
         what = f"run {before.id} is of {before.problem}, run {after.id} of {after.problem}"
         raise UsageError(what, remedy="name two runs of one kata")
-    names = dict.fromkeys((*before.passed, *before.failed, *after.passed, *after.failed))
-    groups = [GroupChange(name, _ended(before, name), _ended(after, name)) for name in names]
-    texts = (source.decode("utf-8", "backslashreplace").splitlines() for source in (old, new))
+    ended, now = (
+        dict.fromkeys(run.passed, "passed") | dict.fromkeys(run.failed, "failed") for run in (before, after)
+    )
+    old_lines, new_lines = (text.decode("utf-8", "backslashreplace").splitlines() for text in (old, new))
+    diff = unified_diff(old_lines, new_lines, f"run {before.id}", f"run {after.id}", lineterm="")
     return RunsCompared(
         problem=before.problem,
         before=before.id,
         after=after.id,
         verdicts=(before.verdict, after.verdict),
         scores=(before.score, after.score),
-        groups=tuple(each for each in groups if each.before != each.after),
-        diff=tuple(
-            unified_diff(next(texts), next(texts), f"run {before.id}", f"run {after.id}", lineterm="")
+        groups=tuple(
+            GroupChange(name, ended.get(name), now.get(name))
+            for name in ended | now
+            if ended.get(name) != now.get(name)
         ),
+        diff=tuple(diff),
     )
-
-
-def _ended(run: Run, group: str) -> str | None:
-    return "passed" if group in run.passed else "failed" if group in run.failed else None
 
 
 def _restored(run: Run, source: bytes, target: Path | None) -> Restored:
     """Write the source of that run to `target`, or to where it was; what is there is kept beside it."""
-    if target is None:
-        if not run.path:
-            raise UsageError(f"run {run.id} judged no ordinary file", remedy="name one with --out FILE")
-        target = Path(run.path)
+    if target is None and not run.path:
+        raise UsageError(f"run {run.id} judged no ordinary file", remedy="name one with --out FILE")
+    target = target or Path(run.path)
     check_place(target, "--out")
     kept = None
     try:
@@ -136,9 +129,12 @@ def _restored(run: Run, source: bytes, target: Path | None) -> Restored:
 
 def _kept_beside(path: Path, content: bytes) -> Path:
     """A new file with that content, FILE.bak or the next free name. Raises OSError."""
-    for number in count():
+    number = 0
+    while True:
         beside = path.with_name(f"{path.name}.bak{number or ''}")
-        with contextlib.suppress(FileExistsError):
+        try:
             new_file(beside, content)
+        except FileExistsError:
+            number += 1
+        else:
             return beside
-    raise AssertionError

@@ -1,42 +1,53 @@
-"""`judge interview`: some cards, a kata whose file is judged on every save, more cards, and a page."""
+"""`judge quiz` and `judge interview`: cards, asked again before they are forgotten; with a kata between them.
+
+Answers come from a terminal or from a pipe, one a line.
+"""
 
 from __future__ import annotations
 
+import secrets
 import select
 import sys
 from collections.abc import Iterator, Sequence
 from contextlib import closing, suppress
 from pathlib import Path
 from time import monotonic
-from typing import Annotated
+from typing import TYPE_CHECKING
 
 import click
 from msgspec import Struct
 
-from judge.cli.asking import Round, StoppedError
-from judge.cli.commands.quiz import new_seed, shown_cards
-from judge.cli.kept import history_at
-from judge.cli.options import Common, command, opt, takes
-from judge.cli.submissions import read_submissions
-from judge.cli.target import OutFile
-from judge.cli.watching import Kata, WatchedFile
-from judge.cli.wish import Wish
-from judge.judging.api import RunOptions
+from judge.cli.files import OutFile, read_submissions
+from judge.cli.options import Common, command, opt
+from judge.cli.resolve import Kata, history_at
+from judge.errors import ProblemError, UsageError, nearest
 from judge.languages import file_name
-from judge.practice.cards import Card
-from judge.practice.events import Answer, Help, now
-from judge.practice.questions import Sources
-from judge.practice.quiz import Held, plan, to_practise, usual_kata
+from judge.practice import events
+from judge.practice.cards import Card, MistypedError, all_cards, cards_of
+from judge.practice.events import Answer, Help, Rating, Run
+from judge.practice.history import History
+from judge.practice.questions import Question, Reply, Sources
+from judge.practice.questions import ask as asked_of
+from judge.practice.quiz import Held, next_cards, next_due, plan, to_practise, usual_kata
 from judge.practice.review import card_reviews
 from judge.practice.stub import write_stub
-from judge.practice.syllabus import USUAL
-from judge.problem.find import find_problem
-from judge.report import quiz
-from judge.report.judged import Judged, judged
-from judge.report.published_quiz import Interviewed, interviewed
+from judge.practice.syllabus import FIRST, USUAL, find_row, read_checklist
+from judge.problem.find import find_problem, problem_folders
+from judge.report import quiz as texts
+from judge.report.published_quiz import CardList, CardRow, Interviewed, Quizzed, interviewed, quizzed
 from judge.report.screen import Screen, drawn, err, is_terminal, note, out, show
 from judge.report.wait import progress
 
+if TYPE_CHECKING:
+    from rich.console import RenderableType
+
+    from judge.cli.watching import WatchedFile
+
+_STOP = ("q", "quit")
+_UNKNOWN = "?"
+_LONGEST = 10_000  # characters of a line
+_KEPT = 400  # of them in the history
+_RATINGS = {str(int(rating)): rating for rating in Rating} | {each.name.lower(): each for each in Rating}
 _LAST = 0.1  # of the time, kept for the cards after the kata
 _LOOK = 0.5  # seconds between two looks at the file
 _ENTER = "An empty line has the file judged, q goes on"
@@ -44,31 +55,186 @@ _MOST = 15  # questions of the page
 _TITLE, _PAGE_WIDTH = "\nThe interview", 80
 
 
+class QuizAsk(Struct, frozen=True):
+    """Which cards to ask."""
+
+    cards: int = opt("--cards N", "How many cards; 10.", type=click.IntRange(1, 1000), default=10)
+    question: str | None = opt(
+        "--question ID", "Only this question of the checklist, or this card; due or not."
+    )
+    listed: bool = opt("--list", "List the cards instead of asking them.")
+    seed: int | None = opt("--seed N", "Repeat the figures of this seed.", type=click.IntRange(0))
+
+
+@command("quiz", CardRow, Quizzed, ask=QuizAsk)
+@click.argument("name", metavar="[SET]", required=False)
+def quiz(name: str | None, ask: QuizAsk, common: Common) -> Iterator[Struct]:
+    """Ask short questions that need no code.
+
+    First the cards of SET that are due, then new ones. Without a SET the new ones are of the set you are in.
+    You type one line; ? means "I do not know". What you say in your own words you compare with a model
+    answer, and rate. q, Ctrl-D and Ctrl-C stop. Your answers are kept, and decide when a card comes again.
+
+    Answers may also come from a pipe, one a line. With --json the questions go to standard error.
+    """
+    cards = _narrowed(shown_cards(name or USUAL, common.problems), ask.question, common.problems)
+    with history_at(common.db, reading=ask.listed) as history:
+        answered, today = card_reviews(history.events(Answer)), events.now().astimezone()
+        if ask.listed:
+            yield CardList(tuple(cards), {review.name: review for review in answered}, today)
+            return
+        own = name or _own_set(history.runs(), common.problems)
+        chosen = next_cards(cards, answered, today, own=own, ahead=ask.question is not None)[: ask.cards]
+        asking = Round(ask.seed, history, common)
+        if not chosen:
+            yield quizzed((), (), asking.sources.seed, next_due(cards, answered))
+            return
+        try:
+            with suppress(StoppedError):
+                for card in chosen:
+                    asking.ask(card, len(chosen))
+        finally:  # after Ctrl-C too
+            yield quizzed(asking.asked, to_practise(asking.missed, common.problems), asking.sources.seed)
+
+
+def shown_cards(name: str, folders: Sequence[Path]) -> list[Card]:
+    """The cards of a set or deck whose problems are here.
+
+    Raises UsageError where nothing is called so, ProblemError where a deck is broken.
+    """
+    cards = cards_of(name, all_cards(folders), folders)
+    here = {folder.name for folder in problem_folders(folders)}
+    return [card for card in cards if not card.problem or card.problem in here]
+
+
+def _narrowed(cards: list[Card], question: str | None, folders: Sequence[Path]) -> list[Card]:
+    """The cards of that question, or the one card of that name. Raises UsageError."""
+    if question is None:
+        return cards
+    if "/" in question:
+        found = [card for card in cards if card.key == question]
+        near = nearest(question, [card.key for card in cards])
+        what = f"There is no card {question!r}"
+        remedy = f"did you mean {near!r}?" if near else "judge quiz --list lists them"
+    else:
+        wanted = find_row(question, read_checklist(folders).rows).id
+        found = [card for card in cards if wanted in card.rows]
+        what, remedy = f"No card asks {wanted!r}", f"see: judge progress --question {wanted}"
+    if not found:
+        raise UsageError(what, remedy=remedy)
+    return found
+
+
+def _own_set(runs: Sequence[Run], folders: Sequence[Path]) -> str:
+    """The set of the kata that was judged last; the first steps for a newcomer."""
+    last = next((run.problem for run in reversed(runs) if run.counts), None)
+    if last is not None:
+        with suppress(UsageError, ProblemError):
+            return next((name for name in find_problem(last, folders).sets if name != USUAL), FIRST)
+    return FIRST
+
+
+class StoppedError(Exception):
+    """The person has had enough: `q`, Ctrl-D, the end of a pipe."""
+
+
+class Round:
+    """Cards that are asked in turn on one screen; `asked` has each that was answered, with its rating."""
+
+    def __init__(self, seed: int | None, history: History, common: Common) -> None:
+        seed = secrets.randbits(32) if seed is None else seed
+        self.sources = Sources(common.problems, seed, progress)
+        self.screen = err() if common.json else out()
+        self.asked: list[tuple[Question, Rating]] = []
+        self._history = history
+
+    def ask(self, card: Card, count: int) -> None:
+        """Ask the next of `count` cards, keep the answer, and say what it came to. Raises StoppedError.
+
+        A card whose figure cannot be made costs a note.
+        """
+        try:
+            asked = asked_of(card, self.sources, str(len(self.asked)))
+        except ProblemError as fault:
+            note(f"a card is left out: {fault}")
+            return
+        self.show(texts.question(asked, f"Question {len(self.asked) + 1} of {count}", self.screen))
+        given, found, rating = self._rated(asked) if asked.check is None else self._checked(asked)
+        self._history.keep(Answer(card.key, card.form, rating, asked.check is not None, given[:_KEPT]))
+        self.asked.append((asked, rating))
+        self.show(texts.reply(asked, found, rating))
+
+    @property
+    def missed(self) -> Sequence[Card]:
+        """The cards that were not remembered well."""
+        return [asked.card for asked, rating in self.asked if rating in (Rating.AGAIN, Rating.HARD)]
+
+    def show(self, what: RenderableType) -> None:
+        """Draw something between the questions."""
+        show(what, self.screen)
+
+    def typed(self, asks: str = "") -> str:
+        """The next line of standard input, after a prompt. Raises StoppedError."""
+        if asks:
+            self.screen.write(texts.prompt(asks, self.screen))
+        text = ""  # if it cannot be read, or was closed: nobody types there
+        try:
+            buffer = getattr(sys.stdin, "buffer", None)
+            line = buffer.readline(_LONGEST) if buffer else sys.stdin.readline(_LONGEST)
+            text = line.decode("utf-8", "replace") if isinstance(line, bytes) else line
+        except UnicodeDecodeError:  # of a stream that has no bytes to decode anew
+            text = "\ufffd"
+        except (OSError, ValueError):
+            pass
+        finally:  # Ctrl-C and Ctrl-D leave the line of the prompt open, and a pipe is not seen at all
+            if asks and not (text and is_terminal(sys.stdin)):
+                self.screen.write("\n")
+        if not text or text.strip().lower() in _STOP:
+            raise StoppedError
+        return text.strip()
+
+    def _checked(self, asked: Question) -> tuple[str, Reply | None, Rating]:
+        """What was typed, what it comes to, and the rating of that."""
+        assert asked.check is not None
+        while True:
+            typed = self.typed(f"Answer ({asked.expects}): ")
+            if typed == _UNKNOWN:
+                return "", None, Rating.AGAIN
+            try:
+                if not typed:
+                    raise MistypedError(f"Type {asked.expects}; ? if you do not know, q to stop")
+                found = asked.check(typed)
+            except MistypedError as fault:
+                self.show(texts.mistyped(str(fault)))
+                continue
+            return found.given, found, Rating.GOOD if found.right else Rating.AGAIN
+
+    def _rated(self, asked: Question) -> tuple[str, Reply | None, Rating]:
+        """What was typed, and how the person rates it beside the model answer."""
+        typed = self.typed(f"{asked.expects}: ")
+        self.show(texts.model(asked))
+        if typed == _UNKNOWN:
+            return "", None, Rating.AGAIN
+        while True:
+            with suppress(KeyError):
+                return typed, None, _RATINGS[self.typed(texts.RATE).lower()]
+            self.show(texts.mistyped("Type 1, 2, 3 or 4"))
+
+
 class InterviewAsk(Struct, frozen=True):
     """How to hold it."""
 
-    minutes: Annotated[
-        int, opt("--minutes", type=click.IntRange(1, 600), metavar="N", help="How long it takes; 30.")
-    ] = 30
-    kata: Annotated[str | None, opt("--kata", metavar="KATA", help="The kata to solve.")] = None
-    file: Annotated[
-        str | None,
-        opt(
-            "--file",
-            metavar="FILE",
-            type=click.Path(dir_okay=False),
-            help="Your file for it, instead of a new one.",
-        ),
-    ] = None
-    out: Annotated[Path | None, opt("--out", metavar="FILE", help="Write the last page there too.")] = None
-    seed: Annotated[
-        int | None, opt("--seed", type=click.IntRange(0), hidden=True, help="Repeat these figures.")
-    ] = None
+    minutes: int = opt("--minutes N", "How long it takes; 30.", type=click.IntRange(1, 600), default=30)
+    kata: str | None = opt("--kata KATA", "The kata to solve.")
+    file: str | None = opt(
+        "--file FILE", "Your file for it, instead of a new one.", type=click.Path(dir_okay=False)
+    )
+    out: Path | None = opt("--out FILE", "Write the last page there too.")
+    seed: int | None = opt("--seed N", "Repeat these figures.", type=click.IntRange(0), hidden=True)
 
 
-@command("interview", Interviewed)
+@command("interview", Interviewed, ask=InterviewAsk)
 @click.argument("name", metavar="[SET]", default=USUAL)
-@takes(InterviewAsk, "ask")
 def interview(name: str, ask: InterviewAsk, common: Common) -> Iterator[Interviewed]:
     """Hold a mock interview.
 
@@ -79,69 +245,65 @@ def interview(name: str, ask: InterviewAsk, common: Common) -> Iterator[Intervie
 
     Answers may also come from a pipe, one a line. With --json the questions go to standard error.
     """
-    cards = shown_cards(name, common.problems)
-    page = OutFile(ask.out, "--out", "page of an interview", _is_page) if ask.out else None
-    if page:
-        page.check()
+    cards, folders = shown_cards(name, common.problems), common.problems
+    page = OutFile(ask.out, "--out", "page of an interview", lambda start: start.startswith(_TITLE.encode()))
     with history_at(common.db) as history:
-        today = now().astimezone()
-        problem = (
-            find_problem(ask.kata, common.problems)
-            if ask.kata
-            else usual_kata(name, history.runs(), history.events(Help), today, common.problems)
-        )
+        today = events.now().astimezone()
+        if ask.kata:
+            problem = find_problem(ask.kata, folders)
+        else:
+            problem = usual_kata(name, history.runs(), history.events(Help), today, folders)
         if ask.file is not None:
             read_submissions([ask.file])  # whether it is there is said before the first card
-        seed = new_seed() if ask.seed is None else ask.seed
         path = ask.file or file_name(f"{problem.id.replace('-', '_')}_interview")
-        asking = Round(Sources(common.problems, seed, progress), history, err() if common.json else out())
-        sitting = _Sitting(ask, common, asking, Kata(problem, Path(path).absolute()))
+        held = _Interview(ask, history, common, Kata(problem, Path(path).absolute()))
         planned = plan(cards, ask.minutes, card_reviews(history.events(Answer)), today)
-        asking.show(quiz.opening(ask.minutes, planned, sitting.held))
+        held.show(texts.opening(ask.minutes, planned, held.held))
         try:
             with suppress(StoppedError):
-                sitting.ask(planned.before, planned.count)
-                sitting.solve()
-                sitting.ask(planned.after, planned.count)
+                held.ask_all(planned.before, planned.count)
+                held.solve()
+                held.ask_all(planned.after, planned.count)
         finally:  # after Ctrl-C too
-            found = sitting.page()
-            if page:
+            found = held.page()
+            if page.path:
                 plain = Screen(sys.stdout, False, _PAGE_WIDTH)
-                page.write(drawn(quiz.interviewed(found, plain), plain).encode())
+                page.write(drawn(texts.interviewed(found, plain), plain).encode())
             yield found
 
 
-def _is_page(start: bytes) -> bool:
-    return start.startswith(_TITLE.encode())
-
-
-class _Sitting:
+class _Interview(Round):
     """An interview that is being held."""
 
-    def __init__(self, ask: InterviewAsk, common: Common, asking: Round, kata: Kata) -> None:
+    def __init__(self, ask: InterviewAsk, history: History, common: Common, kata: Kata) -> None:
+        super().__init__(ask.seed, history, common)
         self.held = Held(kata.problem, kata.name)
-        self._wanted, self._common, self._asking, self._kata = ask, common, asking, kata
+        self._wanted, self._common, self._kata = ask, common, kata
         self._begun = monotonic()
 
     def _left(self, kept: float = 0.0) -> float:
         """The seconds that are left, when a part of the whole is kept for later."""
         return self._begun + self._wanted.minutes * 60 * (1 - kept) - monotonic()
 
-    def ask(self, cards: Sequence[Card], count: int) -> None:
+    def ask_all(self, cards: Sequence[Card], count: int) -> None:
         """Ask the cards. Raises StoppedError, also once the time is over."""
         for card in cards:
             if self._left() <= 0:
                 raise StoppedError
-            self._asking.ask(card, count)
+            self.ask(card, count)
 
     def solve(self) -> None:
         """Have the kata solved: its file judged on every save, and on each empty line.
 
         A file that was named is judged once without being asked for; from a pipe that is all.
         """
+        from judge.cli.judging import Wish
+        from judge.cli.watching import WatchedFile
+        from judge.judging.api import RunOptions
+
         if self._left() <= 0:
             raise StoppedError
-        self._asking.show(quiz.kata(self.held, max(0, int(self._left(_LAST) // 60))))
+        self.show(texts.kata(self.held, max(0, int(self._left(_LAST) // 60))))
         if not self._kata.path.exists():
             write_stub(self._kata.problem, self._kata.path)
         person = is_terminal(sys.stdin)
@@ -156,9 +318,12 @@ class _Sitting:
                     if self._is_asked(watched, left) if person else self._is_told(watched):
                         self._judge(watched)
                 if not self.held.solved:
-                    self._asking.show(quiz.time_over())
+                    self.show(texts.time_over())
 
     def _judge(self, watched: WatchedFile) -> None:
+        from judge.report.published_result import Judged
+        from judge.report.result import judged
+
         found = watched.judge()
         if isinstance(found, str):
             note(found)
@@ -166,40 +331,38 @@ class _Sitting:
         if self._common.json:
             note(f"{found.result.submission}: {found.result.verdict.value}")
         else:
-            screen = self._asking.screen
-            shown = Judged(found.result, found.source, found.problem, found, commands=False)
-            show(judged(shown, screen), screen)
-            self._asking.screen.write("\n")
+            shown = Judged(found.result, found.source, found.problem, found.rows, commands=False)
+            self.show(judged(shown, self.screen))
+            self.screen.write("\n")
         self.held = self.held.after(found.result)
 
     def _is_told(self, watched: WatchedFile) -> bool:
         """Wait for an empty line of a pipe; True. Raises StoppedError at its end."""
-        while self._asking.typed():
+        while self.typed():
             note(_ENTER)
         watched.saved()
         return True
 
     def _is_asked(self, watched: WatchedFile, seconds: float) -> bool:
         """Wait for a save or an empty line; False where the time is over first. Raises StoppedError."""
-        screen, end = self._asking.screen, monotonic() + seconds
-        screen.write(quiz.prompt(quiz.SAVE, screen))
+        end, prompt = monotonic() + seconds, texts.prompt(texts.SAVE, self.screen)
+        self.screen.write(prompt)
         while monotonic() < end:
             if select.select([sys.stdin], [], [], _LOOK)[0]:
-                if not self._asking.typed():
+                if not self.typed():
                     watched.saved()
                     return True
-                self._asking.show(quiz.mistyped(_ENTER))
-                screen.write(quiz.prompt(quiz.SAVE, screen))
+                self.show(texts.mistyped(_ENTER))
+                self.screen.write(prompt)
             if watched.saved():
-                screen.write("\n")
+                self.screen.write("\n")
                 return True
-        screen.write("\n")
+        self.screen.write("\n")
         return False
 
     def page(self) -> Interviewed:
         """How it went, and what to practise: what the cards and the kata's last run left open."""
         folders, whole = self._common.problems, self._wanted.minutes
-        practise = to_practise(self._asking.missed, folders, self.held.questions(folders))[:_MOST]
+        practise = to_practise(self.missed, folders, self.held.questions(folders))[:_MOST]
         taken = min(whole - int(self._left() // 60), whole)
-        seed = self._asking.sources.seed
-        return interviewed(self.held, self._asking.asked, practise, (max(taken, 1), whole), seed)
+        return interviewed(self.held, self.asked, practise, (max(taken, 1), whole), self.sources.seed)

@@ -4,21 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from pathlib import Path
-from typing import Annotated
 
 import click
 from msgspec import Struct
 
-from judge.cli.kept import history_at
-from judge.cli.options import Common, command, opt, takes
-from judge.cli.resolve import current, this_folder
+from judge.cli.options import Common, command, opt
+from judge.cli.resolve import current, history_at, this_folder
 from judge.errors import ProblemError, StoreError, UsageError, nearest
 from judge.practice.progress import levels, solved, stars, tried
 from judge.practice.syllabus import USUAL, sound_sets
 from judge.problem.find import find_problem, listed_problems
 from judge.problem.model import Listed
-from judge.report.published import KataInFull, KataList, KataRow, KataShown, SetRow, kata_row
+from judge.report.published_look import KataInFull, KataList, KataRow, KataShown, SetRow
 from judge.report.screen import note
+from judge.report.views import copied
 
 _OTHERS = "others"  # the set of the katas that are in none
 
@@ -26,13 +25,12 @@ _OTHERS = "others"  # the set of the katas that are in none
 class ListAsk(Struct, frozen=True):
     """What to list."""
 
-    todo: Annotated[bool, opt("--todo", help="Only the katas that you have not solved.")] = False
-    whole: Annotated[bool, opt("--all", help="Every set, or all katas of the SET.")] = False
+    todo: bool = opt("--todo", "Only the katas that you have not solved.")
+    whole: bool = opt("--all", "Every set, or all katas of the SET.")
 
 
-@command("list", KataRow)
+@command("list", KataRow, ask=ListAsk)
 @click.argument("name", metavar="[SET]", required=False)
-@takes(ListAsk, "ask")
 def list_katas(name: str | None, ask: ListAsk, common: Common) -> KataList:
     """List the katas by set.
 
@@ -70,8 +68,21 @@ def _rows(problems: Sequence[Listed], db: Path | None) -> tuple[tuple[KataRow, .
         note(str(fault))
         runs, taken_up = [], None
     done, won = solved(runs), stars(levels(problems, tried(runs)))
-    rows = tuple(kata_row(each, solved=each.id in done, stars=won[each.id]) for each in problems)
+    rows = tuple(_row(each, solved=each.id in done, stars=won[each.id]) for each in problems)
     return rows, taken_up.problem if taken_up else ""
+
+
+def _row(problem: Listed, *, solved: bool, stars: int) -> KataRow:
+    return copied(
+        KataRow,
+        problem,
+        problem=problem.id,
+        groups=len(problem.groups),
+        cases=sum(group.count for group in problem.groups),
+        points=sum(group.points for group in problem.groups),
+        solved=solved,
+        stars=stars,
+    )
 
 
 def _sets(
@@ -96,15 +107,12 @@ def _opened(sets: Sequence[SetRow], rows: Sequence[KataRow], at: str) -> str:
 class ShowAsk(Struct, frozen=True):
     """What to show of a kata."""
 
-    groups: Annotated[
-        bool, opt("--groups", help="What each test group tests, and the mistakes that it finds.")
-    ] = False
-    opened: Annotated[bool, opt("--open", help="Open the statement's figure in the browser.")] = False
+    groups: bool = opt("--groups", "What each test group tests, and the mistakes that it finds.")
+    opened: bool = opt("--open", "Open the statement's figure in the browser.")
 
 
-@command("show", KataInFull)
+@command("show", KataInFull, ask=ShowAsk)
 @click.argument("name", metavar="KATA")
-@takes(ShowAsk, "ask")
 def show(name: str, ask: ShowAsk, common: Common) -> KataShown:
     """Show a kata: its statement, its examples and what it allows.
 

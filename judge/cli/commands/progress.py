@@ -4,15 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Annotated
 
 import click
 from msgspec import Struct
 
-from judge.cli.kept import history_at
-from judge.cli.options import Common, command, opt, takes
-from judge.cli.resolve import shown
-from judge.cli.target import OutFile, moment
+from judge.cli.files import OutFile, moment
+from judge.cli.options import Common, command, opt
+from judge.cli.resolve import history_at, shown
 from judge.errors import ProblemError, UsageError
 from judge.practice import events
 from judge.practice.cards import known_cards, read_decks
@@ -62,20 +60,17 @@ _PAGE = Path("judge-report.html")
 class ProgressAsk(Struct, frozen=True):
     """What to show of the progress."""
 
-    whole: Annotated[bool, opt("--all", help="List each skill, kata and question.")] = False
-    due: Annotated[bool, opt("--due", help="What to repeat today, and when the rest comes again.")] = False
-    question: Annotated[
-        str | None, opt("--question", metavar="ID", help="One interview question, and what ticks it.")
-    ] = None
-    html: Annotated[bool, opt("--html", help="Write a page that you can send and print.")] = False
-    out: Annotated[Path, opt("--out", metavar="FILE", help=f"Write that page here, not to {_PAGE}.")] = _PAGE
-    person: Annotated[str, opt("--name", metavar="NAME", help="Whose page it is, for its heading.")] = ""
-    opened: Annotated[bool, opt("--open", help="Open the page in the browser.")] = False
+    whole: bool = opt("--all", "List each skill, kata and question.")
+    due: bool = opt("--due", "What to repeat today, and when the rest comes again.")
+    question: str | None = opt("--question ID", "One interview question, and what ticks it.")
+    html: bool = opt("--html", "Write a page that you can send and print.")
+    out: Path = opt("--out FILE", f"Write that page here, not to {_PAGE}.", default=_PAGE)
+    person: str = opt("--name NAME", "Whose page it is, for its heading.", default="")
+    opened: bool = opt("--open", "Open the page in the browser.")
 
 
-@command("progress", ProgressShown, DueShown, QuestionShown, ProgressWritten)
+@command("progress", ProgressShown, DueShown, QuestionShown, ProgressWritten, ask=ProgressAsk)
 @click.argument("name", metavar="[SET]", default=USUAL)
-@takes(ProgressAsk, "ask")
 def progress(name: str, ask: ProgressAsk, common: Common) -> Struct:
     """Show what you can do, what is due, and what comes next.
 
@@ -191,7 +186,6 @@ def _page(ask: ProgressAsk, common: Common) -> ProgressWritten:
     from judge.report.html.learner import MARK, learner_page
 
     target = OutFile(ask.out, "--out", "page of judge progress", lambda start: is_page(start, MARK))
-    target.check()
     with history_at(common.db, reading=True) as history:
         runs = [run for run in history.runs() if run.counts]
         if not runs:

@@ -8,27 +8,22 @@ import random
 import sys
 from collections.abc import Generator, Iterator, Sequence
 from contextlib import closing, nullcontext, suppress
+from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
 
 import click
 from msgspec import Struct
 from msgspec.structs import replace
 
-from judge.cli.duration import seconds_of
-from judge.cli.options import Common, command, opt, takes
-from judge.cli.resolve import Task, resolve
-from judge.cli.submissions import Unjudged
-from judge.cli.target import OutFile, check_svg
-from judge.cli.wish import Wish
+from judge.cli.files import OutFile, Submission, Unjudged, svg_target
+from judge.cli.options import Common, command, opt, seconds_of
+from judge.cli.resolve import Tasks, resolve
 from judge.errors import ExitCode, JudgeError, UsageError, told
 from judge.judging.api import RunOptions
+from judge.problem import Problem
 from judge.problem.model import LEVELS, chosen_groups
-from judge.report.judged import AtLines, Judged, Several
+from judge.report.published_result import AtLines, Judged, Several
 from judge.run.result import Result, judge_fault
-
-if TYPE_CHECKING:
-    from judge.cli.picture import Drawing
 
 _SEEDS = 10**9  # a fresh seed is below it: short enough to be typed again
 TEXT, GITHUB, EDITOR = FORMATS = ("text", "github", "editor")
@@ -37,61 +32,48 @@ TEXT, GITHUB, EDITOR = FORMATS = ("text", "github", "editor")
 class RunAsk(Struct, frozen=True):
     """What to run, and what to show of it; the hidden ones are for scripts."""
 
-    quiet: Annotated[bool, opt("-q", "--quiet", help="Only the verdicts, one line a file.")] = False
-    whole: Annotated[bool, opt("--all", help="Show every test group.")] = False
-    level: Annotated[
-        str | None,
-        opt("--level", type=click.Choice(LEVELS), metavar="|".join(LEVELS), help="Only this level."),
-    ] = None
-    groups: Annotated[tuple[str, ...], opt("--group", metavar="G", help="Only this group; repeatable.")] = ()
-    jobs: Annotated[
-        int,
-        opt("-j", "--jobs", type=click.IntRange(1, 256), metavar="N", help="Judge N files at once."),
-    ] = 1
-    fresh: Annotated[
-        str | None,
-        opt("--fresh", "--for", metavar="TIME", help="Judge on new cases for so long, such as 30s or 2m."),
-    ] = None
-    form: Annotated[
-        str,
-        opt(
-            "--format",
-            metavar="|".join(FORMATS),
-            type=click.Choice(FORMATS),
-            help="github: annotations; editor: lines as compilers write them.",
-        ),
-    ] = TEXT
-    junit: Annotated[
-        Path | None, opt("--junit", metavar="FILE", help="Also write the results as JUnit XML.")
-    ] = None
-    seed: Annotated[int | None, opt("--seed", metavar="N", help="Cases of this seed.", hidden=True)] = None
-    mode: Annotated[
-        str,
-        opt("--mode", type=click.Choice(("program", "auto")), help="program: run it as one.", hidden=True),
-    ] = "auto"
-    svg: Annotated[
-        Path | None, opt("--svg", metavar="FILE", help="Draw the failing case into this file.", hidden=True)
-    ] = None
-    unnamed: Annotated[bool, opt("--no-name", help="Do not name the mistake.", hidden=True)] = False
-    unshrunk: Annotated[bool, opt("--no-shrink", help="Seek no smaller case.", hidden=True)] = False
-    unrecorded: Annotated[bool, opt("--no-history", help="Keep nothing of it.", hidden=True)] = False
+    quiet: bool = opt("-q --quiet", "Only the verdicts, one line a file.")
+    whole: bool = opt("--all", "Show every test group.")
+    level: str | None = opt("--level", "Only this level.", choices=LEVELS)
+    groups: tuple[str, ...] = opt("--group G", "Only this group; repeatable.", default=())
+    jobs: int = opt("-j --jobs N", "Judge N files at once.", type=click.IntRange(1, 256), default=1)
+    fresh: str | None = opt("--fresh --for TIME", "Judge on new cases for so long, such as 30s or 2m.")
+    form: str = opt(
+        "--format",
+        "github: annotations; editor: lines as compilers write them.",
+        choices=FORMATS,
+        default=TEXT,
+    )
+    junit: Path | None = opt("--junit FILE", "Also write the results as JUnit XML.")
+    seed: int | None = opt("--seed N", "Cases of this seed.", hidden=True)
+    mode: str = opt(
+        "--mode", "program: run it as one.", hidden=True, choices=("program", "auto"), default="auto"
+    )
+    svg: Path | None = opt("--svg FILE", "Draw the failing case into this file.", hidden=True)
+    unnamed: bool = opt("--no-name", "Do not name the mistake.", hidden=True)
+    unshrunk: bool = opt("--no-shrink", "Seek no smaller case.", hidden=True)
+    unrecorded: bool = opt("--no-history", "Keep nothing of it.", hidden=True)
 
-    def options(self, isolation: str | None, *, brief: bool) -> RunOptions:
+    def is_plain(self, common: Common) -> bool:
+        """Whether only a person reads what is shown."""
+        return self.form == TEXT and self.junit is None and not common.json
+
+    def options(self, common: Common) -> RunOptions:
         """How to judge; who sees only verdicts waits neither for a smallest case nor for a name."""
+        brief = self.quiet and self.is_plain(common) and self.svg is None
         return RunOptions(
             self.groups,
             self.seed,
-            isolation,
-            diagnosed=not (self.unshrunk or (brief and self.svg is None)),
+            common.isolation,
+            diagnosed=not (self.unshrunk or brief),
             named=not (self.unnamed or brief),
             level=self.level,
             program=self.mode == "program",
         )
 
 
-@command("run", Result)
+@command("run", Result, ask=RunAsk)
 @click.argument("words", metavar="[KATA] [FILE]...", nargs=-1)
-@takes(RunAsk, "ask")
 def run(words: tuple[str, ...], ask: RunAsk, common: Common) -> Iterator[Struct]:
     """Judge files once.
 
@@ -105,151 +87,131 @@ def run(words: tuple[str, ...], ask: RunAsk, common: Common) -> Iterator[Struct]
     """
     if common.json and ask.form != TEXT:
         raise UsageError(f"--json and --format {ask.form} contradict each other", remedy="leave one out")
-    junit = (
-        OutFile(ask.junit, "--junit", "JUnit XML", lambda start: b"<testsuite" in start)
-        if ask.junit
-        else None
-    )
-    if junit is not None:
-        junit.check()
+    junit = OutFile(ask.junit, "--junit", "JUnit XML", lambda start: b"<testsuite" in start)
     tasks, unjudged = resolve(words, common)
-    total = len(unjudged) + sum(len(task.submissions) for task in tasks)
-    if ask.svg is not None:
-        check_svg(ask.svg, total)
-    for task in tasks:
-        chosen_groups(task.problem, ask.groups, ask.level)  # a name that is none is told before all else
+    total = len(unjudged) + sum(len(submissions) for _, submissions in tasks)
+    if ask.svg is not None and total > 1:
+        raise UsageError("--svg draws one submission", where=str(ask.svg), remedy="name one FILE")
+    svg = svg_target(ask.svg)
+    for problem, _ in tasks:
+        chosen_groups(problem, ask.groups, ask.level)  # a name that is none is told before all else
     if ask.fresh is not None:
         if total > 1 or unjudged:
             raise UsageError("--fresh takes one file", remedy="name one FILE")
-        yield _fresh(tasks[0], ask, common)
+        yield _fresh(*tasks[0], svg, ask, common)
         return
     found: list[Result] = []
-    results = _judged(tasks, unjudged, total, ask, common)
+
+    def together() -> Iterator[Several]:
+        if total > 1 and found and ask.form == TEXT:
+            yield Several(tuple(found), total - len(found))
+
     try:
-        with closing(results):
+        with closing(_judged(tasks, unjudged, svg, ask, common)) as results:
             for each in results:
                 found.append(each.result)
-                yield _as(each, ask.form)
+                yield each if ask.form == TEXT else _at_lines(each, ask.form)
     except KeyboardInterrupt:
-        yield from _several(found, total, ask)
+        yield from together()
         raise
     finally:
-        if junit is not None and found:
+        if junit.path is not None and found:
             from judge.report.formats import junit as written
 
             junit.write(written(found))
-    yield from _several(found, total, ask)
+    yield from together()
 
 
-def _several(found: Sequence[Result], total: int, ask: RunAsk) -> Iterator[Several]:
-    """What several submissions came to."""
-    if total > 1 and found and ask.form == TEXT:
-        yield Several(tuple(found), total - len(found))
-
-
-def _as(judged: Judged, form: str) -> Struct:
-    """The result as it is to be shown."""
-    if form == TEXT:
-        return judged
+def _at_lines(judged: Judged, form: str) -> AtLines:
+    """The result as another program reads it."""
     from judge.report.formats import annotation, editor_lines
 
-    entry = judged.problem.entry if judged.problem else ""
-    if form == EDITOR:
-        lines = editor_lines(judged.result, judged.source, entry)
-    else:
-        lines = iter((annotation(judged.result, judged.source, entry, os.environ),))
+    asked = judged.result, judged.source, judged.problem.entry if judged.problem else ""
+    lines = editor_lines(*asked) if form == EDITOR else (annotation(*asked, os.environ),)
     return AtLines("".join(f"{line}\n" for line in lines), judged.result.exit_code)
 
 
 def _judged(
-    tasks: Sequence[Task], unjudged: Sequence[Unjudged], total: int, ask: RunAsk, common: Common
+    tasks: Tasks, unjudged: Sequence[Unjudged], svg: OutFile, ask: RunAsk, common: Common
 ) -> Generator[Judged, None, None]:
     """Every result in order, one kata after another; last what could not be read or has no kata.
 
     Of several katas, one that is broken costs its own submissions only. A fault of the judge's own is the
     result of each submission that is left, for whoever reads the results as data.
     """
-    from judge.cli.judging import judged
+    from judge.cli.judging import Wish, judged
     from judge.report.wait import progress
 
-    plain = ask.form == TEXT and ask.junit is None and not common.json
+    waiting = [(problem.id, each) for problem, submissions in tasks for each in submissions]
+    total, done = len(waiting) + len(unjudged), 0
+    plain = ask.is_plain(common)
     brief = ask.quiet and plain
-    options = ask.options(common.isolation, brief=brief and ask.svg is None)
-    wish = Wish(options, ask.jobs, kept=not ask.unrecorded, db=common.db, total=total)
-    several = len(tasks) if total > 1 else 0
-    waiting = [(task, each) for task in tasks for each in task.submissions]
-    done = 0
+    wish = Wish(ask.options(common), ask.jobs, kept=not ask.unrecorded, db=common.db, total=total)
+    shown = partial(Judged, quiet=ask.quiet and total == 1, several=len(tasks) if total > 1 else 0)
+
+    def faulty(end: int, why: str) -> Iterator[Judged]:
+        nonlocal done
+        while done < end:
+            kata, each = waiting[done]
+            done += 1
+            yield shown(judge_fault(kata, each.name, why), each.source)
+
     try:
         with progress("judging") if brief and ask.jobs > 1 and total > 1 else nullcontext() as advance:
-            for task in tasks:
-                begun = done
-                drawings = judged(task.problem, task.submissions, replace(wish, before=done))
+            for problem, submissions in tasks:
+                end = done + len(submissions)
                 try:
-                    with closing(drawings):
-                        for drawing in drawings:
+                    with closing(judged(problem, submissions, replace(wish, before=done))) as drawn:
+                        for each in drawn:
                             done += 1
                             if advance:
                                 advance(done, total)
-                            yield _shown(drawing, total, several, ask, common)
-                            drawing.save(ask.svg)
+                            row = shown(each.result, each.source, problem, each.rows, whole=ask.whole)
+                            alone = total == 1 and not (ask.quiet or common.json)
+                            yield _with_standing(row, ask, common) if alone else row
+                            each.save(svg)
                             if not (common.isolation or brief) and plain:
-                                _say_that_full_is_missing(drawing.result)
+                                _say_that_full_is_missing(each.result)
                 except JudgeError as fault:
                     if isinstance(fault, UsageError) or len(tasks) == 1:
                         raise
-                    for each in task.submissions[done - begun :]:
-                        done += 1
-                        yield _not_judged(each.name, str(fault), task.problem.id, several, ask, each.source)
+                    yield from faulty(end, str(fault))
     except Exception as fault:
         if not (plain or isinstance(fault, UsageError | OSError)):
-            for task, each in waiting[done:]:
-                yield _not_judged(each.name, told(fault), task.problem.id, several, ask, each.source)
+            yield from faulty(len(waiting), told(fault))
         raise
     for entry in unjudged:
-        yield _not_judged(entry.name, entry.why, entry.problem, several, ask)
+        yield shown(judge_fault(entry.problem, entry.name, entry.why))
 
 
-def _shown(drawing: Drawing, total: int, several: int, ask: RunAsk, common: Common) -> Judged:
-    """One result, with all that its screen shows."""
-    found = Judged(
-        drawing.result,
-        drawing.source,
-        drawing.problem,
-        drawing,
-        quiet=ask.quiet and total == 1,
-        several=several,
-        whole=ask.whole,
-    )
-    if not drawing.result.solved or several or ask.quiet or common.json:
-        return found
+def _with_standing(found: Judged, ask: RunAsk, common: Common) -> Judged:
+    """A terminal also shows what an accepted one took."""
     from judge.report.screen import is_terminal
 
-    if is_terminal(sys.stdout) and not ask.unrecorded:
+    if found.result.solved and is_terminal(sys.stdout) and not ask.unrecorded:
         from judge.cli.home import standing
 
         with suppress(JudgeError):  # the verdict is known, and worth more
-            return replace(found, standing=standing(drawing.problem.id, common))
+            return replace(found, standing=standing(found.result.problem, common))
     return found
 
 
-def _not_judged(name: str, why: str, problem: str, several: int, ask: RunAsk, source: bytes = b"") -> Judged:
-    return Judged(judge_fault(problem, name, why), source, quiet=ask.quiet, several=several)
-
-
-def _fresh(task: Task, ask: RunAsk, common: Common) -> Judged:
+def _fresh(
+    problem: Problem, submissions: list[Submission], svg: OutFile, ask: RunAsk, common: Common
+) -> Judged:
     """One submission on new cases for so long."""
-    from judge.cli.picture import Drawing
+    from judge.cli.drawings import Drawing
     from judge.data.load import ProblemData
     from judge.judging.cases import judge_fresh
     from judge.judging.session import Session
     from judge.report.screen import Notes
     from judge.report.wait import progress, stages
 
-    (submission,), problem = task.submissions, task.problem
+    (submission,) = submissions
     lasting = seconds_of(ask.fresh or "", "--fresh")
     seed = random.randrange(_SEEDS) if ask.seed is None else ask.seed
     groups = chosen_groups(problem, ask.groups, ask.level)
-    options = replace(ask.options(common.isolation, brief=ask.quiet), seed=None, timed=False)
+    options = replace(ask.options(common), seed=None, timed=False)
     with Session(problem, options, bars=progress) as session, stages(Path(submission.name).name) as stage:
 
         def tell(cases: int, spent: float) -> None:
@@ -260,20 +222,21 @@ def _fresh(task: Task, ask: RunAsk, common: Common) -> Judged:
         stressed = judge_fresh(
             session, submission.source, submission.name, groups, seed=seed, seconds=lasting, on_cases=tell
         )
+    result = stressed.result
     again = f"{stressed.cases:,} fresh cases in {stressed.seconds:.0f} s; the same again: --seed {seed}"
-    Notes().say(stressed.result.notes)
-    drawing = Drawing(problem, ProblemData(problem, ()), stressed.result)
-    drawing.save(ask.svg)
-    stopped = stressed.interrupted and stressed.result.failure is None
+    Notes().say(result.notes)
+    drawing = Drawing(problem, ProblemData(problem, ()), result)
+    drawing.save(svg)
+    stopped = stressed.interrupted and result.failure is None
     return Judged(
-        stressed.result.noting(again),
+        result.noting(again),
         submission.source,
         problem,
-        drawing,
+        drawing.rows,
         quiet=ask.quiet,
         whole=ask.whole,
         fresh=again,
-        status=ExitCode.INTERRUPTED if stopped else stressed.result.exit_code,
+        status=ExitCode.INTERRUPTED if stopped else result.exit_code,
     )
 
 

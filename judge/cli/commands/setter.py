@@ -6,13 +6,12 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from functools import partial
 from pathlib import Path
-from typing import Annotated
 
 import click
 from msgspec import Struct
 from msgspec.structs import replace
 
-from judge.cli.options import Common, command, opt, takes
+from judge.cli.options import Common, command, opt
 from judge.data.load import ProblemData, load_data
 from judge.errors import ProblemError, UsageError, unwritable
 from judge.files import replace_file
@@ -40,7 +39,7 @@ from judge.report.published_setter import (
     verified,
 )
 from judge.report.screen import note
-from judge.report.wait import Stage, progress, stages
+from judge.report.wait import progress, stages
 from judge.report.words import counted
 from judge.run.edges import edges_of
 from judge.run.verify import Fault, VerifyReport, fresh_data, verify_problem
@@ -70,32 +69,19 @@ def new(folder: Path, name: str | None, common: Common) -> NewKata:  # noqa: ARG
 class VerifyAsk(Struct, frozen=True):
     """What to check of each kata."""
 
-    matrix: Annotated[
-        bool, opt("--matrix", help="Which groups find each mistake, and how many cases reach each edge.")
-    ] = False
-    pin: Annotated[bool, opt("--pin", help="Pin the data as they are now: write pins.json.")] = False
-    figures: Annotated[bool, opt("--figures", help="Draw the statement's figure: write figure.svg.")] = False
-    seeds: Annotated[
-        int,
-        opt(
-            "--seeds",
-            type=click.IntRange(1, 100),
-            metavar="N",
-            help="Check N sets of data, pinned ones first.",
-        ),
-    ] = 1
-    groups: Annotated[tuple[str, ...], opt("--group", metavar="G", help="Look at this group alone.")] = ()
-    solution: Annotated[
-        str, opt("--solution", metavar="FILE", help="Judge this solution alone, as accepted/exact.py.")
-    ] = ""
-    jobs: Annotated[
-        int, opt("-j", "--jobs", type=click.IntRange(1, 64), metavar="N", help="Check N katas at once.")
-    ] = 1
+    matrix: bool = opt("--matrix", "Which groups find each mistake, and how many cases reach each edge.")
+    pin: bool = opt("--pin", "Pin the data as they are now: write pins.json.")
+    figures: bool = opt("--figures", "Draw the statement's figure: write figure.svg.")
+    seeds: int = opt(
+        "--seeds N", "Check N sets of data, pinned ones first.", type=click.IntRange(1, 100), default=1
+    )
+    groups: tuple[str, ...] = opt("--group G", "Look at this group alone.", default=())
+    solution: str = opt("--solution FILE", "Judge this solution alone, as accepted/exact.py.", default="")
+    jobs: int = opt("-j --jobs N", "Check N katas at once.", type=click.IntRange(1, 64), default=1)
 
 
-@command("verify", Verified, DecksVerified)
+@command("verify", Verified, DecksVerified, ask=VerifyAsk)
 @click.argument("names", metavar="[KATA]...", nargs=-1)
-@takes(VerifyAsk, "ask")
 def verify(names: tuple[str, ...], ask: VerifyAsk, common: Common) -> Iterator[Struct]:
     """Check katas from the setter's side.
 
@@ -107,30 +93,32 @@ def verify(names: tuple[str, ...], ask: VerifyAsk, common: Common) -> Iterator[S
 
     Exit status: 0 sound, 2 usage, 3 something is wrong.
     """
-    if ask.pin and (ask.groups or ask.solution):
+    narrow = bool(ask.groups or ask.solution)
+    if ask.pin and narrow:
         raise UsageError("--pin is for the whole kata", remedy="leave out --group and --solution")
-    chosen = tuple(dict.fromkeys(names or sorted(folder.name for folder in _all(common.problems))))
     for name in names:
         with suppress(ProblemError):  # which is in the report then
             find_problem(name, common.problems)
+    # without a name a setter means their own, not all that can be found
+    mine = folders_within(common.problems) if common.problems else problem_folders()
+    chosen = tuple(dict.fromkeys(names or sorted(folder.name for folder in mine)))
     faults = 0
     for found in _checked(partial(_verify, ask, common.problems), chosen, ask.jobs):
         if ask.figures and found.ok:
-            _draw_figure(find_problem(found.problem, common.problems))
+            from judge.report.picture import FIGURE, figure
+
+            problem = find_problem(found.problem, common.problems)
+            if (drawn := figure(problem)) is not None:
+                replace_file(problem.folder / FIGURE, drawn.encode())
         faults += len(found.faults)
         yield found
-    if not (ask.groups or ask.solution):
+    if not narrow:
         decks = DecksVerified(*deck_faults(common.problems, names))
         faults += len(decks.faults)
         if decks.cards or decks.faults:
             yield decks
     if len(chosen) > 1:
         yield VerifySummary(len(chosen), faults)
-
-
-def _all(folders: Sequence[Path]) -> list[Path]:
-    """The katas to check where none is named: a setter means their own, not all that can be found."""
-    return folders_within(folders) if folders else problem_folders()
 
 
 def _checked(check: Callable[[str], Verified], names: Sequence[str], jobs: int) -> Iterator[Verified]:
@@ -152,14 +140,16 @@ def _verify(ask: VerifyAsk, folders: Sequence[Path], name: str) -> Verified:
     except ProblemError as error:
         fault = Fault(error.what, error.where or name, error.remedy or "")
         return verified(VerifyReport(name, 0, 0, "differing", (), (fault,)))
-    boxes = Boxes(least=kept_level())
-    if ask.groups:
+    boxes, narrow = Boxes(least=kept_level()), bool(ask.groups)
+    if narrow:
         problem = replace(problem, groups=chosen_groups(problem, ask.groups))
+    data: list[ProblemData] = []
+    found = ChoicesReport()
     with stages(name) as advance:
-        data = _data(problem, ask.seeds, advance)
-        found = ChoicesReport()
+        with suppress(ProblemError):  # where they cannot be built, verify_problem tells
+            data = [fresh_data(problem, advance, seed) for seed in (None, *range(1, ask.seeds))]
         if data and not ask.solution:
-            found = verify_choices(problem, data, boxes, advance, partial=bool(ask.groups))
+            found = verify_choices(problem, data, boxes, advance, partial=narrow)
         report = verify_problem(
             problem,
             update_pins=ask.pin,
@@ -168,7 +158,7 @@ def _verify(ask: VerifyAsk, folders: Sequence[Path], name: str) -> Verified:
             kills=found.kills,
             data=data,
             solution=ask.solution,
-            partial=bool(ask.groups),
+            partial=narrow,
         )
     report = replace(
         report,
@@ -176,64 +166,34 @@ def _verify(ask: VerifyAsk, folders: Sequence[Path], name: str) -> Verified:
         faults=tuple(dict.fromkeys((*report.faults, *found.faults, *kata_faults(problem, folders)))),
         warnings=(*report.warnings, *found.warnings),
     )
-    return verified(report, found if ask.matrix or ask.groups else None)
-
-
-def _data(problem: Problem, seeds: int, advance: Stage | None) -> list[ProblemData]:
-    """The pinned data, built anew, and those of seeds 1, 2, …; none where they cannot be built, which
-    verify_problem tells."""
-    try:
-        return [fresh_data(problem, advance, seed) for seed in (None, *range(1, seeds))]
-    except ProblemError:
-        return []
-
-
-def _draw_figure(problem: Problem) -> None:
-    """Write figure.svg beside the statement, where there is something to draw."""
-    from judge.report.picture import FIGURE, figure
-
-    drawn = figure(problem)
-    if drawn is not None:
-        replace_file(problem.folder / FIGURE, drawn.encode())
+    return verified(report, found if ask.matrix or narrow else None)
 
 
 class ExportAsk(Struct, frozen=True):
     """What to write."""
 
-    out: Annotated[Path, opt("--out", metavar="DIR", help="Where to write.")]
-    form: Annotated[
-        str,
-        opt(
-            "--format",
-            type=click.Choice(("kattis", "files")),
-            metavar="kattis|files",
-            help="Packages for Kattis and DOMjudge (usual), or the data alone.",
-        ),
-    ] = "kattis"
-    version: Annotated[
-        str,
-        opt(
-            "--version",
-            type=click.Choice([*(each.value for each in Version), _BOTH]),
-            metavar="|".join([*(each.value for each in Version), _BOTH]),
-            help="Of the packages' format; both is usual.",
-        ),
-    ] = _BOTH
-    archives: Annotated[bool, opt("--zip", help="Write archives too, one of them for DOMjudge.")] = False
-    bare: Annotated[bool, opt("--no-submissions", help="Packages without programs.")] = False
-    wrong: Annotated[
-        int | None, opt("--wrong", type=click.IntRange(0), metavar="N", help="At most N wrong programs.")
-    ] = None
-    seed: Annotated[
-        int | None,
-        opt("--seed", metavar="N", help="Files of other cases, from this seed, not the pinned ones."),
-    ] = None
-    force: Annotated[bool, opt("--force", help="Write over files that are there already.")] = False
+    out: Path = opt("--out DIR", "Where to write.", required=True)
+    form: str = opt(
+        "--format kattis|files",
+        "Packages for Kattis and DOMjudge (usual), or the data alone.",
+        choices=("kattis", "files"),
+        default="kattis",
+    )
+    version: str = opt(
+        "--version",
+        "Of the packages' format; both is usual.",
+        choices=[*(each.value for each in Version), _BOTH],
+        default=_BOTH,
+    )
+    archives: bool = opt("--zip", "Write archives too, one of them for DOMjudge.")
+    bare: bool = opt("--no-submissions", "Packages without programs.")
+    wrong: int | None = opt("--wrong N", "At most N wrong programs.", type=click.IntRange(0))
+    seed: int | None = opt("--seed N", "Files of other cases, from this seed, not the pinned ones.")
+    force: bool = opt("--force", "Write over files that are there already.")
 
 
-@command("export", Exported, FilesWritten)
+@command("export", Exported, FilesWritten, ask=ExportAsk)
 @click.argument("names", metavar="KATA...", nargs=-1, required=True)
-@takes(ExportAsk, "ask")
 def write(names: tuple[str, ...], ask: ExportAsk, common: Common) -> Iterator[Struct]:
     """Write katas as packages or files that other judges read.
 
@@ -247,11 +207,11 @@ def write(names: tuple[str, ...], ask: ExportAsk, common: Common) -> Iterator[St
     Exit status: 0 written, 2 usage, or nothing could be written, 3 a kata is broken.
     """
     problems = [find_problem(name, common.problems) for name in dict.fromkeys(names)]
-    if ask.form == "files":
-        for each in problems:
-            _make_room(ask.out / each.id, _names(each), force=ask.force)
-        return map(partial(_write_files, ask), problems)
-    return _packages(problems, ask)
+    if ask.form == "kattis":
+        return _packages(problems, ask)
+    for each in problems:
+        _make_room(ask.out / each.id, _names(each), force=ask.force)
+    return map(partial(_write_files, ask), problems)
 
 
 def _packages(problems: Sequence[Problem], ask: ExportAsk) -> Iterator[Exported]:
@@ -265,25 +225,21 @@ def _packages(problems: Sequence[Problem], ask: ExportAsk) -> Iterator[Exported]
         check_places(each, order)
     if wanted:
         latex(wanted[0])
-    boxes = Boxes(least=kept_level())
-    broken = None
+    boxes, broken = Boxes(least=kept_level()), None
     for each in problems:
-        if each.id in left_out:
-            yield exported(Export(each, short_name(each.id), left_out[each.id]))
-            continue
-        try:
-            with stages(each.id) as advance:
-                yield exported(export(each, order, boxes, advance or (lambda *_: None)))
-        except ProblemError as fault:
-            broken = fault
-            if len(problems) > 1:
-                yield exported(Export(each, short_name(each.id), str(fault)))
+        found = Export(each, short_name(each.id), left_out.get(each.id, ""))
+        if not found.why:
+            try:
+                with stages(each.id) as advance:
+                    found = export(each, order, boxes, advance or (lambda *_: None))
+            except ProblemError as fault:
+                broken, found = fault, replace(found, why=str(fault))
+        if broken is None or len(problems) > 1:
+            yield exported(found)
     if broken is not None:
         raise broken
     if not wanted:
-        raise UsageError(
-            "No package can hold it" if len(problems) == 1 else "No package can hold any of these"
-        )
+        raise UsageError(f"No package can hold {'it' if len(problems) == 1 else 'any of these'}")
 
 
 def _names(problem: Problem) -> tuple[str, ...]:
@@ -305,16 +261,17 @@ def _make_room(target: Path, names: Sequence[str], *, force: bool) -> None:
 
 def _write_files(ask: ExportAsk, problem: Problem) -> FilesWritten:
     """The data of one kata, three files a group."""
-    target, cases = ask.out / problem.id, 0
+    target, place, cases = ask.out / problem.id, Path(), 0
     with progress(f"building {problem.id}") as advance:
         data = load_data(problem, seed=ask.seed, progress=advance)
     for said in data.notes:
         note(said)
-    for group in data.groups:
-        cases += len(group.cases)
-        for name, content in group_files(data, group):
-            try:
-                replace_file(target / name, content.encode())
-            except OSError as fault:
-                raise unwritable(target / name, fault, _REMEDY) from fault
+    try:
+        for group in data.groups:
+            cases += len(group.cases)
+            for name, content in group_files(data, group):
+                place = target / name
+                replace_file(place, content.encode())
+    except OSError as fault:
+        raise unwritable(place, fault, _REMEDY) from fault
     return FilesWritten(problem.id, str(target), cases, _names(problem))

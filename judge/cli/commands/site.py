@@ -12,9 +12,10 @@ from judge.cli.options import Common, command, opt
 from judge.errors import UsageError
 from judge.files import cache_folder
 from judge.problem.find import find_problem, sound_problems
+from judge.report.published_setter import SiteBuilt
 from judge.report.screen import note
 from judge.report.wait import stages
-from judge.site.build import SiteBuilt, build, check_folder
+from judge.site.build import build, check_folder
 from judge.site.fetch import parts
 
 
@@ -44,7 +45,7 @@ def site(names: tuple[str, ...], ask: SiteAsk, common: Common) -> Iterator[SiteB
     with stages("fetching") as advance:
         brought = parts(ask.pyodide, advance)
     with stages("building") as advance:
-        yield build(out, problems, common.problems, brought, advance)
+        yield build(out, problems, common.problems, brought, advance, opened=ask.opened)
     if ask.opened:
         _serve(out)
 

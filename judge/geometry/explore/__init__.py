@@ -70,7 +70,8 @@ def explored(
         real
         for example in problem.examples
         for parameter, value in zip(problem.parameters, example.case, strict=True)
-        for real in parameters.reals(parameter.type, value)
+        for atom, real in parameters.leaves(parameter.type, value)
+        if atom.measured
     )
     start = {
         "problem": problem.id,

@@ -2,8 +2,8 @@
 
     learner.py    what one person has done: runs, skills, mistakes
     klass.py      a class, and a page for each student
-    case.py       a failing case: its facts, its drawing and its mistake
-    templates/    a template a page, their common parts, and the one style sheet
+    case.py       a failing case: its facts, its drawing and its mistake; a result in a notebook
+    templates/    a template a page or file, their common parts, and the one style sheet
 
 Templates escape whatever they are given; only drawings, which `judge.drawing` has escaped, go in as they are.
 The policy of a page allows its style sheet, by its hash, and nothing else.
@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import base64
 import hashlib
+from collections.abc import Iterable
 from datetime import date, datetime
 from functools import cache
 from pathlib import Path
@@ -20,29 +21,48 @@ from typing import TYPE_CHECKING, Any
 
 from judge import __version__
 from judge.drawing.svg import style
+from judge.problem import Verdict
+from judge.report.tell import level_share
 from judge.report.words import printable, times
 
 if TYPE_CHECKING:
     from jinja2 import Environment
     from markupsafe import Markup
 
+    from judge.report.html.case import Case
+
 _TEMPLATES = Path(__file__).parent / "templates"
-_MONTHS = ("Jan", "Feb", "Mar", "Apr", "May", "Jun", "Jul", "Aug", "Sep", "Oct", "Nov", "Dec")
+_MONTHS = ["Jan", "Feb", "Mar", "Apr", "May", "Jun", "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"]
 
 
-def page(template: str, mark: str, **values: Any) -> bytes:
+def page(
+    template: str, mark: str, cases: Iterable[Case | None], verdicts: Iterable[Verdict], **values: Any
+) -> bytes:
     """The file that a template makes of these values; the same values always give the same bytes.
 
-    `mark` says what kind of page it is, for `is_page`.
+    `mark` says what kind of page it is, for `is_page`. Its foot explains the `verdicts`, and the drawings
+    where one of the `cases` has any.
     """
     from markupsafe import Markup
 
     sheet = (_TEMPLATES / "page.css").read_text(encoding="utf-8")
     sheet += style("figure", "screen and (prefers-color-scheme:dark)")
     digest = base64.b64encode(hashlib.sha256(sheet.encode()).digest()).decode()
-    policy = f"default-src 'none'; style-src 'sha256-{digest}'; base-uri 'none'; form-action 'none'"
-    given = values | {"mark": mark, "version": __version__, "style": Markup(sheet), "policy": policy}
-    return _environment().get_template(template).render(given).encode()
+    found = {*verdicts}
+    given = {
+        "mark": mark,
+        "version": __version__,
+        "style": Markup(sheet),
+        "policy": f"default-src 'none'; style-src 'sha256-{digest}'; base-uri 'none'; form-action 'none'",
+        "drawn": any(case and case.drawings for case in cases),
+        "verdicts": [verdict for verdict in Verdict if verdict in found],
+    }
+    return rendered(template, **values | given)
+
+
+def rendered(template: str, **values: Any) -> bytes:
+    """The text that a template makes of these values, in UTF-8."""
+    return _environment().get_template(template).render(values).encode()
 
 
 def is_page(head: bytes, mark: str) -> bool:
@@ -68,7 +88,13 @@ def _environment() -> Environment:
         lstrip_blocks=True,
         finalize=lambda value: printable(value) if type(value) is str else value,
     )
-    environment.filters |= {"date": _date, "drawing": Markup, "lines": _lines, "times": times}
+    environment.filters |= {
+        "date": _date,
+        "drawing": Markup,
+        "lines": _lines,
+        "times": times,
+        "share": level_share,
+    }
     return environment
 
 

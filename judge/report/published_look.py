@@ -1,21 +1,15 @@
-"""What `judge list` and `judge show` say of katas: frozen structs, whose field names are the JSON's keys."""
+"""What `judge`, start, list, show and help say: frozen structs, whose field names are the JSON's keys."""
 
 from __future__ import annotations
 
 from typing import Any
 
 from msgspec import Struct
-from msgspec.structs import astuple
 
 from judge.errors import ExitCode
 from judge.problem import Group, GrowthRule, Problem
-from judge.problem.model import GroupLimits, Listed, Source
-
-
-class Published(Struct, frozen=True, kw_only=True):
-    """One line of a command's JSON; `schema` rises where a key changes its meaning or goes."""
-
-    schema: int = 1
+from judge.problem.model import KataLevel, Source, Tier
+from judge.report.views import Published, copied, in_words
 
 
 class KataRow(Published, frozen=True):
@@ -23,7 +17,7 @@ class KataRow(Published, frozen=True):
 
     problem: str
     title: str
-    tier: str
+    tier: Tier
     summary: str
     entry: str
     groups: int
@@ -32,23 +26,6 @@ class KataRow(Published, frozen=True):
     sets: tuple[str, ...]
     solved: bool
     stars: int
-
-
-def kata_row(problem: Listed, *, solved: bool, stars: int) -> KataRow:
-    """The row of a problem, as far as the person has come with it."""
-    return KataRow(
-        problem.id,
-        problem.title,
-        problem.tier.value,
-        problem.summary,
-        problem.entry,
-        groups=len(problem.groups),
-        cases=sum(group.count for group in problem.groups),
-        points=sum(group.points for group in problem.groups),
-        sets=problem.sets,
-        solved=solved,
-        stars=stars,
-    )
 
 
 class SetRow(Struct, frozen=True):
@@ -122,7 +99,7 @@ class GroupRow(Struct, frozen=True):
     seed: int | str
     tolerance: Accuracy
     kills: tuple[str, ...]
-    level: str | None
+    level: KataLevel | None
     size: int | None
     limits: Allowed | None
     time_limit: float | None
@@ -140,7 +117,7 @@ class KataInFull(Published, frozen=True):
 
     problem: str
     title: str
-    tier: str
+    tier: Tier
     summary: str
     entry: str
     answer: str
@@ -160,51 +137,26 @@ class KataShown(Struct, frozen=True):
     groups: bool = False
 
     @property
-    def published(self) -> tuple[KataInFull, ...]:
+    def published(self) -> tuple[KataInFull]:
         """Both, in one object."""
-        return (kata_in_full(self.problem),)
-
-
-def kata_in_full(problem: Problem) -> KataInFull:
-    """All that is published of a problem."""
-    return KataInFull(
-        problem.id,
-        problem.title,
-        problem.tier.value,
-        problem.summary,
-        problem.entry,
-        str(problem.answer),
-        parameters=tuple(
-            ParameterRow(*map(str, (each.name, each.type, each.low, each.high, each.smallest, each.about)))
-            for each in problem.parameters
-        ),
-        limits=_allowed(problem.limits),
-        growth=problem.growth,
-        groups=tuple(map(_group, problem.groups)),
-        examples=tuple(ExampleRow(problem.named(each.case), each.wanted) for each in problem.examples),
-        statement=problem.statement,
-        source=problem.source,
-    )
+        problem = self.problem
+        full = copied(
+            KataInFull,
+            problem,
+            problem=problem.id,
+            answer=str(problem.answer),
+            parameters=tuple(in_words(ParameterRow, each) for each in problem.parameters),
+            limits=copied(Allowed, problem.limits),
+            groups=tuple(map(_group, problem.groups)),
+            examples=tuple(ExampleRow(problem.named(each.case), each.wanted) for each in problem.examples),
+        )
+        return (full,)
 
 
 def _group(each: Group) -> GroupRow:
-    return GroupRow(
-        each.name,
-        each.about,
-        each.count,
-        each.points,
-        each.seed,
-        tolerance=Accuracy(*map(str, astuple(each.tolerance))),
-        kills=each.kills,
-        level=each.level.value if each.level else None,
-        size=each.size,
-        limits=_allowed(each.limits) if each.limits else None,
-        time_limit=each.time_limit,
-    )
-
-
-def _allowed(limits: GroupLimits) -> Allowed:
-    return Allowed(limits.cpu_seconds, limits.wall_seconds, limits.memory_bytes, limits.output_bytes)
+    limits = copied(Allowed, each.limits) if each.limits else None
+    tolerance = in_words(Accuracy, each.tolerance)
+    return copied(GroupRow, each, cases=each.count, limits=limits, tolerance=tolerance)
 
 
 class PageText(Published, frozen=True):
@@ -254,3 +206,72 @@ class Document(Struct, frozen=True):
 
     text: str
     published: tuple[Any, ...]
+
+
+class Next(Struct, frozen=True):
+    """A kata to take up: its id, its title and a sentence about it."""
+
+    problem: str
+    title: str
+    summary: str
+
+
+class Now(Struct, frozen=True):
+    """The kata a person is at, which is not solved: its file, and the folder where that is not this one.
+
+    `points` and `mistake` are those of the last run; None and "" where there was none.
+    """
+
+    problem: str
+    file: str
+    folder: str
+    points: int | None
+    mistake: str
+
+
+class Again(Struct, frozen=True):
+    """A kata to solve again today, and how many days ago it was solved."""
+
+    problem: str
+    days: int
+
+
+class Standing(Struct, frozen=True):
+    """What a kata took a person, the kata that comes next, and how many of all are solved."""
+
+    runs: int
+    hints: int
+    next: Next | None
+    solved: int
+    katas: int
+
+
+class Home(Published, frozen=True):
+    """Where a person stands: katas solved, those with one star and with two, and what to do now.
+
+    Of a person who has not begun, `begun` is false, and `next` is the kata to begin with. `next` is None
+    where all are solved.
+    """
+
+    katas: int
+    begun: bool
+    solved: int
+    stars: tuple[int, int]
+    now: Now | None
+    again: Again | None
+    next: Next | None
+    cards_due: int
+
+
+class Begun(Published, frozen=True):
+    """A kata that was started: its file, and whether that was created now, or started over.
+
+    `entry` is the function to write. `kept` is the file that keeps the text of before, or "".
+    """
+
+    problem: str
+    title: str
+    entry: str
+    file: str
+    created: bool
+    kept: str

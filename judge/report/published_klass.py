@@ -14,15 +14,18 @@ from msgspec import Struct
 from judge.errors import ExitCode
 from judge.problem.model import Verdict
 from judge.report.formats import csv_text
-from judge.report.published import Published
+from judge.report.views import Published, copied
 
 BOM = "\ufeff"
 _HEAD = ("student", "name", "group")
 EQUAL_CAUTION = "Short solutions are often alike: equality proves nothing."
 
 
-class Person(Struct, frozen=True):
-    """Somebody of the class; `known` is whether the list of students holds them, if there is one."""
+class Student(Struct, frozen=True):
+    """Somebody of the class: the name of their folder or files, and what the list of students says of them.
+
+    `known` is whether that list holds them; where there is none, everybody is.
+    """
 
     id: str
     name: str = ""
@@ -146,19 +149,18 @@ class ClassLine(Published, frozen=True):
 class Cohort(Struct, frozen=True):
     """The class: who and what in the order of the table; `marks` by student and kata.
 
-    `unaccepted` submitted something, of which nothing is accepted; `silent` submitted nothing at all.
-    `unjudged` are files with the reason why they could not be judged, `left` counts those without a result.
+    Of those with `nothing_accepted` something was submitted. `unjudged` are files with the reason why they
+    could not be judged, `left` counts those without a result.
     """
 
-    people: tuple[Person, ...]
-    problems: tuple[str, ...]
+    people: tuple[Student, ...]
+    problems: tuple[ProblemView, ...]
     marks: Mapping[tuple[str, str], Counted]
-    views: tuple[ProblemView, ...]
     stuck: tuple[Stuck, ...]
-    unaccepted: tuple[str, ...]
-    silent: tuple[str, ...]
+    nothing_accepted: tuple[str, ...]
+    nothing_handed_in: tuple[str, ...]
     machines: tuple[Machine, ...]
-    equal: tuple[EqualFiles, ...] = ()
+    equal_files: tuple[EqualFiles, ...] = ()
     unjudged: tuple[tuple[str, str], ...] = ()
     left: int = 0
 
@@ -178,24 +180,11 @@ class Cohort(Struct, frozen=True):
     @property
     def published(self) -> tuple[ClassLine]:
         """The class in one object."""
-        return (
-            ClassLine(
-                ClassSummary(
-                    len(self.people),
-                    self.handins,
-                    problems=self.views,
-                    stuck=self.stuck,
-                    nothing_accepted=self.unaccepted,
-                    nothing_handed_in=self.silent,
-                    equal_files=self.equal,
-                    machines=self.machines,
-                )
-            ),
-        )
+        return (ClassLine(copied(ClassSummary, self, students=len(self.people))),)
 
     def total(self, student: str) -> int:
         """The points of a student on all katas."""
-        return sum(self.marks[student, each].score for each in self.problems if (student, each) in self.marks)
+        return sum(mark.score for (who, _), mark in self.marks.items() if who == student)
 
 
 class ClassRow(Published, frozen=True):
@@ -226,12 +215,13 @@ class ClassRow(Published, frozen=True):
 
 def gradebook(cohort: Cohort) -> bytes:
     """The file. Points, empty where nothing was submitted; the total; then verdict and mistake by kata."""
-    details = [f"{problem} {what}" for problem in cohort.problems for what in ("verdict", "mistake")]
-    rows: list[list[object]] = [[*_HEAD, *cohort.problems, "total", *details]]
+    katas = [each.problem for each in cohort.problems]
+    details = [f"{kata} {what}" for kata in katas for what in ("verdict", "mistake")]
+    rows: list[list[object]] = [[*_HEAD, *katas, "total", *details]]
     for person in cohort.people:
-        marks = [cohort.marks.get((person.id, problem)) for problem in cohort.problems]
-        points = ["" if mark is None else mark.score for mark in marks]
-        told = [text for mark in marks for text in _told(mark)]
+        marks = [cohort.marks.get((person.id, kata)) for kata in katas]
+        points = [mark.score if mark else "" for mark in marks]
+        told = [each for mark in marks for each in ((mark.verdict.value, mark.mistake) if mark else ("", ""))]
         rows.append([person.id, person.name, person.group, *points, cohort.total(person.id), *told])
     return (BOM + csv_text(rows)).encode("utf-8", "backslashreplace")
 
@@ -240,7 +230,3 @@ def is_gradebook(start: bytes) -> bool:
     """Whether a file that begins like this is such a gradebook."""
     plain = start.removeprefix(BOM.encode()).replace(b'"', b"")  # an older judge quoted none of its titles
     return plain.startswith(",".join(_HEAD).encode())
-
-
-def _told(mark: Counted | None) -> tuple[str, str]:
-    return (mark.verdict.value, mark.mistake) if mark else ("", "")

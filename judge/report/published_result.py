@@ -1,8 +1,9 @@
-"""What `judge run` returns, a result or what several came to, and how a screen shows it."""
+"""What `judge run` returns: a result, what several came to, lines for another program."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Protocol
+from collections.abc import Callable
+from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
@@ -11,21 +12,9 @@ from judge.problem import Problem
 from judge.run.result import Result, exit_code
 
 if TYPE_CHECKING:
-    from rich.console import RenderableType
-
-    from judge.report.published_start import Standing
+    from judge.report.published_look import Standing
     from judge.report.result import Drawing
     from judge.report.screen import Screen
-
-_ROWS = 23  # of a screen of 24, whose last one the prompt takes
-
-
-class Drawn(Protocol):
-    """Draws the failing case of a result."""
-
-    def rows(self, screen: Screen) -> Drawing | None:
-        """What draws it there; None where there is nothing to draw, or no room."""
-        ...
 
 
 class Judged(Struct, frozen=True):
@@ -39,7 +28,7 @@ class Judged(Struct, frozen=True):
     result: Result
     source: bytes = b""
     problem: Problem | None = None
-    drawing: Drawn | None = None
+    drawing: Callable[[Screen], Drawing | None] | None = None  # what draws the failing case there
     quiet: bool = False
     several: int = 0  # katas that the submissions are of, 0 for a single one
     whole: bool = False
@@ -81,33 +70,3 @@ class AtLines(Struct, frozen=True):
 
     plain: str
     exit_code: ExitCode
-
-
-def judged(found: Judged, screen: Screen) -> RenderableType:
-    """The screen of one result, or its line."""
-    from judge.report.parts import facts, indented
-    from judge.report.result import Shown, accepted, result, row, verdict_line
-    from judge.report.tell import tell
-
-    told = tell(found.problem, found.result, found.source)
-    if found.several and not found.whole:
-        return row(found.result, told, kata=found.several > 1)
-    name = found.result.submission
-    if found.quiet:
-        return verdict_line(told, name)
-    after: RenderableType | None = None
-    if found.fresh:
-        after = indented(facts([("fresh", found.fresh)]))
-    elif found.result.solved and found.commands:
-        after = accepted(found.result.problem, found.standing, screen.width)
-    groups = found.result.groups if found.whole else ()
-    drawing = found.drawing.rows(screen) if found.drawing else None
-    rows = None if found.whole else min(screen.rows - 1 if screen.rows else _ROWS, 60)
-    return result(Shown(told, name, groups, drawing, after, found.commands), screen, rows)
-
-
-def several(found: Several, _screen: Screen) -> RenderableType:
-    """The last line of several."""
-    from judge.report.result import several as last
-
-    return last(found.results, found.left)

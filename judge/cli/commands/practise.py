@@ -1,0 +1,282 @@
+"""`judge start`, `hint` and `solution`: a kata's file, its hints, and its model solution once solved."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+import click
+from msgspec import Struct
+
+from judge.cli.files import read_submissions
+from judge.cli.options import Common, command, opt
+from judge.cli.resolve import (
+    Kata,
+    current,
+    history_at,
+    is_problem,
+    kata_meant,
+    problem_of,
+    problem_of_file,
+    shown,
+    take_up,
+    this_folder,
+)
+from judge.errors import UsageError
+from judge.languages import file_name, is_program, language_of
+from judge.practice.events import Help, Run
+from judge.practice.progress import solved
+from judge.practice.solutions import approaches, chosen_approach
+from judge.practice.stub import write_stub
+from judge.practice.syllabus import next_kata, sound_sets
+from judge.problem import Problem
+from judge.problem.find import find_problem, id_of, sound_problems
+from judge.problem.model import LEVELS
+from judge.problem.texts import read_hints
+from judge.report.published_look import Begun
+from judge.report.published_practice import ApproachRow, HintShown, SolutionShown, Yours
+from judge.report.screen import draws, is_terminal, out
+from judge.run.result import Taken
+
+_ROUNDS = 3
+
+
+class StartAsk(Struct, frozen=True):
+    """How to start."""
+
+    language: str | None = opt("--language L", "Its language: c, cpp, go, java, javascript, rust, pypy.")
+    once: bool = opt("--no-watch", "Only create the file.")
+    reset: bool = opt("--reset", "Start the file over; the old text is kept as FILE.bak.")
+    level: str | None = opt("--level", "Judge only this level.", choices=LEVELS)
+
+
+@command("start", Begun, ask=StartAsk)
+@click.argument("words", metavar="[KATA] [FILE]", nargs=-1)
+def start(words: tuple[str, ...], ask: StartAsk, common: Common) -> Iterator[Begun]:
+    """Start or resume a kata, and judge it on every save.
+
+    Its file is created where there is none. Without a KATA: the file of this folder that you worked on last
+    or, once that is solved, the next kata that you have not solved. The end of FILE says its language, or
+    --language does. In a pipe, and with --no-watch, the file is created and no more.
+    """
+    kata = _meant(words, ask, common)
+    created = ask.reset or not os.path.exists(kata.path)  # noqa: PTH110 - of any name
+    kept = write_stub(kata.problem, kata.path, over=ask.reset) if created else None
+    take_up(kata, common.db)
+    if ask.once or common.json or not (draws(out()) and is_terminal(sys.stdin)):
+        problem, beside = kata.problem, shown(kept) if kept else ""
+        yield Begun(problem.id, problem.title, problem.entry, kata.name, created, beside)
+        return
+    from judge.cli.watch_screen import loop  # what draws and reads keys, for who sits there
+
+    loop(kata, ask.level, common)
+
+
+def _meant(words: Sequence[str], ask: StartAsk, common: Common) -> Kata:
+    """The kata and the file that the words mean. Raises JudgeError."""
+    if len(words) > 2:
+        raise UsageError(f"one KATA and one FILE are expected; {len(words)} words are given")
+    problem: Problem | None = None
+    if words:
+        first = words[0]
+        is_file = len(words) == 1 and not is_problem(first, common)
+        if is_file and (is_program(first) or os.path.exists(first)):  # noqa: PTH110 - of any name
+            place = _place(first)
+            return Kata(_problem_of(first, common), place)
+        problem = find_problem(first, common.problems)
+        if words[1:] or ask.language:
+            return Kata(problem, _place(words[1] if words[1:] else _named(problem, ask.language)))
+    with history_at(common.db, reading=True) as history:
+        here, places, runs = current(this_folder(), history), history.places(), history.runs()
+    done = solved(runs)
+    if problem is not None:
+        if here and here.problem == problem.id and not os.path.exists(_named(problem)):  # noqa: PTH110 - of any name
+            return Kata(problem, Path(here.path))
+    elif here is not None and (here.problem not in done or ask.reset):
+        problem = problem_of(here, common.problems)
+        if ask.language is None:
+            return Kata(problem, Path(here.path))
+    else:
+        last = here or next(iter(places), None)
+        problems, _ = sound_problems(common.problems)
+        sets, _ = sound_sets(problems, common.problems)
+        problem = next_kata(last.problem if last else "", problems, sets, done)
+        if problem is None:
+            raise UsageError("All katas are solved. judge progress shows what you can do")
+    return Kata(problem, _place(_named(problem, ask.language)))
+
+
+def _problem_of(file: str, common: Common) -> Problem:
+    """The kata that a file is for; of one that is not there yet, the kata of its name."""
+    if os.path.exists(file):  # noqa: PTH110 - of any name
+        (submission,) = read_submissions([file])
+        return problem_of_file(submission, "start", common)
+    name = id_of(Path(file).name.partition(".")[0])
+    if is_problem(name, common):
+        return find_problem(name, common.problems)
+    what = f"{file} is not there, and I cannot tell which kata it is for"
+    raise UsageError(f"{what}. Say it: judge start KATA {file}")
+
+
+def _named(problem: Problem, language: str | None = None) -> str:
+    """The usual name of the problem's file. Raises UsageError for a language that nobody knows."""
+    from judge.languages.model import named_language  # only where a language is named
+
+    return file_name(problem.id.replace("-", "_"), named_language(language) if language else None)
+
+
+def _place(file: str) -> Path:
+    """The file from the root. Raises UsageError for what is never saved again: a folder, a pipe."""
+    path = Path(file).absolute()
+    if os.path.exists(path) and not path.is_file():  # noqa: PTH110 - of any name
+        what = "this is a folder" if path.is_dir() else "this is not an ordinary file"
+        raise UsageError(what, where=file or "''", remedy="name a file")
+    return path
+
+
+class HintAsk(Struct, frozen=True):
+    """Which hint."""
+
+    again: bool = opt("--again", "Repeat the last one.")
+    step: int | None = opt("--step N", "Show hint N; the first is 1.")
+    whole: bool = opt("--all", "Show all hints.")
+
+
+@command("hint", HintShown, ask=HintAsk)
+@click.argument("name", metavar="[KATA|FILE]", required=False)
+def hint(name: str | None, ask: HintAsk, common: Common) -> Iterator[HintShown]:
+    """Give one more hint.
+
+    The hint is for that kata, for the kata of a file, or for your current kata. The first hint is a nudge,
+    the last is nearly the whole solution. The judge remembers which ones you have seen.
+    """
+    if ask.again + ask.whole + (ask.step is not None) > 1:
+        raise UsageError("--again, --step and --all exclude each other", remedy="name one of them")
+    chosen = hints(kata_meant(name, common), ask, common.db)
+    try:
+        note_seen(chosen[-1], common.db)  # first: what was shown counts as seen, whatever happens then
+    finally:
+        yield from chosen
+
+
+def hints(problem: Problem, ask: HintAsk, db: Path | None) -> list[HintShown]:
+    """The hints that are asked for, at least one: the first that was not seen, or else the last.
+
+    Raises UsageError where there is none, ProblemError where they are broken.
+    """
+    found = read_hints(problem)
+    if not found:
+        remedy = f"'judge show {problem.id} --groups' says what its test groups show"
+        raise UsageError(f"there are no hints to {problem.id}", remedy=remedy)
+    seen, count = 0 if ask.whole or ask.step is not None else _seen(problem.id, db), len(found)
+    if ask.again and not seen:
+        raise UsageError(f"You have seen no hint to {problem.id} yet", remedy=f"judge hint {problem.id}")
+    step = ask.step if ask.step is not None else min(seen if ask.again else seen + 1, count)
+    if not 1 <= step <= count:
+        raise UsageError(f"{problem.id} has no hint {step}", remedy=f"they go from 1 to {count}")
+    return [
+        HintShown(problem=problem.id, step=each.number, steps=count, title=each.title, text=each.text)
+        for each in found
+        if ask.whole or each.number == step
+    ]
+
+
+def _seen(problem: str, db: Path | None) -> int:
+    """How many of the kata's hints have been seen."""
+    with history_at(db, reading=True) as history:
+        return max((each.hints for each in history.events(Help, problem)), default=0)
+
+
+def note_seen(hint: HintShown, db: Path | None) -> None:
+    """Remember that the hints up to this one have been seen."""
+    if hint.step > _seen(hint.problem, db):
+        with history_at(db) as history:
+            history.keep(Help(hint.problem, hint.step))
+
+
+class SolutionAsk(Struct, frozen=True):
+    """Which solution, and whether to measure."""
+
+    giving_up: bool = opt("--give-up", "Show it before you have solved the kata; this is remembered.")
+    language: str | None = opt("--language L", "The one in this language: go, cpp, java …")
+    times: bool = opt("--times", "Measure all approaches and yours, in each language; takes a minute.")
+    rounds: int | None = opt("--rounds N", f"Measure N times, not {_ROUNDS}.", type=click.IntRange(1, 99))
+
+
+@command("solution", SolutionShown, ask=SolutionAsk)
+@click.argument("name", metavar="[KATA", required=False)
+@click.argument("approach", metavar="[APPROACH]]", required=False)
+def solution(name: str | None, approach: str | None, ask: SolutionAsk, common: Common) -> SolutionShown:
+    """Show the model solution, and why it works.
+
+    Without KATA: that of your current kata. It is shown once yours is accepted, or with --give-up; the kata
+    then comes back sooner. Below it are the other approaches by name.
+
+    With --times you see what each approach takes for one case, beside the first one and your own.
+    """
+    if ask.rounds and not ask.times:
+        raise UsageError("--rounds goes with --times", remedy="add --times")
+    problem = kata_meant(name, common)
+    models = approaches(problem)
+    model = chosen_approach(problem, models, approach, ask.language)
+    yours = _admit(problem, common.db, giving_up=ask.giving_up)
+    programs = [(each.file, each.solution.source) for each in models]
+    if yours:
+        programs.append((yours[0].submission, yours[1]))
+    taken: Sequence[Taken | None] = [None] * len(programs)
+    if ask.times:
+        taken = _measured(problem, programs, ask.rounds or _ROUNDS, common)
+    return SolutionShown(
+        problem=problem.id,
+        file=model.file,
+        language=model.tongue,
+        code=model.solution.language.id if model.solution.language else "python",
+        idea=model.solution.name,
+        explanation=model.solution.text,
+        program=model.program,
+        approaches=tuple(
+            ApproachRow(each.name, each.call, each.file, each.tongue, each.solution.sentence, its)
+            for each, its in zip(models, taken, strict=False)
+        ),
+        yours=Yours(yours[0].id, yours[0].submission, taken[-1]) if yours else None,
+    )
+
+
+def _measured(
+    problem: Problem, programs: Sequence[tuple[str, bytes]], rounds: int, common: Common
+) -> Sequence[Taken]:
+    """What each program takes for a case; why not, where its language is not installed."""
+    from judge.judging.api import RunOptions
+    from judge.judging.session import Session
+    from judge.languages.find import why_not
+    from judge.report.wait import progress
+    from judge.run.times import Program, measure
+
+    entries = []
+    for name, source in programs:
+        language = language_of(name)
+        missing, warms = (why_not(language), language.factor > 1) if language else ("", False)
+        entries.append(Program(name, source, missing, warms))
+    with Session(problem, RunOptions(isolation=common.isolation, timed=False), bars=progress) as session:
+        data = session.data
+        with progress("measuring") as advance:
+            return measure(data, entries, session.open_box, rounds, advance)
+
+
+def _admit(problem: Problem, db: Path | None, *, giving_up: bool) -> tuple[Run, bytes] | None:
+    """The person's latest run that solved it, and its source; None where it was given up, which is noted.
+
+    Raises UsageError where it is neither.
+    """
+    with history_at(db, reading=not giving_up) as history:
+        solved = [run for run in history.runs(problem.id) if run.solved]
+        if solved:
+            return solved[-1], history.source(solved[-1].id)
+        if any(each.gave_up for each in history.events(Help, problem.id)):
+            return None
+        if giving_up:
+            history.keep(Help(problem.id, hints=0))
+            return None
+    raise UsageError(f"Solve {problem.id} first", remedy="or see it anyway: add --give-up")

@@ -1,0 +1,220 @@
+"""The screens of `judge try` and `judge hack`: a case and what a file answers; wrong programs to break."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from functools import partial
+from itertools import islice
+from typing import Any
+
+from rich.console import Group, RenderableType
+
+from judge.data.parse import call_of, line_of
+from judge.drawing import Picture
+from judge.practice.progress import HackState
+from judge.problem import Verdict
+from judge.report.parts import (
+    BAD,
+    Cell,
+    bad,
+    blocks,
+    commands,
+    facts,
+    faint,
+    good,
+    head,
+    indented,
+    joined,
+    label,
+    table,
+    text,
+    under,
+    verdict,
+)
+from judge.report.picture import LEAST_ROWS, case_picture, drawing
+from judge.report.published_cases import CaseTried, HackTurn, PageWritten
+from judge.report.screen import Screen, drawn
+from judge.report.tell import obstacle_text
+from judge.report.words import arguments, counted, shown_name
+from judge.run.result import Failure, Obstacle
+from judge.run.tried import Said, Tried
+from judge.values import show
+
+Interval = tuple[str, float, float]  # a number's place in the answer, and the least and greatest accepted
+
+_MOST = 12  # numbers whose interval is shown
+_PRINTED = 10  # lines
+_ANSWERS = 3  # of several that are right, which are shown
+_STATES = {HackState.BROKEN: good("broken"), HackState.GIVEN_UP: faint("given up")}
+
+
+def case_tried(found: CaseTried, screen: Screen) -> RenderableType:
+    """The case in both forms and its answer, the picture, and the verdict on the file's answer."""
+    tried, said = found.tried, found.said
+    if said is None:
+        return _fitted(tried, said, "your case", head(tried.problem.id, tried.problem.title), None, screen)
+    ended = "passes" if said.verdict is Verdict.AC else "fails"
+    last = joined(label(said.verdict), f"  this case {ended}")
+    above = verdict(said.verdict, f"  {shown_name(said.name)}")
+    return _fitted(tried, said, "your case", above, last, screen)
+
+
+def page_written(found: PageWritten, _screen: Screen) -> RenderableType:
+    """What was written, and of which kata."""
+    return text(f"Wrote {shown_name(found.file)}: {found.problem}")
+
+
+def _fitted(
+    tried: Tried,
+    said: Said | None,
+    heading: str,
+    above: RenderableType | None,
+    below: RenderableType | None,
+    screen: Screen,
+) -> RenderableType:
+    """The case between what is above and below it, with its picture; on a low screen less is said of it."""
+    picture = drawing(partial(picture_of, tried, said, heading), screen, "the case")
+    fit: list[RenderableType] = []
+    for brief in (False, True):
+        middle = indented(facts(_facts(tried, said, brief)))
+        laid = blocks(above, middle, below)
+        rows = (screen.rows or 0) - drawn(laid, screen).count("\n")
+        if picture is not None and rows - 2 >= LEAST_ROWS:  # an empty one, the prompt
+            return blocks(above, middle, Group(*picture(rows - 2)), below)
+        fit += [laid] if rows > 0 or not screen.rows else []
+    return fit[0] if fit else laid
+
+
+def _facts(tried: Tried, said: Said | None, brief: bool) -> Iterator[tuple[Cell, Cell]]:
+    """What is known of the case; `brief` leaves out its other forms and what is accepted."""
+    problem = tried.problem
+    exact = show.exact_text(tried.exact)
+    ends = list(islice(_intervals(exact, show.accepted(problem.answer, tried.target), ""), _MOST + 1))
+    if tried.case:
+        yield "case", arguments(problem.named(tried.case))
+    if tried.case and not brief:
+        yield "as program input", line_of(problem, tried.case)
+    yield "exact answer", good(_plain(exact))
+    if ends and not brief:
+        yield "in doubles", good(tried.expected)
+        rows = [f"{f'{place}  ' if place else ''}{low!r} to {high!r}" for place, low, high in ends[:_MOST]]
+        rows += ["and so on for the other numbers"] if len(ends) > _MOST else []
+        yield from under("accepted", rows)
+    if said is None:
+        return
+    yield "got", text(said.got, "" if said.verdict is Verdict.AC else BAD)
+    if said.hurdle is not None:
+        line = said.hurdle.line if said.hurdle.kind is not Obstacle.STUB else 0  # whose sentence has it
+        why = obstacle_text(said.hurdle, problem, said.name, said.message)
+        yield "why", f"{f'line {line}: ' if line else ''}{why}"
+    elif said.message:
+        yield "why", said.message
+    yield from under("printed", said.printed.splitlines()[:_PRINTED])
+
+
+def _intervals(exact: Any, accepted: Any, place: str) -> Iterator[Interval]:
+    """Every real number's place and ends; an exact one is decimal text, and its ends are a pair."""
+    if isinstance(exact, str):
+        if isinstance(accepted, list) and len(accepted) == 2:
+            yield place, accepted[0], accepted[1]
+    elif isinstance(exact, dict) and isinstance(accepted, dict):
+        if "any" in exact and "any" in accepted:  # those of the first; other orders have the same
+            several, ends = exact["any"], accepted["any"]
+            if isinstance(several[0], list):
+                yield from _intervals(several[0], ends[0], place)
+            else:
+                yield from _intervals(several, ends, f"{place} or ")
+    elif isinstance(exact, list) and isinstance(accepted, list):
+        for at, (one, ends) in enumerate(zip(exact, accepted, strict=True)):
+            yield from _intervals(one, ends, f"{place}[{at}]")
+
+
+def _plain(exact: Any) -> str:
+    """An exact answer as it would be written in Python, its numbers in up to 40 digits."""
+    if isinstance(exact, dict):
+        if "such as" in exact:
+            return f"such as {_plain(exact['such as'])}"
+        answers = exact["any"]
+        deep = isinstance(answers[0], list) and isinstance(next(iter(answers[0]), None), list)
+        most = 1 if deep else _ANSWERS
+        return " or ".join([*map(_plain, answers[:most]), *["…"] * (len(answers) > most)])
+    if isinstance(exact, list):
+        point = 2 <= len(exact) <= 3 and all(isinstance(each, str) for each in exact)
+        return f"({_listed(exact)})" if point else f"[{_listed(exact)}]"
+    return str(exact)
+
+
+def _listed(parts: Iterable[Any]) -> str:
+    return ", ".join(map(_plain, parts))
+
+
+def picture_of(tried: Tried, said: Said | None, heading: str) -> Picture | None:
+    """The case drawn with its answer and, where that is rejected, the file's; None where nothing can be."""
+    wrong = said if said is not None and said.verdict is not Verdict.AC else None
+    got, given = (wrong.got, wrong.given) if wrong else (None, None)
+    values = tried.problem.named(tried.case)
+    case = Failure("", input=values, expected=tried.expected, got=got, given=given)
+    return case_picture(tried.problem, tried.data.module, case, tried.group.name, heading)
+
+
+def hack_turn(found: HackTurn, screen: Screen) -> RenderableType:
+    """The program and what is asked, or how all of them stand; or whether a case breaks it."""
+    if found.outcome in ("shown", "listed"):
+        return _program(found) if found.outcome == "shown" else _standing(found)
+    if found.tried is None:
+        return _ended(found)
+    return _fitted(found.tried, found.said, "smallest case", None, _ended(found), screen)
+
+
+def _program(found: HackTurn) -> RenderableType:
+    name, number = found.problem.id, found.puzzle.number
+    aside = f"wrong program {number} of {len(found.puzzles)}, {found.done} broken"
+    rows = map(text, found.puzzle.source.decode().splitlines())
+    asked = text("This program is wrong for at least one valid input. Find one:")
+    command = text(f'  judge hack {name} {number} "{call_of(found.problem)}"')
+    return blocks(head(name, aside), Group(*rows), Group(asked, command))
+
+
+def _ended(found: HackTurn) -> RenderableType:
+    """The mistake, once it may be named, and what came of the case."""
+    name, puzzle = found.problem.id, found.puzzle
+    if found.outcome == "lost":
+        lost = facts([(label(Verdict.WA, "LOST"), found.why)])
+        again = f"judge hack {name} {puzzle.number}"
+        more = [(again, "shows the program again"), (f"{again} --give-up", "names the mistake")]
+        return lost if found.goes_on else blocks(lost, indented(commands(more)))
+    mistake = Group(indented(bad(puzzle.mistake)), indented(text(puzzle.advice), 4))
+    if found.outcome == "given-up":
+        return mistake
+    said = f"broken, {found.done} of {counted(len(found.puzzles), 'program')} of {name}"
+    if found.following:
+        said += f"; next: judge hack {name} {found.following.number}"
+    return blocks(mistake, facts([(label(Verdict.AC, "WON"), said)]))
+
+
+def _standing(found: HackTurn) -> RenderableType:
+    """A row for each program that was broken or given up, with its mistake; the open ones by number."""
+    name, puzzles, states = found.problem.id, found.puzzles, found.states
+    left = [each.number for each in puzzles if states[each.mistake] is HackState.OPEN]
+    rows = [
+        (str(each.number), _STATES[states[each.mistake]], faint(each.mistake))
+        for each in puzzles
+        if each.number not in left
+    ]
+    return blocks(
+        head(name, f"{found.done} of {len(puzzles)} wrong programs broken"),
+        indented(table(rows, "program", "state", "mistake", right=[0])) if rows else None,
+        indented(facts([("open", _runs(left)), ("next", f"judge hack {name} {left[0]}")])) if left else None,
+    )
+
+
+def _runs(numbers: Sequence[int]) -> str:
+    """`1, 3 to 8, 10`: whole numbers in their order, three or more in a row by the first and the last."""
+    runs: list[list[int]] = []
+    for number in numbers:
+        if runs and number == runs[-1][-1] + 1:
+            runs[-1].append(number)
+        else:
+            runs.append([number])
+    said = (f"{run[0]} to {run[-1]}" if len(run) > 2 else ", ".join(map(str, run)) for run in runs)
+    return ", ".join(said)

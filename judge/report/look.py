@@ -1,0 +1,333 @@
+"""What there is to look at: where you stand, the list of katas, one kata and its groups, the manual."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Iterable, Iterator, Sequence
+from decimal import Decimal
+from fractions import Fraction
+
+from rich.console import Group as Together
+from rich.console import RenderableType
+from rich.text import Text
+
+from judge.problem import Group, GrowthRule, Parameter, Problem, Tolerance
+from judge.report.parts import (
+    STRONG,
+    Cell,
+    bad,
+    blocks,
+    commands,
+    facts,
+    faint,
+    good,
+    head,
+    heading,
+    indented,
+    joined,
+    paragraph,
+    prose,
+    solved_bar,
+    strong,
+    table,
+    text,
+)
+from judge.report.published_look import (
+    Begun,
+    Document,
+    Home,
+    KataList,
+    KataRow,
+    KataShown,
+    Mentions,
+    Now,
+    PageShown,
+    Topics,
+)
+from judge.report.screen import Screen
+from judge.report.words import counted, shown_command, shown_name
+from judge.values.answers import Words
+
+_WHAT = (
+    "You write one Python function. Each time you save the file, judge tests it on hundreds of cases. If it"
+    " fails, you see the smallest case that fails, a picture, and the name of the mistake. Hints come one at"
+    " a time, when you ask."
+)
+_LOOK = (
+    ("Look", "judge list", "all katas, from first steps to professional"),
+    ("Interview", "judge quiz", "short questions that need no code"),
+    ("", "judge interview", "a mock interview of 30 minutes"),
+    ("More", "judge help", "the manual"),
+    ("", "judge --help", "all commands"),
+)
+_HITS = 8  # sections of the manual that are shown
+
+
+def home(found: Home, screen: Screen) -> RenderableType:
+    """A page for a newcomer; for somebody who returns a bar, and what is now, again and next."""
+    return _returning(found, screen) if found.begun else _newcomer(found)
+
+
+def _newcomer(found: Home) -> RenderableType:
+    title = found.next.title if found.next else "There is no kata here"
+    return blocks(
+        f"judge: practise circle and line geometry. {counted(found.katas, 'kata')}, offline.",
+        _rows([("Begin", "judge start", f"{title}: your first kata, 5 minutes")]),
+        indented(paragraph(_WHAT)),
+        _rows(_LOOK),
+    )
+
+
+def _returning(found: Home, screen: Screen) -> RenderableType:
+    rows: list[tuple[str, str, str]] = []
+    if found.now:
+        rows += [("Now", found.now.problem, _last(found.now)), _go_on(found.now)]
+    if found.again:
+        days = found.again.days
+        ago = "today" if not days else "yesterday" if days == 1 else f"{days} days ago"
+        rows += [("Again", found.again.problem, f"solved {ago}; solve it once more from memory")]
+        rows += [("", "", f"judge start {found.again.problem} --reset")]
+    if found.next:
+        rows += [("Next", found.next.problem, found.next.summary)]
+        rows += [] if found.now and not found.now.folder else [("", "judge start", "creates its file")]
+    elif not found.now:
+        rows += [("Next", "", "All katas are solved.")]
+    cards = found.cards_due
+    due = f"{counted(cards, 'card')} {'is' if cards == 1 else 'are'} due" if cards else "interview questions"
+    more = commands([("judge progress", "what you can do so far"), ("judge quiz", due)])
+    done = solved_bar(found.solved, found.katas, found.stars, screen.width)
+    return blocks(done, _rows(rows, STRONG), indented(more))
+
+
+def _last(now: Now) -> str:
+    if now.points is None:
+        return "not judged yet"
+    return f"{now.points} of 100 points" + (f", likely mistake: {now.mistake}" if now.mistake else "")
+
+
+def _go_on(now: Now) -> tuple[str, str, str]:
+    file = shown_name(now.file)
+    if not now.folder:
+        return "", "judge start", f"goes on with {file} in this folder"
+    return "", "", f"{file} is in another folder: {shown_command('cd', file=now.folder)}"
+
+
+def begun(found: Begun, _screen: Screen) -> RenderableType:
+    """One line: the file, and what to do with it."""
+    file = shown_name(found.file)
+    if not found.created:
+        return joined(strong(f"{file} exists."), " Go on: judge run. Start over: add --reset")
+    kept = f" The old text is in {shown_name(found.kept)}." if found.kept else ""
+    return joined(strong(f"Created {file}."), f"{kept} Write {found.entry}, then: judge run")
+
+
+def _rows(rows: Iterable[tuple[str, str, str]], style: str = "") -> RenderableType:
+    """Labels, names and what is said of them, in columns that are the same for all."""
+    laid = [
+        (faint(f"{name:<9}"), text(f"{what:<15}", style if name else ""), about) for name, what, about in rows
+    ]
+    return indented(table(laid))
+
+
+def kata_list(found: KataList, screen: Screen) -> RenderableType:
+    """How many are solved, each set in a row, and the katas of one set; all of them where that is asked."""
+    solved = {row.problem for row in found.katas if row.solved}
+    stars = Counter(row.stars for row in found.katas)
+    done = solved_bar(len(solved), len(found.katas), (stars[1], stars[2]), screen.width)
+    sets = [each for each in found.sets if each.katas]
+    if found.whole and not found.shown:
+        return blocks(done, *(Together(strong(each.name), *_katas(found, each.katas, None)) for each in sets))
+    rows = [
+        (
+            text(each.name, STRONG if each.name == found.shown else ""),
+            f"{len(solved & {*each.katas})} of {len(each.katas)}",
+        )
+        for each in sets
+    ]
+    shown = next((each for each in sets if each.name == found.shown), None)
+    about = [table([(faint(shown.about),)], prose=None)] if shown else []
+    room = None if screen.rows is None or found.whole else screen.rows - len(rows) - 8
+    return blocks(
+        done,
+        table(rows, right=[1], prose=None) if len(rows) > 1 else None,
+        Together(*about, *_katas(found, shown.katas if shown else (), room)),
+        commands([("judge list SET", "another set"), ("judge list --all", "all katas")]),
+    )
+
+
+def _katas(found: KataList, names: Sequence[str], room: int | None) -> Iterator[RenderableType]:
+    """The katas of those names with their marks, as many as there is room for."""
+    rows = {row.problem: row for row in found.katas}
+    there = [rows[name] for name in names if name in rows and not (found.todo and rows[name].solved)]
+    kept = there if room is None or len(there) <= room else there[: max(room - 1, 1)]
+    if not there:
+        yield good("  All katas of this set are solved." if found.todo else "  There is no kata.")
+    marked = [_kata(row, current=row.problem == found.current) for row in kept]
+    yield indented(table(marked, prose=None))
+    if len(kept) < len(there):
+        yield faint(f"  … and {len(there) - len(kept)} more: add --all")
+
+
+def _kata(row: KataRow, *, current: bool) -> tuple[Cell, ...]:
+    mark = "★" * row.stars or ("✓" if row.solved else "")
+    return ">" if current else "", good(mark), text(row.problem, STRONG if current else ""), row.title
+
+
+def kata_shown(found: KataShown, screen: Screen) -> RenderableType:
+    """The statement, the parameters and what is allowed; or the test groups."""
+    problem, source = found.problem, found.problem.source
+    if found.groups:
+        return blocks(*_levels(problem))
+    said = (("authors", ", ".join(source.authors)), ("license", source.license), ("origin", source.origin))
+    return blocks(
+        prose(problem.statement, screen),
+        heading("Parameters", _parameters(problem.parameters)),
+        heading("Tests", facts([*_allowed(problem), *(each for each in said if each[1])])),
+    )
+
+
+def _parameters(parameters: Sequence[Parameter]) -> RenderableType:
+    rows = [
+        (strong(each.name), str(each.type).replace("-", " "), bound(each.low), bound(each.high), each.about)
+        for each in parameters
+    ]
+    return table(rows, "name", "type", "from", "to", "about", right=[2, 3])
+
+
+def _allowed(problem: Problem) -> Iterator[tuple[str, str]]:
+    """What the tests are, and what they allow."""
+    yield "groups", f"{_totals(problem.groups)}: judge show {problem.id} --groups"
+    yield "answer", f"{problem.answer}, {_tolerance(_usual(problem), problem.answer.words)}"
+    if smallest := _smallest(problem.parameters):
+        yield "numbers", smallest
+    limits = problem.limits
+    allowed = f"{limits.cpu_seconds:g} s of CPU time, {limits.memory_mb:,.0f} MB for each group"
+    yield "limits", allowed
+    for group in problem.groups:
+        own = [f"{group.limits.cpu_seconds:g} s of CPU time"] if group.limits else []
+        own += [_time_rule(group)] if group.time_limit is not None else []
+        if own:
+            yield group.name, ", ".join(own)
+    if problem.growth is not None:
+        yield "growth", _growth_rule(problem.growth)
+
+
+def _smallest(parameters: Sequence[Parameter]) -> str:
+    """How small a real number other than 0 may be; empty where nothing is said."""
+    widths = dict.fromkeys(each.smallest for each in parameters if each.smallest)
+    parts = []
+    for width in widths:
+        names = [each.name for each in parameters if each.smallest == width]
+        whose = "" if len(widths) == 1 else f" in {', '.join(names)}"
+        parts.append(f"0 or at least {bound(width)} in size{whose}")
+    return "; ".join(parts)
+
+
+def _levels(problem: Problem) -> Iterator[RenderableType]:
+    """What the groups of a problem test, and the mistakes that they find."""
+    may = [text(f"CPU time may grow {_growth_rule(problem.growth)}.")] if problem.growth else []
+    yield Together(head(problem.id, problem.title), *may)
+    for level in problem.levels or (None,):
+        own = [group for group in problem.groups if group.level is level]
+        rows = [
+            (strong(group.name), str(group.count), str(group.points), _about(problem, group)) for group in own
+        ]
+        title = f"{level.value.capitalize()} level" if level else "Test groups"
+        below = table(rows, "group", "cases", "points", "tests", right=[1, 2])
+        if own:
+            yield Together(head(title, _totals(own)), indented(below))
+
+
+def _about(problem: Problem, group: Group) -> Text:
+    """What one group tests and allows, and on a line of its own the mistakes it finds."""
+    about = [group.about]
+    if allowed := _time_rule(group):
+        about.append(f"CPU time: at most {allowed}.")
+    if group.tolerance != _usual(problem):
+        about.append(f"Tolerance: {_tolerance(group.tolerance, problem.answer.words)}.")
+    said = text(" ".join(about))
+    return Text("\n").join([said, bad(", ".join(group.kills))]) if group.kills else said
+
+
+def _usual(problem: Problem) -> Tolerance:
+    return Counter(group.tolerance for group in problem.groups).most_common(1)[0][0]
+
+
+def _totals(groups: Sequence[Group]) -> str:
+    """`9 groups, 1,885 cases, 100 points`: what the groups hold together."""
+    cases = sum(group.count for group in groups)
+    points = sum(group.points for group in groups)
+    return ", ".join((counted(len(groups), "group"), counted(cases, "case"), counted(points, "point")))
+
+
+def _time_rule(group: Group) -> str:
+    """`8 × the reference`: the CPU time of a group that has a limit of its own; empty where it has none."""
+    return "" if group.time_limit is None else f"{group.time_limit:g} × the reference"
+
+
+def _growth_rule(rule: GrowthRule) -> str:
+    """`at most n^0.4 faster than the reference, over …`: how CPU time may grow."""
+    return f"at most n^{rule.slope:g} faster than the reference, over {', '.join(rule.groups)}"
+
+
+def _tolerance(value: Tolerance, words: Words) -> str:
+    """A tolerance in words, such as `1e-9 relative + 4 ulp`; what it counts in has the problem's own name."""
+    unit = words.unit or "the answer's unit"
+    wide = [f"{bound(value.extent)} of {unit}"] if value.extent else []
+    wide += [f"{bound(value.relative)} relative"] if value.relative else []
+    parts = [" or ".join(wide)] if wide else []
+    parts += [f"{bound(value.ulps)} ulp"] if value.ulps else []
+    said = " + ".join(parts) or "exact"
+    return f"{said}; where the exact number is 0, {bound(value.zero)} of {unit}" if value.zero else said
+
+
+def bound(value: Fraction) -> str:
+    """A bound or a width, shortest of its exact forms: `1000`, `2^30`, `-10^100`, `1e-12`, `1/3`."""
+    if value.denominator == 1:
+        return _whole(value.numerator)
+    short = re.sub("e-0+", "e-", f"{float(value):g}")
+    return short if Fraction(short) == value else str(value)
+
+
+def _whole(value: int) -> str:
+    sign, magnitude = ("-" if value < 0 else ""), abs(value)
+    if magnitude < 100_000:
+        return str(value)
+    if magnitude & (magnitude - 1) == 0:
+        return f"{sign}2^{magnitude.bit_length() - 1}"
+    number = Decimal(magnitude)  # whose text, unlike an int's, may have any length
+    if magnitude == 10 ** number.adjusted():
+        return f"{sign}10^{number.adjusted()}"
+    return f"{sign}{number:,}" if number.adjusted() < 15 else f"{sign}{number}"
+
+
+def topics(found: Topics, _screen: Screen) -> RenderableType:
+    """Every topic with its title, and how to read one."""
+    rows = [(strong(each.topic), each.title) for each in found.published]
+    rows.append((strong("options"), "Options of every command"))
+    below = [("judge help TOPIC", "read one"), ("judge help WORDS", "find the pages that mention them")]
+    return blocks(table(rows), commands(below))
+
+
+def page_shown(found: PageShown, screen: Screen) -> RenderableType:
+    """A page, drawn for a person and as it is in a pipe."""
+    return prose(found.published[0].text, screen)
+
+
+def mentions(found: Mentions, _screen: Screen) -> RenderableType:
+    """The sections that have the words, each below the name of its page."""
+    if not found.published:
+        remedy = f"Did you mean judge help {found.near}?" if found.near else "judge help lists the topics."
+        return text(f"No page mentions {found.words!r}. {remedy}")
+    parts: list[RenderableType] = [text(f"Pages that mention {found.words!r}:")]
+    for each in found.published[:_HITS]:
+        parts += [head(each.topic, each.section), indented(text(each.line))]
+    if len(found.published) > _HITS:
+        parts.append(faint(f"and {len(found.published) - _HITS} more sections"))
+    return Together(*parts)
+
+
+def document(found: Document, _screen: Screen) -> RenderableType:
+    """A text, line by line."""
+    return Together(*(Text(row) for row in found.text.rstrip("\n").split("\n")))

@@ -1,0 +1,257 @@
+"""What a person has learned and what is due, on a screen: sets, skills, questions, katas to repeat."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from datetime import datetime
+from itertools import groupby
+
+from rich.console import Group, RenderableType
+from rich.text import Text
+
+from judge.languages import file_name
+from judge.practice.events import Rating
+from judge.practice.progress import Covered, Evidence, Kind, Question, SkillProgress, State
+from judge.practice.review import Review
+from judge.problem.model import FULL_SCORE, KataLevel
+from judge.report.parts import (
+    BAD,
+    FAINT,
+    GOOD,
+    WARNING,
+    Cell,
+    bad,
+    bar,
+    blocks,
+    commands,
+    facts,
+    faint,
+    good,
+    head,
+    heading,
+    indented,
+    joined,
+    solved_bar,
+    strong,
+    table,
+    text,
+    under,
+)
+from judge.report.published_progress import (
+    DueShown,
+    ProgressPage,
+    ProgressShown,
+    ProgressWritten,
+    QuestionShown,
+    SetShare,
+)
+from judge.report.screen import Screen
+from judge.report.words import counted, day, due_words, shown_name
+
+_STYLES = {State.OPEN: FAINT, State.SHOWN: GOOD, State.LOST: BAD}
+_MARKS = {State.OPEN: "", State.SHOWN: "✓", State.LOST: "lost"}
+_NAMED = 12  # skills that are named in a row
+_NARROW = 64  # columns that the table of sets needs
+_LISTED = 3  # katas that are listed under Now and Again
+
+
+def progress_page(found: ProgressPage, screen: Screen) -> RenderableType:
+    """How many katas are solved, a bar for each set or the skills of one, what to do now, what was made."""
+    told, sets = found.shown, None
+    solved = solved_bar(len(told.solved), len(told.katas), (told.one_star, told.two_stars), screen.width)
+    top = solved if told.sets else Group(strong(told.title), solved)
+    if found.whole:
+        return blocks(top, *_all(told))
+    below = [(f"judge progress {told.set} --all", "each skill, kata and question")]
+    if told.sets:
+        narrow = screen.width is not None and screen.width < _NARROW
+        rows = [_set(each)[: 2 if narrow else None] for each in told.sets]
+        sets = indented(table(rows, right=[4], prose=None))
+        below = [("judge progress SET", "one set"), ("judge progress --due", "what to repeat, and when")]
+    said = [*([] if told.sets else _skills(told)), *_now(found), *_made(told)]
+    return blocks(top, sets, indented(facts(said)), commands(below))
+
+
+def _set(part: SetShare) -> tuple[Cell, ...]:
+    stars = [f"★ {part.one_star}", f"★★ {part.two_stars}"] if part.levelled else ["", ""]
+    skills = f"{part.shown} of {counted(part.skills, 'skill')}" if part.skills else ""
+    share = bar(part.solved, part.katas, f"{part.solved} of {part.katas}", 0)
+    name = text(part.name, GOOD if part.solved == part.katas else "")
+    return name, share, *stars, faint(skills)
+
+
+def _skills(told: ProgressShown) -> Iterator[tuple[Cell, Cell]]:
+    for state, label in ((State.SHOWN, "shown"), (State.OPEN, "open")):
+        names = [each.name for each in told.skills if each.state is state]
+        more = f"; {len(names) - _NAMED} more" if len(names) > _NAMED else ""
+        if names:
+            yield text(label, _STYLES[state]), "; ".join(names[:_NAMED]) + more
+    if told.solved:
+        yield "solved", ", ".join(told.solved)
+
+
+def _now(found: ProgressPage) -> Iterator[tuple[Cell, Cell]]:
+    """What is unfinished, what comes again today, and the next kata."""
+    due = found.due
+    now = [joined(each.problem, "  ", faint(_points(each.best))) for each in due.now[-_LISTED:]]
+    again = [
+        joined(each.name, faint(f"  last time {day(each.last)}; write it again from memory"))
+        for each in due.due[:_LISTED]
+    ]
+    yield from under(strong("now"), now)
+    yield from under(strong("again"), again)
+    if cards := len(due.cards.due):
+        yield strong("cards"), f"{counted(cards, 'card')} due: judge quiz"
+    if following := found.shown.next:
+        skill = f"; new: {following.skill}" if following.skill else ""
+        yield strong("next"), joined(f"judge start {following.problem}", faint(f"  {following.title}{skill}"))
+
+
+def _points(best: int) -> str:
+    return f"{best} of {FULL_SCORE} points"
+
+
+def _made(told: ProgressShown) -> Iterator[tuple[Cell, Cell]]:
+    """The skills that were lost, the mistakes made, how many questions are ticked and programs broken."""
+    if told.skills:
+        yield "skills", _ticked(told.skills)
+    for skill in told.skills:
+        if skill.state is State.LOST:
+            yield bad("lost"), f"{skill.name}: fails {_failing(skill)}"
+    if told.mistakes:
+        often = ((name, f" {number} ×" if number > 1 else "") for name, number in told.mistakes.items())
+        yield "mistakes", ", ".join(map("".join, often))
+    if any(each.state is not State.OPEN for each in told.rows):
+        first = told.rows[0].section
+        own = [each for each in told.rows if each.section == first]
+        more = f", {_ticked(told.rows)} in all" if len(own) < len(told.rows) else ""
+        yield "questions", f"{first} {_ticked(own)}{more}"
+    if told.hacks:
+        shares = ", ".join(f"{each.problem} {len(each.broken)} of {each.programs}" for each in told.hacks)
+        yield "broken", f"wrong programs of {shares}"
+
+
+def _all(told: ProgressShown) -> Iterator[RenderableType]:
+    """A row for each skill, for each kata that has levels, and for each question."""
+    yield table(map(_skill, told.skills), "skill", "", "since", "runs", "what it asks", right=[3])
+    if told.levels:
+        its = {(each.problem, each.level): each for each in told.levels}
+        rows: list[list[Cell]] = [
+            [kata, *(_level(its.get((kata, level))) for level in KataLevel)]
+            for kata in dict.fromkeys(each.problem for each in told.levels)
+        ]
+        yield table(rows, "kata", *(f"{level.value} level" for level in KataLevel), prose=None)
+    for section, grouped in groupby(told.rows, lambda each: each.section):
+        questions = list(grouped)
+        below = table(map(_question, questions), "id", "", "practise with", "question")
+        yield Group(head(section, _ticked(questions)), below)
+
+
+def _mark(state: State) -> Text:
+    return text(_MARKS[state], _STYLES[state])
+
+
+def _skill(skill: SkillProgress) -> tuple[Cell, ...]:
+    some = skill.state is State.SHOWN and skill.met < len(skill.needs)
+    return (
+        text(skill.name, FAINT if skill.state is State.OPEN else ""),
+        good(f"✓ {skill.met} of {len(skill.needs)}") if some else _mark(skill.state),
+        faint(day(skill.since)),
+        faint(str(skill.attempts or "")),
+        faint(f"Fails {_failing(skill)}." if skill.state is State.LOST else skill.about),
+    )
+
+
+def _failing(skill: SkillProgress) -> str:
+    """The groups that were passed and no longer are, with their kata."""
+    return ", ".join(f"{need.problem} {group}" for need in skill.needs if need.lost for group in need.failing)
+
+
+def _level(each: Covered | None) -> Text:
+    if each is None:
+        return Text()
+    if each.since is not None:
+        return good(f"✓ {day(each.since)}")
+    return faint(f"{each.best} of {counted(len(each.groups), 'group')}" if each.best else "")
+
+
+def _question(each: Question) -> tuple[Cell, ...]:
+    return strong(each.row), _mark(each.state), faint(next(iter(each.drills), "")), each.ask
+
+
+def _ticked(rows: Sequence[Question | SkillProgress]) -> str:
+    return f"{sum(each.state is State.SHOWN for each in rows)} of {len(rows)}"
+
+
+def question_shown(found: QuestionShown, _screen: Screen) -> RenderableType:
+    """One question with all that may tick it, and every command that practises it."""
+    asked = found.question
+    said = "lost" if asked.state is State.LOST else "not yet"
+    said = f"since {day(asked.since)}" if asked.since else said
+    return blocks(
+        table([(strong(asked.row), head(asked.ask, said))]),
+        indented(table(map(_evidence, asked.by), "by", "", "since", "name")),
+        facts(under("practise with", asked.drills)),
+    )
+
+
+def _evidence(each: Evidence) -> tuple[Cell, ...]:
+    state = State.LOST if each.lost else State.SHOWN if each.since else State.OPEN
+    kind = "mistake found" if each.kind is Kind.BROKEN else each.kind.value
+    return faint(kind), _mark(state), faint(day(each.since)), each.name
+
+
+def due_shown(found: DueShown, _screen: Screen) -> RenderableType:
+    """The katas that are unfinished, those that are due, the longest overdue first, and the others."""
+    now, later, parts = found.time, found.later, list[RenderableType]()
+    if found.now:
+        rows = [
+            (strong(each.problem), _points(each.best), f"last run {day(each.last)}" if each.last else "")
+            for each in found.now
+        ]
+        parts.append(heading("Now: not solved yet", table(rows)))
+    if found.due:
+        first = found.due[0].name
+        fresh = file_name(f"{first.replace('-', '_')}_{now:%m%d}")
+        again = commands([(f"judge start {first} {fresh}", "write it again, from an empty file")])
+        title = f"Due today: {counted(len(found.due), 'kata')}"
+        parts.append(Group(heading(title, _reviews(found.due, now)), again))
+    elif not (later or found.now):
+        none = text("Nothing is due: you have solved no kata yet.")
+        parts.append(Group(none, commands([("judge progress", "the next kata")])))
+    if later:
+        nothing = joined(good("Nothing is due today."), " Next:")
+        parts.append(Group(strong("Later") if found.due else nothing, indented(_reviews(later, now))))
+    cards = (*found.cards.due, *found.cards.later)
+    if cards:
+        coming = min(cards, key=lambda each: each.due)
+        when = "judge quiz" if found.cards.due else f"the next one {due_words(coming.due, now)}"
+        parts.append(text(f"Cards: {len(found.cards.due)} due of {len(cards)} answered; {when}"))
+    if found.elsewhere:
+        parts.append(faint(f"Not found from here: {', '.join(found.elsewhere)}; see --problems."))
+    return blocks(*parts)
+
+
+def _reviews(rows: Sequence[Review], now: datetime) -> RenderableType:
+    styles = {Rating.AGAIN: BAD, Rating.HARD: WARNING}
+    last = [text(f"{day(each.last)}: {_why(each)}", styles.get(each.rating, "")) for each in rows]
+    told = zip(rows, last, strict=True)
+    laid = [(strong(each.name), due_words(each.due, now), said) for each, said in told]
+    return table(laid, "kata", "due", "last time")
+
+
+def _why(each: Review) -> str:
+    """What happened, and after how many days it therefore comes again."""
+    if each.rating is Rating.AGAIN:
+        how = "not solved"
+    elif each.rating is Rating.HARD:
+        how = "solved, but not at once"
+    else:
+        row = {1: "", 2: " twice in a row"}.get(each.in_a_row, f" {each.in_a_row} times in a row")
+        how = f"solved at once{row}"
+    return f"{how}, so again after {counted(each.days, 'day')}"
+
+
+def progress_written(found: ProgressWritten, _screen: Screen) -> RenderableType:
+    """Where the page is."""
+    return joined(f"Wrote {shown_name(found.out)}", faint(f"  {counted(found.runs, 'run')}"))
