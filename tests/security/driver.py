@@ -25,7 +25,6 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-import msgspec
 from table import ATTACKS, SCRIPTS
 
 from judge.errors import JudgeError
@@ -187,7 +186,7 @@ def bare(
 def main(level: str) -> None:
     if level == "levels":
         for row in levels():
-            print(json.dumps({**msgspec.structs.asdict(row), "possible": possible(row.name)}))
+            print(json.dumps({**vars(row), "possible": possible(row.name)}))
         return
     names = json.load(sys.stdin)
     os.environ["JUDGE_TEST_SECRET"] = "1"

@@ -98,6 +98,11 @@ def test_the_sandbox_knows_nothing_of_the_judge_but_its_errors():
     assert set().union(*map(rooms, inside("sandbox"))) & {*ROOMS, "schema"} == {"errors"}
 
 
+def test_the_sandbox_imports_the_standard_library_alone():
+    named = {each.split(".")[0] for name in inside("sandbox") for each in modules(nodes(FILES[name], ast.AST))}
+    assert named - sys.stdlib_module_names <= {"judge"}
+
+
 def test_only_problems_import_geometry():
     others = [name for name in FILES if name.split("/")[0] != "geometry"]
     assert {name for name in others if "geometry" in rooms(name)} == set()
