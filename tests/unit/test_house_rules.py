@@ -99,8 +99,8 @@ def test_the_sandbox_knows_nothing_of_the_judge_but_its_errors():
 
 
 def test_the_sandbox_imports_the_standard_library_alone():
-    named = {each.split(".")[0] for name in inside("sandbox") for each in modules(nodes(FILES[name], ast.AST))}
-    assert named - sys.stdlib_module_names <= {"judge"}
+    found = [each for name in inside("sandbox") for each in modules(nodes(FILES[name], ast.AST))]
+    assert {each.split(".")[0] for each in found} - sys.stdlib_module_names <= {"judge"}
 
 
 def test_only_problems_import_geometry():
