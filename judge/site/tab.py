@@ -99,7 +99,6 @@ class Tab:
         """Judge a program, as JSON: `judge.report.tell.Told`, and what the page does with it besides."""
         return self._katas[kata].judge(source.encode("utf-8", "surrogatepass"))
 
-
     def result(self, kata: str, source: bytes) -> Result:
         """The whole result. Raises JudgeError."""
         return self._katas[kata].result(source)

@@ -145,7 +145,8 @@ def test_how_a_call_ends(source):
 
 @pytest.mark.skipif(sys.version_info < (3, 12), reason="before Python 3.12 jumps cannot be counted")
 @pytest.mark.parametrize(
-    "body", ["while True: pass", "while True:\n        try:\n            f(x)\n        except BaseException: pass"]
+    "body",
+    ["while True: pass", "while True:\n        try:\n            f(x)\n        except BaseException: pass"],
 )
 def test_a_loop_ends_with_its_line(body):
     box = TabBox(f"def f(x):\n    {body}\n".encode(), "mine.py")

@@ -59,10 +59,10 @@ function say(text, kind = "") {
 
 const SILENCE = 20_000; // milliseconds without a word, after which a program is stuck inside one call
 const python = {
-  worker: null, ready: null, opened: new Set(), run: null, timer: 0,
+  worker: null, ready: null, opened: new Map(), run: null, timer: 0,
 
   start() {
-    this.opened.clear();
+    this.opened = new Map();
     this.ready = (async () => {
       const text = `const BASE = ${JSON.stringify(new URL("./", location.href).href)};\n${await (await fetch("python.js")).text()}`;
       const address = URL.createObjectURL(new Blob([text], { type: "text/javascript" }));
@@ -81,12 +81,18 @@ const python = {
     return this.ready;
   },
 
-  async open(kata) {
-    await this.ready;
-    if (this.opened.has(kata.id)) return;
-    this.opened.add(kata.id);
-    const found = await fetch(`kata/${kata.id}.zip`);
-    this.worker.postMessage({ kata: kata.id, archive: new Uint8Array(await found.arrayBuffer()) });
+  /* Hand a kata to the worker, once; a promise that keeps when the worker has it. */
+  open(kata) {
+    const { opened } = this;
+    if (!opened.has(kata.id)) {
+      opened.set(kata.id, (async () => {
+        await this.ready;
+        const found = await fetch(`kata/${kata.id}.zip`);
+        this.worker.postMessage({ kata: kata.id, archive: new Uint8Array(await found.arrayBuffer()) });
+      })());
+      opened.get(kata.id).catch(() => opened.delete(kata.id));
+    }
+    return opened.get(kata.id);
   },
 
   async judge(kata, source, hear) {
