@@ -22,9 +22,9 @@ Traceback (most recent call last):
 judge.errors.UsageError: no problem is called 'cuont'; did you mean 'count'?
 
 Nothing of it is imported before it is asked for; judge/manual/testing.md has more examples. Imports
-point one way: cli → batch → judging → report → practice → geometry → mistakes → diagnose → run → data →
-problem → drawing, values → exact → errors. `sandbox` knows nothing of problems, `exact` nothing of judging,
-and none of them but `geometry` what a problem is about.
+point one way: cli → site → batch → judging → report → practice → geometry → mistakes → diagnose → run →
+data → problem → drawing, values → exact → errors. `sandbox` knows nothing of problems, `exact` nothing of
+judging, and none of them but `geometry` what a problem is about.
 
 A type checker reads `__init__.pyi`.
 """

@@ -77,6 +77,9 @@ Teach and set
     judge export count --out packages
     judge export count --format files --out data
     judge export exact-count --out packages --version legacy --zip --wrong 5
+  site       site       site       Write a site on which the katas are practised in a browser tab.
+    judge site --open
+    judge site count segment --out public
   doctor     doctor     sandbox    Say how well submissions are contained on this machine.
     judge doctor
     judge doctor --languages

@@ -86,7 +86,7 @@ class InProcess:
         for calls in series:
             if found and on_series:
                 on_series()
-            with _as_it_was():
+            with as_it_was():
                 found.append(CallsResult(tuple(self._replies(entry, calls, limits.items)), Usage()))
         return found
 
@@ -108,7 +108,7 @@ class InProcess:
         out = io.TextIOWrapper(printed, "utf-8", write_through=True)
         sys.stdin = io.TextIOWrapper(io.BytesIO(stdin), "utf-8")
         try:
-            with _as_it_was(), redirect_stdout(out):
+            with as_it_was(), redirect_stdout(out):
                 self._executed("__main__")
         except SystemExit as left:
             if left.code not in (None, 0):
@@ -187,7 +187,7 @@ def _source(routine: Routine) -> bytes:
 
 
 @contextmanager
-def _as_it_was() -> Iterator[None]:
+def as_it_was() -> Iterator[None]:
     """Undo at the end what was done to the state that the whole process shares."""
     with ExitStack() as undone:
         undone.enter_context(decimal.localcontext())

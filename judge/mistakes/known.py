@@ -16,7 +16,7 @@ from functools import cached_property, partial
 from itertools import chain
 from typing import Any
 
-from judge.cache import DISK, code_key
+from judge.cache import DISK, Store, code_key
 from judge.data.load import ProblemData, kept_place
 from judge.mistakes.agreement import kind_of
 from judge.mistakes.computed import Computer, Program
@@ -37,11 +37,11 @@ _WHAT = "the known mistakes' answers"
 class KnownAnswers:
     """The answers of known programs on one problem's data, read from the cache and added to it."""
 
-    def __init__(self, data: ProblemData, seed: int | None, settings: Settings) -> None:
+    def __init__(self, data: ProblemData, seed: int | None, settings: Settings, store: Store = DISK) -> None:
         self._data = data
         self._settings = settings
         self._kinds: dict[tuple[str, int, Outline], str] = {}
-        self._store = DISK
+        self._store = store
         self._place = _place(data.problem, seed)
 
     @property

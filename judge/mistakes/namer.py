@@ -11,6 +11,7 @@ from functools import cached_property
 from msgspec import Struct
 from msgspec.structs import replace
 
+from judge.cache import DISK, Store
 from judge.data.load import ProblemData
 from judge.languages import language_of
 from judge.mistakes.computed import Computer, Program
@@ -48,7 +49,8 @@ class _Ready(Struct):
 class Namer:
     """Says which known mistake explains a result; what the mistakes answer is found once and kept.
 
-    `settings` say how programs are judged; `progress` opens a bar for it; `notes` are for the person.
+    `settings` say how programs are judged, `store` keeps what they answer; `progress` opens a bar for it;
+    `notes` are for the person.
     """
 
     def __init__(
@@ -57,10 +59,11 @@ class Namer:
         seed: int | None,
         settings: Settings,
         progress: Callable[[], AbstractContextManager[Progress | None]],
+        store: Store = DISK,
     ) -> None:
         self.notes: list[str] = []
         self._data = data
-        self._answers = KnownAnswers(data, seed, settings)
+        self._answers = KnownAnswers(data, seed, settings, store)
         self._computer = Computer(data)  # of what makes two mistakes at once
         self._progress = progress
         self._made: _Ready | None = None

@@ -196,3 +196,14 @@ class Doctor(Published, frozen=True):
         """1 where an attack was not held."""
         held = self.attacks is None or all(each.held for each in self.attacks.attacks)
         return ExitCode.ACCEPTED if held else ExitCode.NOT_ACCEPTED
+
+
+class SiteBuilt(Published, frozen=True):
+    """What came of a build: katas made now, those that were there, those for the terminal, all bytes."""
+
+    out: str
+    made: tuple[str, ...]
+    kept: tuple[str, ...]
+    elsewhere: tuple[str, ...]
+    bytes: int
+    opened: bool

@@ -34,6 +34,7 @@ from judge.report.published_setter import (
     Exported,
     FilesWritten,
     NewKata,
+    SiteBuilt,
     Verified,
     VerifySummary,
 )
@@ -104,6 +105,22 @@ def files_written(found: FilesWritten, _screen: Screen) -> RenderableType:
     """Where the data are."""
     what = f"{counted(found.cases, 'case')} in {counted(len(found.files), 'file')}"
     return head(shown_name(found.out), what)
+
+
+def site_built(found: SiteBuilt, _screen: Screen) -> RenderableType:
+    """Where the site is, what was made, and how to look at it."""
+    done = [counted(len(found.made), "kata") + " made"]
+    done += [f"{len(found.kept)} as they were"] if found.kept else []
+    done += [f"{len(found.elsewhere)} for the terminal alone"] if found.elsewhere else []
+    size = f"{found.bytes / 1e6:,.0f} MB"
+    below = (
+        []
+        if found.opened
+        else [(f"judge site --open --out {quote(found.out)}", "look at it on this machine")]
+    )
+    return blocks(
+        head(shown_name(found.out), f"{size}, {', '.join(done)}"), commands(below) if below else None
+    )
 
 
 def exported(found: Exported, _screen: Screen) -> RenderableType:

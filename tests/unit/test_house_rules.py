@@ -27,7 +27,7 @@ MOST_LINES = 400
 MOST_PARAMETERS = 6
 # A room knows only those that stand after it.
 ROOMS = [
-    *("cli", "batch", "judging", "report", "practice", "geometry", "packs", "mistakes", "diagnose"),
+    *("cli", "site", "batch", "judging", "report", "practice", "geometry", "packs", "mistakes", "diagnose"),
     *("run", "data", "problem", "drawing", "manual", "languages", "values", "exact", "database"),
     *("cache", "files", "errors"),
 ]

@@ -2,6 +2,16 @@
 /* The page of `judge try --open`: the case, what is said of it, and how it is moved. What is decided comes from `figure`. */
 (() => {
   const start = JSON.parse(by("start").textContent);
+  /* The address may hold a case: for each argument the texts of its numbers, as JSON. */
+  if (location.hash.length > 1) {
+    try {
+      const given = JSON.parse(decodeURIComponent(location.hash.slice(1)));
+      if (given.length === start.args.length) {
+        start.cases.unshift(["The case it was opened with", given]);
+        start.args = start.args.map((each, i) => ({ ...each, value: given[i] }));
+      }
+    } catch { /* it is none */ }
+  }
   const flat = value => (Array.isArray(value) ? value.flatMap(flat) : [value]);
   const textsOf = args => args.flatMap(each => flat(each.value));
   const state = { args: start.args, texts: textsOf(start.args), numbers: null, told: null, rough: null, view: null, held: null };

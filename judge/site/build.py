@@ -1,0 +1,323 @@
+"""`judge site`: everything that the page needs, as files of one folder that any web server can hold.
+
+index.html style.css app.js python.js sw.js icon.svg    the page (judge/site/page)
+katas.json quiz.json                                    what there is, and the cards
+kata/<id>.json <id>.svg <id>.zip                        a kata: its texts, its figure, what judging it needs
+explore/<id>.html                                       the page on which its cases are dragged
+judge.zip                                               this package's modules that a tab needs
+pyodide/ wheels/ ace/                                   Python and the editor (judge.site.fetch)
+site.json                                               what each kata was made from, for the next build
+"""
+
+from __future__ import annotations
+
+import json
+import shutil
+import zipfile
+from collections.abc import Callable, Iterable, Sequence
+from contextlib import nullcontext, suppress
+from pathlib import Path
+from typing import Any, TypeVar
+
+import msgspec
+from msgspec import Struct
+
+from judge import __version__
+from judge.cache import DISK, code_key, digest
+from judge.data.load import load_data
+from judge.errors import JudgeError, UsageError
+from judge.files import replace_file
+from judge.mistakes.namer import Namer
+from judge.practice.cards import Card, read_decks
+from judge.practice.questions import Question, Sources, ask
+from judge.practice.syllabus import USUAL, sound_sets
+from judge.problem import Problem
+from judge.problem.module import load_module
+from judge.report.published_setter import SiteBuilt
+from judge.run.settings import Settings
+from judge.site.texts import kata_page
+
+T = TypeVar("T")
+Stage = Callable[[str, int, int], None]  # what is at work, katas done, katas in all
+PAGE = Path(__file__).parent / "page"
+MARK = b'name="generator" content="judge site"'
+_PACKAGE = Path(__file__).parent.parent
+_ROOMS = (  # that a tab needs; the rest of the package is for processes, terminals and machines
+    *("exact", "values", "drawing", "problem", "data", "geometry", "sandbox", "languages", "run", "diagnose"),
+    *("mistakes", "judging", "report", "site"),
+)
+_FILES = ("__init__.py", "cache.py", "errors.py", "files.py")
+_LEFT_OUT = ("attacks.py", "drivers", "html", "page", "__pycache__")
+_SEED = 1  # of what is left to chance in cards
+
+
+class Kata(Struct, frozen=True):
+    """A kata as the page lists it; `elsewhere` says why it is not one for a tab."""
+
+    id: str
+    title: str
+    tier: str
+    summary: str
+    stub: str
+    levels: bool
+    explore: bool
+    elsewhere: str
+
+
+class KataSet(Struct, frozen=True):
+    """A set of katas."""
+
+    name: str
+    title: str
+    about: str
+    katas: tuple[str, ...]
+
+
+class Site(Struct, frozen=True):
+    """All that the page lists; `editor` says whether the editor came with it."""
+
+    version: str
+    editor: bool
+    sets: tuple[KataSet, ...]
+    katas: tuple[Kata, ...]
+
+
+class _Keeping:
+    """The judge's cache; every value that is asked for or written stays known as JSON, by its folder."""
+
+    def __init__(self) -> None:
+        self.found: dict[str, bytes] = {}
+
+    def read(self, name: str, key: str, kind: type[T]) -> T | None:
+        body = DISK.read(name, key, bytes)
+        if body is None:
+            return None
+        self.found[name.partition("/")[0]] = body
+        return DISK.read(name, key, kind)
+
+    def write(self, name: str, key: str, value: Any, what: str = "test data") -> str | None:
+        body = json.dumps(value, separators=(",", ":")).encode()
+        self.found[name.partition("/")[0]] = body
+        return DISK.write(name, key, value, what)
+
+
+def check_folder(out: Path) -> None:
+    """Raise UsageError where `out` is something else than a site or an empty folder."""
+    index = out / "index.html"
+    if out.exists() and not out.is_dir():
+        raise UsageError("this is no folder", where=str(out), remedy="name one with --out")
+    ours = index.is_file() and MARK in index.read_bytes()
+    if out.is_dir() and any(out.iterdir()) and not ours:
+        raise UsageError(
+            "this folder holds something else", where=str(out), remedy="name a new one with --out"
+        )
+
+
+def build(
+    out: Path,
+    problems: Sequence[Problem],
+    folders: Sequence[Path],
+    parts: Path,
+    stage: Stage | None = None,
+    *,
+    opened: bool = False,
+) -> SiteBuilt:
+    """Write the site; `parts` holds what `judge.site.fetch` brought. What has not changed is left alone.
+
+    `opened` says that it will be looked at now.
+
+    Raises JudgeError.
+    """
+    before = _before(out)
+    for name in ("kata", "explore"):
+        (out / name).mkdir(parents=True, exist_ok=True)
+    katas, made, after = [], [], {}
+    for done, problem in enumerate(problems):
+        if stage:
+            stage(problem.id, done, len(problems))
+        elsewhere = _elsewhere(problem)
+        key = digest(f"{__version__}/{problem.key}/{code_key()}".encode())
+        if not elsewhere:
+            after[problem.id] = key
+            if before.get(problem.id) != key or not (out / "kata" / f"{problem.id}.zip").is_file():
+                _kata(out, problem)
+                made.append(problem.id)
+        explore = (out / "explore" / f"{problem.id}.html").is_file()
+        katas.append(_listed(problem, elsewhere, explore=explore))
+    if stage:
+        stage("the page", len(problems), len(problems))
+    sets = tuple(
+        KataSet(each.name, each.title, each.about, tuple(one.id for one in each.problems))
+        for each in sound_sets(problems, folders)[0]
+        if each.problems and each.name != USUAL
+    )
+    _page(out, Site(__version__, (parts / "ace").is_dir(), sets, tuple(katas)), parts)
+    _write(out / "quiz.json", _cards(problems, folders))
+    _write(out / "site.json", after)
+    _worker(out)
+    return SiteBuilt(
+        str(out),
+        tuple(made),
+        tuple(name for name in after if name not in made),
+        tuple(each.id for each in katas if each.elsewhere),
+        sum(path.stat().st_size for path in out.rglob("*") if path.is_file()),
+        opened,
+    )
+
+
+def _before(out: Path) -> dict[str, str]:
+    try:
+        return msgspec.json.decode((out / "site.json").read_bytes(), type=dict[str, str])
+    except (OSError, msgspec.DecodeError):
+        return {}
+
+
+def _elsewhere(problem: Problem) -> str:
+    """Why a kata is not one for a tab; empty where it is."""
+    where = f"In the terminal: judge start {problem.id}"
+    if problem.growth is not None:
+        return f"{where}. It measures how your time grows."
+    if problem.time is not None and problem.time.needs:
+        return f"{where}. It is timed beside {', '.join(problem.time.needs)}."
+    return ""
+
+
+def _listed(problem: Problem, elsewhere: str, *, explore: bool) -> Kata:
+    names = ", ".join(parameter.name for parameter in problem.parameters)
+    stub = f"def {problem.entry}({names}):\n    raise NotImplementedError\n"
+    return Kata(
+        problem.id,
+        problem.title,
+        problem.tier.value,
+        problem.summary,
+        stub,
+        bool(problem.levels),
+        explore,
+        elsewhere,
+    )
+
+
+def _kata(out: Path, problem: Problem) -> None:
+    """The files of one kata. Raises JudgeError."""
+    store, name = _Keeping(), problem.id
+    data = load_data(problem, store=store)
+    namer = Namer(data, None, Settings(measured=False), nullcontext, store=store)
+    namer.learn()
+    files = {f"{kind}.json": store.found[kind] for kind in ("data", "mistakes") if kind in store.found}
+    for root, folder in (("problems", problem.folder), ("solutions", problem.solutions)):
+        files |= {f"{root}/{name}/{path.relative_to(folder)}": path.read_bytes() for path in _shipped(folder)}
+    for path in (*problem.folder.parent.glob("types/*.py"), *problem.folder.parent.glob("skills.toml")):
+        files[f"problems/{path.relative_to(problem.folder.parent)}"] = path.read_bytes()
+    words = problem.solutions.parent / "mistakes.toml"
+    files |= {"solutions/mistakes.toml": words.read_bytes()} if words.is_file() else {}
+    _zip(out / "kata" / f"{name}.zip", files)
+    _write(out / "kata" / f"{name}.json", kata_page(problem))
+    figure = problem.folder / "figure.svg"
+    if figure.is_file():
+        shutil.copy(figure, out / "kata" / f"{name}.svg")
+    hooks = load_module(problem).hooks
+    page = hooks.explore(problem, None) if hooks.explore else None
+    if page:
+        replace_file(out / "explore" / f"{name}.html", page.encode())
+
+
+def _shipped(folder: Path) -> Iterable[Path]:
+    """The files of a kata's folder that a tab needs: no programs in other languages, no slow ones."""
+    for path in sorted(folder.rglob("*")):
+        first, *_ = parts = path.relative_to(folder).parts
+        unwanted = first == "slow" or (first in ("accepted", "wrong") and path.suffix != ".py")
+        if path.is_file() and not unwanted and "__pycache__" not in parts:
+            yield path
+
+
+def _page(out: Path, site: Site, parts: Path) -> None:
+    for path in PAGE.iterdir():
+        if path.name != "sw.js":
+            shutil.copy(path, out / path.name)
+    shutil.copytree(parts, out, dirs_exist_ok=True)
+    _write(out / "katas.json", site)
+    places = [_PACKAGE / name for name in _FILES]
+    for room in _ROOMS:
+        places += [
+            path
+            for path in sorted((_PACKAGE / room).rglob("*"))
+            if path.suffix in (".py", ".toml", ".js", ".css", ".html")
+        ]
+    kept = [path for path in places if not {*path.relative_to(_PACKAGE).parts} & {*_LEFT_OUT}]
+    _zip(out / "judge.zip", {f"judge/{path.relative_to(_PACKAGE)}": path.read_bytes() for path in kept})
+
+
+def _worker(out: Path) -> None:
+    """The service worker, whose version is the hash of all other files."""
+    own = out / "sw.js"
+    files = sorted(path for path in out.rglob("*") if path.is_file() and path != own)
+    version = digest(*(digest(path.read_bytes()).encode() for path in files))[:16]
+    replace_file(own, (PAGE / "sw.js").read_text(encoding="utf-8").replace("{{version}}", version).encode())
+
+
+class CardShown(Struct, frozen=True):
+    """A card with its answer; of `options` one is right, and the others say why they are not."""
+
+    key: str
+    sets: tuple[str, ...]
+    front: str
+    given: tuple[str, ...]
+    program: str
+    svg: str
+    options: tuple[Option, ...]
+    answer: str
+    why: str
+
+
+class Option(Struct, frozen=True):
+    """One answer to choose."""
+
+    text: str
+    right: bool
+    why: str
+
+
+def _cards(problems: Sequence[Problem], folders: Sequence[Path]) -> list[CardShown]:
+    """The cards of all sets whose problems are here."""
+    sources = Sources(folders, _SEED, lambda _label: nullcontext())
+    names: set[str] = {"", *(problem.id for problem in problems)}
+    found = []
+    for card in read_decks(folders)[0]:
+        if card.problem in names:
+            with suppress(JudgeError):  # `judge verify` tells of it
+                found.append(_card(card, ask(card, sources, "site")))
+    return found
+
+
+def _card(card: Card, asked: Question) -> CardShown:
+    from judge.drawing.svg import to_svg
+
+    options = []
+    for letter, text in asked.options:
+        reply = asked.check(letter) if asked.check else None
+        options.append(Option(text, bool(reply and reply.right), reply.why if reply else ""))
+    picture = to_svg(asked.picture) if asked.picture else ""
+    return CardShown(
+        card.key,
+        card.sets,
+        card.front,
+        asked.given,
+        asked.program,
+        picture,
+        tuple(options),
+        asked.answer,
+        asked.why,
+    )
+
+
+def _write(path: Path, value: Any) -> None:
+    replace_file(path, msgspec.json.encode(value))
+
+
+def _zip(path: Path, files: dict[str, bytes]) -> None:
+    """An archive, the same bytes for the same files."""
+    part = path.with_suffix(".part")
+    with zipfile.ZipFile(part, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as archive:
+        for name, content in sorted(files.items()):
+            archive.writestr(zipfile.ZipInfo(name), content, zipfile.ZIP_DEFLATED)
+    part.replace(path)

@@ -1,0 +1,427 @@
+/* The page: katas, a program and what the judge says of it, cards, progress. Python runs in python.js.
+
+   Whatever a program or a person wrote goes in as text. HTML is put in only where `judge site` made it. */
+
+const $ = (name, from = document) => from.querySelector(name);
+function el(name, properties = {}, ...children) {
+  const made = Object.assign(document.createElement(name), properties);
+  made.append(...children.filter(each => each !== null && each !== undefined && each !== ""));
+  return made;
+}
+function drawn(svg, words) {
+  const picture = el("img", { alt: words, src: URL.createObjectURL(new Blob([svg], { type: "image/svg+xml" })) });
+  picture.onload = () => URL.revokeObjectURL(picture.src);
+  return picture;
+}
+const html = (name, className, text) => el(name, { className, innerHTML: text });
+const button = (text, act, className = "") => el("button", { type: "button", className, onclick: act }, text);
+const counted = (n, noun) => `${n.toLocaleString("en")} ${noun}${n === 1 ? "" : "s"}`;
+const json = async path => (await fetch(path)).json();
+const main = $("#main"), state = $("#state");
+
+/* -- what is kept in this browser ---------------------------------------------------------------------------- */
+
+const KEY = "judge.progress.1", EMPTY = { katas: {}, cards: {}, last: "" };
+let kept = read(), refused = false;
+function read() {
+  try {
+    return checked(JSON.parse(localStorage.getItem(KEY) || "null")) || structuredClone(EMPTY);
+  } catch {
+    return structuredClone(EMPTY);
+  }
+}
+function checked(found) {
+  const table = each => each && typeof each === "object" && !Array.isArray(each);
+  if (!table(found) || !table(found.katas) || !table(found.cards)) return null;
+  const katas = Object.entries(found.katas).filter(([, each]) => table(each) && typeof each.source === "string");
+  const cards = Object.entries(found.cards).filter(([, each]) => table(each));
+  return { katas: Object.fromEntries(katas), cards: Object.fromEntries(cards), last: String(found.last || "") };
+}
+function keep() {
+  try {
+    localStorage.setItem(KEY, JSON.stringify(kept));
+    refused = false;
+  } catch {
+    if (!refused) say("This browser keeps nothing: storage is full or refused. Export your progress before you leave.", "failed");
+    refused = true;
+  }
+}
+const mine = kata => kept.katas[kata.id] ||= { source: kata.stub, tries: 0, hints: 0, stars: 0, solved: "" };
+const solved = kata => Boolean(kept.katas[kata.id]?.solved);
+const stars = kata => (kata.levels ? "★".repeat(kept.katas[kata.id]?.stars || 0) : "") || (solved(kata) ? "✓" : "");
+
+function say(text, kind = "") {
+  state.textContent = text;
+  state.className = kind;
+}
+
+/* -- Python in a worker -------------------------------------------------------------------------------------- */
+
+const SILENCE = 20_000; // milliseconds without a word, after which a program is stuck inside one call
+const python = {
+  worker: null, ready: null, opened: new Map(), run: null, timer: 0,
+
+  start() {
+    this.opened = new Map();
+    this.ready = (async () => {
+      const text = `const BASE = ${JSON.stringify(new URL("./", location.href).href)};\n${await (await fetch("python.js")).text()}`;
+      const address = URL.createObjectURL(new Blob([text], { type: "text/javascript" }));
+      this.worker = new Worker(address, { type: "module" });
+      await new Promise((resolve, reject) => {
+        this.worker.onmessage = ({ data }) => (data.ready ? resolve() : this.hear(data));
+        this.worker.onerror = event => reject(new Error(event.message || "the worker did not start"));
+      });
+      URL.revokeObjectURL(address);
+      say("Ready", "ready");
+      fetch("wheels/extra.zip").then(async found => {
+        if (found.ok) this.worker.postMessage({ wheel: new Uint8Array(await found.arrayBuffer()) });
+      }).catch(() => {});
+    })();
+    this.ready.catch(fault => say(`Python did not start: ${fault.message}. Reload the page.`, "failed"));
+    return this.ready;
+  },
+
+  /* Hand a kata to the worker, once; a promise that keeps when the worker has it. */
+  open(kata) {
+    const { opened } = this;
+    if (!opened.has(kata.id)) {
+      opened.set(kata.id, (async () => {
+        await this.ready;
+        const found = await fetch(`kata/${kata.id}.zip`);
+        this.worker.postMessage({ kata: kata.id, archive: new Uint8Array(await found.arrayBuffer()) });
+      })());
+      opened.get(kata.id).catch(() => opened.delete(kata.id));
+    }
+    return opened.get(kata.id);
+  },
+
+  async judge(kata, source, hear) {
+    const id = crypto.randomUUID();
+    this.run = { id, hear };
+    await this.open(kata);
+    if (this.run?.id !== id) return;
+    this.watch();
+    this.worker.postMessage({ run: id, kata: kata.id, source });
+  },
+
+  hear(said) {
+    if (said.fault && !said.run) return say(`This kata could not be read: ${said.fault}`, "failed");
+    if (!this.run || said.run !== this.run.id) return undefined;
+    this.watch();
+    if (said.alive) return undefined;
+    const { hear } = this.run;
+    if (said.last || said.fault) this.over();
+    return hear(said);
+  },
+
+  watch() {
+    clearTimeout(this.timer);
+    this.timer = setTimeout(() => this.stop("Stopped: one call did not end. An endless loop inside a call such as 10 ** 10 ** 9?"), SILENCE);
+  },
+  over() {
+    clearTimeout(this.timer);
+    this.run = null;
+  },
+  stop(why) {
+    const { run } = this;
+    this.over();
+    this.worker?.terminate();
+    say("Starting Python again…");
+    this.start();
+    run?.hear({ last: true, told: { verdict: "TLE", meaning: "Time limit exceeded", happened: why } });
+  },
+};
+
+/* -- the editor ---------------------------------------------------------------------------------------------- */
+
+async function editor(source, changed, run) {
+  const box = el("div", { className: "editor" }), wide = matchMedia("(min-width: 40rem)").matches && !matchMedia("(pointer: coarse)").matches;
+  if (wide && site.editor && (await script("ace/ace.js"))) {
+    const { ace } = window, dark = matchMedia("(prefers-color-scheme: dark)");
+    ace.config.set("useStrictCSP", true);
+    ace.config.set("basePath", "ace");
+    const area = el("div");
+    box.append(area);
+    const made = ace.edit(area, { value: source, mode: "ace/mode/python", showPrintMargin: false, useSoftTabs: true, tabSize: 4, useWorker: false, minLines: 14, maxLines: 36 });
+    const theme = () => made.setTheme(`ace/theme/${dark.matches ? "github_dark" : "github_light_default"}`);
+    theme();
+    dark.addEventListener("change", theme);
+    made.textInput.getElement().setAttribute("aria-label", "Your program. Escape, then Tab, leaves it.");
+    made.commands.addCommand({ name: "leave", bindKey: "Esc", exec: () => $("#run").focus() });
+    made.commands.addCommand({ name: "run", bindKey: { win: "Ctrl-Enter", mac: "Cmd-Enter" }, exec: run });
+    made.on("change", () => changed(made.getValue()));
+    return { box, set: text => made.setValue(text, -1), mark: line => made.gotoLine(line, 0, true), fit: () => made.resize() };
+  }
+  const area = el("textarea", { value: source, spellcheck: false, autocapitalize: "off", autocomplete: "off" });
+  area.setAttribute("aria-label", "Your program");
+  area.oninput = () => changed(area.value);
+  area.onkeydown = event => {
+    const put = text => {
+      event.preventDefault();
+      area.setRangeText(text, area.selectionStart, area.selectionEnd, "end");
+      changed(area.value);
+    };
+    if (event.key === "Tab" && !event.shiftKey) put("    ");
+    else if (event.key === "Enter" && (event.ctrlKey || event.metaKey)) run();
+    else if (event.key === "Enter") {
+      const line = area.value.slice(0, area.selectionStart).split("\n").pop();
+      put(`\n${line.match(/^ */)[0]}${line.trimEnd().endsWith(":") ? "    " : ""}`);
+    } else if (event.key === "Escape") $("#run").focus();
+  };
+  box.append(area);
+  return { box, set: text => { area.value = text; }, mark: () => {}, fit: () => {} };
+}
+const scripts = new Map();
+function script(path) {
+  if (!scripts.has(path)) {
+    scripts.set(path, new Promise(resolve => {
+      const sheets = ["ace", "theme/github_light_default", "theme/github_dark"].map(name => el("link", { rel: "stylesheet", href: `ace/${name}.css` }));
+      document.head.append(...sheets, el("script", { src: path, onload: () => resolve(true), onerror: () => resolve(false) }));
+    }));
+  }
+  return scripts.get(path);
+}
+
+/* -- a kata -------------------------------------------------------------------------------------------------- */
+
+async function showKata(kata) {
+  const page = await json(`kata/${kata.id}.json`), own = mine(kata);
+  kept.last = kata.id;
+  keep();
+  const result = el("section", { className: "card result", id: "result", hidden: true, tabIndex: -1 });
+  result.setAttribute("aria-label", "The result");
+  const help = el("section", { className: "card", hidden: true }), task = html("article", "card task", page.statement);
+  const run = button("Run", () => judge(), "main"), stop = button("Stop", () => python.stop("Stopped by you."));
+  Object.assign(run, { id: "run", title: "Ctrl+Enter" });
+  stop.hidden = true;
+  const hint = button("", () => showHint());
+  const reset = button("Start over", () => {
+    if (!confirm("Put the first text back? What you wrote is gone then.")) return;
+    code.set(kata.stub);
+    own.source = kata.stub;
+    keep();
+  });
+  const code = await editor(own.source, text => { own.source = text; keep(); }, () => judge());
+  const doing = el("span", { className: "quiet small" });
+  doing.setAttribute("role", "status");
+  const work = el("div", { className: "work" },
+    el("section", { className: "card" }, code.box, el("div", { className: "row" }, run, stop, page.hints.length ? hint : "", reset, doing)), result, help);
+  const jump = button("Write it", () => work.scrollIntoView(), "jump");
+  main.replaceChildren(el("div", { className: "kata" }, task, work), jump);
+  code.fit();
+
+  const label = () => {
+    hint.textContent = own.hints < page.hints.length ? `Hint ${own.hints + 1} of ${page.hints.length}` : "Solution";
+    hint.hidden = own.hints >= page.hints.length && (solved(kata) || !page.solution);
+  };
+  const helped = () => {
+    const shown = page.hints.slice(0, own.hints).map(each => el("div", { className: "hint" }, el("h3", {}, each.title), html("div", "", each.html)));
+    if (page.solution && (own.gaveUp || solved(kata))) {
+      shown.push(el("div", { className: "hint" }, el("h3", {}, "The model solution"), html("div", "", page.solution.html), el("pre", {}, page.solution.source)));
+    }
+    help.replaceChildren(...shown);
+    help.hidden = !shown.length;
+    label();
+  };
+  function showHint() {
+    if (own.hints < page.hints.length) own.hints += 1;
+    else if (confirm("See the model solution? You have not solved this kata yet.")) own.gaveUp = true;
+    keep();
+    helped();
+    help.lastElementChild?.scrollIntoView({ block: "nearest" });
+  }
+  async function judge() {
+    if (run.disabled) return;
+    run.disabled = true;
+    stop.hidden = false;
+    doing.textContent = "Judging";
+    doing.classList.add("busy");
+    await python.judge(kata, own.source, said => {
+      if (said.progress) {
+        doing.textContent = `${said.progress[0].toLocaleString("en")} of ${counted(said.progress[1], "case")}`;
+        return;
+      }
+      if (said.fault) result.replaceChildren(el("p", {}, `The judge failed, not your program: ${said.fault}`));
+      else draw(said.told);
+      result.hidden = false;
+      doing.textContent = said.last || said.fault ? "" : "Looking for the smallest failing case";
+      if (!said.last && !said.fault) return;
+      doing.classList.remove("busy");
+      run.disabled = false;
+      stop.hidden = true;
+      if (said.told) noted(said.told);
+    });
+  }
+  function noted(told) {
+    own.tries += 1;
+    own.stars = Math.max(own.stars, told.stars?.length || 0);
+    if (told.solved) own.solved ||= new Date().toISOString();
+    keep();
+    helped();
+    dispatchEvent(new CustomEvent("judged", { detail: told }));
+  }
+  function draw(told) {
+    const parts = [el("h2", { className: `verdict ${told.verdict === "AC" ? "AC" : ""}` },
+      el("span", { className: "badge" }, told.verdict), told.meaning, told.stars ? el("span", { className: "mark" }, told.stars) : "")];
+    if (told.happened) parts.push(el("p", {}, told.happened));
+    if (told.source?.length) parts.push(el("pre", {}, told.source.join("\n")));
+    if (told.case) {
+      const facts = el("dl");
+      if (told.input?.length) facts.append(el("dt", {}, "input"), el("dd", {}, ...told.input.map(each => el("span", {}, each))));
+      for (const [label_, text] of told.facts || []) facts.append(el("dt", {}, label_), el("dd", { className: label_ }, text));
+      const shown = el("div", { className: "case" }, el("div", {}, el("h3", {}, told.case), facts));
+      for (const each of told.drawings || []) shown.append(el("figure", {}, drawn(each.svg, told.drawn), el("figcaption", {}, each.title)));
+      parts.push(shown);
+    }
+    if (told.mistake) parts.push(el("div", { className: "mistake" }, el("h3", {}, told.mistake), ...told.advice.map(each => el("p", {}, each))));
+    if (told.fails?.length) parts.push(el("p", { className: "quiet small" }, `Fails: ${told.fails.join(", ")}${told.more ? `, ${told.more} more` : ""}`));
+    const next = following(kata), actions = el("div", { className: "row" });
+    if (told.solved && next) actions.append(el("a", { className: "button main", href: `#${next.id}` }, `Next: ${next.title}`));
+    if (told.explore?.length > 2 && kata.explore) actions.append(el("a", { className: "button", href: `explore/${kata.id}.html#${encodeURIComponent(told.explore)}`, target: "_blank", rel: "noopener" }, "Drag this case"));
+    if (told.line) actions.append(button(`Go to line ${told.line}`, () => code.mark(told.line)));
+    if (told.last) parts.push(el("p", {}, told.last));
+    if (actions.childElementCount) parts.push(actions);
+    result.replaceChildren(...parts);
+  }
+  helped();
+  python.open(kata).then(() => ahead(following(kata)), () => say("This kata could not be fetched. Are you offline?", "failed"));
+}
+/* The files of the next kata, which the service worker keeps: it opens at once, and without a network. */
+const ahead = kata => kata && Promise.allSettled(["json", "svg", "zip"].map(end => fetch(`kata/${kata.id}.${end}`)));
+const path = () => [...new Set(site.sets.flatMap(set => set.katas))].map(id => byId.get(id)).filter(kata => kata && !kata.elsewhere);
+function following(kata) {
+  const all = path(), at = all.indexOf(kata) + 1;
+  return [...all.slice(at), ...all.slice(0, at)].find(each => each !== kata && !solved(each)) || null;
+}
+
+/* -- the other pages ----------------------------------------------------------------------------------------- */
+
+function bar(done, all) {
+  const filled = el("i"), made = el("div", { className: "bar" }, filled);
+  filled.style.width = `${(100 * done) / Math.max(all, 1)}%`;
+  made.setAttribute("aria-hidden", "true");
+  return made;
+}
+function showKatas() {
+  const all = path(), done = all.filter(solved).length;
+  const next = byId.get(kept.last) && !solved(byId.get(kept.last)) ? byId.get(kept.last) : following(byId.get(kept.last) || all.at(-1));
+  const tile = kata => {
+    const mark = el("span", { className: `mark ${solved(kata) ? "done" : ""}` }, stars(kata));
+    const inner = [el("b", {}, kata.title), mark, el("span", { className: "quiet small" }, kata.elsewhere || kata.summary)];
+    return el("li", {}, kata.elsewhere ? el("div", { className: "tile" }, ...inner)
+      : el("a", { className: `tile ${kata === next ? "here" : ""}`, href: `#${kata.id}` }, ...inner));
+  };
+  main.replaceChildren(el("section", { className: "hero" },
+    el("h1", {}, "Practise circle and line geometry"),
+    el("p", { className: "quiet" }, "Write one Python function. It is tested on hundreds of cases, here in this tab. If it fails, you see the smallest case that fails, a picture, and the name of the mistake."),
+    el("div", { className: "row" }, bar(done, all.length), el("span", {}, `${done} of ${counted(all.length, "kata")}`)),
+    next ? el("div", { className: "row" }, el("a", { className: "button main", href: `#${next.id}` }, kept.katas[next.id] ? `Go on: ${next.title}` : `Start: ${next.title}`)) : ""),
+  ...site.sets.map(set => el("section", { className: "set" },
+    el("h2", {}, set.title), el("p", { className: "quiet" }, set.about),
+    el("ul", { className: "tiles" }, ...set.katas.map(id => tile(byId.get(id)))))));
+}
+
+async function showQuiz(name) {
+  const all = await json("quiz.json"), sets = site.sets.filter(set => all.some(card => card.sets.includes(set.name)));
+  const set = sets.find(each => each.name === name) || sets.find(each => each.katas.includes(kept.last)) || sets[0];
+  const rank = card => kept.cards[card.key]?.known || 0;
+  const round = all.filter(card => card.sets.includes(set.name)).sort((a, b) => rank(a) - rank(b)).slice(0, 10);
+  const choose = el("nav", { className: "row" }, ...sets.map(each => el("a", { className: `button ${each === set ? "main" : ""}`, href: `#quiz/${each.name}` }, each.title)));
+  choose.setAttribute("aria-label", "Sets of cards");
+  const box = el("section", { className: "card" });
+  main.replaceChildren(el("div", { className: "quiz" }, el("h1", {}, `Quiz: ${set.title}`), choose, box));
+  let known = 0;
+  const ask = at => {
+    if (at === round.length) {
+      box.replaceChildren(el("h2", {}, `${known} of ${counted(round.length, "card")} known`), el("p", {}, ""), button("Ten more", () => showQuiz(set.name), "main"));
+      return;
+    }
+    const card = round[at], over = el("div");
+    const rated = right => {
+      known += right;
+      kept.cards[card.key] = { known: right ? rank(card) + 1 : 0, when: new Date().toISOString() };
+      keep();
+    };
+    const onward = () => button(at + 1 < round.length ? "Next card" : "Finish", () => ask(at + 1), "main");
+    const answered = why => over.replaceChildren(...[why, card.why].filter(Boolean).map(each => el("p", {}, each)), el("br"), el("div", { className: "row" }, onward()));
+    const parts = [el("p", { className: "quiet small" }, `Question ${at + 1} of ${round.length}`), el("p", { className: "front" }, card.front), ...card.given.map(each => el("p", {}, each))];
+    if (card.program) parts.push(el("pre", {}, card.program));
+    if (card.svg) parts.push(drawn(card.svg, "The figure of the question"));
+    if (card.options.length) {
+      const options = card.options.map(({ text, right, why }) => {
+        const made = button(text, () => {
+          options.forEach((each, i) => {
+            each.disabled = true;
+            if (card.options[i].right) each.classList.add("right");
+          });
+          if (!right) made.classList.add("wrong");
+          rated(right);
+          answered(right ? "Right." : why);
+        });
+        return made;
+      });
+      parts.push(el("div", { className: "options" }, ...options));
+    } else {
+      parts.push(button("Show the answer", event => {
+        event.target.remove();
+        over.replaceChildren(el("p", { className: "front" }, card.answer), ...[card.why].filter(Boolean).map(each => el("p", {}, each)), el("br"),
+          el("div", { className: "row" }, button("I knew it", () => { rated(true); ask(at + 1); }, "main"), button("I did not", () => { rated(false); ask(at + 1); })));
+      }, "main"));
+    }
+    box.replaceChildren(...parts, over);
+  };
+  ask(0);
+}
+
+function showProgress() {
+  const tried = site.katas.filter(kata => kept.katas[kata.id]?.tries);
+  const rows = tried.map(kata => el("tr", {}, el("td", {}, el("a", { href: `#${kata.id}` }, kata.title)), el("td", {}, stars(kata) || "open"),
+    el("td", {}, counted(kept.katas[kata.id].tries, "run")), el("td", {}, counted(kept.katas[kata.id].hints, "hint"))));
+  const file = el("input", { type: "file", accept: ".json,application/json", hidden: true });
+  file.onchange = async () => {
+    try {
+      const found = checked(JSON.parse(await file.files[0].text()));
+      if (!found) throw new Error();
+      kept = found;
+      keep();
+      showProgress();
+    } catch {
+      alert("This is not a progress file of this page. Choose the .json file that Export wrote.");
+    }
+  };
+  main.replaceChildren(el("section", { className: "card" }, el("h1", {}, "Your progress"),
+    el("p", { className: "quiet" }, "It is kept in this browser alone. Export it before you clear the browser's data or change the machine."), el("br"),
+    rows.length ? el("div", { className: "wide" }, el("table", {}, el("tbody", {}, ...rows))) : el("p", {}, "No kata was tried yet."), el("br"),
+    el("div", { className: "row" }, button("Export", () => {
+      const address = URL.createObjectURL(new Blob([JSON.stringify(kept, null, 1)], { type: "application/json" }));
+      el("a", { href: address, download: "judge-progress.json" }).click();
+      setTimeout(() => URL.revokeObjectURL(address), 1000);
+    }), button("Import", () => file.click()), file)));
+}
+
+/* -- the way from an address to a page ------------------------------------------------------------------------ */
+
+let site, byId;
+async function show() {
+  const [name, part] = decodeURIComponent(location.hash.slice(1)).split("/"), kata = byId.get(name);
+  if (python.run) python.stop("");
+  const page = kata && !kata.elsewhere ? "katas" : name === "quiz" || name === "progress" ? name : "katas";
+  for (const each of document.querySelectorAll("nav [data-page]")) each.toggleAttribute("aria-current", each.dataset.page === page);
+  document.title = kata ? `${kata.title} · judge` : "judge: circle and line geometry";
+  try {
+    if (kata && !kata.elsewhere) await showKata(kata);
+    else if (page === "quiz") await showQuiz(part);
+    else if (page === "progress") showProgress();
+    else showKatas();
+  } catch {
+    main.replaceChildren(el("p", { className: "card" }, "This page could not be fetched. Are you offline? Reload it when you are back."));
+  }
+  scrollTo(0, 0);
+}
+site = await json("katas.json");
+byId = new Map(site.katas.map(kata => [kata.id, kata]));
+addEventListener("hashchange", show);
+if (typeof WebAssembly !== "object") say("This browser has no WebAssembly, which Python needs here. Use a newer one, or pip install judge.", "failed");
+else python.start();
+await show();
+if ("serviceWorker" in navigator) navigator.serviceWorker.register("sw.js").catch(() => {});

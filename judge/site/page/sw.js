@@ -1,0 +1,19 @@
+/* Every file is kept as it is fetched, so a second visit needs no network. VERSION is the hash of the site's files. */
+const VERSION = "judge-{{version}}";
+self.addEventListener("install", () => self.skipWaiting());
+self.addEventListener("activate", event => event.waitUntil((async () => {
+  const old = (await caches.keys()).filter(key => key.startsWith("judge-") && key !== VERSION && key !== "judge-memory");
+  await Promise.all(old.map(key => caches.delete(key)));
+  await clients.claim();
+})()));
+self.addEventListener("fetch", event => {
+  const { request } = event;
+  if (request.method !== "GET" || new URL(request.url).origin !== location.origin) return;
+  event.respondWith((async () => {
+    const store = await caches.open(VERSION), kept = await store.match(request, { ignoreSearch: true });
+    if (kept) return kept;
+    const found = await fetch(request);
+    if (found.ok) store.put(request, found.clone()).catch(() => {});
+    return found;
+  })());
+});

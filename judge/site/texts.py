@@ -1,0 +1,63 @@
+"""What a page shows of a kata, made once: its statement, hints and model solution as HTML, its cards."""
+
+from __future__ import annotations
+
+import re
+from html import escape
+from typing import Any
+
+from msgspec import Struct
+
+from judge.errors import UsageError
+from judge.practice.solutions import approaches
+from judge.problem import Problem
+from judge.problem.texts import read_hints
+
+_FIGURE = re.compile(r"!\[([^\]]*)\]\(figure\.svg\)")
+
+
+class Text(Struct, frozen=True):
+    """A piece of text under its title."""
+
+    title: str
+    html: str
+    source: str = ""
+
+
+class KataPage(Struct, frozen=True):
+    """The texts of one kata."""
+
+    statement: str
+    hints: tuple[Text, ...]
+    solution: Text | None
+
+
+def kata_page(problem: Problem) -> KataPage:
+    """The texts of a kata; of a foreign one too, whose raw HTML is shown as text. Raises JudgeError."""
+    statement = problem.statement.partition("\n## As a program")[0]
+    first = approaches(problem)[0]
+    return KataPage(
+        markdown(_FIGURE.sub(rf"![\1](kata/{problem.id}.svg)", statement)),
+        tuple(Text(each.title, markdown(each.text)) for each in read_hints(problem)),
+        Text(first.solution.name, markdown(first.solution.text), first.program),
+    )
+
+
+def markdown(text: str) -> str:
+    """Markdown as HTML; HTML in it is escaped, and addresses lead to no script."""
+    try:
+        from mistletoe.block_token import Document
+        from mistletoe.html_renderer import HtmlRenderer
+    except ImportError:
+        remedy = "pip install 'circle-line-judge[site]'"
+        raise UsageError("a site's texts need mistletoe", remedy=remedy) from None
+
+    class Escaped(HtmlRenderer):  # its type says nothing of what it renders
+        def render_link(self, token: Any) -> str:
+            inner, address = self.render_inner(token), str(token.target)
+            if not address.startswith(("https://", "http://")):
+                return str(inner)
+            return f'<a href="{escape(address)}" rel="noopener">{inner}</a>'
+
+    with Escaped(process_html_tokens=False) as renderer:  # type: ignore[no-untyped-call]
+        return str(renderer.render(Document(text)))

@@ -1,0 +1,165 @@
+"""`judge site` without a browser: what it writes, and what the tab says of programs there."""
+
+from __future__ import annotations
+
+import json
+import re
+import sys
+import zipfile
+from pathlib import Path
+from urllib.error import URLError
+
+import pytest
+from jsonschema import Draft202012Validator
+from mistaken import mistaken
+
+from judge.cli.app import app
+from judge.cli.commands import site
+from judge.cli.emit import schema_of
+from judge.judging.api import RunOptions
+from judge.judging.session import Session
+from judge.problem.find import find_problem
+from judge.sandbox.boundary import Limits, Stop
+from judge.site import fetch
+from judge.site.box import TabBox
+from judge.site.build import PAGE, build
+from judge.site.tab import Tab
+from judge.site.texts import markdown
+
+LIMITS = Limits(0.2, 1.0, 256 << 20, 1 << 10)
+
+
+class Quiet:
+    """A page that hears nothing."""
+
+    def alive(self): ...
+    def memory(self):
+        return 0
+
+    def progress(self, done, cases): ...
+    def told(self, text): ...
+
+
+@pytest.fixture
+def brought(tmp_path_factory, monkeypatch):
+    """What others bring, without them."""
+    folder = tmp_path_factory.mktemp("parts")
+    (folder / "wheels").mkdir()
+    (folder / "wheels" / "msgspec.whl").write_bytes(b"")
+    monkeypatch.setattr(site, "parts", lambda *_: folder)
+    return folder
+
+
+def test_a_site_is_written_once_and_again_only_where_it_changed(judge, brought):
+    first = json.loads(judge("site", "middle", "--out", "public", "--json").lines[0])
+    assert (first["made"], first["kept"]) == (["middle"], [])
+    Draft202012Validator(schema_of(app.get_command(None, "site"))).validate(first)
+    assert {path.name for path in PAGE.iterdir()} <= {path.name for path in Path("public").iterdir()}
+    assert "{{version}}" not in Path("public/sw.js").read_text()
+    names = zipfile.ZipFile("public/judge.zip").namelist()
+    assert "judge/site/tab.py" in names
+    assert not [name for name in names if "attacks" in name or name.startswith("judge/cli")]
+    before = Path("public/sw.js").read_bytes()
+    again = judge("site", "middle", "--out", "public")
+    assert "1 as they were" in again.out
+    assert Path("public/sw.js").read_bytes() == before
+
+
+def test_nothing_of_others_is_written_over(judge, brought):
+    Path("mine").mkdir()
+    Path("mine/notes.txt").write_text("notes")
+    refused = judge("site", "middle", "--out", "mine")
+    assert (refused.status, refused.err.count("\n")) == (2, 1)
+    assert [path.name for path in Path("mine").iterdir()] == ["notes.txt"]
+
+
+def test_what_cannot_be_fetched_is_told_in_one_line(judge, monkeypatch, tmp_path):
+    def refused(*_, **__):
+        raise URLError(OSError(101, "Network is unreachable"))
+
+    monkeypatch.setenv("JUDGE_CACHE", str(tmp_path / "empty"))
+    monkeypatch.setattr(fetch, "urlopen", refused)
+    ended = judge("site", "middle", "--out", "public")
+    assert (ended.status, ended.err.count("\n")) == (3, 1)
+    assert "cannot be fetched: network is unreachable" in ended.err
+
+
+@pytest.fixture(scope="module")
+def tab(tmp_path_factory):
+    """The katas of a site, opened in this interpreter."""
+    out, katas = tmp_path_factory.mktemp("site"), tmp_path_factory.mktemp("katas")
+    names = ("count", "which-side")
+    build(out, [find_problem(name) for name in names], [], tmp_path_factory.mktemp("parts"))
+    made = Tab(Quiet(), str(katas))
+    for name in names:
+        zipfile.ZipFile(out / "kata" / f"{name}.zip").extractall(katas / name)
+        made.open(name)
+    return made
+
+
+@pytest.mark.parametrize(
+    ("kata", "mistake"),
+    [
+        ("count", "forgotten-centre"),
+        ("count", "swapped-coordinates"),
+        ("count", "absolute-epsilon"),
+        ("which-side", "sides-exchanged"),
+        ("which-side", "above-for-left"),
+    ],
+)
+def test_a_tab_says_what_a_session_says(tab, kata, mistake):
+    source = mistaken(kata, mistake)
+    with Session(find_problem(kata), RunOptions(timed=False)) as session:
+        other = session.judge(source, "yours.py")
+    told = json.loads(tab.judge(kata, source.decode()))
+    assert told["verdict"] == other.verdict.value == "WA"
+    assert tab.result(kata, source).counterexample.replay == other.counterexample.replay
+    assert tab.result(kata, source).pitfall == other.pitfall
+    assert told["drawings"][0]["svg"].startswith("<svg")
+
+
+def test_a_program_on_standard_input_and_one_that_does_not_compile(tab):
+    program = "for _ in range(int(input())):\n    input()\n    print(2)\n"
+    assert json.loads(tab.judge("count", program))["how"] == "run as a program"
+    broken = json.loads(tab.judge("count", "def line_count(:\n"))
+    assert (broken["verdict"], broken["source"][0]) == ("CE", "1 | def line_count(:")
+
+
+CALLS = {
+    "def f(x):\n    return 1 / x\n": (Stop.EXCEPTION, "ZeroDivisionError: division by zero (line 2)"),
+    "def f(x):\n    raise SystemExit(3)\n": (Stop.EXCEPTION, "SystemExit: 3 (line 2)"),
+    "import nothing_of_that_name\ndef f(x): return x\n": (
+        Stop.EXCEPTION,
+        "ModuleNotFoundError: No module named 'nothing_of_that_name' (line 1), while the module was imported",
+    ),
+    "def f(x):\n    print('a' * 2000)\n": (Stop.OUTPUT, "printed more than 0 MB"),
+    "def f(x):\n    raise MemoryError\n": (Stop.MEMORY, "asked for more memory than this tab has (line 2)"),
+}
+
+
+@pytest.mark.parametrize("source", CALLS)
+def test_how_a_call_ends(source):
+    (found,) = TabBox(source.encode(), "mine.py").call_series("f", [[(0,)]], LIMITS)
+    assert (found.replies[0].stop, found.replies[0].detail) == CALLS[source]
+
+
+@pytest.mark.skipif(sys.version_info < (3, 12), reason="before Python 3.12 jumps cannot be counted")
+@pytest.mark.parametrize(
+    "body",
+    ["while True: pass", "while True:\n        try:\n            f(x)\n        except BaseException: pass"],
+)
+def test_a_loop_ends_with_its_line(body):
+    box = TabBox(f"def f(x):\n    {body}\n".encode(), "mine.py")
+    (found,) = box.call_series("f", [[(0,), (1,)]], LIMITS)
+    assert len(found.replies) == 1
+    assert found.replies[0].stop is Stop.CPU
+    assert re.fullmatch(r"used more than 0\.6 s of CPU time \(line \d\)", found.replies[0].detail)
+
+
+def test_a_foreign_statement_brings_no_markup():
+    links = "[a](javascript:alert(1)) [b](https://b.c)"
+    found = markdown(f"# <img src=x onerror=alert(1)>\n\n<script>alert(1)</script>\n\n{links}")
+    assert "<script" not in found
+    assert "<img" not in found
+    assert "javascript" not in found
+    assert '<a href="https://b.c" rel="noopener">b</a>' in found

@@ -1,0 +1,175 @@
+"""The site in a real browser: from the first visit to an accepted program, hostile ones, no network."""
+
+from __future__ import annotations
+
+import json
+import re
+import threading
+import time
+from contextlib import ExitStack, contextmanager
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+
+import pytest
+from chromium import CHROMIUM
+from devtools import page
+
+from judge.errors import JudgeError
+from judge.problem.find import find_problem
+from judge.site.build import build
+from judge.site.fetch import parts
+
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.timeout(400),
+    pytest.mark.skipif(CHROMIUM is None, reason="Chromium is not installed"),
+]
+
+RIGHT = """
+def which_side(A, B, P):
+    cross = (B[0] - A[0]) * (P[1] - A[1]) - (B[1] - A[1]) * (P[0] - A[0])
+    return (cross > 0) - (cross < 0)
+"""
+WRONG = RIGHT.replace(" - (B[1]", " + (B[1]")
+LOOP = "def which_side(A, B, P):\n    while True:\n        pass\n"
+STUCK = "def which_side(A, B, P):\n    return 10 ** 10 ** 9\n"
+HOSTILE = """
+found = []
+def tried(name, attempt):
+    try:
+        value = attempt()
+        found.append(f"{name}: {'there' if value is not None else 'gone'}")
+    except BaseException as fault:
+        found.append(f"{name}: {type(fault).__name__}")
+import js
+HERE, THERE = "HERE", "THERE"
+for name in ("fetch", "XMLHttpRequest", "WebSocket", "EventSource", "WebTransport", "importScripts", "Worker",
+             "SharedWorker", "BroadcastChannel", "indexedDB", "caches", "postMessage", "navigator",
+             "RTCPeerConnection"):
+    tried(name, lambda: getattr(js, name, None))
+def via_pyodide(address):
+    from pyodide.http import open_url
+    return open_url(address)
+def via_urllib(address):
+    import urllib.request
+    return urllib.request.urlopen(address, timeout=2).read()
+def via_package(address):
+    import pyodide_js
+    return pyodide_js.loadPackage(address)
+def via_import(address):
+    from pyodide.code import run_js
+    return run_js(f"import('{address}')")
+def via_function(address):
+    return js.Function.new(f"return fetch('{address}')")()
+def via_prototype(address):
+    return js.Object.getPrototypeOf(js.Object.getPrototypeOf(js.self)).fetch(address)
+def via_emscripten(address):
+    import pyodide_js
+    return pyodide_js._module.fetch(address)
+for way in (via_pyodide, via_urllib, via_package, via_import, via_function, via_prototype, via_emscripten):
+    for address in (f"{THERE}/leak", f"{HERE}/leak"):
+        tried(f"{way.__name__} {address[-10:]}", lambda: way(address))
+def which_side(A, B, P):
+    raise ValueError("; ".join(found))
+"""
+
+
+class Counting(SimpleHTTPRequestHandler):
+    """Serves a folder, or nothing; the server's `asked` are the addresses."""
+
+    def do_GET(self):
+        self.server.asked.append(self.path)
+        if self.server.folder is None:
+            self.send_error(404)
+        else:
+            super().do_GET()
+
+    def log_message(self, *_):
+        pass
+
+
+@contextmanager
+def served(folder):
+    handler = partial(Counting, directory=str(folder)) if folder else Counting
+    server = ThreadingHTTPServer(("127.0.0.1", 0), handler)
+    server.asked, server.folder = [], folder
+    threading.Thread(target=server.serve_forever, daemon=True).start()
+    try:
+        yield server, f"http://127.0.0.1:{server.server_address[1]}"
+    finally:
+        server.shutdown()
+        server.server_close()
+
+
+@pytest.fixture(scope="module")
+def site(tmp_path_factory):
+    """The site of two katas."""
+    out = tmp_path_factory.mktemp("site")
+    try:
+        brought = parts(None)
+    except JudgeError as fault:
+        pytest.skip(f"what a site needs cannot be fetched here: {fault}")
+    problems = [find_problem("which-side"), find_problem("distance-squared")]
+    assert build(out, problems, [], brought).made == ("which-side", "distance-squared")
+    return out
+
+
+def judged(tab, source):
+    """What the page says of a program, from Run to the last word."""
+    tab.until("document.querySelector('.ace_editor') !== null")
+    tab.ask(f"ace.edit(document.querySelector('.ace_editor')).setValue({json.dumps(source)}, -1)")
+    tab.ask("document.querySelector('#run').click()")
+    tab.until("document.querySelector('#run').disabled === false")
+    return tab.ask("document.querySelector('#result').textContent")
+
+
+READY = "document.querySelector('#state').className === 'ready'"
+
+
+def test_a_kata_from_the_first_visit_to_the_next_kata_without_a_network(site, tmp_path):
+    with ExitStack() as servers, page(tmp_path / "profile") as tab:
+        here, address = servers.enter_context(served(site))
+        there, elsewhere = servers.enter_context(served(None))
+        tab.go(f"{address}/#which-side")
+        tab.until(READY)
+        assert "Not written yet" in judged(tab, "def which_side(A, B, P):\n    raise NotImplementedError\n")
+        said = judged(tab, WRONG)
+        assert "Wrong answer" in said
+        assert "Smallest failing case" in said
+        assert tab.until("document.querySelector('.case img')?.naturalWidth > 0")
+        assert "expected ':'" in judged(tab, RIGHT.replace("P):", "P)"))
+        assert "Time limit exceededStopped after" in judged(tab, LOOP)
+        assert tab.ask(READY)  # the worker is the same
+        hostile = judged(tab, HOSTILE.replace('"HERE"', f'"{address}"').replace('"THERE"', f'"{elsewhere}"'))
+        assert "ValueError" in hostile
+        assert re.findall(r"(\w+): there", hostile.partition("via_")[0]) == []
+        time.sleep(1)  # for promises
+        assert there.asked == []
+        assert [each for each in here.asked if "leak" in each] == []
+        tab.ask("document.querySelectorAll('.work button')[2].click()")
+        assert tab.ask("document.querySelectorAll('.hint').length") == 1
+        assert "Accepted" in judged(tab, RIGHT)
+        assert "The model solution" in tab.ask("document.querySelector('.work').textContent")
+        assert tab.faults == []
+        assert all(each.startswith((address, "blob:", "data:")) for each in tab.addresses)
+
+        tab.until("navigator.serviceWorker.controller !== null")
+        tab.go(f"{address}/?again#which-side")  # the second visit keeps everything, and the next kata
+        tab.until(READY)
+        tab.until("caches.match('kata/distance-squared.zip').then(found => found !== undefined)")
+        tab.go(f"{address}/?again#")
+        assert tab.until("document.querySelectorAll('.mark.done').length") == 1
+        servers.close()  # and now nobody serves it
+        tab.go(f"{address}/?later#distance-squared")
+        tab.until(READY)
+        assert "Wrong answer" in judged(tab, "def distance_squared(P, Q):\n    return 1\n")
+
+
+@pytest.mark.nightly
+def test_what_is_stuck_inside_one_call_costs_the_worker_and_no_more(site, tmp_path):
+    with served(site) as (_, address), page(tmp_path / "profile") as tab:
+        tab.go(f"{address}/#which-side")
+        tab.until(READY)
+        assert "one call did not end" in judged(tab, STUCK)
+        tab.until(READY)
+        assert "Accepted" in judged(tab, RIGHT)
