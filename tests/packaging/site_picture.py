@@ -1,4 +1,4 @@
-"""README's picture of the site: a wrong program, judged in a real browser. Run as a script, it is taken anew."""
+"""README's picture of the site: a wrong program, judged in a real browser. As a script, it takes it anew."""
 
 from __future__ import annotations
 
