@@ -91,7 +91,7 @@ def test_a_problem_is_run_when_it_is_first_read(judge, practised, mark, tmp_path
 
 
 def test_these_commands_only_read_it(judge, practised, mark):
-    assert {*READ, *RUN_IT} == set(COMMANDS)
+    assert {*READ, *RUN_IT, "site"} == set(COMMANDS)  # which has a test of its own
     more = [
         "solution middle --give-up",
         "progress",

@@ -206,8 +206,8 @@ async function showKata(kata) {
   doing.setAttribute("role", "status");
   const work = el("div", { className: "work" },
     el("section", { className: "card" }, code.box, el("div", { className: "row" }, run, stop, page.hints.length ? hint : "", reset, doing)), result, help);
-  const jump = button("Write it", () => work.scrollIntoView(), "jump");
-  main.replaceChildren(el("div", { className: "kata" }, task, work), jump);
+  task.append(button("Write it", () => work.scrollIntoView(), "jump"));
+  main.replaceChildren(el("div", { className: "kata" }, task, work));
   code.fit();
 
   const label = () => {
