@@ -290,13 +290,14 @@ def _cards(problems: Sequence[Problem], folders: Sequence[Path]) -> list[CardSho
 
 
 def _card(card: Card, asked: Question) -> CardShown:
-    from judge.drawing.svg import to_svg
+    from judge.drawing.svg import panel_svg
 
     options = []
     for letter, text in asked.options:
         reply = asked.check(letter) if asked.check else None
         options.append(Option(text, bool(reply and reply.right), reply.why if reply else ""))
-    picture = to_svg(asked.picture) if asked.picture else ""
+    figure = asked.picture
+    picture = panel_svg(figure.whole, "figure", figure.description, alone=True) if figure else ""
     return CardShown(
         card.key,
         card.sets,

@@ -421,7 +421,7 @@ async function show() {
 site = await json("katas.json");
 byId = new Map(site.katas.map(kata => [kata.id, kata]));
 addEventListener("hashchange", show);
-if (typeof WebAssembly !== "object") say("This browser has no WebAssembly, which Python needs here. Use a newer one, or pip install judge.", "failed");
+if (typeof WebAssembly !== "object") say("This browser has no WebAssembly, which Python needs here. Use a newer one, or pip install circle-line-judge.", "failed");
 else python.start();
 await show();
 if ("serviceWorker" in navigator) navigator.serviceWorker.register("sw.js").catch(() => {});
