@@ -28,9 +28,9 @@ from mutants import mutants
 
 ROOT = Path(__file__).parents[2]
 MODULES = (
-    "values/interval",
-    "values/numbers",
-    "values/tolerance",
+    "values/answers",
+    "values/wire",
+    "values/check",
     "run/group",
     "run/budget",
     "run/timing",
