@@ -197,6 +197,7 @@ class TabBox(InProcess):
         made = ModuleType(module)
         made.__dict__.update(__builtins__=__builtins__, __file__=self._name)
         printed, argv, path = _Printed(limits.output_bytes), sys.argv, [*sys.path]
+        before = sys.modules.get(module)
 
         def run() -> dict[str, Any]:
             code = compile(self._source, self._name, "exec", dont_inherit=True)
@@ -214,7 +215,8 @@ class TabBox(InProcess):
             finally:
                 watch.rest()
                 sys.argv, sys.path[:] = argv, path
-                sys.modules.pop(module, None)
+                del sys.modules[module]
+                sys.modules |= {module: before} if before else {}
 
     def _ended(self, fault: BaseException, where: str = "") -> Reply:
         """The end of a call that raised this."""

@@ -120,7 +120,9 @@ def test_a_tab_says_what_a_session_says(tab, kata, mistake):
 
 def test_a_program_on_standard_input_and_one_that_does_not_compile(tab):
     program = "for _ in range(int(input())):\n    input()\n    print(2)\n"
+    before = sys.modules["__main__"], sys.argv, [*sys.path]
     assert json.loads(tab.judge("count", program))["how"] == "run as a program"
+    assert (sys.modules["__main__"], sys.argv, sys.path) == before
     broken = json.loads(tab.judge("count", "def line_count(:\n"))
     assert (broken["verdict"], broken["source"][0]) == ("CE", "1 | def line_count(:")
 
