@@ -215,8 +215,9 @@ class TabBox(InProcess):
             finally:
                 watch.rest()
                 sys.argv, sys.path[:] = argv, path
-                del sys.modules[module]
-                sys.modules |= {module: before} if before else {}
+                sys.modules.pop(module, None)
+                if before is not None:
+                    sys.modules[module] = before
 
     def _ended(self, fault: BaseException, where: str = "") -> Reply:
         """The end of a call that raised this."""
