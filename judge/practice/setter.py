@@ -10,6 +10,7 @@ judge/manual/new-kata.md.
 from __future__ import annotations
 
 import keyword
+import os
 import re
 from collections.abc import Collection, Iterable, Sequence
 from contextlib import nullcontext
@@ -90,7 +91,7 @@ def _folder_of_problems(folder: Path) -> Path:
     within = folder / "problems"
     if folder.is_dir() and not within.is_dir():
         holds_problems = any((path / "problem.toml").is_file() for path in folder.iterdir())
-        if holds_problems or folder.resolve().name == "problems":
+        if holds_problems or Path(os.path.realpath(folder)).name == "problems":
             return folder
     return within
 
@@ -100,7 +101,7 @@ def _checked(name: str | None, folder: Path, problems: Path) -> str:
     say = f"name it: judge new {quote(str(folder))} NAME"
     if name is None and problems == folder:
         raise UsageError("the new kata has no name", where=str(folder), remedy=say)
-    chosen = folder.resolve().name if name is None else name
+    chosen = Path(os.path.realpath(folder)).name if name is None else name
     if not is_name(chosen):
         remedy = f"{say}, with {_LETTERS}" if name is None else f"use {_LETTERS}"
         raise UsageError(f"{chosen!r} is no name for a kata", remedy=remedy)

@@ -148,6 +148,13 @@ def test_a_link_to_nothing_is_not_followed(judge, tmp_path):
     assert not (tmp_path / "elsewhere").exists()
 
 
+def test_a_link_to_itself_is_answered_in_a_line(judge, tmp_path):
+    (tmp_path / "mine").symlink_to("mine")
+    ended = judge("new", "mine")
+    assert (ended.status, ended.err.count("\n")) == (2, 1)
+    assert "symbolic links" in ended.err
+
+
 @pytest.mark.parametrize("fault", [OSError(28, "No space left on device", "x"), KeyboardInterrupt()])
 def test_what_cannot_be_written_whole_is_not_written_at_all(fault, judge, tmp_path, monkeypatch):
     def fail(*_, **__):
