@@ -57,7 +57,7 @@ class CacheFolder:
         try:
             owners = {os.geteuid(), 0, self._folder().stat().st_uid}
             checksum, _, body = read_ordinary(self.path(name), owners=owners).partition(b"\n")
-            return _decoded(body, kind) if checksum == _checksum(key, body) else None
+            return decoded(body, kind) if checksum == _checksum(key, body) else None
         except (OSError, RuntimeError, ValueError):  # RecursionError is a RuntimeError
             return None
 
@@ -86,7 +86,7 @@ def _checksum(key: str, body: bytes) -> bytes:
     return digest(key.encode(), b"\n", body).encode()
 
 
-def _decoded(body: bytes, kind: type[T]) -> T:
+def decoded(body: bytes, kind: type[T]) -> T:
     """Raises ValueError where it is nothing of that type."""
     if kind is bytes:
         return body  # type: ignore[return-value]

@@ -23,7 +23,7 @@ import msgspec
 from msgspec import Struct
 
 from judge import __version__
-from judge.cache import DISK, code_key, digest
+from judge.cache import DISK, code_key, decoded, digest
 from judge.data.load import load_data
 from judge.errors import JudgeError, UsageError
 from judge.files import replace_file
@@ -93,12 +93,12 @@ class _Keeping:
         if body is None:
             return None
         self.found[name.partition("/")[0]] = body
-        return DISK.read(name, key, kind)
+        return decoded(body, kind)
 
     def write(self, name: str, key: str, value: Any, what: str = "test data") -> str | None:
         body = json.dumps(value, separators=(",", ":")).encode()
         self.found[name.partition("/")[0]] = body
-        return DISK.write(name, key, value, what)
+        return DISK.write(name, key, body, what)
 
 
 def check_folder(out: Path) -> None:
@@ -144,6 +144,9 @@ def build(
                 made.append(problem.id)
         explore = (out / "explore" / f"{problem.id}.html").is_file()
         katas.append(_listed(problem, elsewhere, explore=explore))
+    for path in (*(out / "kata").iterdir(), *(out / "explore").iterdir()):
+        if path.stem not in after:  # of an earlier build
+            path.unlink()
     if stage:
         stage("the page", len(problems), len(problems))
     sets = tuple(
@@ -200,6 +203,8 @@ def _listed(problem: Problem, elsewhere: str, *, explore: bool) -> Kata:
 def _kata(out: Path, problem: Problem) -> None:
     """The files of one kata. Raises JudgeError."""
     store, name = _Keeping(), problem.id
+    for path in (out / "kata" / f"{name}.svg", out / "explore" / f"{name}.html"):
+        path.unlink(missing_ok=True)
     data = load_data(problem, store=store)
     namer = Namer(data, None, Settings(measured=False), nullcontext, store=store)
     namer.learn()

@@ -19,6 +19,7 @@ from typing import Any, Protocol, TypeVar
 
 import msgspec
 
+from judge.cache import decoded
 from judge.data.load import ProblemData, load_data
 from judge.diagnose.shrink import shrink
 from judge.errors import JudgeError, told
@@ -71,11 +72,7 @@ class Shipped:
     def read(self, name: str, _key: str, kind: type[T]) -> T | None:
         """What the site brought, as that type."""
         with suppress(OSError, ValueError):
-            body = (self._folder / f"{name.partition('/')[0]}.json").read_bytes()
-            try:
-                return msgspec.json.decode(body, type=kind)
-            except msgspec.DecodeError:  # it knows no infinity
-                return msgspec.convert(json.loads(body), kind)
+            return decoded((self._folder / f"{name.partition('/')[0]}.json").read_bytes(), kind)
         return None
 
     def write(self, _name: str, _key: str, _value: Any, _what: str = "") -> str | None:

@@ -60,9 +60,11 @@ def test_a_site_is_written_once_and_again_only_where_it_changed(judge, brought):
     assert "judge/site/tab.py" in names
     assert not [name for name in names if "attacks" in name or name.startswith("judge/cli")]
     before = Path("public/sw.js").read_bytes()
+    Path("public/kata/gone.zip").write_bytes(b"of an earlier build")
     again = judge("site", "middle", "--out", "public")
     assert "1 as they were" in again.out
     assert Path("public/sw.js").read_bytes() == before
+    assert [path.name for path in Path("public/kata").glob("*.zip")] == ["middle.zip"]
 
 
 def test_nothing_of_others_is_written_over(judge, brought):
@@ -71,6 +73,14 @@ def test_nothing_of_others_is_written_over(judge, brought):
     refused = judge("site", "middle", "--out", "mine")
     assert (refused.status, refused.err.count("\n")) == (2, 1)
     assert [path.name for path in Path("mine").iterdir()] == ["notes.txt"]
+
+
+def test_without_mistletoe_nothing_is_fetched(judge, monkeypatch):
+    monkeypatch.setitem(sys.modules, "mistletoe.block_token", None)
+    monkeypatch.setattr(site, "parts", lambda *_: pytest.fail("it fetches"))
+    ended = judge("site", "middle", "--out", "public")
+    remedy = "pip install 'circle-line-judge[site]'"
+    assert (ended.status, ended.err) == (2, f"judge: a site's texts need mistletoe; {remedy}\n")
 
 
 def test_what_cannot_be_fetched_is_told_in_one_line(judge, monkeypatch, tmp_path):

@@ -12,7 +12,7 @@ from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 
 import pytest
 from chromium import CHROMIUM
-from devtools import page
+from devtools import NAMED, page
 
 from judge.errors import JudgeError
 from judge.problem.find import find_problem
@@ -163,6 +163,21 @@ def test_a_kata_from_the_first_visit_to_the_next_kata_without_a_network(site, tm
         tab.go(f"{address}/?later#distance-squared")
         tab.until(READY)
         assert "Wrong answer" in judged(tab, "def distance_squared(P, Q):\n    return 1\n")
+
+
+def test_by_plain_http_and_stopped_by_the_person(site, tmp_path):
+    with served(site) as (_, address), page(tmp_path / "profile") as tab:
+        tab.go(f"{address.replace('127.0.0.1', NAMED)}/#which-side")
+        tab.until(READY)
+        assert tab.ask("isSecureContext") is False
+        assert "Wrong answer" in judged(tab, WRONG)
+        tab.ask("document.querySelector('#run').click()")
+        tab.ask("document.querySelector('#run').nextSibling.click()")
+        assert tab.ask("document.querySelector('#result').textContent") == "Stopped."
+        assert tab.ask("JSON.parse(localStorage['judge.progress.1']).katas['which-side'].tries") == 1
+        tab.until(READY)
+        assert "Accepted" in judged(tab, RIGHT)
+        assert tab.faults == []
 
 
 @pytest.mark.nightly

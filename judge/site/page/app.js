@@ -59,7 +59,7 @@ function say(text, kind = "") {
 
 const SILENCE = 20_000; // milliseconds without a word, after which a program is stuck inside one call
 const python = {
-  worker: null, ready: null, opened: new Map(), run: null, timer: 0,
+  worker: null, ready: null, opened: new Map(), run: null, runs: 0, timer: 0,
 
   start() {
     this.opened = new Map();
@@ -88,6 +88,7 @@ const python = {
       opened.set(kata.id, (async () => {
         await this.ready;
         const found = await fetch(`kata/${kata.id}.zip`);
+        if (!found.ok) throw new Error(found.statusText);
         this.worker.postMessage({ kata: kata.id, archive: new Uint8Array(await found.arrayBuffer()) });
       })());
       opened.get(kata.id).catch(() => opened.delete(kata.id));
@@ -96,7 +97,7 @@ const python = {
   },
 
   async judge(kata, source, hear) {
-    const id = crypto.randomUUID();
+    const id = ++this.runs;
     this.run = { id, hear };
     await this.open(kata);
     if (this.run?.id !== id) return;
@@ -111,24 +112,25 @@ const python = {
     if (said.alive) return undefined;
     const { hear } = this.run;
     if (said.last || said.fault) this.over();
-    return hear(said);
+    return hear(said.fault ? { fault: `The judge failed, not your program: ${said.fault}` } : said);
   },
 
   watch() {
     clearTimeout(this.timer);
-    this.timer = setTimeout(() => this.stop("Stopped: one call did not end. An endless loop inside a call such as 10 ** 10 ** 9?"), SILENCE);
+    const happened = "Stopped: one call did not end. An endless loop inside a call such as 10 ** 10 ** 9?";
+    this.timer = setTimeout(() => this.stop({ told: { verdict: "TLE", meaning: "Time limit exceeded", happened } }), SILENCE);
   },
   over() {
     clearTimeout(this.timer);
     this.run = null;
   },
-  stop(why) {
+  stop(said) {
     const { run } = this;
     this.over();
     this.worker?.terminate();
     say("Starting Python again…");
     this.start();
-    run?.hear({ last: true, told: { verdict: "TLE", meaning: "Time limit exceeded", happened: why } });
+    run?.hear({ last: true, ...said });
   },
 };
 
@@ -191,7 +193,7 @@ async function showKata(kata) {
   const result = el("section", { className: "card result", id: "result", hidden: true, tabIndex: -1 });
   result.setAttribute("aria-label", "The result");
   const help = el("section", { className: "card", hidden: true }), task = html("article", "card task", page.statement);
-  const run = button("Run", () => judge(), "main"), stop = button("Stop", () => python.stop("Stopped by you."));
+  const run = button("Run", () => judge(), "main"), stop = button("Stop", () => python.stop({ fault: "Stopped." }));
   Object.assign(run, { id: "run", title: "Ctrl+Enter" });
   stop.hidden = true;
   const hint = button("", () => showHint());
@@ -236,12 +238,12 @@ async function showKata(kata) {
     stop.hidden = false;
     doing.textContent = "Judging";
     doing.classList.add("busy");
-    await python.judge(kata, own.source, said => {
+    const hear = said => {
       if (said.progress) {
         doing.textContent = `${said.progress[0].toLocaleString("en")} of ${counted(said.progress[1], "case")}`;
         return;
       }
-      if (said.fault) result.replaceChildren(el("p", {}, `The judge failed, not your program: ${said.fault}`));
+      if (said.fault) result.replaceChildren(el("p", {}, said.fault));
       else draw(said.told);
       result.hidden = false;
       doing.textContent = said.last || said.fault ? "" : "Looking for the smallest failing case";
@@ -250,6 +252,10 @@ async function showKata(kata) {
       run.disabled = false;
       stop.hidden = true;
       if (said.told) noted(said.told);
+    };
+    await python.judge(kata, own.source, hear).catch(() => {
+      python.over();
+      hear({ fault: "This kata could not be fetched. Are you offline?" });
     });
   }
   function noted(told) {
@@ -258,7 +264,6 @@ async function showKata(kata) {
     if (told.solved) own.solved ||= new Date().toISOString();
     keep();
     helped();
-    dispatchEvent(new CustomEvent("judged", { detail: told }));
   }
   function draw(told) {
     const parts = [el("h2", { className: `verdict ${told.verdict === "AC" ? "AC" : ""}` },
@@ -404,7 +409,7 @@ function showProgress() {
 let site, byId;
 async function show() {
   const [name, part] = decodeURIComponent(location.hash.slice(1)).split("/"), kata = byId.get(name);
-  if (python.run) python.stop("");
+  if (python.run) python.stop({ fault: "Stopped." });
   const page = kata && !kata.elsewhere ? "katas" : name === "quiz" || name === "progress" ? name : "katas";
   for (const each of document.querySelectorAll("nav [data-page]")) each.toggleAttribute("aria-current", each.dataset.page === page);
   document.title = kata ? `${kata.title} · judge` : "judge: circle and line geometry";

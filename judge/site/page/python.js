@@ -10,7 +10,7 @@ const bytes = async path => {
 /* The interpreter's memory just after its start is kept: from it, it starts eight times as fast. Where that cannot
    be, it starts as usual. */
 async function started(loadPyodide, version) {
-  const place = `${BASE}memory-${version}`, store = await caches.open("judge-memory").catch(() => null);
+  const place = `${BASE}memory-${version}`, store = await self.caches?.open("judge-memory").catch(() => null); // none by plain http
   const kept = store && (await store.match(place).catch(() => null));
   const options = { indexURL: `${BASE}pyodide/` };
   if (kept) {
