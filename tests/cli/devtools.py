@@ -7,7 +7,7 @@ import os
 import select
 import subprocess
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
@@ -18,8 +18,33 @@ SECONDS = 90.0
 NAMED = "judge.test"  # this machine, as one of a network: a page from there is no secure context
 
 
-class Page:
-    """One page. `faults` are what it complained of, `addresses` all that it or its workers asked for."""
+class Tab:
+    """A page of a browser. `faults` are what it complained of, `addresses` all that it or its workers asked
+    for, both as far as the browser tells."""
+
+    faults: Sequence[str] = ()
+    addresses: Sequence[str] = ()
+
+    def ask(self, expression: str) -> Any:
+        """The value of a JavaScript expression, which may be a promise."""
+        raise NotImplementedError
+
+    def go(self, address: str) -> None:
+        """Open an address, and wait until the page is there."""
+        raise NotImplementedError
+
+    def until(self, expression: str, seconds: float = SECONDS) -> Any:
+        """Wait for an expression to be true; its value."""
+        end = time.monotonic() + seconds
+        while time.monotonic() < end:
+            if found := self.ask(expression):
+                return found
+            time.sleep(0.1)
+        raise AssertionError(f"never true: {expression}; {self.faults}")
+
+
+class ChromiumTab(Tab):
+    """One page of Chromium, which tells all."""
 
     def __init__(self, to: int, back: int) -> None:
         self._to, self._back, self._rest, self._number = to, back, b"", 0
@@ -66,28 +91,19 @@ class Page:
             self.addresses.append(params["request"]["url"])
 
     def ask(self, expression: str) -> Any:
-        """The value of a JavaScript expression, which may be a promise."""
+        """See `Tab.ask`."""
         found = self.call("Runtime.evaluate", expression=expression, awaitPromise=True, returnByValue=True)
         assert "exceptionDetails" not in found, found["exceptionDetails"]
         return found["result"].get("value")
 
-    def until(self, expression: str, seconds: float = SECONDS) -> Any:
-        """Wait for an expression to be true; its value."""
-        end = time.monotonic() + seconds
-        while time.monotonic() < end:
-            if found := self.ask(expression):
-                return found
-            time.sleep(0.1)
-        raise AssertionError(f"never true: {expression}; {self.faults}")
-
     def go(self, address: str) -> None:
-        """Open an address, and wait until the page is there."""
+        """See `Tab.go`."""
         self.call("Page.navigate", url=address)
         self.until("document.readyState === 'complete'")
 
 
 @contextmanager
-def page(folder: Path) -> Iterator[Page]:
+def chromium(folder: Path) -> Iterator[ChromiumTab]:
     """A page of a browser of its own, whose profile is in that folder."""
     assert CHROMIUM is not None
     theirs, to = os.pipe()
@@ -111,7 +127,7 @@ def page(folder: Path) -> Iterator[Page]:
     os.close(theirs)
     os.close(ours)
     try:
-        yield Page(to, back)
+        yield ChromiumTab(to, back)
     finally:
         browser.terminate()
         browser.wait(20)

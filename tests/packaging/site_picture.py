@@ -11,7 +11,7 @@ from walk import ROOT
 
 sys.path.insert(0, str(ROOT / "tests" / "cli"))
 
-from devtools import page
+from devtools import chromium
 from test_site_browser import READY, judged, served
 
 from judge.problem.find import find_problem
@@ -36,7 +36,7 @@ def main() -> None:
     with tempfile.TemporaryDirectory(prefix="judge-tests-") as folder:
         site = Path(folder, "site")
         build(site, [find_problem("count")], [], parts(None))
-        with served(site) as (_, address), page(Path(folder, "profile")) as tab:
+        with served(site) as (_, address), chromium(Path(folder, "profile")) as tab:
             size = {"width": 1280, "height": 860, "deviceScaleFactor": 1, "mobile": False}
             tab.call("Emulation.setDeviceMetricsOverride", **size)
             tab.go(f"{address}/#count")

@@ -423,10 +423,17 @@ async function show() {
   }
   scrollTo(0, 0);
 }
+/* The service worker comes first, so that it keeps all that follows; a page without one goes on. */
+async function held() {
+  const workers = navigator.serviceWorker;
+  const there = workers && new Promise(resolve => workers.addEventListener("controllerchange", resolve, { once: true }));
+  await workers?.register("sw.js");
+  if (!workers?.controller) await there;
+}
+await Promise.race([held().catch(() => {}), new Promise(resolve => setTimeout(resolve, 2000))]);
 site = await json("katas.json");
 byId = new Map(site.katas.map(kata => [kata.id, kata]));
 addEventListener("hashchange", show);
 if (typeof WebAssembly !== "object") say("This browser has no WebAssembly, which Python needs here. Use a newer one, or pip install circle-line-judge.", "failed");
 else python.start();
 await show();
-if ("serviceWorker" in navigator) navigator.serviceWorker.register("sw.js").catch(() => {});

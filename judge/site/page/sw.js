@@ -1,6 +1,11 @@
-/* Every file is kept as it is fetched, so a second visit needs no network. VERSION is the hash of the site's files. */
+/* Every file is kept as it is fetched, so a second visit needs no network; those of START were fetched before this
+   worker was there. VERSION is the hash of the site's files. */
 const VERSION = "judge-{{version}}";
-self.addEventListener("install", () => self.skipWaiting());
+const START = ["./", "app.js", "style.css", "icon.svg"];
+self.addEventListener("install", event => event.waitUntil((async () => {
+  await (await caches.open(VERSION)).addAll(START);
+  await self.skipWaiting();
+})()));
 self.addEventListener("activate", event => event.waitUntil((async () => {
   const old = (await caches.keys()).filter(key => key.startsWith("judge-") && key !== VERSION && key !== "judge-memory");
   await Promise.all(old.map(key => caches.delete(key)));
