@@ -43,6 +43,10 @@ def main() -> NoReturn:
         app.main()
     except KeyboardInterrupt:
         sys.exit(_INTERRUPTED)
+    finally:
+        # Of an interrupt inside an exec of text, as namedtuple does one, Python keeps a mark though it was
+        # handled, and in place of our status it would end by SIGINT. The next exec takes the mark away.
+        exec("")
 
 
 def _leave(_number: int, _frame: FrameType | None) -> NoReturn:

@@ -123,6 +123,21 @@ main()
     assert (ended.returncode, ended.stdout, ended.stderr) == (130, b"", b"")
 
 
+def test_ctrl_c_inside_executed_text_has_the_usual_status(tmp_path):
+    # Python itself would end by SIGINT: it keeps a mark of such an interrupt, handled or not.
+    (tmp_path / "executing.py").write_text(
+        "from judge.cli import app, main\napp.app.main = lambda: exec('raise KeyboardInterrupt')\nmain()\n"
+    )
+    ended = subprocess.run(
+        [sys.executable, "-m", "executing"],
+        cwd=tmp_path,
+        env={**os.environ, "PYTHONPATH": str(ROOT)},
+        timeout=60,
+        check=False,
+    )
+    assert ended.returncode == 130
+
+
 @pytest.mark.parametrize(
     "place", ["diagnose.shrink.shrink", "mistakes.namer.Vetoes", "cli.drawings.Drawing.picture"]
 )
