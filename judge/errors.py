@@ -124,4 +124,8 @@ def nearest(name: str, names: Iterable[str]) -> str | None:
     """The one of `names` that `name` was most likely meant to be, or None."""
     import difflib  # late: only who mistyped something waits for it
 
-    return next(iter(difflib.get_close_matches(name, list(names), n=1)), None)
+    def likeness(other: str) -> tuple[float, int]:  # of two that are as like, that with more in its place
+        ratio = difflib.SequenceMatcher(None, other, name).ratio()
+        return ratio, sum(map(str.__eq__, name, other))
+
+    return max(difflib.get_close_matches(name, list(names)), key=likeness, default=None)

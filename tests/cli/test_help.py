@@ -18,6 +18,7 @@ from terminals import on_a_terminal
 
 from judge.cli.app import app
 from judge.cli.table import COMMANDS, OLD
+from judge.errors import nearest
 from judge.manual import page, topics
 
 pytestmark = pytest.mark.slow
@@ -218,3 +219,10 @@ def test_every_command_is_named_for_two_hundred_words_with_one_slip(judge):
         ended = judge(typed)
         assert ended.status == 2
         assert ended.err == f"judge: There is no command {typed}. Did you mean judge {meant}?\n", meant
+
+
+@pytest.mark.parametrize(
+    ("typed", "meant"), [("ryn", "run"), ("ery", "try"), ("lsit", "list"), ("sint", "hint")]
+)
+def test_of_two_commands_as_like_that_with_more_letters_in_place_is_meant(typed, meant):
+    assert nearest(typed, COMMANDS) == meant
