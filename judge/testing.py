@@ -15,23 +15,30 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Iterator, Sequence
+from contextlib import nullcontext
 from functools import cached_property
 from pathlib import Path
 from textwrap import wrap
 from typing import Any
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from judge.data.load import ProblemData, load_data
 from judge.errors import UsageError
-from judge.judging.inprocess import Held, Routine, check_routine, explain_routine, routine_name
+from judge.judging.inprocess import InProcess, Routine
 from judge.mistakes.told import told_mistakes
-from judge.problem import Problem
+from judge.problem import Problem, Verdict
 from judge.problem.find import find_problem
 from judge.problem.model import chosen_groups
 from judge.report.tell import tell
 from judge.report.words import counted, printable
-from judge.run.result import Result
+from judge.run.function import FunctionRunner
+from judge.run.group import GroupRun, group_limits, one_case
+from judge.run.reference import Reference
+from judge.run.result import Result, earned
+from judge.run.settings import Settings
+from judge.sandbox.boundary import Usage
 
 __all__ = ["JudgeGroup", "JudgeProblem", "judge_problem"]
 
@@ -85,20 +92,19 @@ class JudgeProblem:
         chosen_groups(self.problem, chosen)
         if not chosen:
             raise UsageError("no group is named", remedy="leave groups out for all of them")
-        judged = check_routine(self.data, routine, chosen)
-        failed = next((each for each in judged if each.run.failure is not None), None)
-        if failed is not None:
-            lines = _lines(self.problem, routine, judged, failed, self._explained(routine))
+        runs, raised = _called(self.data, routine, chosen)
+        if any(run.failure for run in runs):
+            lines = _lines(self.problem, _name(routine), runs, self._explained(routine))
             rows = (printable(row) for text in lines for row in text.splitlines() or [""])
             text = "\n".join(part for row in rows for part in wrap(row, _WIDTH) or [""])
-            raise AssertionError(text) from failed.raised
+            raise AssertionError(text) from raised
 
     def _explained(self, routine: Routine) -> Result | None:
         """The smallest case and the mistake's name, sought once for a routine; None where that went wrong."""
         key = _sameness(routine)
         if key not in self._found:
             try:
-                self._found[key] = explain_routine(self.data, routine)
+                self._found[key] = _explained(self.data, routine)
             except Exception:  # what is known of the failure is worth more than what could be
                 self._found[key] = None
         return self._found[key]
@@ -133,20 +139,70 @@ def _sameness(routine: Routine) -> Any:
     return code, tuple(id(cell.cell_contents) for cell in routine.__closure__ or ())
 
 
-def _lines(
-    problem: Problem, routine: Routine, judged: Sequence[Held], failed: Held, found: Result | None
-) -> Iterator[str]:
-    results = [each.run.result() for each in judged]
+def _name(routine: Routine) -> str:
+    """What a routine is called where it is told of."""
+    return getattr(routine, "__qualname__", None) or repr(routine)
+
+
+def _called(
+    data: ProblemData, routine: Routine, groups: Sequence[str]
+) -> tuple[list[GroupRun], BaseException | None]:
+    """What the routine answers in these groups, and its exception where that is the first failure."""
+    runs: list[GroupRun] = []
+    raised = None
+    runner = FunctionRunner(data.problem)
+    for each in data.groups:
+        if each.group.name in groups:
+            box, run = InProcess(routine=routine), GroupRun(data, each, runner)
+            run.take(runner.answers(box, each.cases, group_limits(data.problem, each.group, Usage())))
+            if run.verdict is Verdict.RTE and not any(one.failure for one in runs):
+                raised = box.raised
+            runs.append(run)
+    return runs, raised
+
+
+def _explained(data: ProblemData, routine: Routine) -> Result:
+    """What `judge run` would say of the routine: every group, the smallest case, the mistake's name."""
+    from judge.diagnose.shrink import shrink  # only after a failure
+    from judge.mistakes.namer import Namer
+
+    runs, _ = _called(data, routine, [each.group.name for each in data.groups])
+    first = next(run for run in runs if run.failure is not None)
+    result = Result(
+        problem=data.problem.id,
+        submission=_name(routine),
+        verdict=first.verdict,
+        failure=first.failure,
+        **earned([run.result() for run in runs]),
+    )
+    with Reference(data.problem, InProcess) as reference:
+        box = InProcess(routine=routine)
+        found = shrink(data, box, FunctionRunner(data.problem), result, reference=reference)
+
+    def fails_alone(group: str, case: int) -> bool:
+        (run,), _ = _called(one_case(data, group, case), routine, [group])
+        return run.failure is not None
+
+    try:  # the file that it is written in; it may be in none
+        source = Path(routine.__code__.co_filename).read_bytes()
+    except (AttributeError, OSError):
+        source = b""
+    namer = Namer(data, None, Settings(measured=False), nullcontext)
+    does = {run.group.name: run.answers for run in runs}
+    return namer.named(replace(result, counterexample=found), does, source, fails_alone)
+
+
+def _lines(problem: Problem, name: str, runs: Sequence[GroupRun], found: Result | None) -> Iterator[str]:
+    results = [run.result() for run in runs]
     wrong = [result for result in results if result.passed < result.cases]
     lost = sum(result.cases - result.passed for result in wrong)
     cases = counted(sum(result.cases for result in results), "case")
     several = len(results) > 1
     groups = f"{len(wrong)} of {counted(len(results), 'group')}, " if several else ""
-    name = routine_name(routine)
     yield f"{problem.id}: {name} fails {groups}{lost:,} of {cases}"
     if several:
         yield f"  fails  {', '.join(f'{each.name} {each.passed}/{each.cases}' for each in wrong)}"
-    run = failed.run
+    run = next(run for run in runs if run.failure)
     first = Result(problem=problem.id, submission=name, verdict=run.verdict, failure=run.failure)
     told = tell(problem, found or first)
     yield from ("", *told.lines)

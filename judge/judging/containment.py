@@ -12,9 +12,22 @@ from judge import __version__
 from judge.cache import DISK, digest
 from judge.errors import JudgeError
 from judge.files import cache_folder
+from judge.judging.api import RunOptions
+from judge.languages.boxes import AnyBoxes
+from judge.languages.signature import signature_of
 from judge.problem import Problem
 from judge.problem.find import problem_roots
-from judge.sandbox import LEVELS
+from judge.sandbox import LEVELS, Boxes, room
+from judge.sandbox.boundary import BoxFactory
+
+
+def contained(problem: Problem, options: RunOptions, jobs: int = 1, had: str | None = None) -> BoxFactory:
+    """What opens containers for submissions to the problem; see `Session`. Raises UsageError."""
+    room.raise_descriptors()
+    least = None if options.isolation else kept_level()
+    share, hidden = room.measure().share(jobs), hidden_folders(problem)
+    boxes = Boxes(options.isolation, hidden, least=least, had=had, share=share)
+    return AnyBoxes(boxes, None if options.program else signature_of(problem))
 
 
 def hidden_folders(problem: Problem) -> tuple[Path, ...]:

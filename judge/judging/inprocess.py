@@ -1,8 +1,7 @@
-"""Running in this very process what is trusted: a routine of one's own, or a setter's source.
+"""A `Box` in this very process: for a routine of one's own and a setter's source, which are trusted.
 
-`InProcess` is a `Box` without containment or limits. What a series of calls does to the state that the whole
-process shares is undone at its end, so that no test group depends on the one before it, nor the caller's next
-test on any.
+Nothing is contained. What a series of calls does to the state that the whole process shares is undone at its
+end, so that no test group depends on the one before it, nor the caller's next test on any.
 """
 
 from __future__ import annotations
@@ -11,22 +10,14 @@ import decimal
 import io
 import sys
 import warnings
-from collections.abc import Callable, Collection, Iterator, Sequence
-from contextlib import ExitStack, contextmanager, nullcontext, redirect_stdout, suppress
-from pathlib import Path
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import ExitStack, contextmanager, redirect_stdout
 from traceback import walk_tb
-from typing import Any, NamedTuple
+from types import CodeType, ModuleType
+from typing import Any
 
-from msgspec.structs import replace
-
-from judge.data.load import ProblemData
-from judge.problem import Verdict
-from judge.run.function import FunctionRunner
-from judge.run.group import GroupRun, group_limits, one_case
-from judge.run.reference import Reference
-from judge.run.result import Result, earned
-from judge.run.settings import Settings
 from judge.sandbox.boundary import (
+    IMPORTING,
     CallsResult,
     Defined,
     Inspection,
@@ -38,21 +29,64 @@ from judge.sandbox.boundary import (
     Usage,
 )
 from judge.sandbox.encode import encode
-from judge.sandbox.inside.source import inspect
+from judge.sandbox.inside.source import described, inspect, own_line
 
 Routine = Callable[..., Any]
+_SHOWN = 10_000  # bytes of what it printed
+
+
+class Ended(BaseException):
+    """Raised in a submission that has used up its time, its memory or its room for output."""
+
+    def __init__(self, stop: Stop, detail: str) -> None:
+        super().__init__(detail)
+        self.stop = stop
+
+
+class Watch:
+    """A context manager around the code of a submission, which it may end; this one lets everything go on."""
+
+    def __init__(self, limits: Limits) -> None:
+        self.limits = limits
+
+    def __enter__(self) -> Watch:
+        return self
+
+    def __exit__(self, *exc: object) -> None:
+        pass
+
+    def over(self, code: CodeType) -> None:
+        """From now on that code is watched, and every function in it."""
+
+    def begin(self) -> None:
+        """A series of calls begins, or the import."""
+
+    def rest(self) -> float:
+        """It is over; the seconds that it took, where they are measured."""
+        return 0.0
 
 
 class InProcess:
-    """See `judge.sandbox.boundary.Box`; of a `routine` there need be no source. Only Ctrl-C ends a call."""
+    """See `judge.sandbox.boundary.Box`; of a `routine` there need be no source.
+
+    Only `watch` and Ctrl-C end a call. `caught` is what costs a call alone when it is raised there.
+    """
 
     isolation = ""
+    caught: type[BaseException] = Exception
 
-    def __init__(self, source: bytes = b"", name: str = "", routine: Routine | None = None) -> None:
-        self.raised: Exception | None = None  # the first one that a call raised
+    def __init__(
+        self,
+        source: bytes = b"",
+        name: str = "",
+        routine: Routine | None = None,
+        watch: Callable[[Limits], Watch] = Watch,
+    ) -> None:
+        self.raised: BaseException | None = None  # the first one that a call raised
         self._source = source
         self._name = name
         self._routine = routine
+        self._watch = watch
 
     def __enter__(self) -> InProcess:
         return self
@@ -81,109 +115,120 @@ class InProcess:
         limits: Limits,
         on_series: Callable[[], None] | None = None,
     ) -> list[CallsResult]:
-        """See `Box.call_series`; each series begins with the caller's state, and nothing is measured."""
+        """See `Box.call_series`; a routine finds its caller's state anew in each series."""
+        if self._routine is not None:
+            return [self._of_routine(self._routine, calls, limits) for calls in series]
         found: list[CallsResult] = []
-        for calls in series:
-            if found and on_series:
-                on_series()
-            with as_it_was():
-                found.append(CallsResult(tuple(self._replies(entry, calls, limits.items)), Usage()))
+        with self._process("submission", limits) as (watch, names, printed):
+            try:
+                self._execute(names, watch)
+                if entry not in names:
+                    raise NameError(f"the module has no {entry} once it is imported")
+            except self.caught as fault:
+                reply = self._ended(fault)
+                lost = len(series[0]) if reply.stop is Stop.EXCEPTION else 1
+                return [CallsResult((reply._replace(detail=reply.detail + IMPORTING),) * lost, Usage())]
+            imported = printed.tell()
+            for calls in series:
+                if found and on_series:
+                    on_series()
+                watch.begin()
+                replies = tuple(self._replies(names[entry], calls, limits.items))
+                spent = watch.rest()
+                shown = printed.getvalue()[imported:][:_SHOWN] if len(series) == 1 else b""
+                found.append(CallsResult(replies, Usage(spent, spent), shown))
+                if not _goes_on(replies[-1]):
+                    break
         return found
 
-    def _replies(self, entry: str, calls: Sequence[Sequence[Any]], items: int) -> Iterator[Reply]:
-        routine = self._routine
+    def _of_routine(self, routine: Routine, calls: Sequence[Sequence[Any]], limits: Limits) -> CallsResult:
+        with as_it_was():
+            return CallsResult(tuple(self._replies(routine, calls, limits.items)), Usage())
+
+    def _replies(self, routine: Routine, calls: Sequence[Sequence[Any]], items: int) -> Iterator[Reply]:
         for arguments in calls:
             try:
-                if routine is None:  # the import's own fault is each call's
-                    routine = self._executed("submission")[entry]
-                yield Reply(Stop.ANSWERED, encode(routine(*arguments), items))
-            except Exception as fault:  # this case is lost, the others are called
+                reply = Reply(Stop.ANSWERED, encode(routine(*arguments), items))
+            except self.caught as fault:  # this case is lost, the others are called
                 self.raised = self.raised or fault
-                yield Reply(Stop.EXCEPTION, None, _told(fault))
+                reply = self._ended(fault)
+            yield reply
+            if not _goes_on(reply):
+                break
 
-    def run_program(self, stdin: bytes, limits: Limits) -> ProgramResult:  # noqa: ARG002 - there are none
+    def run_program(self, stdin: bytes, limits: Limits) -> ProgramResult:
         """See `Box.run_program`."""
-        printed, before = io.BytesIO(), sys.stdin
-        stop, detail = Stop.ANSWERED, ""
+        before, stop, detail, spent = sys.stdin, Stop.ANSWERED, "", 0.0
+        with self._process("__main__", limits) as (watch, names, printed):
+            sys.stdin = io.TextIOWrapper(io.BytesIO(stdin), "utf-8")
+            try:
+                self._execute(names, watch)
+            except SystemExit as left:
+                if left.code not in (None, 0):
+                    code = left.code if isinstance(left.code, int) else 1
+                    stop, detail = Stop.EXITED, f"exit status {code}"
+            except self.caught as fault:
+                stop, _, detail = self._ended(fault)
+            finally:
+                spent = watch.rest()
+                sys.stdin = before
+        return ProgramResult(stop, printed.getvalue(), b"", detail, Usage(spent, spent))
+
+    @contextmanager
+    def _process(self, module: str, limits: Limits) -> Iterator[tuple[Watch, dict[str, Any], _Printed]]:
+        """What stands for a process of its own: its watch, the names of its main module, what it prints."""
+        made, before = ModuleType(module), sys.modules.get(module)
+        made.__dict__.update(__builtins__=__builtins__, __file__=self._name)
+        printed, argv, path = _Printed(limits.output_bytes), sys.argv, [*sys.path]
         out = io.TextIOWrapper(printed, "utf-8", write_through=True)
-        sys.stdin = io.TextIOWrapper(io.BytesIO(stdin), "utf-8")
-        try:
-            with as_it_was(), redirect_stdout(out):
-                self._executed("__main__")
-        except SystemExit as left:
-            if left.code not in (None, 0):
-                stop, detail = Stop.EXITED, f"exit status {left.code}"
-        except Exception as fault:
-            stop, detail = Stop.EXCEPTION, _told(fault)
-        finally:
-            sys.stdin = before
-        return ProgramResult(stop, printed.getvalue(), b"", detail, Usage())
+        with as_it_was(), redirect_stdout(out), self._watch(limits) as watch:
+            sys.modules[module] = made
+            sys.argv = [self._name]
+            try:
+                yield watch, made.__dict__, printed
+            finally:
+                watch.rest()
+                sys.argv, sys.path[:] = argv, path
+                sys.modules.pop(module, None)
+                if before is not None:
+                    sys.modules[module] = before
 
-    def _executed(self, module: str) -> dict[str, Any]:
-        names: dict[str, Any] = {"__name__": module, "__file__": self._name}
-        exec(compile(self._source, self._name, "exec", dont_inherit=True), names)
-        return names
+    def _execute(self, names: dict[str, Any], watch: Watch) -> None:
+        code = compile(self._source, self._name, "exec", dont_inherit=True)
+        watch.over(code)
+        watch.begin()
+        exec(code, names)
+        watch.rest()
 
-
-class Held(NamedTuple):
-    """What a routine came to in one group; `raised` is its exception where that is the first failure."""
-
-    run: GroupRun
-    raised: Exception | None
-
-
-def check_routine(data: ProblemData, routine: Routine, groups: Collection[str]) -> list[Held]:
-    """Call the routine with every case of the groups of those names. Raises ProblemError."""
-    found = []
-    runner = FunctionRunner(data.problem)
-    for each in data.groups:
-        if each.group.name in groups:
-            box, run = InProcess(routine=routine), GroupRun(data, each, runner)
-            run.take(runner.answers(box, each.cases, group_limits(data.problem, each.group, Usage())))
-            found.append(Held(run, box.raised if run.verdict is Verdict.RTE else None))
-    return found
+    def _ended(self, fault: BaseException) -> Reply:
+        """The end of a call that raised this."""
+        if self._routine is not None:
+            return Reply(Stop.EXCEPTION, None, described(fault, "") + _place(fault))
+        stop = Stop.MEMORY if isinstance(fault, MemoryError) else Stop.EXCEPTION
+        if isinstance(fault, Ended):
+            line = own_line(fault.__traceback__, self._name) if fault.stop is Stop.CPU else 0
+            return Reply(fault.stop, None, f"{fault}{f' (line {line})' if line else ''}")
+        return Reply(stop, None, described(fault, self._name))
 
 
-def explain_routine(data: ProblemData, routine: Routine) -> Result:
-    """What `judge run` would say of the routine: every group, the smallest case, the mistake's name.
+class _Printed(io.BytesIO):
+    """What a submission prints, as long as there is room; it cannot be closed."""
 
-    What it lacks it lacks with a note. Raises ProblemError.
-    """
-    from judge.diagnose.shrink import shrink  # only after a failure
-    from judge.mistakes.namer import Namer
+    def __init__(self, limit: int) -> None:
+        super().__init__()
+        self._limit = limit
 
-    runs = [each.run for each in check_routine(data, routine, [each.group.name for each in data.groups])]
-    first = next(run for run in runs if run.failure is not None)
-    result = Result(
-        problem=data.problem.id,
-        submission=routine_name(routine),
-        verdict=first.verdict,
-        failure=first.failure,
-        **earned([run.result() for run in runs]),
-    )
-    with Reference(data.problem, InProcess) as reference:
-        box = InProcess(routine=routine)
-        found = shrink(data, box, FunctionRunner(data.problem), result, reference=reference)
+    def write(self, data: Any) -> int:
+        if self.tell() + len(data) > self._limit:
+            raise Ended(Stop.OUTPUT, f"printed more than {self._limit >> 20} MB")
+        return super().write(data)
 
-    def fails_alone(group: str, case: int) -> bool:
-        (one,) = check_routine(one_case(data, group, case), routine, [group])
-        return one.run.failure is not None
-
-    namer = Namer(data, None, Settings(measured=False), nullcontext)
-    does = {run.group.name: run.answers for run in runs}
-    return namer.named(replace(result, counterexample=found), does, _source(routine), fails_alone)
+    def close(self) -> None:
+        """Nothing: what was printed is still to be read."""
 
 
-def routine_name(routine: Routine) -> str:
-    """What a routine is called where it is told of."""
-    return getattr(routine, "__qualname__", None) or repr(routine)
-
-
-def _source(routine: Routine) -> bytes:
-    """The file that the routine is written in; nothing where it is in none."""
-    with suppress(AttributeError, OSError):
-        return Path(routine.__code__.co_filename).read_bytes()
-    return b""
+def _goes_on(reply: Reply) -> bool:
+    return reply.stop in (Stop.ANSWERED, Stop.EXCEPTION)
 
 
 @contextmanager
@@ -204,13 +249,8 @@ def as_it_was() -> Iterator[None]:
         yield
 
 
-def _told(fault: Exception) -> str:
-    """The exception in a line, with its place as editors open it, unless that is here."""
-    try:
-        what = " ".join(str(fault).split())
-    except Exception:  # a text of its own that fails: what was raised matters more
-        what = "(its text cannot be shown)"
+def _place(fault: BaseException) -> str:
+    """Where it was raised, as editors open it, unless that is here."""
     *_, (frame, line) = walk_tb(fault.__traceback__)
     file = frame.f_code.co_filename
-    place = "" if file == __file__ else f" ({file}:{line})"
-    return f"{type(fault).__name__}{': ' if what else ''}{what}{place}"
+    return "" if file == __file__ else f" ({file}:{line})"

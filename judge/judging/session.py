@@ -17,17 +17,14 @@ from typing import TYPE_CHECKING
 
 from msgspec.structs import replace
 
+from judge.cache import DISK, Store
 from judge.errors import JudgeError, ShortageError, UsageError, shortage, told
 from judge.judging.api import RunOptions
-from judge.judging.containment import hidden_folders, kept_level
-from judge.languages.boxes import AnyBoxes
-from judge.languages.signature import signature_of
 from judge.problem import Problem, Verdict
 from judge.run.alone import MeasureLock
 from judge.run.reference import Reference, check_needs
 from judge.run.result import Behaviour, Result, judge_fault
 from judge.run.settings import Progress, Settings
-from judge.sandbox import Boxes, room
 from judge.sandbox.boundary import Box, BoxFactory
 
 if TYPE_CHECKING:
@@ -65,18 +62,23 @@ class Session:
         jobs: int = 1,
         had: str | None = None,
         bars: Bars = silent,
+        boxes: BoxFactory | None = None,
+        store: Store = DISK,
     ) -> None:
         """`jobs` processes of this command judge at once, and share what the machine has left; `had` is the
         level of isolation that the command has had before.
+
+        Without `boxes` there are containers. The `store` keeps the data, and what known mistakes answer.
         """
-        room.raise_descriptors()
-        least = None if options.isolation else kept_level()
-        share, hidden = room.measure().share(jobs), hidden_folders(problem)
-        boxes = Boxes(options.isolation, hidden, least=least, had=had, share=share)
+        if boxes is None:
+            from judge.judging.containment import contained  # not in a tab, which has no processes
+
+            boxes = contained(problem, options, jobs, had)
         self.problem = problem
         self.options = options
         self.bars = bars
-        self.open_box: BoxFactory = AnyBoxes(boxes, None if options.program else signature_of(problem))
+        self.open_box = boxes
+        self._store = store
         self.reference = Reference(problem, self.open_box)
         self.lock = MeasureLock(waiting=lambda: self.bars(_WAITING))
         self.settings = Settings(self.take, options.timed, self.lock, self.reference, options.program)
@@ -136,10 +138,10 @@ class Session:
         if self.options.timed:
             check_needs(self.problem)
         with self.bars(f"building {self.problem.id}") as advance:
-            return load_data(self.problem, seed=self.options.seed, progress=advance)
+            return load_data(self.problem, store=self._store, seed=self.options.seed, progress=advance)
 
-    def judge(self, source: bytes, name: str) -> Result:
-        """Judge one submission as the options say.
+    def judge(self, source: bytes, name: str, told_first: Callable[[Result], None] | None = None) -> Result:
+        """Judge one submission as the options say; `told_first` hears of a failure before it is explained.
 
         A fault of the problem's or of the judge's own is a result too, JE: it costs this submission alone.
 
@@ -149,7 +151,7 @@ class Session:
         """
         notes = self.data.notes
         try:
-            result = self._judged(source, name)
+            result = self._judged(source, name, told_first)
         except UsageError:
             raise
         except Exception as fault:  # such as a reference that fails on a case
@@ -161,7 +163,7 @@ class Session:
         """A warning where a submission was held by limits only and nobody asked for that."""
         return (_WEAK,) if isolation == "limits" and self.options.isolation is None else ()
 
-    def _judged(self, source: bytes, name: str) -> Result:
+    def _judged(self, source: bytes, name: str, told_first: Callable[[Result], None] | None) -> Result:
         from judge.run.execute import judge_submission
         from judge.run.hurdle import with_hurdle
         from judge.run.printed import with_printed
@@ -185,6 +187,8 @@ class Session:
                 unbound = result.verdict is Verdict.AC and not result.time.reference
                 why = result.time.why or (_UNTIMED.format(runner.language) if unbound else "")
                 result = result.noting(why) if why else result
+            if told_first and result.failure is not None:
+                told_first(result)
             if options.diagnosed:
                 result = self.diagnosed(judged._replace(result=result), self.data, box)
         return self.named(result, does, source) if options.named else result
@@ -233,7 +237,7 @@ class Session:
 
         if self._namer is None:
             bar = partial(self.bars, f"{told}learning the mistakes of {self.problem.id}, once")
-            self._namer = Namer(self.data, self.options.seed, self.untimed, bar)
+            self._namer = Namer(self.data, self.options.seed, self.untimed, bar, store=self._store)
         return self._namer
 
     def _fails_alone(self, source: bytes, name: str, group: str, case: int) -> bool:

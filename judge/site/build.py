@@ -14,17 +14,17 @@ from __future__ import annotations
 import json
 import shutil
 import zipfile
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import nullcontext, suppress
 from pathlib import Path
 from typing import Any, TypeVar
 
 import msgspec
-from msgspec import Struct
 
 from judge import __version__
 from judge.cache import DISK, code_key, decoded, digest
 from judge.data.load import load_data
+from judge.drawing.svg import panel_svg
 from judge.errors import JudgeError, UsageError
 from judge.files import replace_file
 from judge.mistakes.namer import Namer
@@ -42,44 +42,13 @@ Stage = Callable[[str, int, int], None]  # what is at work, katas done, katas in
 PAGE = Path(__file__).parent / "page"
 MARK = b'name="generator" content="judge site"'
 _PACKAGE = Path(__file__).parent.parent
-_ROOMS = (  # that a tab needs; the rest of the package is for processes, terminals and machines
+_IN_A_TAB = (  # of this package; the rest is for processes, terminals and machines
+    *("__init__.py", "cache.py", "errors.py", "files.py"),
     *("exact", "values", "drawing", "problem", "data", "geometry", "sandbox", "languages", "run", "diagnose"),
     *("mistakes", "judging", "report", "site"),
 )
-_FILES = ("__init__.py", "cache.py", "errors.py", "files.py")
-_LEFT_OUT = ("attacks.py", "drivers", "html", "page", "__pycache__")
+_LEFT_OUT = {"attacks.py", "drivers", "html", "page", "__pycache__"}
 _SEED = 1  # of what is left to chance in cards
-
-
-class Kata(Struct, frozen=True):
-    """A kata as the page lists it; `elsewhere` says why it is not one for a tab."""
-
-    id: str
-    title: str
-    tier: str
-    summary: str
-    stub: str
-    levels: bool
-    explore: bool
-    elsewhere: str
-
-
-class KataSet(Struct, frozen=True):
-    """A set of katas."""
-
-    name: str
-    title: str
-    about: str
-    katas: tuple[str, ...]
-
-
-class Site(Struct, frozen=True):
-    """All that the page lists; `editor` says whether the editor came with it."""
-
-    version: str
-    editor: bool
-    sets: tuple[KataSet, ...]
-    katas: tuple[Kata, ...]
 
 
 class _Keeping:
@@ -103,14 +72,13 @@ class _Keeping:
 
 def check_folder(out: Path) -> None:
     """Raise UsageError where `out` is something else than a site or an empty folder."""
-    index = out / "index.html"
+    index, what = out / "index.html", ""
     if out.exists() and not out.is_dir():
-        raise UsageError("this is no folder", where=str(out), remedy="name one with --out")
-    ours = index.is_file() and MARK in index.read_bytes()
-    if out.is_dir() and any(out.iterdir()) and not ours:
-        raise UsageError(
-            "this folder holds something else", where=str(out), remedy="name a new one with --out"
-        )
+        what = "this is no folder"
+    elif out.is_dir() and any(out.iterdir()) and not (index.is_file() and MARK in index.read_bytes()):
+        what = "this folder holds something else"
+    if what:
+        raise UsageError(what, where=str(out), remedy="name a new one with --out")
 
 
 def build(
@@ -136,33 +104,40 @@ def build(
         if stage:
             stage(problem.id, done, len(problems))
         elsewhere = _elsewhere(problem)
-        key = digest(f"{__version__}/{problem.key}/{code_key()}".encode())
         if not elsewhere:
-            after[problem.id] = key
+            after[problem.id] = key = digest(f"{__version__}/{problem.key}/{code_key()}".encode())
             if before.get(problem.id) != key or not (out / "kata" / f"{problem.id}.zip").is_file():
-                _kata(out, problem)
+                _write_kata(out, problem)
                 made.append(problem.id)
         explore = (out / "explore" / f"{problem.id}.html").is_file()
-        katas.append(_listed(problem, elsewhere, explore=explore))
+        katas.append(_listed(problem, elsewhere) | {"explore": explore})
     for path in (*(out / "kata").iterdir(), *(out / "explore").iterdir()):
         if path.stem not in after:  # of an earlier build
             path.unlink()
     if stage:
         stage("the page", len(problems), len(problems))
-    sets = tuple(
-        KataSet(each.name, each.title, each.about, tuple(one.id for one in each.problems))
+    sets = [
+        {
+            "name": each.name,
+            "title": each.title,
+            "about": each.about,
+            "katas": [one.id for one in each.problems],
+        }
         for each in sound_sets(problems, folders)[0]
         if each.problems and each.name != USUAL
-    )
-    _page(out, Site(__version__, (parts / "ace").is_dir(), sets, tuple(katas)), parts)
+    ]
+    shutil.copytree(PAGE, out, dirs_exist_ok=True, ignore=shutil.ignore_patterns("sw.js"))
+    shutil.copytree(parts, out, dirs_exist_ok=True)
+    _zip(out / "judge.zip", {f"judge/{path.relative_to(_PACKAGE)}": path for path in _modules()})
+    _write(out / "katas.json", {"editor": (parts / "ace").is_dir(), "sets": sets, "katas": katas})
     _write(out / "quiz.json", _cards(problems, folders))
     _write(out / "site.json", after)
-    _worker(out)
+    _write_worker(out)
     return SiteBuilt(
         str(out),
         tuple(made),
         tuple(name for name in after if name not in made),
-        tuple(each.id for each in katas if each.elsewhere),
+        tuple(problem.id for problem in problems if problem.id not in after),
         sum(path.stat().st_size for path in out.rglob("*") if path.is_file()),
         opened,
     )
@@ -185,36 +160,33 @@ def _elsewhere(problem: Problem) -> str:
     return ""
 
 
-def _listed(problem: Problem, elsewhere: str, *, explore: bool) -> Kata:
+def _listed(problem: Problem, elsewhere: str) -> dict[str, Any]:
+    """The kata as the page lists it; `elsewhere` says why it is not one for a tab."""
     names = ", ".join(parameter.name for parameter in problem.parameters)
-    stub = f"def {problem.entry}({names}):\n    raise NotImplementedError\n"
-    return Kata(
-        problem.id,
-        problem.title,
-        problem.tier.value,
-        problem.summary,
-        stub,
-        bool(problem.levels),
-        explore,
-        elsewhere,
-    )
+    return {
+        "id": problem.id,
+        "title": problem.title,
+        "summary": problem.summary,
+        "stub": f"def {problem.entry}({names}):\n    raise NotImplementedError\n",
+        "levels": bool(problem.levels),
+        "elsewhere": elsewhere,
+    }
 
 
-def _kata(out: Path, problem: Problem) -> None:
+def _write_kata(out: Path, problem: Problem) -> None:
     """The files of one kata. Raises JudgeError."""
     store, name = _Keeping(), problem.id
     for path in (out / "kata" / f"{name}.svg", out / "explore" / f"{name}.html"):
         path.unlink(missing_ok=True)
     data = load_data(problem, store=store)
-    namer = Namer(data, None, Settings(measured=False), nullcontext, store=store)
-    namer.learn()
-    files = {f"{kind}.json": store.found[kind] for kind in ("data", "mistakes") if kind in store.found}
+    Namer(data, None, Settings(measured=False), nullcontext, store=store).learn()
+    problems, solutions = problem.folder.parent, problem.solutions.parent
+    files: dict[str, Path | bytes] = {f"{kind}.json": content for kind, content in store.found.items()}
     for root, folder in (("problems", problem.folder), ("solutions", problem.solutions)):
-        files |= {f"{root}/{name}/{path.relative_to(folder)}": path.read_bytes() for path in _shipped(folder)}
-    for path in (*problem.folder.parent.glob("types/*.py"), *problem.folder.parent.glob("skills.toml")):
-        files[f"problems/{path.relative_to(problem.folder.parent)}"] = path.read_bytes()
-    words = problem.solutions.parent / "mistakes.toml"
-    files |= {"solutions/mistakes.toml": words.read_bytes()} if words.is_file() else {}
+        files |= {f"{root}/{name}/{path.relative_to(folder)}": path for path in _shipped(folder)}
+    for path in (*problems.glob("types/*.py"), *problems.glob("skills.toml")):
+        files[f"problems/{path.relative_to(problems)}"] = path
+    files |= {f"solutions/{path.name}": path for path in solutions.glob("mistakes.toml")}
     _zip(out / "kata" / f"{name}.zip", files)
     _write(out / "kata" / f"{name}.json", kata_page(problem))
     figure = problem.folder / "figure.svg"
@@ -226,33 +198,25 @@ def _kata(out: Path, problem: Problem) -> None:
         replace_file(out / "explore" / f"{name}.html", page.encode())
 
 
-def _shipped(folder: Path) -> Iterable[Path]:
+def _shipped(folder: Path) -> Iterator[Path]:
     """The files of a kata's folder that a tab needs: no programs in other languages, no slow ones."""
-    for path in sorted(folder.rglob("*")):
+    for path in folder.rglob("*"):
         first, *_ = parts = path.relative_to(folder).parts
         unwanted = first == "slow" or (first in ("accepted", "wrong") and path.suffix != ".py")
         if path.is_file() and not unwanted and "__pycache__" not in parts:
             yield path
 
 
-def _page(out: Path, site: Site, parts: Path) -> None:
-    for path in PAGE.iterdir():
-        if path.name != "sw.js":
-            shutil.copy(path, out / path.name)
-    shutil.copytree(parts, out, dirs_exist_ok=True)
-    _write(out / "katas.json", site)
-    places = [_PACKAGE / name for name in _FILES]
-    for room in _ROOMS:
-        places += [
-            path
-            for path in sorted((_PACKAGE / room).rglob("*"))
-            if path.suffix in (".py", ".toml", ".js", ".css", ".html")
-        ]
-    kept = [path for path in places if not {*path.relative_to(_PACKAGE).parts} & {*_LEFT_OUT}]
-    _zip(out / "judge.zip", {f"judge/{path.relative_to(_PACKAGE)}": path.read_bytes() for path in kept})
+def _modules() -> Iterator[Path]:
+    """The files of this package that a tab needs."""
+    for name in _IN_A_TAB:
+        place = _PACKAGE / name
+        for path in place.rglob("*") if place.is_dir() else [place]:
+            if path.is_file() and not _LEFT_OUT & {*path.relative_to(_PACKAGE).parts}:
+                yield path
 
 
-def _worker(out: Path) -> None:
+def _write_worker(out: Path) -> None:
     """The service worker, whose version is the hash of all other files."""
     own = out / "sw.js"
     files = sorted(path for path in out.rglob("*") if path.is_file() and path != own)
@@ -260,29 +224,7 @@ def _worker(out: Path) -> None:
     replace_file(own, (PAGE / "sw.js").read_text(encoding="utf-8").replace("{{version}}", version).encode())
 
 
-class CardShown(Struct, frozen=True):
-    """A card with its answer; of `options` one is right, and the others say why they are not."""
-
-    key: str
-    sets: tuple[str, ...]
-    front: str
-    given: tuple[str, ...]
-    program: str
-    svg: str
-    options: tuple[Option, ...]
-    answer: str
-    why: str
-
-
-class Option(Struct, frozen=True):
-    """One answer to choose."""
-
-    text: str
-    right: bool
-    why: str
-
-
-def _cards(problems: Sequence[Problem], folders: Sequence[Path]) -> list[CardShown]:
+def _cards(problems: Sequence[Problem], folders: Sequence[Path]) -> list[dict[str, Any]]:
     """The cards of all sets whose problems are here."""
     sources = Sources(folders, _SEED, lambda _label: nullcontext())
     names: set[str] = {"", *(problem.id for problem in problems)}
@@ -294,36 +236,35 @@ def _cards(problems: Sequence[Problem], folders: Sequence[Path]) -> list[CardSho
     return found
 
 
-def _card(card: Card, asked: Question) -> CardShown:
-    from judge.drawing.svg import panel_svg
-
-    options = []
-    for letter, text in asked.options:
-        reply = asked.check(letter) if asked.check else None
-        options.append(Option(text, bool(reply and reply.right), reply.why if reply else ""))
+def _card(card: Card, asked: Question) -> dict[str, Any]:
+    """A card with its answer; of `options` one is right, and the others say why they are not."""
+    replies = [(text, asked.check(letter) if asked.check else None) for letter, text in asked.options]
     figure = asked.picture
-    picture = panel_svg(figure.whole, "figure", figure.description, alone=True) if figure else ""
-    return CardShown(
-        card.key,
-        card.sets,
-        card.front,
-        asked.given,
-        asked.program,
-        picture,
-        tuple(options),
-        asked.answer,
-        asked.why,
-    )
+    return {
+        "key": card.key,
+        "sets": card.sets,
+        "front": card.front,
+        "given": asked.given,
+        "program": asked.program,
+        "svg": panel_svg(figure.whole, "figure", figure.description, alone=True) if figure else "",
+        "options": [
+            {"text": text, "right": bool(reply and reply.right), "why": reply.why if reply else ""}
+            for text, reply in replies
+        ],
+        "answer": asked.answer,
+        "why": asked.why,
+    }
 
 
 def _write(path: Path, value: Any) -> None:
     replace_file(path, msgspec.json.encode(value))
 
 
-def _zip(path: Path, files: dict[str, bytes]) -> None:
+def _zip(path: Path, files: Mapping[str, Path | bytes]) -> None:
     """An archive, the same bytes for the same files."""
     part = path.with_suffix(".part")
     with zipfile.ZipFile(part, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as archive:
-        for name, content in sorted(files.items()):
+        for name, file in sorted(files.items()):
+            content = file if isinstance(file, bytes) else file.read_bytes()
             archive.writestr(zipfile.ZipInfo(name), content, zipfile.ZIP_DEFLATED)
     part.replace(path)

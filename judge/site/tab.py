@@ -11,8 +11,8 @@ from __future__ import annotations
 import json
 import os
 import re
-from collections.abc import Mapping
-from contextlib import nullcontext, suppress
+from collections.abc import Callable, Mapping
+from contextlib import AbstractContextManager, nullcontext, suppress
 from functools import partial
 from pathlib import Path
 from typing import Any, Protocol, TypeVar
@@ -20,22 +20,17 @@ from typing import Any, Protocol, TypeVar
 import msgspec
 
 from judge.cache import decoded
-from judge.data.load import ProblemData, load_data
-from judge.diagnose.shrink import shrink
-from judge.errors import JudgeError, told
-from judge.mistakes.namer import Namer
-from judge.problem import Problem, Verdict
+from judge.data.load import ProblemData
+from judge.judging.api import RunOptions
+from judge.judging.session import Session
+from judge.problem import Problem
 from judge.problem.declare import Shown
 from judge.problem.load import load_problem
 from judge.problem.model import case_of
 from judge.report.tell import shown_failure, tell
 from judge.run.execute import judge_submission
-from judge.run.group import one_case
-from judge.run.hurdle import with_hurdle
-from judge.run.printed import with_printed
-from judge.run.reference import Reference
-from judge.run.result import Behaviour, Result, judge_fault
-from judge.run.settings import Settings
+from judge.run.result import Result
+from judge.run.settings import Progress
 from judge.site.box import TabBox
 
 if not hasattr(os, "geteuid"):  # what Emscripten lacks
@@ -43,7 +38,6 @@ if not hasattr(os, "geteuid"):  # what Emscripten lacks
 
 T = TypeVar("T")
 NAME = "yours.py"
-_NAMED = (Verdict.WA, Verdict.RTE)
 _START = re.compile(r'<script type="application/json" id="start">(.*?)</script>', re.DOTALL)
 
 
@@ -90,70 +84,49 @@ class Tab:
     def open(self, kata: str) -> None:
         """Read a kata, and import what judging needs. Raises JudgeError."""
         self._katas[kata] = opened = _Kata(self._folder / kata, kata, self._page)
-        opened.judge(f"def {opened.problem.entry}(*_): pass".encode(), explained=False)
+        opened.warm_up()
 
     def judge(self, kata: str, source: str) -> str:
         """Judge a program, as JSON: `judge.report.tell.Told`, and what the page does with it besides."""
         return self._katas[kata].judge(source.encode("utf-8", "surrogatepass"))
 
     def result(self, kata: str, source: bytes) -> Result:
-        """The whole result. Raises JudgeError."""
+        """The whole result."""
         return self._katas[kata].result(source)
 
 
 class _Kata:
     def __init__(self, folder: Path, name: str, page: Page) -> None:
-        self._page, self._store = page, Shipped(folder)
-        self.problem = load_problem(folder / "problems" / name)
-        self._data = load_data(self.problem, store=self._store)
-        self._open = partial(TabBox, memory=page.memory, alive=page.alive)
-        self._settings = Settings(self._open, measured=False)
-        self._reference = Reference(self.problem, self._open)
-        self._namer: Namer | None = None
+        boxes = partial(TabBox, memory=page.memory, alive=page.alive)
+        problem = load_problem(folder / "problems" / name)
+        self._page = page
+        self._session = Session(
+            problem, RunOptions(timed=False), boxes=boxes, bars=self._bar, store=Shipped(folder)
+        )
 
-    def judge(self, source: bytes, *, explained: bool = True) -> str:
+    def _bar(self, label: str) -> AbstractContextManager[Progress | None]:
+        return nullcontext(self._page.progress if label == NAME else None)
+
+    def warm_up(self) -> None:
+        """Judge something, which imports all that it takes. Raises JudgeError."""
+        session = self._session
+        source = f"def {session.problem.entry}(*_): pass".encode()
+        judge_submission(session.data, source, NAME, session.settings)
+
+    def judge(self, source: bytes) -> str:
         """See `Tab.judge`."""
-        try:
-            result = self.result(source, explained=explained)
-        except JudgeError as fault:
-            result = judge_fault(self.problem.id, NAME, told(fault))
-        return self._told(result, source, drawn=True)
+        result = self.result(source, lambda first: self._page.told(self._told(first, source)))
+        drawn = _drawn(self._session.problem, self._session.data, result)
+        return self._told(result, source, drawn)
 
-    def result(self, source: bytes, *, explained: bool = True) -> Result:
-        """As `judge.judging.session.Session.judge`, without races. Raises JudgeError."""
-        with self._open(source, NAME) as box:
-            result, runner, does = judge_submission(
-                self._data, source, NAME, self._settings, box=box, on_progress=self._page.progress
-            )
-            if runner is None or not explained:
-                return result
-            result = with_hurdle(result, runner, box, source)
-            if result.hurdle is not None or result.failure is None:
-                return result
-            result = with_printed(result, self._data, runner, box)
-            self._page.told(self._told(result, source, drawn=False))
-            smallest = shrink(self._data, box, runner, result, reference=self._reference)
-        if smallest is not None:
-            smallest = runner.explained(smallest, does) if smallest.replay is not None else smallest
-            result = msgspec.structs.replace(result, counterexample=smallest)
-        return self._named(result, does, source) if result.verdict in _NAMED else result
+    def result(self, source: bytes, first: Callable[[Result], None] | None = None) -> Result:
+        """See `Tab.result`."""
+        return self._session.judge(source, NAME, first)
 
-    def _named(self, result: Result, does: Behaviour, source: bytes) -> Result:
-        if self._namer is None:
-            self._namer = Namer(self._data, None, self._settings, nullcontext, store=self._store)
-
-        def alone(group: str, case: int) -> bool:
-            found = judge_submission(one_case(self._data, group, case), source, NAME, self._settings)
-            return found.result.verdict is not Verdict.AC
-
-        return self._namer.named(result, does, source, alone)
-
-    def _told(self, result: Result, source: bytes, *, drawn: bool) -> str:
-        found: dict[str, Any] = msgspec.to_builtins(tell(self.problem, result, source))
-        found["solved"] = result.solved
-        found["line"] = result.hurdle.line if result.hurdle else 0
-        found |= _drawn(self.problem, self._data, result) if drawn else {}
-        return json.dumps(found)
+    def _told(self, result: Result, source: bytes, drawn: Mapping[str, Any] | None = None) -> str:
+        found: dict[str, Any] = msgspec.to_builtins(tell(self._session.problem, result, source))
+        line = result.hurdle.line if result.hurdle else 0
+        return json.dumps({**found, "solved": result.solved, "line": line, **(drawn or {})})
 
 
 def _drawn(problem: Problem, data: ProblemData, result: Result) -> Mapping[str, Any]:

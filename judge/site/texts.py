@@ -1,12 +1,10 @@
-"""What a page shows of a kata, made once: its statement, hints and model solution as HTML, its cards."""
+"""What a page shows of a kata, made once: its statement, hints and model solution as HTML."""
 
 from __future__ import annotations
 
 import re
 from html import escape
 from typing import Any
-
-from msgspec import Struct
 
 from judge.errors import UsageError
 from judge.practice.solutions import approaches
@@ -16,31 +14,15 @@ from judge.problem.texts import read_hints
 _FIGURE = re.compile(r"!\[([^\]]*)\]\(figure\.svg\)")
 
 
-class Text(Struct, frozen=True):
-    """A piece of text under its title."""
-
-    title: str
-    html: str
-    source: str = ""
-
-
-class KataPage(Struct, frozen=True):
-    """The texts of one kata."""
-
-    statement: str
-    hints: tuple[Text, ...]
-    solution: Text | None
-
-
-def kata_page(problem: Problem) -> KataPage:
+def kata_page(problem: Problem) -> dict[str, Any]:
     """The texts of a kata; of a foreign one too, whose raw HTML is shown as text. Raises JudgeError."""
     statement = problem.statement.partition("\n## As a program")[0]
-    first = approaches(problem)[0]
-    return KataPage(
-        markdown(_FIGURE.sub(rf"![\1](kata/{problem.id}.svg)", statement)),
-        tuple(Text(each.title, markdown(each.text)) for each in read_hints(problem)),
-        Text(first.solution.name, markdown(first.solution.text), first.program),
-    )
+    model = approaches(problem)[0]
+    return {
+        "statement": markdown(_FIGURE.sub(rf"![\1](kata/{problem.id}.svg)", statement)),
+        "hints": [{"title": each.title, "html": markdown(each.text)} for each in read_hints(problem)],
+        "solution": {"html": markdown(model.solution.text), "source": model.program},
+    }
 
 
 def markdown(text: str) -> str:

@@ -145,7 +145,7 @@ CALLS = {
         "ModuleNotFoundError: No module named 'nothing_of_that_name' (line 1), while the module was imported",
     ),
     "def f(x):\n    print('a' * 2000)\n": (Stop.OUTPUT, "printed more than 0 MB"),
-    "def f(x):\n    raise MemoryError\n": (Stop.MEMORY, "asked for more memory than this tab has (line 2)"),
+    "def f(x):\n    raise MemoryError\n": (Stop.MEMORY, "MemoryError (line 2)"),
 }
 
 

@@ -112,7 +112,7 @@ def test_a_box_in_this_process_is_a_whole_one():
     assert [each.name for each in box.inspect().functions] == ["f"]
     first, second = box.call_series("f", [[(1,), (0,)], [(2,)]], LIMITS, lambda: told.append(1))
     assert [reply.stop for reply in first.replies] == [Stop.ANSWERED, Stop.EXCEPTION]
-    assert first.replies[1].detail.endswith("zero (f.py:6)")
+    assert first.replies[1].detail.endswith("zero (line 6)")
     assert ([reply.answer for reply in second.replies], told) == ([0], [1])
     assert random.getstate() == before
     assert InProcess(b"1 +", "f.py").inspect().fault.line == 1
@@ -123,7 +123,7 @@ def test_a_box_in_this_process_is_a_whole_one():
     [
         (b"print(int(input()) + 1)", Stop.ANSWERED, ""),
         (b"print(int(input()) + 1); exit(3)", Stop.EXITED, "exit status 3"),
-        (b"print(int(input()) + 1); 1 / 0", Stop.EXCEPTION, "ZeroDivisionError: division by zero (p.py:1)"),
+        (b"print(int(input()) + 1); 1 / 0", Stop.EXCEPTION, "ZeroDivisionError: division by zero (line 1)"),
     ],
 )
 def test_a_box_in_this_process_runs_whole_programs(source, stop, detail):

@@ -25,10 +25,9 @@ from judge.sandbox.inside import source, wire
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
-    from types import FrameType, TracebackType
+    from types import FrameType
     from typing import Any, NoReturn
 
-DETAIL_LENGTH = 500
 TALLY = 3  # the descriptor the baseline goes to
 OWN_FILE = "/dev/fd/4"  # on Linux: its source, which can be read at every level
 
@@ -91,7 +90,7 @@ def be_program(code: CodeType, name: str, region: wire.Region) -> NoReturn:
         _note_memory(region, error, name)
         status = 1
     except BaseException as error:
-        region.write_note(wire.RAISED, _described(error, name))
+        region.write_note(wire.RAISED, source.described(error, name))
         _show(error, name)
         status = 1
     os._exit(_finish(status) & 0xFF)
@@ -117,7 +116,7 @@ def make_calls(code: CodeType, name: str, region: wire.Region, request: wire.Req
         _note_memory(region, error, name)
         os._exit(1)
     except BaseException as error:
-        replies.all_raised(f"{_described(error, name)}{IMPORTING}", count)
+        replies.all_raised(f"{source.described(error, name)}{IMPORTING}", count)
         os._exit(_flushed(0))
     region.words[wire.IMPORTED] = 1
     freeze()  # a large table of its own would be looked through on the time of its calls
@@ -181,7 +180,7 @@ class _Replies:
             except BaseException as error:  # SystemExit too: the end of this call, not of the next
                 if isinstance(error, OSError) and error.errno == errno.EFBIG:
                     self._too_much("")  # it printed more than it may
-                line = _raised(_described(error, name))
+                line = _raised(source.described(error, name))
             end = at + len(line)
             if end > stop:
                 self._too_much()
@@ -270,26 +269,6 @@ def _note_memory(region: wire.Region, error: MemoryError, name: str) -> None:
     """Say so first: describing the error needs memory too."""
     region.write_note(wire.NO_MEMORY, "")
     try:
-        region.write_note(wire.NO_MEMORY, _described(error, name))
+        region.write_note(wire.NO_MEMORY, source.described(error, name))
     except MemoryError:
         return
-
-
-def _described(error: BaseException, name: str) -> str:
-    """One line for a person, whatever the exception's own text does."""
-    try:
-        text = " ".join(str(error)[: 4 * DETAIL_LENGTH].split())[:DETAIL_LENGTH]
-    except BaseException:
-        text = "(its text cannot be shown)"
-    what = f"{type(error).__name__}: {text}" if text else type(error).__name__
-    line = _own_line(error.__traceback__, name)
-    return f"{what} (line {line})" if line else what
-
-
-def _own_line(step: TracebackType | None, name: str) -> int:
-    line = 0
-    while step is not None:
-        if step.tb_frame.f_code.co_filename == name:
-            line = step.tb_lineno
-        step = step.tb_next
-    return line

@@ -11,6 +11,7 @@ import sys
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from types import TracebackType
     from typing import Any
 
 MOST_NAMES = 10_000
@@ -138,3 +139,24 @@ def sealed(source: bytes) -> list[int]:
     seals = fcntl.F_SEAL_SEAL | fcntl.F_SEAL_SHRINK | fcntl.F_SEAL_GROW | fcntl.F_SEAL_WRITE
     fcntl.fcntl(number, fcntl.F_ADD_SEALS, seals)
     return [number]
+
+
+def described(error: BaseException, name: str) -> str:
+    """An exception in one line, with its line in the file of that name, whatever its own text does."""
+    try:
+        text = " ".join(str(error)[: 4 * TEXT_LENGTH].split())[:TEXT_LENGTH]
+    except BaseException:
+        text = "(its text cannot be shown)"
+    what = f"{type(error).__name__}: {text}" if text else type(error).__name__
+    line = own_line(error.__traceback__, name)
+    return f"{what} (line {line})" if line else what
+
+
+def own_line(step: TracebackType | None, name: str) -> int:
+    """The innermost line of a traceback that is in the file of that name; 0 where none is."""
+    line = 0
+    while step is not None:
+        if step.tb_frame.f_code.co_filename == name:
+            line = step.tb_lineno
+        step = step.tb_next
+    return line

@@ -17,6 +17,11 @@ const html = (name, className, text) => el(name, { className, innerHTML: text })
 const button = (text, act, className = "") => el("button", { type: "button", className, onclick: act }, text);
 const counted = (n, noun) => `${n.toLocaleString("en")} ${noun}${n === 1 ? "" : "s"}`;
 const json = async path => (await fetch(path)).json();
+async function bytes(path) {
+  const found = await fetch(path);
+  if (!found.ok) throw new Error(`${path}: ${found.status}`);
+  return new Uint8Array(await found.arrayBuffer());
+}
 const main = $("#main"), state = $("#state");
 
 /* -- what is kept in this browser ---------------------------------------------------------------------------- */
@@ -73,9 +78,8 @@ const python = {
       });
       URL.revokeObjectURL(address);
       say("Ready", "ready");
-      fetch("wheels/extra.zip").then(async found => {
-        if (found.ok) this.worker.postMessage({ wheel: new Uint8Array(await found.arrayBuffer()) });
-      }).catch(() => {});
+      Promise.all(["hypothesis", "sortedcontainers"].map(name => bytes(`wheels/${name}.whl`)))
+        .then(wheels => this.worker.postMessage({ wheels })).catch(() => {}); // the search does without
     })();
     this.ready.catch(fault => say(`Python did not start: ${fault.message}. Reload the page.`, "failed"));
     return this.ready;
@@ -87,9 +91,7 @@ const python = {
     if (!opened.has(kata.id)) {
       opened.set(kata.id, (async () => {
         await this.ready;
-        const found = await fetch(`kata/${kata.id}.zip`);
-        if (!found.ok) throw new Error(found.statusText);
-        this.worker.postMessage({ kata: kata.id, archive: new Uint8Array(await found.arrayBuffer()) });
+        this.worker.postMessage({ kata: kata.id, archive: await bytes(`kata/${kata.id}.zip`) });
       })());
       opened.get(kata.id).catch(() => opened.delete(kata.id));
     }
@@ -214,11 +216,11 @@ async function showKata(kata) {
 
   const label = () => {
     hint.textContent = own.hints < page.hints.length ? `Hint ${own.hints + 1} of ${page.hints.length}` : "Solution";
-    hint.hidden = own.hints >= page.hints.length && (solved(kata) || !page.solution);
+    hint.hidden = own.hints >= page.hints.length && solved(kata);
   };
   const helped = () => {
     const shown = page.hints.slice(0, own.hints).map(each => el("div", { className: "hint" }, el("h3", {}, each.title), html("div", "", each.html)));
-    if (page.solution && (own.gaveUp || solved(kata))) {
+    if (own.gaveUp || solved(kata)) {
       shown.push(el("div", { className: "hint" }, el("h3", {}, "The model solution"), html("div", "", page.solution.html), el("pre", {}, page.solution.source)));
     }
     help.replaceChildren(...shown);

@@ -72,7 +72,7 @@ for (let at = self; at; at = Object.getPrototypeOf(at)) {
 
 messages = asked => {
   try {
-    if (asked.wheel) python.unpackArchive(asked.wheel, "zip", { extractDir: packages });
+    for (const wheel of asked.wheels || []) python.unpackArchive(wheel, "zip", { extractDir: packages });
     if (asked.archive) {
       python.unpackArchive(asked.archive, "zip", { extractDir: `/katas/${asked.kata}` });
       tab.open(asked.kata);
