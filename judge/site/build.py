@@ -22,7 +22,7 @@ from typing import Any, TypeVar
 import msgspec
 
 from judge import __version__
-from judge.cache import DISK, code_key, decoded, digest
+from judge.cache import DISK, code_key, digest
 from judge.data.load import load_data
 from judge.drawing.svg import panel_svg
 from judge.errors import JudgeError, UsageError
@@ -58,11 +58,10 @@ class _Keeping:
         self.found: dict[str, bytes] = {}
 
     def read(self, name: str, key: str, kind: type[T]) -> T | None:
-        body = DISK.read(name, key, bytes)
-        if body is None:
-            return None
-        self.found[name.partition("/")[0]] = body
-        return decoded(body, kind)
+        value, body = DISK.read(name, key, kind), DISK.read(name, key, bytes)
+        if value is not None and body is not None:
+            self.found[name.partition("/")[0]] = body
+        return value
 
     def write(self, name: str, key: str, value: Any, what: str = "test data") -> str | None:
         body = json.dumps(value, separators=(",", ":")).encode()

@@ -26,6 +26,7 @@ from judge.site.build import PAGE, build
 from judge.site.tab import Tab
 from judge.site.texts import markdown
 
+KATAS = Path(__file__).parent.parent / "fixtures" / "katas" / "problems"
 LIMITS = Limits(0.2, 1.0, 256 << 20, 1 << 10)
 
 
@@ -65,6 +66,15 @@ def test_a_site_is_written_once_and_again_only_where_it_changed(judge, brought):
     assert "1 as they were" in again.out
     assert Path("public/sw.js").read_bytes() == before
     assert [path.name for path in Path("public/kata").glob("*.zip")] == ["middle.zip"]
+
+
+def test_a_kata_whose_cases_have_several_right_answers_is_shipped_from_the_cache_too(judge, brought):
+    for out in ("cold", "warm"):
+        said = judge("site", "by-size", "--problems", str(KATAS), "--out", out, "--json")
+        assert json.loads(said.lines[0])["made"] == ["by-size"]
+    cold, warm = (zipfile.ZipFile(f"{out}/kata/by-size.zip") for out in ("cold", "warm"))
+    assert cold.namelist() == warm.namelist()
+    assert cold.read("data.json") == warm.read("data.json")
 
 
 def test_nothing_of_others_is_written_over(judge, brought):
