@@ -98,6 +98,7 @@ def build(
     before = _before(out)
     for name in ("kata", "explore"):
         (out / name).mkdir(parents=True, exist_ok=True)
+    shutil.copytree(PAGE, out, dirs_exist_ok=True, ignore=shutil.ignore_patterns("sw.js"))  # so it is ours
     katas, made, after = [], [], {}
     for done, problem in enumerate(problems):
         if stage:
@@ -108,6 +109,7 @@ def build(
             if before.get(problem.id) != key or not (out / "kata" / f"{problem.id}.zip").is_file():
                 _write_kata(out, problem)
                 made.append(problem.id)
+                _write(out / "site.json", before | after)  # whoever stops here goes on from here
         explore = (out / "explore" / f"{problem.id}.html").is_file()
         katas.append(_listed(problem, elsewhere) | {"explore": explore})
     for path in (*(out / "kata").iterdir(), *(out / "explore").iterdir()):
@@ -125,7 +127,6 @@ def build(
         for each in sound_sets(problems, folders)[0]
         if each.problems and each.name != USUAL
     ]
-    shutil.copytree(PAGE, out, dirs_exist_ok=True, ignore=shutil.ignore_patterns("sw.js"))
     shutil.copytree(parts, out, dirs_exist_ok=True)
     _zip(out / "judge.zip", {f"judge/{path.relative_to(_PACKAGE)}": path for path in _modules()})
     _write(out / "katas.json", {"editor": (parts / "ace").is_dir(), "sets": sets, "katas": katas})

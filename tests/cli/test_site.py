@@ -77,6 +77,19 @@ def test_a_kata_whose_cases_have_several_right_answers_is_shipped_from_the_cache
     assert cold.read("data.json") == warm.read("data.json")
 
 
+def test_a_build_that_was_stopped_goes_on(judge, brought, monkeypatch):
+    def stop(label, done, _katas):
+        if done:
+            raise KeyboardInterrupt(label)
+
+    problems = [find_problem(name, [KATAS]) for name in ("by-size", "rises")]
+    with pytest.raises(KeyboardInterrupt):
+        build(Path("public"), problems, [KATAS], brought, stop)
+    site.check_folder(Path("public"))
+    again = build(Path("public"), problems, [KATAS], brought)
+    assert (again.made, again.kept) == (("rises",), ("by-size",))
+
+
 def test_nothing_of_others_is_written_over(judge, brought):
     Path("mine").mkdir()
     Path("mine/notes.txt").write_text("notes")
