@@ -173,7 +173,7 @@ class Quadratic:
         return tuple(Real(make(p, q, self.delta, bottom), unit) for p, q in self.parts(which))
 
     def facing(self, which: int) -> Vector:
-        """`normal` on the side that the line comes from: turned round where it leaves."""
+        """`normal` on the side that the line comes from: flipped where it leaves."""
         normal = self.normal(which)
         return tuple(Real(-part.x, part.unit) for part in normal) if which > 0 else normal
 

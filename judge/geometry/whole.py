@@ -45,7 +45,7 @@ def dot(a: Whole, b: Whole, p: Whole) -> int:
 
 
 def axis_foot(a: Whole, b: Whole, p: Whole) -> Whole:
-    """The foot of the perpendicular from p on the level or upright line ab; InvalidCase for another one."""
+    """The foot of the perpendicular from p on the horizontal or vertical line ab. Raises InvalidCase."""
     distinct(a, b)
     if a[1] == b[1]:
         return p[0], a[1]

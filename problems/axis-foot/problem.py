@@ -1,4 +1,4 @@
-"""The foot of the perpendicular on a level or upright line: one coordinate of the point, one of the line."""
+"""The foot of the perpendicular on a horizontal or vertical line: one coordinate of the point, one of the line."""
 
 from judge.geometry import whole
 from judge.geometry.hooks import AXIS_FOOT, hooks

@@ -43,7 +43,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("near", "Nearly a touch: 1e-7 of the figure away.", rays("touch~ before", "touch~ before", "touch~ foot", **NEAR), skills="nearly is not touching"),
     group("on-full", "The origin is on the circle, and rounding puts it beside.", either(telling(rays(*ON_CIRCLE, **HUGE), *TELLING), telling(rays(*ON_CIRCLE, **BIG), *BY_POWER)), skills="origin on the circle"),
     group("on-near", "The origin is just off the circle, inside or outside.", rays("chord first~", "chord last~", "chord last~ anyway", **NEAR), skills="origin on the circle"),
-    group("direction-length", "Directions up to 1e12 times longer or shorter than the figure.", rays("cut before", "cut in", "cut after", "touch before", "chord last", "chord last anyway", "chord first~", "chord last~", **STRETCHED), cases=90, skills=("t is no distance", "scale invariance")),
+    group("direction-length", "Directions up to 1e12 times longer or shorter than the figure.", rays("cut before", "cut in", "cut after", "touch before", "chord last", "chord last anyway", "chord first~", "chord last~", **STRETCHED), cases=90, skills=("t is not a distance", "scale invariance")),
     group("tiny", "All of it around 1e-20.", rays("touch before", "touch~ before", "chord first~", "cut before", **TINY), skills=("no absolute epsilon", "scale invariance")),
     group("offset", "A small figure far from the plane's origin.", rays("cut before", "cut in", "miss before", "chord last", **OFFSET), skills="far from the origin"),
     group("offset-touch", "A small figure far from the plane's origin, and a touch.", rays("touch before", "touch before", "touch near", **OFFSET), skills="far from the origin"),

@@ -41,7 +41,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("on-full", "The origin is on the circle, and rounding puts it beside.", either(telling(rays(*ON_CIRCLE, **HUGE), *TELLING), telling(rays(*ON_CIRCLE, **BIG), *BY_POWER)), skills="origin on the circle"),
     group("on-near", "The origin is just off the circle, inside or outside.", rays("chord first~", "chord last~", "chord last~ anyway", **NEAR), skills="origin on the circle"),
     group("far", "The circle is up to 10,000 times smaller than its distance.", rays("touch far", "cut far", "touch~ far", **{**FAR, "size": 1 << 20}), skills="reflect a vector"),
-    group("direction-length", "Directions up to 1e12 times longer or shorter than the figure.", rays("cut before", "cut in", "touch before", "chord last", "chord last anyway", "chord first~", "chord last~", **STRETCHED), cases=90, skills=("t is no distance", "as long as it was")),
+    group("direction-length", "Directions up to 1e12 times longer or shorter than the figure.", rays("cut before", "cut in", "touch before", "chord last", "chord last anyway", "chord first~", "chord last~", **STRETCHED), cases=90, skills=("t is not a distance", "as long as it was")),
     group("off-centre", "Rays past the centre by 1e-8 to 1e-2 of the radius.", rays("off-centre before", "off-centre in", **HUGE), skills="reflect a vector"),
     group("tiny", "All of it around 1e-20.", rays("touch before", "touch~ before", "chord first~", "cut before", **TINY), skills=("no absolute epsilon", "scale invariance")),
     group("offset", "A small figure far from the plane's origin.", rays("cut before", "cut in", "miss before", "chord last", **OFFSET), skills="far from the origin"),

@@ -46,7 +46,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("on-full", "The origin is on the sphere, and rounding puts it beside.", either(telling(spheres(*ON_SPHERE, **HUGE), *TELLING), telling(spheres(*ON_SPHERE, **BIG), *BY_POWER)), cases=120, skills="origin on the circle"),
     group("on-near", "The origin is just off the sphere, inside or outside.", spheres("chord first~", "chord last~", "chord last~ anyway", **NEAR), skills="origin on the circle"),
     group("along-an-axis", "Rays that are off an axis by 1e-9 to 1e-3 of their length: that small part counts.", along_an_axis, skills="three axes, the same formula"),
-    group("direction-length", "Directions up to 1e12 times longer or shorter than the figure.", spheres("cut before", "cut in", "touch before", "chord last", "chord last anyway", "chord first~", "chord last~", **STRETCHED), cases=90, skills="t is no distance"),
+    group("direction-length", "Directions up to 1e12 times longer or shorter than the figure.", spheres("cut before", "cut in", "touch before", "chord last", "chord last anyway", "chord first~", "chord last~", **STRETCHED), cases=90, skills="t is not a distance"),
     group("tiny", "All of it around 1e-20.", spheres("touch before", "touch~ before", "chord first~", "cut before", **TINY), skills=("no absolute epsilon", "scale invariance")),
     group("offset", "A small figure far from the origin.", spheres("cut before", "cut in", "miss before", "chord last", **OFFSET), skills="far from the origin"),
     group("offset-touch", "A small figure far from the origin, and a touch.", spheres("touch before", "touch before", "touch near", **OFFSET), skills="far from the origin"),

@@ -22,7 +22,7 @@ def solve(P0, P1, r, Q0, Q1, s):
 
 INTERVIEW = [
     group("grid", "Small whole numbers: everything that can happen.", grid("pprppr", 4), cases=180, skills="the small grid"),
-    group("plain", "Both discs move, anyhow: they meet, pass each other, or stop before they meet.", either(balls("cut before after", "cut before in", "through before after", "miss before after", "cut before before", **PLAIN), balls("cut before after", "miss before after", **AXIS)), skills=("sit on one of them", "radii add", "t is no distance")),
+    group("plain", "Both discs move, anyhow: they meet, pass each other, or stop before they meet.", either(balls("cut before after", "cut before in", "through before after", "miss before after", "cut before before", **PLAIN), balls("cut before after", "miss before after", **AXIS)), skills=("sit on one of them", "radii add", "t is not a distance")),
     group("chase", "One disc follows the other: it catches up, falls behind, or comes too late.", balls("cut before in along", "cut before before along", "cut after after along", "through before in along", **PLAIN), skills=("sit on one of them", "first in time")),
     group("away", "The discs leave each other: the touch was before the start.", balls("cut after after", "miss after after", "touch after after", "cut after after rest", **PLAIN), skills="first in time"),
     group("overlap", "The discs overlap or touch from the start, whatever they do then: t = 0.", balls("cut in after", "cut in in", "through foot after", "chord first in", "chord last after", "cut in =", **PLAIN), skills="touching from the start"),
@@ -42,7 +42,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("near-graze", "Nearly a graze: 1e-7 of the figure away.", balls("touch~ before after", "touch~ before after rest", "touch~ before after along", **NEAR), skills="nearly is not touching"),
     group("near-start", "The discs nearly touch at the start, and come together or leave each other.", balls("chord last~ after", "chord first~ before", "chord first~ in", "chord last~ after rest", **NEAR), skills="touching from the start"),
     group("near-end", "The discs touch just before the end, or do not quite.", balls("chord before first~", "chord before first~ rest", "chord after -last~", **NEAR), skills="first in time"),
-    group("slow", "The discs go far together, and hardly move as seen from each other.", balls("cut before in together", "cut before after together", "touch before after together", "cut before before together", **{**PLAIN, "shift": -20}), skills="t is no distance"),
+    group("slow", "The discs go far together, and hardly move as seen from each other.", balls("cut before in together", "cut before after together", "touch before after together", "cut before before together", **{**PLAIN, "shift": -20}), skills="t is not a distance"),
     group("long-way", "A way of up to a million radii.", balls("cut very-far after", "touch very-far after", "through far after", **{**PLAIN, "shift": -20}), skills="never step through"),
     group("rush", "The discs run towards each other and beyond: t is known to a few parts in 1e10.", balls("cut before after rush", "cut before after rush", "through before after rush", **PLAIN), skills="full precision"),
     group("tiny", "All of it around 1e-20.", balls("touch before after", "touch~ before after", "chord before first~", "chord last~ after", **TINY), skills=("no absolute epsilon", "scale invariance")),

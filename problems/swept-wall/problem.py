@@ -21,7 +21,7 @@ def solve(P0, P1, r, A, B):
 
 INTERVIEW = [
     group("grid", "Small whole numbers: everything that can happen.", grid("pprpp", 4), cases=180, skills="the small grid"),
-    group("side", "Onto the side of a wall at any angle.", either(walls("hit side", **PLAIN), walls("hit side", **AXIS)), skills=("fatten the wall", "t is no distance")),
+    group("side", "Onto the side of a wall at any angle.", either(walls("hit side", **PLAIN), walls("hit side", **AXIS)), skills=("fatten the wall", "t is not a distance")),
     group("past", "Past the wall, where its line would be hit.", walls("past side", "past side", "hit side", **PLAIN), skills="fatten the wall"),
     group("ends", "Onto an end, which is round.", walls("hit cap", **PLAIN), skills=("fatten the wall", "a wall has round ends")),
     group("overlap", "Disc and wall overlap or touch from the start, whatever the disc does then: t = 0.", walls("overlap side", "overlap cap", "start side", "start cap", "start post", **PLAIN), skills="touching from the start"),

@@ -1,4 +1,4 @@
-"""How the foot on a level or upright line goes wrong: right ways to it, and mistakes beside the lines they spoil."""
+"""How the foot on a horizontal or vertical line goes wrong: right ways to it, and mistakes beside the lines they spoil."""
 
 
 def wrap(x):
@@ -17,7 +17,7 @@ def coordinates(A, B, P):
     # + end-for-foot: return (A[0] + B[0]) // 2, (A[1] + B[1]) // 2
     # : The middle of A and B is returned, wherever P is. Take one coordinate from P.
     # + always-level: return (P[0], A[1])
-    # @ level or upright
+    # @ horizontal or vertical
     # + always-level: return (A[0], P[1])
     # : Every line is taken for an upright one. If A and B have the same y it is level.
     # + other-axis: return (A[0], P[1]) if A[1] == B[1] else (P[0], A[1])

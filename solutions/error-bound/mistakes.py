@@ -20,7 +20,7 @@ def running(cx, cy, r, ax, ay, bx, by):
     # ? b2ac-form: delta = (fx * dx + fy * dy) ** 2 - (dx * dx + dy * dy) * (fx * fx + fy * fy - r * r)
     # ? wrong-sign: delta = k * k - reach
     # @ says how often they meet
-    # : The sign of Δ is turned round: it is r²·a − k².
+    # : The sign of Δ is flipped: it is r²·a − k².
     bound = U * (12 * reach + 16 * m * abs(k)) + 64 * U * U * m * m
     # = bound = U * (20 * reach + 24 * m * abs(k)) + 80 * U * U * m * m
     # ? no-bound: bound = 0.0 if reach == m == 0 else 1e-300

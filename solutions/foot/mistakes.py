@@ -9,7 +9,7 @@ def projection(A, B, C):
     # + from-B: A, B = min(A, B), max(A, B)
     # : A and B are put in order, so t counts from B where B comes first. Leave them as they are given.
     # + from-B: A, B = (B, A) if A[0] == B[0] and A[1] > B[1] else (A, B)
-    # : A line that goes straight down is turned round, and t then counts from B. Leave A and B as they are given.
+    # : A line that goes straight down is reversed, and t then counts from B. Leave A and B as they are given.
     dx, dy = B[0] - A[0], B[1] - A[1]
     # ? point-for-direction: dx, dy = B
     fx, fy = C[0] - A[0], C[1] - A[1]

@@ -139,7 +139,7 @@ def from_the_centre(cx, cy, r, O, D):
     # ? tangent-vector: nx, ny = (fy + way * uy) / r, -(fx + way * ux) / r
     # ? direction-returned: nx, ny = ux, uy
     # ? direction-returned: nx, ny = -side * ux, -side * uy
-    # : The ray's own direction is returned, turned round. The normal is at right angles to the circle: P − C.
+    # : The ray's own direction is returned, reversed. The normal is at right angles to the circle: P − C.
     # ? mirrored-components: nx, ny = (fy + way * uy) / r, (fx + way * ux) / r
     # ? point-returned: nx, ny = O[0] + way * ux, O[1] + way * uy
     # ? global-frame: nx, ny = ((O[0] + way * ux) - cx) / r, ((O[1] + way * uy) - cy) / r

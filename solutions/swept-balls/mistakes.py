@@ -40,7 +40,7 @@ def relative(P0, P1, r, Q0, Q1, s):
     # : The first disc is taken to rest in P0. Both move: seen from the second, the first goes the difference of both
     # : ways.
     # ? absolute-motion: dx, dy = vx + wx, vy + wy
-    # : Both ways are added, which is right only if the second one is turned round. Subtract it.
+    # : Both ways are added, which is right only if the second one is reversed. Subtract it.
     # ? absolute-motion: dx, dy = wx - vx, wy - vy
     # : The second way less the first is how the second disc moves as seen from the first, but f is the first as seen
     # : from the second. Take both differences the same way round.

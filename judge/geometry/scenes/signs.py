@@ -5,7 +5,7 @@
     beside_line(reach, 1, -1)          (A, B, P), the cross product of B − A and P − A is 1 or -1
     right_angles(reach, 0)             (A, B, P), P on the circle with the diameter AB
     beside_circle(reach, 0)            (cx, cy, r, P), |P − C|² − r² is 0
-    level(reach)                       (A, B, P), the line AB is level or upright
+    level(reach)                       (A, B, P), the line AB is horizontal or vertical
     cuts(reach, 0)                     (cx, cy, r, A, B), r²·|D|² − k² is 0
 
 All coordinates are ints within ±reach, or one of several reaches.
@@ -175,7 +175,7 @@ def near_circle(draw: Draw, size: int, off: int) -> tuple[int, int, int]:
 
 
 def level(reach: Reach, drawn: Callable[[Draw, int], tuple[int, int, int]] | None = None) -> Scene:
-    """A and B on a level or upright line, and P anywhere; `drawn` draws where they are along it."""
+    """A and B on a horizontal or vertical line, and P anywhere; `drawn` draws where they are along it."""
 
     def draw_case(draw: Draw) -> tuple[Any, ...]:
         size = reached(draw, reach)

@@ -4,7 +4,7 @@ The point of the hit as seen from C is r long: divided by r it is the normal tha
 
 Nothing is added to C, for the point itself is not asked for: far from the origin it would have no digits left. The
 foot of the perpendicular and half the chord are lengths along the ray. If the first of both points is behind O, the
-ray begins inside and leaves at the second: there D·N > 0, and the normal is turned round.
+ray begins inside and leaves at the second: there D·N > 0, and the normal is flipped.
 
 All decisions are lengths beside 1e-9 of the size: a miss, a touch, and how far ahead of O a point is.
 """

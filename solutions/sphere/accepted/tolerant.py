@@ -8,7 +8,7 @@ parts in space where the plane has one number. It is compared with r as a length
 the size; and so is the way from the origin to each of the points.
 
 From the centre to the point is the normal, r long. It points outward, which is towards a ray that
-enters; where the ray leaves, it is turned round. Which of the two it is follows from the root, not from
+enters; where the ray leaves, it is flipped. Which of the two it is follows from the root, not from
 the sign of a product that is nearly 0 next to a touch.
 """
 
