@@ -133,7 +133,7 @@ def lists(circles, O, D, program):
             middle = -(fx * D[0] + fy * D[1]) / size
             stack.append([(max(0.0, middle - half), middle + half)] if half and middle + half > near else [])
             # ? touch-is-point: stack.append([(max(0.0, middle - half), middle + half)] if d <= r + near and middle + half > near else [])
-            # @ holds nothing of it
+            # @ adds nothing to the solid
             # ? start-behind: stack.append([(middle - half, middle + half)] if half else [])
             # : What is behind the origin is not cut off: the spans begin at a negative t. The ray begins at t = 0.
             continue

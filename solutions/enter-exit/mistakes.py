@@ -76,7 +76,7 @@ def feet(circles, O, D):
             # ? radius-not-squared: half = sqrt(abs(r - d * d))
             found = [(foot - half, "enter"), (foot + half, "exit")]
             # ? tags-swapped: found = [(foot - half, "exit"), (foot + half, "enter")]
-            # @ where the ray comes into the circle
+            # @ where the ray enters the circle
             # ? far-root: found = [(foot + half, "exit")]
             # ? entry-only: found = [(foot - half, "enter")]
             # ? inside-is-miss: found = [(foot - half, "enter"), (foot + half, "exit")] if foot - half >= -near else []
@@ -118,7 +118,7 @@ def feet(circles, O, D):
     # ? unsorted: hits.sort(key=lambda hit: (ox + hit[0] * dx, oy + hit[0] * dy))
     # : The hits are sorted by the x of their points. Which way x goes along the ray depends on D: sort by t.
     # ? ties-dropped: hits = sorted({t: (t, index, tag) for t, index, tag in hits}.values())
-    # @ Hits at one place
+    # @ Hits at the same place
     # : The hits are kept in a dictionary by t, and of those at one place only one is left. All of them count.
     # ? ties-dropped: hits = [hit for n, hit in enumerate(sorted(hits)) if n == 0 or (hit[0] - sorted(hits)[n - 1][0]) * length > near]
     # ? tags-alternate: hits = [(t, index, tag if tag == "touch" else ("enter", "exit")[n % 2]) for n, (t, index, tag) in enumerate(sorted(hits))]
