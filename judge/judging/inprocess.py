@@ -120,14 +120,16 @@ class InProcess:
             return [self._of_routine(self._routine, calls, limits) for calls in series]
         found: list[CallsResult] = []
         with self._process("submission", limits) as (watch, names, printed):
+            reply = None
             try:
                 self._execute(names, watch)
                 if entry not in names:
-                    raise NameError(f"the module has no {entry} once it is imported")
+                    reply = Reply(Stop.EXCEPTION, None, f"the module has no {entry} once it is imported")
             except self.caught as fault:
-                reply = self._ended(fault)
+                reply = self._ended(fault, IMPORTING)
+            if reply is not None:
                 lost = len(series[0]) if reply.stop is Stop.EXCEPTION else 1
-                return [CallsResult((reply._replace(detail=reply.detail + IMPORTING),) * lost, Usage())]
+                return [CallsResult((reply,) * lost, Usage())]
             imported = printed.tell()
             for calls in series:
                 if found and on_series:
@@ -200,15 +202,15 @@ class InProcess:
         exec(code, names)
         watch.rest()
 
-    def _ended(self, fault: BaseException) -> Reply:
+    def _ended(self, fault: BaseException, where: str = "") -> Reply:
         """The end of a call that raised this."""
         if self._routine is not None:
             return Reply(Stop.EXCEPTION, None, described(fault, "") + _place(fault))
-        stop = Stop.MEMORY if isinstance(fault, MemoryError) else Stop.EXCEPTION
-        if isinstance(fault, Ended):
-            line = own_line(fault.__traceback__, self._name) if fault.stop is Stop.CPU else 0
-            return Reply(fault.stop, None, f"{fault}{f' (line {line})' if line else ''}")
-        return Reply(stop, None, described(fault, self._name))
+        if not isinstance(fault, Ended):
+            stop = Stop.MEMORY if isinstance(fault, MemoryError) else Stop.EXCEPTION
+            return Reply(stop, None, described(fault, self._name) + where)
+        line = own_line(fault.__traceback__, self._name) if fault.stop is Stop.CPU else 0
+        return Reply(fault.stop, None, f"{fault}{f' (line {line})' if line else ''}")
 
 
 class _Printed(io.BytesIO):
