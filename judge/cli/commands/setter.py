@@ -35,14 +35,13 @@ from judge.report.published_setter import (
     NewKata,
     Verified,
     VerifySummary,
-    exported,
-    verified,
 )
 from judge.report.screen import note
+from judge.report.views import copied
 from judge.report.wait import progress, stages
 from judge.report.words import counted
 from judge.run.edges import edges_of
-from judge.run.verify import Fault, VerifyReport, fresh_data, verify_problem
+from judge.run.verify import Fault, fresh_data, verify_problem
 from judge.sandbox import Boxes
 
 _BOTH = "both"
@@ -139,7 +138,7 @@ def _verify(ask: VerifyAsk, folders: Sequence[Path], name: str) -> Verified:
         problem = find_problem(name, folders)
     except ProblemError as error:
         fault = Fault(error.what, error.where or name, error.remedy or "")
-        return verified(VerifyReport(name, 0, 0, "differing", (), (fault,)))
+        return Verified(name, 0, 0, "differing", (), (fault,), ok=False)
     boxes, narrow = Boxes(least=kept_level()), bool(ask.groups)
     if narrow:
         problem = replace(problem, groups=chosen_groups(problem, ask.groups))
@@ -160,13 +159,16 @@ def _verify(ask: VerifyAsk, folders: Sequence[Path], name: str) -> Verified:
             solution=ask.solution,
             partial=narrow,
         )
-    report = replace(
+    faults = tuple(dict.fromkeys((*report.faults, *found.faults, *kata_faults(problem, folders))))
+    return copied(
+        Verified,
         report,
-        edges=tuple(edges_of(data[0])) if ask.matrix and data else (),
-        faults=tuple(dict.fromkeys((*report.faults, *found.faults, *kata_faults(problem, folders)))),
+        ok=not faults,
+        faults=faults,
         warnings=(*report.warnings, *found.warnings),
+        mistakes=found.mistakes if ask.matrix or narrow else (),
+        edges=tuple(edges_of(data[0])) if ask.matrix and data else (),
     )
-    return verified(report, found if ask.matrix or narrow else None)
 
 
 class ExportAsk(Struct, frozen=True):
@@ -227,15 +229,15 @@ def _packages(problems: Sequence[Problem], ask: ExportAsk) -> Iterator[Exported]
         latex(wanted[0])
     boxes, broken = Boxes(least=kept_level()), None
     for each in problems:
-        found = Export(each, short_name(each.id), left_out.get(each.id, ""))
-        if not found.why:
+        found = Export(each.id, short_name(each.id), left_out.get(each.id))
+        if not found.left_out:
             try:
                 with stages(each.id) as advance:
                     found = export(each, order, boxes, advance or (lambda *_: None))
             except ProblemError as fault:
-                broken, found = fault, replace(found, why=str(fault))
+                broken, found = fault, replace(found, left_out=str(fault))
         if broken is None or len(problems) > 1:
-            yield exported(found)
+            yield copied(Exported, found)
     if broken is not None:
         raise broken
     if not wanted:
