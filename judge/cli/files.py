@@ -9,7 +9,7 @@ from __future__ import annotations
 import os
 import stat
 from collections.abc import Callable, Iterable, Iterator
-from contextlib import suppress
+from contextlib import contextmanager, suppress
 from datetime import UTC, datetime
 from errno import EACCES
 from itertools import islice
@@ -224,22 +224,17 @@ class OutFile(Struct, frozen=True):
         if self.path is None:
             return
         check_place(self.path, self.option)
-        try:
+        with writing(self.path, _another(self.option)):
             start = read_ordinary(self.path, _LOOKED_AT) if self.path.exists() else b""
-        except OSError as fault:
-            raise unwritable(self.path, fault, _another(self.option)) from fault
         if start.strip() and not self.ours(start):
             what = f"it is there already and is no {self.kind}"
             raise UsageError(what, where=str(self.path), remedy=_another(self.option))
 
     def write(self, content: bytes) -> None:
         """Put `content` there at once. Raises UsageError."""
-        if self.path is None:
-            return
-        try:
-            replace_file(self.path, content)
-        except OSError as fault:
-            raise unwritable(self.path, fault, _another(self.option)) from fault
+        if self.path is not None:
+            with writing(self.path, _another(self.option)):
+                replace_file(self.path, content)
 
 
 def svg_target(path: Path | None) -> OutFile:
@@ -254,7 +249,7 @@ def check_place(path: Path, option: str) -> None:
         UsageError: it is not.
     """
     where = str(path)
-    try:
+    with writing(path, _another(option)):
         if not path.parent.is_dir():
             raise UsageError("its folder does not exist", where=where, remedy="make the folder first")
         with suppress(FileNotFoundError):
@@ -265,8 +260,15 @@ def check_place(path: Path, option: str) -> None:
                 raise UsageError("it is no ordinary file", where=where, remedy=_another(option))
         if not os.access(path.resolve().parent, os.W_OK | os.X_OK):
             raise PermissionError(EACCES, os.strerror(EACCES))
+
+
+@contextmanager
+def writing(path: Path, remedy: str) -> Iterator[None]:
+    """What fails in the block is a UsageError: the path cannot be written, and why."""
+    try:
+        yield
     except OSError as fault:
-        raise unwritable(path, fault, _another(option)) from fault
+        raise unwritable(path, fault, remedy) from fault
 
 
 def _another(option: str) -> str:
