@@ -35,7 +35,6 @@ class Judged(Struct, frozen=True):
     commands: bool = True
     standing: Standing | None = None
     fresh: str = ""
-    status: ExitCode | None = None
 
     @property
     def published(self) -> tuple[Result]:
@@ -45,7 +44,7 @@ class Judged(Struct, frozen=True):
     @property
     def exit_code(self) -> ExitCode:
         """What it tells the shell."""
-        return self.result.exit_code if self.status is None else self.status
+        return self.result.exit_code
 
 
 class Several(Struct, frozen=True):
