@@ -174,7 +174,7 @@ def _svg(_path: Path, _problem: Problem, found: CaseTried | None) -> str:
     from judge.drawing.svg import to_svg
     from judge.report.cases import picture_of
 
-    picture = picture_of(found.tried, found.said, "your case") if found else None
+    picture = picture_of(found.tried, found.said) if found else None
     if picture is None:
         raise UsageError("there is no picture of this case", remedy="leave out --svg")
     return to_svg(picture)
