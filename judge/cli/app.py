@@ -16,7 +16,7 @@ import click
 
 from judge import __version__
 from judge.cli import imported
-from judge.cli.table import COMMANDS, GONE, HEADINGS, LIKE, OLD
+from judge.cli.table import COMMANDS, HEADINGS, LIKE, OLD
 from judge.errors import ExitCode, JudgeError, UsageError, nearest, shortage
 
 if TYPE_CHECKING:
@@ -185,11 +185,9 @@ def _usage(fault: click.UsageError) -> str:
     if not isinstance(fault, click.NoSuchOption):
         message = " ".join(fault.format_message().split()).rstrip(".")
         return message[:1].lower() + message[1:]
-    said, name = f"no such option '{fault.option_name}'", fault.option_name
-    if name in GONE:
-        return f"{said}; {GONE[name]}"
+    said = f"no such option '{fault.option_name}'"
     own = fault.ctx.command.get_params(fault.ctx) if fault.ctx else ()
-    meant = nearest(name, [word for each in own for word in each.opts if word[:1] == "-"])
+    meant = nearest(fault.option_name, [word for each in own for word in each.opts if word[:1] == "-"])
     return f"{said}; did you mean '{meant}'?" if meant else said
 
 

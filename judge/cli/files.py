@@ -192,14 +192,15 @@ def _meant(path: Path) -> str:
     """What to do about a missing file: the nearest name beside it, or where the search began."""
     if path.is_symlink():
         return DANGLING
-    try:
-        beside = [entry.name for entry in path.parent.iterdir()]
+    try:  # by their stems: every name is like any other's .py
+        beside = {
+            each.stem: each
+            for each in sorted(path.parent.iterdir(), key=lambda each: each.suffix == path.suffix)
+        }
     except OSError:
         return f"there is no folder {path.parent}"
-    stem = nearest(path.stem, [Path(name).stem for name in beside])  # every name is like any other's .py
-    alike = [name for name in beside if Path(name).stem == stem]
-    if alike:
-        return f"did you mean {path.with_name(nearest(path.name, alike) or alike[0])}?"
+    if stem := nearest(path.stem, beside):
+        return f"did you mean {beside[stem]}?"
     try:
         return f"paths start from {Path.cwd()}"
     except OSError:
