@@ -193,12 +193,10 @@ def _meant(path: Path) -> str:
     if path.is_symlink():
         return DANGLING
     try:  # by their stems: every name is like any other's .py
-        beside = {
-            each.stem: each
-            for each in sorted(path.parent.iterdir(), key=lambda each: each.suffix == path.suffix)
-        }
+        found = sorted(path.parent.iterdir(), key=lambda each: each.suffix == path.suffix)
     except OSError:
         return f"there is no folder {path.parent}"
+    beside = {each.stem: each for each in found}
     if stem := nearest(path.stem, beside):
         return f"did you mean {beside[stem]}?"
     try:
