@@ -29,7 +29,6 @@ from judge.report.parts import (
     table,
     text,
     under,
-    verdict,
 )
 from judge.report.picture import LEAST_ROWS, case_picture, drawing
 from judge.report.published_cases import CaseTried, HackTurn, PageWritten
@@ -56,7 +55,7 @@ def case_tried(found: CaseTried, screen: Screen) -> RenderableType:
         return _fitted(tried, said, head(tried.problem.id, tried.problem.title), None, screen)
     ended = "passes" if said.verdict is Verdict.AC else "fails"
     last = joined(label(said.verdict), f"  this case {ended}")
-    above = verdict(said.verdict, f"  {shown_name(said.name)}")
+    above = joined(label(said.verdict), f"  {said.verdict.meaning.capitalize()}  {shown_name(said.name)}")
     return _fitted(tried, said, above, last, screen)
 
 

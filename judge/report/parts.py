@@ -181,11 +181,6 @@ def label(found: Verdict, said: str = "") -> Text:
     return text(said or found.value, f"{STRONG} {verdict_style(found)}")
 
 
-def verdict(found: Verdict, *said: Cell) -> Text:
-    """`WA  Wrong answer`, in its colour."""
-    return joined(label(found), f"  {found.meaning.capitalize()}", *said)
-
-
 def prose(markdown: str, screen: Screen) -> RenderableType:
     """Markdown, drawn where a person is looking; a figure on a line of its own is left out.
 
