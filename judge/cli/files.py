@@ -148,22 +148,23 @@ def _within(folder: str, depth: int) -> Iterator[tuple[str, str]]:
 
 def _read(name: str, folder: str) -> bytes:
     """A file's bytes; one that was found in a folder lies there, wherever links lead."""
-    path = Path(name)
     try:
-        if folder and path.is_file():
+        mode = Path(name).stat().st_mode
+        if stat.S_ISFIFO(mode):
+            source = _piped(name)
+        elif not stat.S_ISREG(mode):
+            raise UsageError("this is no ordinary file", where=name, remedy=f"name a {NAME} file")
+        elif folder:
             root = str(Path(folder).resolve())
             real = real_within(root, os.path.relpath(name, folder))
-            return within_limit(read_inside(root, real, LARGEST + 1)[0], name)
-        mode = path.stat().st_mode
-        if stat.S_ISFIFO(mode):
-            return within_limit(_piped(name), name)
-        if stat.S_ISREG(mode):
-            return within_limit(read_ordinary(path, LARGEST + 1), name)
+            source, _ = read_inside(root, real, LARGEST + 1)
+        else:
+            source = read_ordinary(Path(name), LARGEST + 1)
     except LedOutError as fault:
         raise UsageError(LED_OUT, where=name) from fault
     except OSError as fault:
         raise _unreadable(name, fault) from fault
-    raise UsageError("this is no ordinary file", where=name, remedy=f"name a {NAME} file")
+    return within_limit(source, name)
 
 
 def _piped(name: str) -> bytes:
