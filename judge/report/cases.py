@@ -14,7 +14,6 @@ from judge.drawing import Picture
 from judge.practice.progress import HackState
 from judge.problem import Verdict
 from judge.report.parts import (
-    BAD,
     Cell,
     bad,
     blocks,
@@ -100,7 +99,7 @@ def _facts(tried: Tried, said: Said | None, brief: bool) -> Iterator[tuple[Cell,
         yield from under("accepted", ends[:_MOST] + more)
     if said is None:
         return
-    yield "got", text(said.got, "" if said.verdict is Verdict.AC else BAD)
+    yield "got", (text if said.verdict is Verdict.AC else bad)(said.got)
     if said.hurdle is not None:
         line = said.hurdle.line if said.hurdle.kind is not Obstacle.STUB else 0  # whose sentence has it
         why = obstacle_text(said.hurdle, problem, said.name, said.message)

@@ -11,7 +11,6 @@ from rich.text import Text
 
 from judge.problem import Verdict
 from judge.report.parts import (
-    FAINT,
     Cell,
     blocks,
     faint,
@@ -132,18 +131,14 @@ def _kata(view: ProblemView, people: int, *, whole: bool) -> Iterator[Renderable
     """How many submitted and are accepted, the mistakes with who made them, the groups that fail."""
     yield head(view.problem, faint(f"{view.handed_in} of {people} submitted, {view.accepted} accepted"))
     mistakes = view.mistakes if whole else view.mistakes[:_SHOWN]
-    rows: list[Sequence[Cell]] = [
-        (
-            text(each.label, "" if each.named else FAINT),
-            str(len(each.students)),
-            faint(_names(each.students, whole=whole)),
-        )
-        for each in mistakes
-    ]
+    rows: list[Sequence[Cell]] = []
+    for each in mistakes:
+        who = faint(_names(each.students, whole=whole))
+        rows.append(((text if each.named else faint)(each.label), str(len(each.students)), who))
     if rows:
         yield indented(table(rows, right=[1]))
-    if len(rows) < len(view.mistakes):
-        yield indented(faint(f"and {len(view.mistakes) - len(rows)} more"))
+    if more := len(view.mistakes) - len(rows):
+        yield indented(faint(f"and {more} more"))
     if view.groups:
         groups = _some([f"{each.name} {each.failed}" for each in view.groups], _SHOWN, whole=whole)
         yield indented(paragraph(f"groups that fail: {', '.join(groups)}"))

@@ -11,10 +11,6 @@ from rich.text import Text
 
 from judge.report import published_setter as published
 from judge.report.parts import (
-    BAD,
-    GOOD,
-    STRONG,
-    WARNING,
     bad,
     blocks,
     commands,
@@ -65,7 +61,7 @@ def verified(found: published.Verified, _screen: Screen) -> RenderableType:
     solutions = [
         (
             each.file,
-            text(each.verdict.value if each.verdict else "", GOOD if each.ok else BAD),
+            (good if each.ok else bad)(each.verdict.value if each.verdict else ""),
             each.unjudged or ", ".join(each.failed),
         )
         for each in found.solutions
@@ -139,13 +135,8 @@ def doctor(found: published.Doctor, _screen: Screen) -> RenderableType:
     if found.attacks is not None:
         return _attacked(found.attacks)
     machine = [(name, str(getattr(found, name))) for name in ("judge", "python", "system", "cores", "cache")]
-    used = f"Isolation: {found.isolation}" if found.isolation else "Nothing can be run"
-    return blocks(
-        facts(machine),
-        table(_levels(found)),
-        table(_languages(found)),
-        text(used, STRONG if found.isolation else BAD),
-    )
+    best = strong(f"Isolation: {found.isolation}") if found.isolation else bad("Nothing can be run")
+    return blocks(facts(machine), table(_levels(found)), table(_languages(found)), best)
 
 
 def _levels(found: published.Doctor) -> Iterator[tuple[Text, Text]]:
@@ -158,7 +149,7 @@ def _levels(found: published.Doctor) -> Iterator[tuple[Text, Text]]:
             said.append(warning(f"Missing: {level.why_not}"))
         if level.remedy:
             said.append(text(f"Remedy: {level.remedy}"))
-        yield text(level.name, GOOD if level.available else WARNING), Text("\n").join(said)
+        yield (good if level.available else warning)(level.name), Text("\n").join(said)
 
 
 def _languages(found: published.Doctor) -> Iterator[tuple[Text, Text]]:
@@ -181,7 +172,5 @@ def _attacked(found: published.Attacks) -> RenderableType:
     ]
     held = sum(each.held for each in found.attacks)
     said = f"{held} of {counted(len(rows), 'attack')} held at isolation {found.isolation}"
-    return blocks(
-        table(rows, "attack", "result", "a submission tries to"),
-        text(said, GOOD if held == len(rows) else BAD),
-    )
+    result = (good if held == len(rows) else bad)(said)
+    return blocks(table(rows, "attack", "result", "a submission tries to"), result)

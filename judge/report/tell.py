@@ -24,6 +24,7 @@ from judge.sandbox.boundary import IMPORTING
 
 _PLACE = re.compile(r" \(line (\d{1,9})\)")
 _SPENT = re.compile(r"used more than (\S+ s) of CPU time")
+_COMPILED = re.compile(r" \(line \d{1,9}(?:, column \d{1,9})?\)(?:: .*)?$")
 _LIKELY = 0.9  # the score from which on a mistake is very likely
 _MOST_FAILS = 3  # groups that are named
 STARS = {1: "★", 2: "★★"}
@@ -133,7 +134,7 @@ def _happened(problem: Problem | None, result: Result) -> str:
         return ""
     place = fault_place(result)
     if verdict is Verdict.CE:
-        return f"line {place.line}: {_COMPLAINT.split(message)[0].rstrip()}" if place else message
+        return f"line {place.line}: {_COMPILED.sub('', message)}" if place else message
     if verdict is Verdict.TLE and (spent := _SPENT.search(message)):
         where = f", at line {found[1]}" if (found := _PLACE.search(message)) else ""
         return f"Stopped after {spent[1]} of CPU time{where}. An endless loop?"
