@@ -31,7 +31,7 @@ from judge.problem.model import is_name
 
 if TYPE_CHECKING:
     from judge.cli.options import Common
-    from judge.practice.events import Started
+    from judge.practice.events import Event, Started
     from judge.practice.history import History
 
 
@@ -113,12 +113,17 @@ def history_at(path: Path | None, *, reading: bool = False) -> Iterator[History]
 
 
 def take_up(kata: Kata, db: Path | None) -> None:
-    """Note that the kata was started; a history that fails does not stand in the way."""
+    """Note that the kata was started."""
     from judge.practice.events import Started
 
+    keep(Started(kata.problem.id, str(kata.path), folder_to_keep(kata.problem)), db)
+
+
+def keep(event: Event, db: Path | None) -> None:
+    """Keep it in the history; one that fails does not stand in the way of what came of it."""
     try:
         with history_at(db) as history:
-            history.keep(Started(kata.problem.id, str(kata.path), folder_to_keep(kata.problem)))
+            history.keep(event)
     except StoreError as fault:
         _note(f"not kept in the history: {fault}")
 

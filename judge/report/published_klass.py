@@ -215,5 +215,5 @@ def gradebook(cohort: Cohort) -> bytes:
 
 def is_gradebook(start: bytes) -> bool:
     """Whether a file that begins like this is such a gradebook."""
-    plain = start.removeprefix(BOM.encode()).replace(b'"', b"")  # an older judge quoted none of its titles
+    plain = start.removeprefix(BOM.encode()).replace(b'"', b"")  # a spreadsheet quotes none of its titles
     return plain.startswith(",".join(_HEAD).encode())

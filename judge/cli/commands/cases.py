@@ -14,11 +14,11 @@ from msgspec.structs import replace
 
 from judge.cli.files import OutFile, read_submissions, svg_target
 from judge.cli.options import Common, command, opt
-from judge.cli.resolve import history_at, kata_meant, problem_of_file, shown, usual_file
+from judge.cli.resolve import history_at, kata_meant, keep, problem_of_file, shown, usual_file
 from judge.data.parse import example_of, line_of, read_case
 from judge.diagnose.regression import MARK, with_case
 from judge.diagnose.replay import decode, problem_name
-from judge.errors import StoreError, UsageError
+from judge.errors import UsageError
 from judge.files import read_ordinary_text
 from judge.judging.api import RunOptions
 from judge.judging.cases import ask as ask_file
@@ -293,11 +293,7 @@ class _Hacking(Struct, frozen=True):
         return HackTurn(self.problem, self.puzzles, states, puzzle, outcome, *found)
 
     def _keep(self, puzzle: Puzzle, case: str, outcome: Outcome) -> None:
-        try:
-            with history_at(self.common.db) as history:
-                history.keep(Hack(self.problem.id, puzzle.mistake, case, outcome))
-        except StoreError as fault:  # what came of it is worth more
-            note(f"this is not kept: {fault}")
+        keep(Hack(self.problem.id, puzzle.mistake, case, outcome), self.common.db)
 
     def _hacks(self) -> list[Hack]:
         with history_at(self.common.db, reading=True) as history:
