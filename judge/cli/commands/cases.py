@@ -42,6 +42,7 @@ from judge.report.published_cases import (
     PageWritten,
 )
 from judge.report.screen import Notes, is_terminal, note
+from judge.report.tell import shown_failure
 
 if TYPE_CHECKING:
     from judge.run.tried import Said, Tried
@@ -144,10 +145,10 @@ def _last_failed(
         near, failed = shown(run.path), run.verdict not in (Verdict.AC, Verdict.JE)
         if failed and (problem or near == Path(near).name):
             problem = problem or find_problem(run.problem, common.problems)
-            for failure in (run.result.counterexample, run.result.failure):
-                if failure is not None and failure.input is not None:
-                    own = file or (near if near and Path(near).is_file() else None)
-                    return problem, case_of(failure.input), failure.group or "", own
+            failure = shown_failure(run.result)
+            if failure is not None and failure.input is not None:
+                own = file or (near if near and Path(near).is_file() else None)
+                return problem, case_of(failure.input), failure.group or "", own
             break
     return problem or kata_meant(None, common), None, "", None
 
