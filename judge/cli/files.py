@@ -143,7 +143,11 @@ def _within(folder: str, depth: int) -> Iterator[tuple[str, str]]:
         elif depth == 1:
             yield path, f"this folder lies more than {_DEEPEST} levels down"
         elif not name.startswith((".", "__")) and not os.path.exists(os.path.join(path, ENVIRONMENT)):  # noqa: PTH110, PTH118
-            yield from _within(path, depth - 1)
+            below = _within(path, depth - 1)
+            first = next(below, (path, "this is a folder") if is_program(name) else None)
+            if first:
+                yield first
+                yield from below
 
 
 def _read(name: str, folder: str) -> bytes:
