@@ -133,7 +133,7 @@ def read_pipe(path: Path, most: int, silence: float) -> bytes:
 # -- what a program's file may be, and why one cannot be read ------------------------------------------------
 
 LARGEST = 4 * 2**20  # bytes; no person writes more
-LED_OUT = "it is a link out of the folder, which is not followed; --follow-links follows it"
+LED_OUT = "it is a link out of the folder, which is not followed"
 DANGLING = "it is a link to a file that is not there"
 ENVIRONMENT = "pyvenv.cfg"  # what a virtual environment's folder holds
 

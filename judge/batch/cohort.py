@@ -46,6 +46,8 @@ def cohort_of(
     met = tuple(each for each in problems if any(each == problem for _, problem in counts))
     failures = [(row.file, row.result.failure) for row in rows if row.verdict == Verdict.JE.value]
     return Cohort(
+        students=len(students),
+        handins=len(rows),
         people=tuple(students),
         marks=marks,
         problems=tuple(_view(each, counts, order) for each in met),
@@ -95,8 +97,6 @@ def _mark(row: Row, handins: int) -> Counted:
         handins=handins,
         copied=bool(row.copied),
         busy=bool(row.done.busy),
-        machine=row.machine,
-        isolation=row.isolation,
     )
 
 

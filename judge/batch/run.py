@@ -29,6 +29,7 @@ from judge.mistakes.known import is_kept
 from judge.problem import Problem
 from judge.problem.find import find_problem
 from judge.report.published_klass import ClassRow, Cohort
+from judge.report.views import copied
 from judge.report.wait import Live, progress
 from judge.report.words import counted
 from judge.run.result import Result
@@ -159,16 +160,13 @@ class Classroom:
             if text not in self._noted and len(self._noted) < _NOTES:
                 self._say(text)
             self._noted.add(text)
-        return ClassRow(
+        return copied(
+            ClassRow,
+            row,
             student=student.id,
             name=student.name,
             group=student.group,
             listed=student.known,
-            problem=row.problem,
-            file=row.file,
-            verdict=row.verdict,
-            score=row.score,
-            points=row.points,
             mistake=row.mistake or None,
             copied=row.copied or None,
             kept=kept,

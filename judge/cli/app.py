@@ -16,7 +16,7 @@ import click
 
 from judge import __version__
 from judge.cli import imported
-from judge.cli.table import COMMANDS, GONE, HEADINGS, LIKE, OLD
+from judge.cli.table import COMMANDS, HEADINGS, LIKE, OLD
 from judge.errors import ExitCode, JudgeError, UsageError, nearest, shortage
 
 if TYPE_CHECKING:
@@ -71,11 +71,8 @@ class Commands(click.Group):
         """What a shell may offer for the first word: from the table, without importing any command."""
         from click.shell_completion import CompletionItem
 
-        mine = [
-            CompletionItem(name, help=entry.sentence)
-            for name, entry in COMMANDS.items()
-            if name.startswith(incomplete)
-        ]
+        fitting = [(name, entry) for name, entry in COMMANDS.items() if name.startswith(incomplete)]
+        mine = [CompletionItem(name, help=entry.sentence) for name, entry in fitting]
         return [*mine, *click.Command.shell_complete(self, ctx, incomplete)]
 
     def format_help(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
@@ -89,11 +86,10 @@ class Commands(click.Group):
             with formatter.section(heading):
                 formatter.write_dl([(name, entry.sentence) for name, entry in HEADINGS[heading].items()])
         names = [name for each in self.get_params(ctx) for name in each.opts if name[:2] == "--"]
-        for heading, words in ((named, HEADINGS[named]), ("Options", names)):
-            formatter.write(f"{heading}: {', '.join(words)}\n")
+        formatter.write(f"{named}: {', '.join(HEADINGS[named])}\nOptions: {', '.join(names)}\n")
 
     def invoke(self, ctx: click.Context) -> Any:
-        """Run the command; a reader that left is told apart from other faults of the system."""
+        """Run the command; click would end with 1 where a reader left."""
         try:
             return super().invoke(ctx)
         except BrokenPipeError as fault:
@@ -121,10 +117,8 @@ class Commands(click.Group):
             if kept != words and not isinstance(fault, UsageError | click.ClickException):
                 import traceback
 
-                try:
+                with suppress(OSError):  # standard error is full
                     traceback.print_exception(fault)
-                except OSError:  # standard error is full
-                    hush(sys.stderr)
             message, status = explain(fault)
             note(message, bad=True)
             if isinstance(fault, OSError):
@@ -191,11 +185,9 @@ def _usage(fault: click.UsageError) -> str:
     if not isinstance(fault, click.NoSuchOption):
         message = " ".join(fault.format_message().split()).rstrip(".")
         return message[:1].lower() + message[1:]
-    said, name = f"no such option '{fault.option_name}'", fault.option_name
-    if name in GONE:
-        return f"{said}; {GONE[name]}"
+    said = f"no such option '{fault.option_name}'"
     own = fault.ctx.command.get_params(fault.ctx) if fault.ctx else ()
-    meant = nearest(name, [word for each in own for word in each.opts if word[:1] == "-"])
+    meant = nearest(fault.option_name, [word for each in own for word in each.opts if word[:1] == "-"])
     return f"{said}; did you mean '{meant}'?" if meant else said
 
 
@@ -210,9 +202,7 @@ def _help_width() -> int:
 
 
 @click.group(
-    cls=Commands,
-    invoke_without_command=True,
-    context_settings={"help_option_names": ["-h", "--help"]},
+    cls=Commands, invoke_without_command=True, context_settings={"help_option_names": ["-h", "--help"]}
 )
 @click.version_option(__version__, "-V", "--version", message="judge %(version)s")
 @click.option(_DEBUG, is_flag=True, expose_value=False, help="Show the traceback of a fault.")

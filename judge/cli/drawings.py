@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Generator, Iterator, Sequence
-from contextlib import AbstractContextManager, ExitStack, contextmanager
+from collections.abc import Callable, Generator, Sequence
+from contextlib import AbstractContextManager, suppress
+from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -13,7 +14,7 @@ from judge.cli.files import OutFile, Submission
 from judge.cli.judging import Wish, judged_at_once
 from judge.cli.resolve import history_at
 from judge.data.load import ProblemData
-from judge.errors import told
+from judge.errors import StoreError, told
 from judge.judging.session import Session
 from judge.problem import Problem
 from judge.report.screen import Notes, Screen, note
@@ -25,7 +26,6 @@ if TYPE_CHECKING:
 
     from judge.drawing import Picture
     from judge.drawing.chart import Chart
-    from judge.practice.history import History
 
 
 def drawings(
@@ -38,50 +38,38 @@ def drawings(
 
     done, said, problem = wish.before, Notes(), session.problem
     session.bars = numbered if wish.total > 1 else progress
-    with _recording(wish) as keep:  # opened while the box boots
-        if (jobs := min(wish.jobs, len(submissions))) > 1:
-            results, short = judged_at_once(problem, submissions, session.options, jobs)
-            said.say(short)
-        else:
-            session.prepare()
-            results = (session.judge(each.source, each.name) for each in submissions)
-        said.say(session.data.notes)
-        for submission, result in zip(submissions, results, strict=True):
-            keep(submission, result)
-            said.say(result.notes)
-            done += 1
-            yield Drawing(problem, session.data, result, submission.source)
+    if keeps := wish.kept:
+        with suppress(StoreError):  # which is said with the first result
+            import_module("judge.practice.history")  # while the box boots
+    if (jobs := min(wish.jobs, len(submissions))) > 1:
+        results, short = judged_at_once(problem, submissions, session.options, jobs)
+        said.say(short)
+    else:
+        session.prepare()
+        results = (session.judge(each.source, each.name) for each in submissions)
+    said.say(session.data.notes)
+    for submission, result in zip(submissions, results, strict=True):
+        # Before it is shown: whoever has seen it finds it there, even if the judge is killed at that moment.
+        keeps = keeps and _kept(result, submission, wish.db)
+        said.say(result.notes)
+        done += 1
+        yield Drawing(problem, session.data, result, submission.source)
 
 
-@contextmanager
-def _recording(wish: Wish) -> Iterator[Callable[[Submission, Result], None]]:
-    """What adds a result to the history, if they are wanted there.
+def _kept(result: Result, submission: Submission, db: Path | None) -> bool:
+    """Keep the result in the history; where that fails it is said, and exit status and verdicts stay.
 
-    A result is added before it is shown: whoever has seen it finds it there, even if the judge is killed at
-    that moment. A commit hands it to the system, which outlives the judge (see `judge.database`). A history
-    that fails gets one note and is then left alone: exit status and verdicts are what they would be without.
+    A commit hands it to the system, which outlives the judge (see `judge.database`).
     """
-    history: History | None = None
-
-    def keep(submission: Submission, result: Result) -> None:
-        nonlocal history
-        if history is None:
-            return
+    try:
         from judge.practice.history import run_of
 
-        try:
+        with history_at(db) as history:
             history.keep(run_of(result, submission.source, _absolute(submission.name)), submission.source)
-        except Exception as fault:
-            history = None
-            note(f"not kept in the history: {told(fault)}")
-
-    with ExitStack() as stack:
-        if wish.kept:
-            try:
-                history = stack.enter_context(history_at(wish.db))
-            except Exception as fault:
-                note(f"not kept in the history: {told(fault)}")
-        yield keep
+    except Exception as fault:
+        note(f"not kept in the history: {told(fault)}")
+        return False
+    return True
 
 
 def _absolute(name: str) -> str:

@@ -9,7 +9,7 @@ from __future__ import annotations
 import os
 import stat
 from collections.abc import Callable, Iterable, Iterator
-from contextlib import suppress
+from contextlib import contextmanager, suppress
 from datetime import UTC, datetime
 from errno import EACCES
 from itertools import islice
@@ -152,22 +152,23 @@ def _within(folder: str, depth: int) -> Iterator[tuple[str, str]]:
 
 def _read(name: str, folder: str) -> bytes:
     """A file's bytes; one that was found in a folder lies there, wherever links lead."""
-    path = Path(name)
     try:
-        if folder and path.is_file():
+        mode = Path(name).stat().st_mode
+        if stat.S_ISFIFO(mode):
+            source = _piped(name)
+        elif not stat.S_ISREG(mode):
+            raise UsageError("this is no ordinary file", where=name, remedy=f"name a {NAME} file")
+        elif folder:
             root = str(Path(folder).resolve())
             real = real_within(root, os.path.relpath(name, folder))
-            return within_limit(read_inside(root, real, LARGEST + 1)[0], name)
-        mode = path.stat().st_mode
-        if stat.S_ISFIFO(mode):
-            return within_limit(_piped(name), name)
-        if stat.S_ISREG(mode):
-            return within_limit(read_ordinary(path, LARGEST + 1), name)
+            source, _ = read_inside(root, real, LARGEST + 1)
+        else:
+            source = read_ordinary(Path(name), LARGEST + 1)
     except LedOutError as fault:
         raise UsageError(LED_OUT, where=name) from fault
     except OSError as fault:
         raise _unreadable(name, fault) from fault
-    raise UsageError("this is no ordinary file", where=name, remedy=f"name a {NAME} file")
+    return within_limit(source, name)
 
 
 def _piped(name: str) -> bytes:
@@ -192,14 +193,13 @@ def _meant(path: Path) -> str:
     """What to do about a missing file: the nearest name beside it, or where the search began."""
     if path.is_symlink():
         return DANGLING
-    try:
-        beside = [entry.name for entry in path.parent.iterdir()]
+    try:  # by their stems: every name is like any other's .py
+        found = sorted(path.parent.iterdir(), key=lambda each: each.suffix == path.suffix)
     except OSError:
         return f"there is no folder {path.parent}"
-    stem = nearest(path.stem, [Path(name).stem for name in beside])  # every name is like any other's .py
-    alike = [name for name in beside if Path(name).stem == stem]
-    if alike:
-        return f"did you mean {path.with_name(nearest(path.name, alike) or alike[0])}?"
+    beside = {each.stem: each for each in found}
+    if stem := nearest(path.stem, beside):
+        return f"did you mean {beside[stem]}?"
     try:
         return f"paths start from {Path.cwd()}"
     except OSError:
@@ -224,22 +224,17 @@ class OutFile(Struct, frozen=True):
         if self.path is None:
             return
         check_place(self.path, self.option)
-        try:
+        with writing(self.path, _another(self.option)):
             start = read_ordinary(self.path, _LOOKED_AT) if self.path.exists() else b""
-        except OSError as fault:
-            raise unwritable(self.path, fault, _another(self.option)) from fault
         if start.strip() and not self.ours(start):
             what = f"it is there already and is no {self.kind}"
             raise UsageError(what, where=str(self.path), remedy=_another(self.option))
 
     def write(self, content: bytes) -> None:
         """Put `content` there at once. Raises UsageError."""
-        if self.path is None:
-            return
-        try:
-            replace_file(self.path, content)
-        except OSError as fault:
-            raise unwritable(self.path, fault, _another(self.option)) from fault
+        if self.path is not None:
+            with writing(self.path, _another(self.option)):
+                replace_file(self.path, content)
 
 
 def svg_target(path: Path | None) -> OutFile:
@@ -254,7 +249,7 @@ def check_place(path: Path, option: str) -> None:
         UsageError: it is not.
     """
     where = str(path)
-    try:
+    with writing(path, _another(option)):
         if not path.parent.is_dir():
             raise UsageError("its folder does not exist", where=where, remedy="make the folder first")
         with suppress(FileNotFoundError):
@@ -265,8 +260,15 @@ def check_place(path: Path, option: str) -> None:
                 raise UsageError("it is no ordinary file", where=where, remedy=_another(option))
         if not os.access(path.resolve().parent, os.W_OK | os.X_OK):
             raise PermissionError(EACCES, os.strerror(EACCES))
+
+
+@contextmanager
+def writing(path: Path, remedy: str) -> Iterator[None]:
+    """What fails in the block is a UsageError: the path cannot be written, and why."""
+    try:
+        yield
     except OSError as fault:
-        raise unwritable(path, fault, _another(option)) from fault
+        raise unwritable(path, fault, remedy) from fault
 
 
 def _another(option: str) -> str:

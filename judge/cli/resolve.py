@@ -31,7 +31,7 @@ from judge.problem.model import is_name
 
 if TYPE_CHECKING:
     from judge.cli.options import Common
-    from judge.practice.events import Started
+    from judge.practice.events import Event, Started
     from judge.practice.history import History
 
 
@@ -113,12 +113,17 @@ def history_at(path: Path | None, *, reading: bool = False) -> Iterator[History]
 
 
 def take_up(kata: Kata, db: Path | None) -> None:
-    """Note that the kata was started; a history that fails does not stand in the way."""
+    """Note that the kata was started."""
     from judge.practice.events import Started
 
+    keep(Started(kata.problem.id, str(kata.path), folder_to_keep(kata.problem)), db)
+
+
+def keep(event: Event, db: Path | None) -> None:
+    """Keep it in the history; one that fails does not stand in the way of what came of it."""
     try:
         with history_at(db) as history:
-            history.keep(Started(kata.problem.id, str(kata.path), folder_to_keep(kata.problem)))
+            history.keep(event)
     except StoreError as fault:
         _note(f"not kept in the history: {fault}")
 
@@ -131,25 +136,22 @@ def _note(text: str) -> None:
 
 def current(folder: Path, history: History) -> Started | None:
     """The file last started or judged in that folder, of those that are still there; None without one."""
-    there = (each for each in history.places() if _within(each, folder) and os.path.isfile(each.path))  # noqa: PTH113
-    return next(there, None)
+    return next(filter(_is_there, _in(folder, history.places())), None)
 
 
 def here(db: Path | None) -> Started:
     """The current file of this folder. Raises UsageError, which says where the last one is; StoreError."""
-    folder = this_folder()
     with history_at(db, reading=True) as history:
-        found, places = current(folder, history), history.places()
-    if found is not None:
+        places = history.places()
+    mine = _in(this_folder(), places)
+    if found := next(filter(_is_there, mine), None):
         return found
-    for each in places:
-        if _within(each, folder):
-            what = f"{shown(each.path)} is not in this folder"
-            raise UsageError(f"{what}. Create it: judge start {each.problem}")
+    if mine:
+        what = f"{shown(mine[0].path)} is not in this folder"
+        raise UsageError(f"{what}. Create it: judge start {mine[0].problem}")
     what = "You have not started a kata here."
-    last = next((each.path for each in places if os.path.isfile(each.path)), None)  # noqa: PTH113
-    if last is not None:
-        raise UsageError(f"{what} The last one is {last}. To start one in this folder: judge start")
+    if last := next(filter(_is_there, places), None):
+        raise UsageError(f"{what} The last one is {last.path}. To start one in this folder: judge start")
     raise UsageError(f"{what} Type: judge start")
 
 
@@ -187,8 +189,12 @@ def shown(path: str | Path) -> str:
         return str(path)
 
 
-def _within(place: Started, folder: Path) -> bool:
-    return os.path.normpath(os.path.dirname(place.path)) == str(folder)  # noqa: PTH120
+def _in(folder: Path, places: Sequence[Started]) -> list[Started]:
+    return [each for each in places if os.path.normpath(os.path.dirname(each.path)) == str(folder)]  # noqa: PTH120
+
+
+def _is_there(place: Started) -> bool:
+    return os.path.isfile(place.path)  # noqa: PTH113
 
 
 def _places(db: Path | None) -> list[Started]:
@@ -281,10 +287,9 @@ def usual_file(problem: str, db: Path | None) -> str:
     usual = file_name(problem.replace("-", "_"))
     if os.path.lexists(usual):
         return usual
-    folder = this_folder()
-    mine = [each for each in _places(db) if each.problem == problem and os.path.isfile(each.path)]  # noqa: PTH113
-    if own := next((each for each in mine if _within(each, folder)), None):
-        return shown(own.path)
+    mine = [each for each in _places(db) if each.problem == problem and _is_there(each)]
+    if own := _in(this_folder(), mine):
+        return shown(own[0].path)
     where = f" The last one is {mine[0].path}." if mine else ""
     raise UsageError(f"{usual} is not in this folder.{where} Create it: judge start {problem}")
 

@@ -125,11 +125,6 @@ OLD: Mapping[str, tuple[str, ...]] = {
     "completion": ("help", "--completion"),
 }
 
-# an option that is gone -> what does its work now
-GONE: Mapping[str, str] = {
-    "--save-regression": "judge try --pytest FILE adds the last failing case as a test"
-}
-
 # words that people try -> the command that they mean, where no name is near
 LIKE: Mapping[str, str] = {
     **dict.fromkeys(("submit", "test", "check", "judge"), "run"),

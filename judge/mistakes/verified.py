@@ -13,6 +13,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from judge.data.load import ProblemData
 from judge.data.pins import Kills
@@ -26,20 +27,19 @@ from judge.problem import Problem
 from judge.run.execute import judge_submission
 from judge.run.result import Behaviour
 from judge.run.settings import Settings
-from judge.run.verify import ENOUGH, Fault, Least
+from judge.run.verify import ENOUGH, Fault, MistakeReport
 from judge.sandbox import BoxFactory
 
 Progress = Callable[[str, int, int], None]
 
 
 class ChoicesReport(Struct, frozen=True):
-    """What came of a problem's choices: how many there are, what is wrong, and what is worth a look."""
+    """What came of a problem's choices: what is wrong, what is worth a look, how each mistake is found."""
 
-    count: int = 0
     faults: tuple[Fault, ...] = ()
     warnings: tuple[Fault, ...] = ()
     kills: Kills = {}
-    least: tuple[Least, ...] = ()
+    mistakes: tuple[MistakeReport, ...] = ()
 
 
 def verify_choices(
@@ -83,13 +83,18 @@ def verify_choices(
     faults += untagged
     if not partial:
         faults += [fault for name, each in kept.items() for fault in _measured(name, each)]
+    kills = _kills_measured(kept, read.problem)
     return ChoicesReport(
-        len(choices),
         faults=tuple(dict.fromkeys(faults)),
         warnings=(*warnings, *unruled),
-        kills=_kills_measured(kept, read.problem),
-        least=tuple(each.least for every in kept.values() for each in every),
+        kills=kills,
+        mistakes=tuple(_reported(kept[name], kills) for name in sorted(kept) if kept[name]),
     )
+
+
+def _reported(counted: Sequence[_Counted], kills: Kills) -> MistakeReport:
+    least = sorted((each.least for each in counted), key=lambda each: -each.cases)[-1]
+    return replace(least, groups=tuple(group for group, names in kills.items() if least.name in names))
 
 
 def _rejected(maker: Maker, computer: Computer, data: ProblemData, box_factory: BoxFactory) -> dict[str, int]:
@@ -161,11 +166,11 @@ class _Counted(Struct, frozen=True):
     seeds: tuple[Mapping[str, int], ...] = ()  # and of every seed
 
     @property
-    def least(self) -> Least:
+    def least(self) -> MistakeReport:
         """The fewest cases, over the seeds, of the group that rejects it most often there."""
         worst = min(self.seeds, key=lambda counts: max(counts.values(), default=0))
         group = max(worst, key=worst.__getitem__, default="")
-        return Least(self.maker.name, _shown(self.maker), group, worst.get(group, 0))
+        return MistakeReport(self.maker.name, _shown(self.maker), group, worst.get(group, 0))
 
 
 def _told_apart(counted: Sequence[_Counted], family: Family) -> Sequence[_Counted]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from functools import partial
 from itertools import islice
 from typing import Any
@@ -14,7 +14,6 @@ from judge.drawing import Picture
 from judge.practice.progress import HackState
 from judge.problem import Verdict
 from judge.report.parts import (
-    BAD,
     Cell,
     bad,
     blocks,
@@ -29,7 +28,6 @@ from judge.report.parts import (
     table,
     text,
     under,
-    verdict,
 )
 from judge.report.picture import LEAST_ROWS, case_picture, drawing
 from judge.report.published_cases import CaseTried, HackTurn, PageWritten
@@ -39,8 +37,9 @@ from judge.report.words import arguments, counted, shown_name
 from judge.run.result import Failure, Obstacle
 from judge.run.tried import Said, Tried
 from judge.values import show
-
-Interval = tuple[str, float, float]  # a number's place in the answer, and the least and greatest accepted
+from judge.values.answers import Target
+from judge.values.atoms import Type
+from judge.values.types import Composite, lasting
 
 _MOST = 12  # numbers whose interval is shown
 _PRINTED = 10  # lines
@@ -52,11 +51,11 @@ def case_tried(found: CaseTried, screen: Screen) -> RenderableType:
     """The case in both forms and its answer, the picture, and the verdict on the file's answer."""
     tried, said = found.tried, found.said
     if said is None:
-        return _fitted(tried, said, "your case", head(tried.problem.id, tried.problem.title), None, screen)
+        return _fitted(tried, said, head(tried.problem.id, tried.problem.title), None, screen)
     ended = "passes" if said.verdict is Verdict.AC else "fails"
     last = joined(label(said.verdict), f"  this case {ended}")
-    above = verdict(said.verdict, f"  {shown_name(said.name)}")
-    return _fitted(tried, said, "your case", above, last, screen)
+    above = joined(label(said.verdict), f"  {said.verdict.meaning.capitalize()}  {shown_name(said.name)}")
+    return _fitted(tried, said, above, last, screen)
 
 
 def page_written(found: PageWritten, _screen: Screen) -> RenderableType:
@@ -67,13 +66,12 @@ def page_written(found: PageWritten, _screen: Screen) -> RenderableType:
 def _fitted(
     tried: Tried,
     said: Said | None,
-    heading: str,
     above: RenderableType | None,
     below: RenderableType | None,
     screen: Screen,
 ) -> RenderableType:
     """The case between what is above and below it, with its picture; on a low screen less is said of it."""
-    picture = drawing(partial(picture_of, tried, said, heading), screen, "the case")
+    picture = drawing(partial(picture_of, tried, said), screen, "the case")
     fit: list[RenderableType] = []
     for brief in (False, True):
         middle = indented(facts(_facts(tried, said, brief)))
@@ -89,7 +87,7 @@ def _facts(tried: Tried, said: Said | None, brief: bool) -> Iterator[tuple[Cell,
     """What is known of the case; `brief` leaves out its other forms and what is accepted."""
     problem = tried.problem
     exact = show.exact_text(tried.exact)
-    ends = list(islice(_intervals(exact, show.accepted(problem.answer, tried.target), ""), _MOST + 1))
+    ends = list(islice(_intervals(problem.answer, tried.target), _MOST + 1))
     if tried.case:
         yield "case", arguments(problem.named(tried.case))
     if tried.case and not brief:
@@ -97,12 +95,11 @@ def _facts(tried: Tried, said: Said | None, brief: bool) -> Iterator[tuple[Cell,
     yield "exact answer", good(_plain(exact))
     if ends and not brief:
         yield "in doubles", good(tried.expected)
-        rows = [f"{f'{place}  ' if place else ''}{low!r} to {high!r}" for place, low, high in ends[:_MOST]]
-        rows += ["and so on for the other numbers"] if len(ends) > _MOST else []
-        yield from under("accepted", rows)
+        more = ["and so on for the other numbers"] if len(ends) > _MOST else []
+        yield from under("accepted", ends[:_MOST] + more)
     if said is None:
         return
-    yield "got", text(said.got, "" if said.verdict is Verdict.AC else BAD)
+    yield "got", (text if said.verdict is Verdict.AC else bad)(said.got)
     if said.hurdle is not None:
         line = said.hurdle.line if said.hurdle.kind is not Obstacle.STUB else 0  # whose sentence has it
         why = obstacle_text(said.hurdle, problem, said.name, said.message)
@@ -112,21 +109,18 @@ def _facts(tried: Tried, said: Said | None, brief: bool) -> Iterator[tuple[Cell,
     yield from under("printed", said.printed.splitlines()[:_PRINTED])
 
 
-def _intervals(exact: Any, accepted: Any, place: str) -> Iterator[Interval]:
-    """Every real number's place and ends; an exact one is decimal text, and its ends are a pair."""
-    if isinstance(exact, str):
-        if isinstance(accepted, list) and len(accepted) == 2:
-            yield place, accepted[0], accepted[1]
-    elif isinstance(exact, dict) and isinstance(accepted, dict):
-        if "any" in exact and "any" in accepted:  # those of the first; other orders have the same
-            several, ends = exact["any"], accepted["any"]
-            if isinstance(several[0], list):
-                yield from _intervals(several[0], ends[0], place)
-            else:
-                yield from _intervals(several, ends, f"{place} or ")
-    elif isinstance(exact, list) and isinstance(accepted, list):
-        for at, (one, ends) in enumerate(zip(exact, accepted, strict=True)):
-            yield from _intervals(one, ends, f"{place}[{at}]")
+def _intervals(type_: Type, target: Target, place: str = "") -> Iterator[str]:
+    """Every real number's place in the answer, with the least and the greatest that is accepted there."""
+    inner = lasting(type_)
+    if type(target) is dict:
+        several = target.get("any", [])  # other orders of a list have the same ends
+        for each in several[:1] if isinstance(inner, Composite) else several:
+            yield from _intervals(type_, each, place)
+    elif isinstance(inner, Composite):
+        for at, (part, each) in enumerate(inner.pairs(target) if target is not None else ()):
+            yield from _intervals(part, each, f"{place}[{at}]")
+    elif inner.measured and target is not None:
+        yield f"{f'{place}  ' if place else ''}{target[0]!r} to {target[1]!r}"
 
 
 def _plain(exact: Any) -> str:
@@ -148,13 +142,13 @@ def _listed(parts: Iterable[Any]) -> str:
     return ", ".join(map(_plain, parts))
 
 
-def picture_of(tried: Tried, said: Said | None, heading: str) -> Picture | None:
+def picture_of(tried: Tried, said: Said | None) -> Picture | None:
     """The case drawn with its answer and, where that is rejected, the file's; None where nothing can be."""
     wrong = said if said is not None and said.verdict is not Verdict.AC else None
     got, given = (wrong.got, wrong.given) if wrong else (None, None)
     values = tried.problem.named(tried.case)
     case = Failure("", input=values, expected=tried.expected, got=got, given=given)
-    return case_picture(tried.problem, tried.data.module, case, tried.group.name, heading)
+    return case_picture(tried.problem, tried.data.module, case, tried.group.name, "your case")
 
 
 def hack_turn(found: HackTurn, screen: Screen) -> RenderableType:
@@ -163,7 +157,7 @@ def hack_turn(found: HackTurn, screen: Screen) -> RenderableType:
         return _program(found) if found.outcome == "shown" else _standing(found)
     if found.tried is None:
         return _ended(found)
-    return _fitted(found.tried, found.said, "smallest case", None, _ended(found), screen)
+    return _fitted(found.tried, found.said, None, _ended(found), screen)
 
 
 def _program(found: HackTurn) -> RenderableType:
@@ -193,28 +187,15 @@ def _ended(found: HackTurn) -> RenderableType:
 
 
 def _standing(found: HackTurn) -> RenderableType:
-    """A row for each program that was broken or given up, with its mistake; the open ones by number."""
-    name, puzzles, states = found.problem.id, found.puzzles, found.states
-    left = [each.number for each in puzzles if states[each.mistake] is HackState.OPEN]
+    """A row for each program that was broken or given up, with its mistake; how many others there are."""
+    states = [(each, found.states[each.mistake]) for each in found.puzzles]
+    left = [each.number for each, state in states if state is HackState.OPEN]
     rows = [
-        (str(each.number), _STATES[states[each.mistake]], faint(each.mistake))
-        for each in puzzles
-        if each.number not in left
+        (str(each.number), _STATES[state], faint(each.mistake)) for each, state in states if state in _STATES
     ]
+    name, still = found.problem.id, counted(len(left), "program")
     return blocks(
-        head(name, f"{found.done} of {len(puzzles)} wrong programs broken"),
+        head(name, f"{found.done} of {len(states)} wrong programs broken"),
         indented(table(rows, "program", "state", "mistake", right=[0])) if rows else None,
-        indented(facts([("open", _runs(left)), ("next", f"judge hack {name} {left[0]}")])) if left else None,
+        indented(facts([("open", still), ("next", f"judge hack {name} {left[0]}")])) if left else None,
     )
-
-
-def _runs(numbers: Sequence[int]) -> str:
-    """`1, 3 to 8, 10`: whole numbers in their order, three or more in a row by the first and the last."""
-    runs: list[list[int]] = []
-    for number in numbers:
-        if runs and number == runs[-1][-1] + 1:
-            runs[-1].append(number)
-        else:
-            runs.append([number])
-    said = (f"{run[0]} to {run[-1]}" if len(run) > 2 else ", ".join(map(str, run)) for run in runs)
-    return ", ".join(said)

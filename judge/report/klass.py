@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Iterator, Sequence
-from string import ascii_lowercase
+from collections.abc import Iterator, Sequence
 
 from rich.cells import cell_len
 from rich.console import Group, RenderableType
@@ -12,7 +11,6 @@ from rich.text import Text
 
 from judge.problem import Verdict
 from judge.report.parts import (
-    FAINT,
     Cell,
     blocks,
     faint,
@@ -47,13 +45,12 @@ def cohort(found: Cohort, screen: Screen) -> RenderableType:
     Long lists are cut on a terminal; a pipe or a file gets them whole.
     """
     whole = screen.rows is None
-    letters = _letters(found.marks.values())
-    below: list[RenderableType] = [faint(each) for each in _footnotes(found, letters)]
+    below: list[RenderableType] = [faint(each) for each in _footnotes(found)]
     below += [warning(f"{file}: {why}") for file, why in found.unjudged[:_FAULTS]]
     if len(found.unjudged) > _FAULTS:
         below.append(warning(f"… and {len(found.unjudged) - _FAULTS} more; --json has them all"))
     return blocks(
-        *_tables(found, letters, screen.width),
+        *_tables(found, screen.width),
         Group(*below, strong(_sum(found))),
         *(Group(*_kata(view, len(found.people), whole=whole)) for view in found.problems),
         *_need_help(found, whole=whole),
@@ -75,13 +72,11 @@ def _need_help(found: Cohort, *, whole: bool) -> Iterator[RenderableType]:
             yield Group(head(title, faint(about)), *(indented(paragraph(each)) for each in said))
 
 
-def _tables(
-    found: Cohort, letters: dict[tuple[str, str], str], width: int | None
-) -> Iterator[RenderableType]:
+def _tables(found: Cohort, width: int | None) -> Iterator[RenderableType]:
     """The columns beside the names, as many at a time as there is room for."""
     names = [fitted(each.id, _NAME) + ("" if each.known else _UNKNOWN) for each in found.people]
     columns: list[tuple[str, list[Text]]] = [
-        (view.problem, [_mark(found.marks.get((each.id, view.problem)), letters) for each in found.people])
+        (view.problem, [_mark(found.marks.get((each.id, view.problem))) for each in found.people])
         for view in found.problems
     ]
     if len(columns) > 1:
@@ -103,32 +98,24 @@ def _tables(
         columns = columns[fit:]
 
 
-def _mark(mark: Counted | None, letters: dict[tuple[str, str], str]) -> Text:
+def _mark(mark: Counted | None) -> Text:
     if mark is None:
         return faint(_NOTHING)
     points = "" if mark.verdict is Verdict.JE else f" {mark.score}"
-    signs = _signs(mark) + letters.get((mark.machine, mark.isolation), "")
-    return text(f"{mark.verdict.value}{points}{signs}", verdict_style(mark.verdict))
+    return text(f"{mark.verdict.value}{points}{_signs(mark)}", verdict_style(mark.verdict))
 
 
 def _signs(mark: Counted) -> str:
     return (_COPY * mark.copied) + (_SEVERAL * (mark.handins > 1)) + (_BUSY * mark.busy)
 
 
-def _letters(marks: Iterable[Counted]) -> dict[tuple[str, str], str]:
-    """Where files were judged and how they were isolated, the most frequent first; others have a letter."""
-    found = Counter((mark.machine, mark.isolation) for mark in marks if mark.isolation)
-    letters = ["", *(a + b for a in ("", *ascii_lowercase) for b in ascii_lowercase)]
-    return {place: letters[at % len(letters)] for at, (place, _) in enumerate(found.most_common())}
-
-
-def _footnotes(found: Cohort, letters: dict[tuple[str, str], str]) -> Iterator[str]:
+def _footnotes(found: Cohort) -> Iterator[str]:
     used = {sign for mark in found.marks.values() for sign in _signs(mark)}
-    used |= {_UNKNOWN} if any(not each.known for each in found.people) else set()
+    used |= {_UNKNOWN for each in found.people if not each.known}
     yield from (f"{sign} {meaning}" for sign, meaning in _MEANING.items() if sign in used)
-    for (machine, isolation), letter in letters.items():
-        what = f"{isolation} isolation on {machine or 'a machine without a name'}"
-        yield f"{letter} {what}" if letter else f"judged with {what}"
+    for each in found.machines:
+        share = f": {counted(each.handins, 'file')}" if len(found.machines) > 1 else ""
+        yield f"judged with {each.isolation} isolation on {each.machine}{share}"
     if found.nothing_handed_in and not found.left:
         yield f"nothing submitted: {', '.join(found.nothing_handed_in)}"
 
@@ -144,18 +131,14 @@ def _kata(view: ProblemView, people: int, *, whole: bool) -> Iterator[Renderable
     """How many submitted and are accepted, the mistakes with who made them, the groups that fail."""
     yield head(view.problem, faint(f"{view.handed_in} of {people} submitted, {view.accepted} accepted"))
     mistakes = view.mistakes if whole else view.mistakes[:_SHOWN]
-    rows: list[Sequence[Cell]] = [
-        (
-            text(each.label, "" if each.named else FAINT),
-            str(len(each.students)),
-            faint(_names(each.students, whole=whole)),
-        )
-        for each in mistakes
-    ]
+    rows: list[Sequence[Cell]] = []
+    for each in mistakes:
+        who = faint(_names(each.students, whole=whole))
+        rows.append(((text if each.named else faint)(each.label), str(len(each.students)), who))
     if rows:
         yield indented(table(rows, right=[1]))
-    if len(rows) < len(view.mistakes):
-        yield indented(faint(f"and {len(view.mistakes) - len(rows)} more"))
+    if more := len(view.mistakes) - len(rows):
+        yield indented(faint(f"and {more} more"))
     if view.groups:
         groups = _some([f"{each.name} {each.failed}" for each in view.groups], _SHOWN, whole=whole)
         yield indented(paragraph(f"groups that fail: {', '.join(groups)}"))

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Sequence
+from functools import partial
 from typing import NamedTuple
 
 from rich.console import Console, ConsoleOptions, Group, RenderableType, RenderResult
@@ -36,29 +37,11 @@ def text(content: Cell, style: str = "") -> Text:
     return content if isinstance(content, Text) else Text(printable(content), style)
 
 
-def strong(content: Cell) -> Text:
-    """What a row is about."""
-    return text(content, STRONG)
-
-
-def faint(content: Cell) -> Text:
-    """What is said beside it."""
-    return text(content, FAINT)
-
-
-def good(content: Cell) -> Text:
-    """What is as it should be."""
-    return text(content, GOOD)
-
-
-def bad(content: Cell) -> Text:
-    """What is wrong."""
-    return text(content, BAD)
-
-
-def warning(content: Cell) -> Text:
-    """What is worth a look."""
-    return text(content, WARNING)
+strong = partial(text, style=STRONG)  # what a row is about …
+faint = partial(text, style=FAINT)  # … and what is said beside it
+good = partial(text, style=GOOD)
+bad = partial(text, style=BAD)
+warning = partial(text, style=WARNING)  # what is worth a look
 
 
 def joined(*parts: Cell) -> Text:
@@ -196,11 +179,6 @@ def verdict_style(found: Verdict) -> str:
 def label(found: Verdict, said: str = "") -> Text:
     """The verdict in its colour, strong, or what is `said` instead."""
     return text(said or found.value, f"{STRONG} {verdict_style(found)}")
-
-
-def verdict(found: Verdict, *said: Cell) -> Text:
-    """`WA  Wrong answer`, in its colour."""
-    return joined(label(found), f"  {found.meaning.capitalize()}", *said)
 
 
 def prose(markdown: str, screen: Screen) -> RenderableType:

@@ -48,8 +48,6 @@ class Counted(Struct, frozen=True):
     handins: int = 1
     copied: bool = False
     busy: bool = False
-    machine: str = ""
-    isolation: str = ""
 
     @property
     def accepted(self) -> bool:
@@ -127,7 +125,7 @@ class Machine(Struct, frozen=True):
     handins: int
 
 
-class ClassSummary(Struct, frozen=True):
+class ClassSummary(Struct, frozen=True, kw_only=True):
     """How many students and files, each kata, who needs help, which files are equal, who judged."""
 
     students: int
@@ -136,7 +134,7 @@ class ClassSummary(Struct, frozen=True):
     stuck: tuple[Stuck, ...]
     nothing_accepted: tuple[str, ...]
     nothing_handed_in: tuple[str, ...]
-    equal_files: tuple[EqualFiles, ...]
+    equal_files: tuple[EqualFiles, ...] = ()
     machines: tuple[Machine, ...]
 
 
@@ -146,7 +144,7 @@ class ClassLine(Published, frozen=True):
     cohort: ClassSummary
 
 
-class Cohort(Struct, frozen=True):
+class Cohort(ClassSummary, frozen=True, kw_only=True):
     """The class: who and what in the order of the table; `marks` by student and kata.
 
     Of those with `nothing_accepted` something was submitted. `unjudged` are files with the reason why they
@@ -154,20 +152,9 @@ class Cohort(Struct, frozen=True):
     """
 
     people: tuple[Student, ...]
-    problems: tuple[ProblemView, ...]
     marks: Mapping[tuple[str, str], Counted]
-    stuck: tuple[Stuck, ...]
-    nothing_accepted: tuple[str, ...]
-    nothing_handed_in: tuple[str, ...]
-    machines: tuple[Machine, ...]
-    equal_files: tuple[EqualFiles, ...] = ()
     unjudged: tuple[tuple[str, str], ...] = ()
     left: int = 0
-
-    @property
-    def handins(self) -> int:
-        """How many files there are, also those that do not count."""
-        return sum(mark.handins for mark in self.marks.values())
 
     @property
     def exit_code(self) -> ExitCode:
@@ -180,7 +167,7 @@ class Cohort(Struct, frozen=True):
     @property
     def published(self) -> tuple[ClassLine]:
         """The class in one object."""
-        return (ClassLine(copied(ClassSummary, self, students=len(self.people))),)
+        return (ClassLine(copied(ClassSummary, self)),)
 
     def total(self, student: str) -> int:
         """The points of a student on all katas."""
@@ -228,5 +215,5 @@ def gradebook(cohort: Cohort) -> bytes:
 
 def is_gradebook(start: bytes) -> bool:
     """Whether a file that begins like this is such a gradebook."""
-    plain = start.removeprefix(BOM.encode()).replace(b'"', b"")  # an older judge quoted none of its titles
+    plain = start.removeprefix(BOM.encode()).replace(b'"', b"")  # a spreadsheet quotes none of its titles
     return plain.startswith(",".join(_HEAD).encode())

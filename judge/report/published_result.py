@@ -35,7 +35,6 @@ class Judged(Struct, frozen=True):
     commands: bool = True
     standing: Standing | None = None
     fresh: str = ""
-    status: ExitCode | None = None
 
     @property
     def published(self) -> tuple[Result]:
@@ -45,7 +44,7 @@ class Judged(Struct, frozen=True):
     @property
     def exit_code(self) -> ExitCode:
         """What it tells the shell."""
-        return self.result.exit_code if self.status is None else self.status
+        return self.result.exit_code
 
 
 class Several(Struct, frozen=True):
@@ -53,11 +52,7 @@ class Several(Struct, frozen=True):
 
     results: tuple[Result, ...]
     left: int = 0
-
-    @property
-    def published(self) -> tuple[()]:
-        """Nothing: each result went out by itself."""
-        return ()
+    published: tuple[()] = ()  # each result went out by itself
 
     @property
     def exit_code(self) -> ExitCode:

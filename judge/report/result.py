@@ -11,15 +11,13 @@ from rich.text import Text
 
 from judge.problem import Verdict
 from judge.report.parts import (
-    BAD,
-    FAINT,
-    GOOD,
-    STRONG,
     Cell,
+    bad,
     blocks,
     commands,
     facts,
     faint,
+    good,
     indented,
     joined,
     label,
@@ -37,7 +35,7 @@ from judge.report.words import counted, shown_name, times
 from judge.run.result import GroupResult, Result
 
 Drawing = Callable[[int], Sequence[Text]]  # the picture of the failing case in about so many rows
-_LABELS = {"got": BAD, "expected": GOOD}
+_LABELS = {"got": bad, "expected": good}
 _LEAST, _MOST = 9, 14  # rows of a picture
 _ROWS = 60  # of a result, on whatever screen
 _GAP = 3  # columns between the case and its picture
@@ -166,9 +164,8 @@ def _case(told: Told, cut: _Cut, width: int | None) -> RenderableType:
     rows: list[tuple[Cell, Cell]] = []
     if told.input:
         rows.append(("", text(_cut("   ".join(told.input), cut.values, width))))
-    rows += [
-        (faint(name), text(_cut(said, cut.values, width), _LABELS.get(name, ""))) for name, said in told.facts
-    ]
+    for name, said in told.facts:
+        rows.append((faint(name), _LABELS.get(name, text)(_cut(said, cut.values, width))))
     return Group(strong(told.case), *([indented(table(rows))] if rows else []))
 
 
@@ -199,34 +196,29 @@ def _row(group: GroupResult) -> tuple[Cell, ...]:
     """A group: its verdict, the cases it passed, the points it earned."""
     accepted = group.verdict is Verdict.AC
     points = str(group.points) if accepted else f"0 of {group.points}"
-    style = FAINT if accepted else ""
+    name, number = (text, faint) if accepted else (strong, text)
     return (
-        text(group.name, "" if accepted else STRONG),
+        name(group.name),
         text(group.verdict.value, verdict_style(group.verdict)),
-        text(f"{group.passed}/{group.cases}", style),
-        text(points if group.points else "extra", style),
+        number(f"{group.passed}/{group.cases}"),
+        number(points if group.points else "extra"),
     )
 
 
 def _line(found: Result, told: Told, *, kata: bool = False) -> Text:
     """One of several submissions on a line, which is written as soon as it is judged."""
     ratio = f"{times(found.time.ratio.median)} ×" if found.time.ratio else ""
-    first = _first(found, told)
+    first = ""  # where it failed first, or why nothing could be run
+    if found.verdict is not Verdict.AC:
+        first = place_of(found.failure) if found.hurdle is None else ""
+        first = f"  {first or told.happened or told.last}"
     return joined(
         label(found.verdict, f"{found.verdict.value:<3}"),
         faint(f" {found.score if found.groups else '':>3}  {ratio:>7}  "),
         shown_name(found.submission),
         faint(f"  {found.problem}" if kata and found.problem else ""),
-        f"  {first}" if first else "",
+        first,
     )
-
-
-def _first(found: Result, told: Told) -> str:
-    """Where it failed first, or why nothing could be run."""
-    if found.verdict is Verdict.AC:
-        return ""
-    place = place_of(found.failure) if found.hurdle is None else ""
-    return place or told.happened or told.last
 
 
 def several(found: Several, _screen: Screen) -> Text:
@@ -237,7 +229,7 @@ def several(found: Several, _screen: Screen) -> Text:
     said = f"{accepted} of {every} accepted" + (f", {unjudged} not judged" if unjudged else "")
     partial = dict.fromkeys(each.partial for each in found.results if each.partial)
     said += f", on {', '.join(partial)} only" if partial else ""
-    return text(said, GOOD if accepted == every else BAD)
+    return (good if accepted == every else bad)(said)
 
 
 def accepted(problem: str, standing: Standing | None, width: int | None, key: str = "") -> RenderableType:

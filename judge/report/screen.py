@@ -5,7 +5,8 @@ from __future__ import annotations
 import os
 import re
 import sys
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
+from contextlib import suppress
 from typing import IO, TYPE_CHECKING
 
 from msgspec import Struct
@@ -33,14 +34,17 @@ class Screen(Struct, frozen=True):
     width: int | None
 
     @classmethod
-    def of(cls, stream: IO[str], environment: Mapping[str, str] | None = None) -> Screen:
+    def of(cls, stream: IO[str]) -> Screen:
         """The screen behind `stream`: coloured on a terminal without NO_COLOR and TERM=dumb, as wide as
         COLUMNS or the terminal says.
         """
-        settings = os.environ if environment is None else environment
-        terminal = is_terminal(stream)
+        terminal, settings = is_terminal(stream), os.environ
         colour = terminal and not settings.get("NO_COLOR") and settings.get("TERM") != "dumb"
-        return cls(stream, colour, _width(stream, terminal, settings.get("COLUMNS", "")))
+        columns = settings.get("COLUMNS", "")
+        width = int(columns) if columns.isdecimal() else 0
+        if not width and terminal:
+            width = _size(stream).columns
+        return cls(stream, colour, max(width, _LEAST_WIDTH) if width else None)
 
     @property
     def rows(self) -> int | None:
@@ -50,10 +54,7 @@ class Screen(Struct, frozen=True):
     @property
     def height(self) -> int:
         """How many rows can be seen, the usual number where it does not tell."""
-        try:
-            return os.get_terminal_size(self.stream.fileno()).lines or _USUAL_ROWS
-        except (OSError, ValueError):
-            return _USUAL_ROWS
+        return _size(self.stream).lines
 
     def write(self, text: str) -> None:
         """Write text that is laid out already; what the stream cannot encode is written out, and so is what
@@ -168,12 +169,10 @@ def note(text: str, *, bad: bool = False) -> None:
 
 def hush(stream: IO[str]) -> None:
     """Point a standard stream where nobody minds, so that the interpreter's last flush cannot fail."""
-    try:
+    with suppress(OSError, ValueError):  # already closed, or not a real file: then nothing is left to flush
         descriptor = os.open(os.devnull, os.O_WRONLY)
         os.dup2(descriptor, stream.fileno())
         os.close(descriptor)
-    except (OSError, ValueError):  # already closed, or not a real file: then nothing is left to flush
-        return
 
 
 def _no_command(text: str) -> str:
@@ -195,13 +194,9 @@ class Notes:
                 note(text)
 
 
-def _width(stream: IO[str], terminal: bool, columns: str) -> int | None:
-    if columns.isdecimal() and int(columns) > 0:
-        return max(int(columns), _LEAST_WIDTH)
-    if not terminal:
-        return None
-    try:
-        found = os.get_terminal_size(stream.fileno()).columns
-    except (OSError, ValueError):  # a stream that only says it is a terminal
-        found = 0
-    return max(found, _LEAST_WIDTH) if found else _USUAL_WIDTH
+def _size(stream: IO[str]) -> os.terminal_size:
+    """Of a terminal: as it says, or the usual one."""
+    columns = lines = 0
+    with suppress(OSError, ValueError):  # a stream that only says it is a terminal
+        columns, lines = os.get_terminal_size(stream.fileno())
+    return os.terminal_size((columns or _USUAL_WIDTH, lines or _USUAL_ROWS))

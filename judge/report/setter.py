@@ -9,11 +9,8 @@ from shlex import quote
 from rich.console import Group, RenderableType
 from rich.text import Text
 
+from judge.report import published_setter as published
 from judge.report.parts import (
-    BAD,
-    GOOD,
-    STRONG,
-    WARNING,
     bad,
     blocks,
     commands,
@@ -28,16 +25,6 @@ from judge.report.parts import (
     text,
     warning,
 )
-from judge.report.published_setter import (
-    DecksVerified,
-    Doctor,
-    Exported,
-    FilesWritten,
-    NewKata,
-    SiteBuilt,
-    Verified,
-    VerifySummary,
-)
 from judge.report.screen import Screen
 from judge.report.words import counted, shown_name
 from judge.run.verify import Fault
@@ -45,7 +32,7 @@ from judge.run.verify import Fault
 _NAMED = 3  # files that are named beside a reason
 
 
-def new_kata(found: NewKata, _screen: Screen) -> RenderableType:
+def new_kata(found: published.NewKata, _screen: Screen) -> RenderableType:
     """What was written, and the commands that go on with it."""
     chosen = f"--problems {quote(found.problems)} {found.problem}"
     below = [
@@ -67,14 +54,14 @@ def _faults(found: Sequence[Fault], warnings: Sequence[Fault] = ()) -> list[Rend
     return [indented(table(rows))] if rows else []
 
 
-def verified(found: Verified, _screen: Screen) -> RenderableType:
+def verified(found: published.Verified, _screen: Screen) -> RenderableType:
     """What is wrong, the verdict of each solution, and how well each mistake is found."""
     said = f"{counted(found.groups, 'group')}, {counted(found.cases, 'case')}, pins {found.pins}"
     top = head(found.problem, _sound(len(found.faults)), said if found.cases else "")
     solutions = [
         (
             each.file,
-            text(each.verdict.value if each.verdict else "", GOOD if each.ok else BAD),
+            (good if each.ok else bad)(each.verdict.value if each.verdict else ""),
             each.unjudged or ", ".join(each.failed),
         )
         for each in found.solutions
@@ -90,47 +77,41 @@ def verified(found: Verified, _screen: Screen) -> RenderableType:
     return blocks(Group(top, *_faults(found.faults, found.warnings)), *below)
 
 
-def decks_verified(found: DecksVerified, _screen: Screen) -> RenderableType:
+def decks_verified(found: published.DecksVerified, _screen: Screen) -> RenderableType:
     """What is wrong with the cards."""
     top = head("quiz", _sound(len(found.faults)), counted(found.cards, "card"))
     return Group(top, *_faults(found.faults))
 
 
-def verify_summary(found: VerifySummary, _screen: Screen) -> RenderableType:
+def verify_summary(found: published.VerifySummary, _screen: Screen) -> RenderableType:
     """What all of it comes to."""
     return joined(_sound(found.faults), f"  {counted(found.katas, 'kata')} checked")
 
 
-def files_written(found: FilesWritten, _screen: Screen) -> RenderableType:
+def files_written(found: published.FilesWritten, _screen: Screen) -> RenderableType:
     """Where the data are."""
     what = f"{counted(found.cases, 'case')} in {counted(len(found.files), 'file')}"
     return head(shown_name(found.out), what)
 
 
-def site_built(found: SiteBuilt, _screen: Screen) -> RenderableType:
+def site_built(found: published.SiteBuilt, _screen: Screen) -> RenderableType:
     """Where the site is, what was made, and how to look at it."""
-    done = [counted(len(found.made), "kata") + " made"]
+    done = [f"{counted(len(found.made), 'kata')} made"]
     done += [f"{len(found.kept)} as they were"] if found.kept else []
     done += [f"{len(found.elsewhere)} for the terminal alone"] if found.elsewhere else []
-    size = f"{found.bytes / 1e6:,.0f} MB"
-    below = (
-        []
-        if found.opened
-        else [(f"judge site --open --out {quote(found.out)}", "look at it on this machine")]
-    )
-    return blocks(
-        head(shown_name(found.out), f"{size}, {', '.join(done)}"), commands(below) if below else None
-    )
+    top = head(shown_name(found.out), ", ".join((f"{found.bytes / 1e6:,.0f} MB", *done)))
+    look = [(f"judge site --open --out {quote(found.out)}", "look at it on this machine")]
+    return blocks(top, None if found.opened else commands(look))
 
 
-def exported(found: Exported, _screen: Screen) -> RenderableType:
+def exported(found: published.Exported, _screen: Screen) -> RenderableType:
     """The packages of a kata, and what was left out."""
     if found.left_out:
         return head(found.problem, f"left out: {found.left_out}")
     return Group(head(found.problem, f"time limit {found.time_limit} s"), indented(facts(_packages(found))))
 
 
-def _packages(found: Exported) -> Iterator[tuple[str, str]]:
+def _packages(found: published.Exported) -> Iterator[tuple[str, str]]:
     for each in found.packages:
         places = ", ".join(shown_name(str(place)) for place in (each.folder, each.archive) if place)
         yield each.version.value, f"{places}  {each.bytes / 1000:,.0f} kB"
@@ -149,21 +130,16 @@ def _packages(found: Exported) -> Iterator[tuple[str, str]]:
         yield "note", note
 
 
-def doctor(found: Doctor, _screen: Screen) -> RenderableType:
+def doctor(found: published.Doctor, _screen: Screen) -> RenderableType:
     """The machine, the levels of isolation, the languages; or what came of the attacks."""
     if found.attacks is not None:
-        return _attacked(found)
+        return _attacked(found.attacks)
     machine = [(name, str(getattr(found, name))) for name in ("judge", "python", "system", "cores", "cache")]
-    used = f"Isolation: {found.isolation}" if found.isolation else "Nothing can be run"
-    return blocks(
-        facts(machine),
-        table(_levels(found)),
-        table(_languages(found)),
-        text(used, STRONG if found.isolation else BAD),
-    )
+    best = strong(f"Isolation: {found.isolation}") if found.isolation else bad("Nothing can be run")
+    return blocks(facts(machine), table(_levels(found)), table(_languages(found)), best)
 
 
-def _levels(found: Doctor) -> Iterator[tuple[Text, Text]]:
+def _levels(found: published.Doctor) -> Iterator[tuple[Text, Text]]:
     for level in found.levels:
         said = [text(level.meaning)]
         if level.visible is not None:
@@ -173,10 +149,10 @@ def _levels(found: Doctor) -> Iterator[tuple[Text, Text]]:
             said.append(warning(f"Missing: {level.why_not}"))
         if level.remedy:
             said.append(text(f"Remedy: {level.remedy}"))
-        yield text(level.name, GOOD if level.available else WARNING), Text("\n").join(said)
+        yield (good if level.available else warning)(level.name), Text("\n").join(said)
 
 
-def _languages(found: Doctor) -> Iterator[tuple[Text, Text]]:
+def _languages(found: published.Doctor) -> Iterator[tuple[Text, Text]]:
     for each in found.languages:
         if not each.version:
             yield faint(each.name), faint(f"not installed: {each.remedy}")
@@ -187,20 +163,14 @@ def _languages(found: Doctor) -> Iterator[tuple[Text, Text]]:
             yield good(each.name), text(each.version + tried)
 
 
-def _attacked(found: Doctor) -> RenderableType:
-    assert found.attacks is not None
-    attacks = found.attacks.attacks
+def _attacked(found: published.Attacks) -> RenderableType:
     rows = [
-        (
-            strong(each.name),
-            good("held") if each.held else bad("NOT HELD"),
-            each.tries if each.held else f"{each.tries}: {each.how}",
-        )
-        for each in attacks
+        (strong(each.name), good("held"), each.tries)
+        if each.held
+        else (strong(each.name), bad("NOT HELD"), f"{each.tries}: {each.how}")
+        for each in found.attacks
     ]
-    held = sum(each.held for each in attacks)
-    said = f"{held} of {counted(len(attacks), 'attack')} held at isolation {found.attacks.isolation}"
-    return blocks(
-        table(rows, "attack", "result", "a submission tries to"),
-        text(said, GOOD if held == len(attacks) else BAD),
-    )
+    held = sum(each.held for each in found.attacks)
+    said = f"{held} of {counted(len(rows), 'attack')} held at isolation {found.isolation}"
+    result = (good if held == len(rows) else bad)(said)
+    return blocks(table(rows, "attack", "result", "a submission tries to"), result)

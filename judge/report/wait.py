@@ -31,8 +31,8 @@ def stages(label: str) -> Iterator[Stage | None]:
 @contextmanager
 def progress(label: str) -> Iterator[Advance | None]:
     """As `stages`, for work in one part."""
-    with Live() as live:
-        yield partial(_advance, live, label, monotonic(), "") if live.terminal else None
+    with stages(label) as stage:
+        yield partial(stage, "") if stage else None
 
 
 def _advance(live: Live, label: str, begun: float, what: str, done: int, total: int) -> None:

@@ -10,14 +10,22 @@ from collections.abc import Iterator
 from itertools import combinations
 from typing import Any
 
+from msgspec import Struct
+
 from judge.data.load import ProblemData
 from judge.problem.declare import InvalidCase, decisions
 
 NEARLY = 1e-5  # of the size: a decision that is less than this and not exact
-Edges = list[tuple[str, int]]  # what, and in how many cases
 
 
-def edges_of(data: ProblemData) -> Edges:
+class Edge(Struct, frozen=True):
+    """How many cases reach an edge of what may come."""
+
+    what: str
+    cases: int
+
+
+def edges_of(data: ProblemData) -> list[Edge]:
     """The edges of the signature and those of the decisions of `solve`; 0 where no case has one."""
     problem, solve = data.problem, data.module.solve
     names = [parameter.name for parameter in problem.parameters]
@@ -32,9 +40,9 @@ def edges_of(data: ProblemData) -> Edges:
                 continue
         for what, how in {(each.what, _how(each.gap)) for each in made}:
             decided.setdefault(what, Counter())[how] += 1
-    rows = [(label, found[label]) for label in _labels(names, data)]
+    rows = [Edge(label, found[label]) for label in _labels(names, data)]
     return rows + [
-        (f"{what}: {how}", counts[how])
+        Edge(f"{what}: {how}", counts[how])
         for what, counts in sorted(decided.items())
         for how in ("exactly", "nearly", "clear")
     ]

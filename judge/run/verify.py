@@ -30,10 +30,10 @@ from judge.problem import Problem, Verdict
 from judge.problem.model import group_place
 from judge.problem.solutions import Kind, Solution, read_solutions
 from judge.problem.toml import KeyPath, key_place, meant
-from judge.run.execute import Judged, judge_submission
+from judge.run.execute import judge_submission
 from judge.run.matrix import Matrix, kill_matrix
 from judge.run.reference import check_needs
-from judge.run.result import Behaviour, Result
+from judge.run.result import Result
 from judge.run.settings import Settings
 from judge.sandbox import Boxes, BoxFactory
 
@@ -53,33 +53,31 @@ class Fault(Struct, frozen=True):
         return f"{self.where}: {self.what}" + (f"; {self.remedy}" if self.remedy else "")
 
 
-class Least(Struct, frozen=True):
-    """A program that makes a mistake, the group that rejects it most often, and the fewest cases of that."""
+class MistakeReport(Struct, frozen=True):
+    """A mistake: its line of mistakes.py, the group that finds it in most cases, and all that find it.
+
+    Of several programs that make it, it is the one that the fewest `cases` of its group reject.
+    """
 
     name: str
     line: str
     group: str
     cases: int
+    groups: tuple[str, ...] = ()
 
 
 class SolutionReport(Struct, frozen=True):
-    """One program's verdict, the groups that it `failed` and what it answers; `name` is its first line.
+    """One program's verdict, null where it is `unjudged`, and the groups that it `failed`.
 
-    The verdict is None where it was `unjudged`, which then says why.
+    `name` is its first line; it is `ok` where this is the verdict that its folder wants.
     """
 
     file: str  # as wrong/absolute-epsilon.py
-    kind: Kind
     name: str
     verdict: Verdict | None
+    ok: bool
     failed: tuple[str, ...] = ()
-    behaviour: Behaviour = {}
     unjudged: str = ""
-
-    @property
-    def ok(self) -> bool:
-        """Whether this is the verdict that the folder wants."""
-        return self.verdict is None or self.kind.allows(self.verdict)
 
 
 class VerifyReport(Struct, frozen=True):
@@ -92,12 +90,6 @@ class VerifyReport(Struct, frozen=True):
     solutions: tuple[SolutionReport, ...]
     faults: tuple[Fault, ...]
     warnings: tuple[Fault, ...] = ()  # what is worth a look, and no broken promise
-    edges: tuple[tuple[str, int], ...] = ()  # which edges have cases, and how many
-
-    @property
-    def ok(self) -> bool:
-        """Whether nothing is wrong."""
-        return not self.faults
 
 
 def verify_problem(
@@ -138,26 +130,31 @@ def verify_problem(
         faults.append(Fault("there is no accepted solution", where, f"add one to {folder}"))
     if not solution:
         faults += _time_faults(problem, solutions)
-    reports = []
+    reports, wrong = [], []
     settings = Settings(box_factory=box_factory or AnyBoxes(Boxes(), signature_of(problem)))
     for done, each in enumerate(solutions):
         tell("judging solutions", done, len(solutions))
         lacking = _lacking(each.language) if each.language else ""
         if lacking:
             told = f"not judged here: {lacking}"
-            reports.append(SolutionReport(each.file, each.kind, each.name, None, unjudged=told))
+            reports.append(SolutionReport(each.file, each.name, None, True, unjudged=told))
             continue
         judged = judge_submission(pinned, each.source, each.path.name, settings)
-        result, report = judged.result, _solution_report(each, judged)
-        reports.append(report)
-        if not report.ok and not (partial and result.verdict is Verdict.AC):
-            faults.append(_verdict_fault(report, result, problem))
+        result = judged.result
+        ok = each.kind.allows(result.verdict)
+        failed = tuple(group.name for group in result.groups if group.verdict is not Verdict.AC)
+        reports.append(SolutionReport(each.file, each.name, result.verdict, ok, failed))
+        if each.kind is Kind.WRONG and judged.behaviour:
+            wrong.append((each.file, each.name, judged.behaviour))
+        if not ok and not (partial and result.verdict is Verdict.AC):
+            faults.append(_verdict_fault(each, result, problem))
         elif not each.language and not (partial and each.kind is Kind.WRONG):
             faults += _on_other_seeds(problem, others, each, settings)
-    matrix = _matrix(pinned, reports)
+    sizes = {each.group.name: len(each.cases) for each in pinned.groups}
+    matrix = kill_matrix(problem.groups, sizes, wrong)
     if not partial:
         faults += _few(problem, matrix)
-        faults += [fault for report in reports for fault in _name_faults(report, problem)]
+        faults += [fault for each in solutions for fault in _name_faults(each, problem)]
     rejected = _rejected(matrix, kills or {})
     found = pins_of(pinned.groups, rejected)
     pins, drift = _check_pins(problem, found, update_pins, partial or bool(solution))
@@ -165,7 +162,7 @@ def verify_problem(
     return VerifyReport(
         problem=problem.id,
         groups=len(pinned.groups),
-        cases=sum(len(group.cases) for group in pinned.groups),
+        cases=sum(sizes.values()),
         pins=pins,
         solutions=tuple(reports),
         faults=tuple(faults),
@@ -270,23 +267,6 @@ def _lacking(language: Language) -> str:
     return why_not(language)
 
 
-def _solution_report(solution: Solution, judged: Judged) -> SolutionReport:
-    result = judged.result
-    failed = tuple(group.name for group in result.groups if group.verdict is not Verdict.AC)
-    return SolutionReport(
-        solution.file, solution.kind, solution.name, result.verdict, failed, judged.behaviour
-    )
-
-
-def _matrix(data: ProblemData, reports: Iterable[SolutionReport]) -> Matrix:
-    """Which of the problem's groups rejects which wrong program; one that cannot be run has no row."""
-    wrong = [report for report in reports if report.kind is Kind.WRONG and report.behaviour]
-    sizes = {each.group.name: len(each.cases) for each in data.groups}
-    return kill_matrix(
-        data.problem.groups, sizes, [(report.file, report.name, report.behaviour) for report in wrong]
-    )
-
-
 def _few(problem: Problem, matrix: Matrix) -> Iterator[Fault]:
     """The wrong programs that hardly any case rejects."""
     for row in matrix.rows:
@@ -315,27 +295,24 @@ def _on_other_seeds(
             return
         judged = judge_submission(data, solution.source, solution.path.name, untimed)
         if not solution.kind.allows(judged.result.verdict):
-            report = _solution_report(solution, judged)
-            fault = _verdict_fault(report, judged.result, problem)
+            fault = _verdict_fault(solution, judged.result, problem)
             yield replace(fault, what=f"{fault.what} with --seed {number}")
 
 
-def _verdict_fault(report: SolutionReport, result: Result, problem: Problem) -> Fault:
+def _verdict_fault(solution: Solution, result: Result, problem: Problem) -> Fault:
     why = f" ({result.failure.message})" if result.failure else ""
     return Fault(
-        f"gets {result.verdict.value} where {report.kind.wanted} is wanted{why}",
-        f"{problem.solutions.name}/{report.file}",
+        f"gets {result.verdict.value} where {solution.kind.wanted} is wanted{why}",
+        f"{problem.solutions.name}/{solution.file}",
         "move it to the folder it belongs to, or correct it or the data",
     )
 
 
-def _name_faults(report: SolutionReport, problem: Problem) -> list[Fault]:
+def _name_faults(solution: Solution, problem: Problem) -> list[Fault]:
     """Whether a wrong program's file is called as the mistake that it makes."""
-    stem = Path(report.file).stem
-    if report.kind is not Kind.WRONG or not report.name or stem == report.name:
+    stem, name = Path(solution.file).stem, solution.name
+    if solution.kind is not Kind.WRONG or not name or stem == name or stem.startswith(f"{name}-"):
         return []
-    if stem.startswith(f"{report.name}-"):
-        return []
-    what = f"its docstring names the mistake {report.name!r}, its file {stem!r}"
-    remedy = f"call it {file_name(report.name)}, or {file_name(f'{report.name}-…')}"
-    return [Fault(what, f"{problem.solutions.name}/{report.file}", remedy)]
+    what = f"its docstring names the mistake {name!r}, its file {stem!r}"
+    remedy = f"call it {file_name(name)}, or {file_name(f'{name}-…')}"
+    return [Fault(what, f"{problem.solutions.name}/{solution.file}", remedy)]

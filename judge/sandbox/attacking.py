@@ -13,8 +13,9 @@ import subprocess
 import sys
 import tempfile
 from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
 from judge.sandbox.attacks import ATTACKS, BREACH, HELD, Attack
 from judge.sandbox.boundary import BoxFactory, Limits, ProgramResult, Stop
@@ -33,10 +34,12 @@ _LONGEST = 70  # bytes of a folder's path below which that of a socket is not to
 _FIRST_MAPPING = re.compile(r"^([0-9a-f]+)-[0-9a-f]+ r", re.MULTILINE)
 
 
-class Attacked(NamedTuple):
+@dataclass(frozen=True)
+class Attacked:
     """What came of one attack: whether it was held, and how in words, as the kernel or the box said it."""
 
-    attack: Attack
+    name: str
+    tries: str
     held: bool
     how: str
 
@@ -63,12 +66,12 @@ def attacked(
 
 def _judged(attack: Attack, run: ProgramResult) -> Attacked:
     said = wire.printable(run.stdout[:_SHOWN].decode(errors="replace"))
+    held, how = run.stop is Stop.EXITED and BREACH not in said, run.detail or said
     if attack.ends:
-        return Attacked(attack, run.stop in attack.ends, run.detail or said)
-    if said.startswith(HELD):
-        return Attacked(attack, True, said.removeprefix(HELD).strip())
-    killed = run.stop is Stop.EXITED and BREACH not in said
-    return Attacked(attack, killed, run.detail or said)
+        held = run.stop in attack.ends
+    elif said.startswith(HELD):
+        held, how = True, said.removeprefix(HELD).strip()
+    return Attacked(attack.name, attack.tries, held, how)
 
 
 @contextlib.contextmanager

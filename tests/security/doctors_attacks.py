@@ -36,7 +36,7 @@ def main(level: str) -> None:
                 print(json.dumps(row), flush=True)
     else:
         for each in attacked(Boxes(level), PACKS):
-            print(json.dumps({"name": each.attack.name, "held": each.held, "how": each.how}), flush=True)
+            print(json.dumps({"name": each.name, "held": each.held, "how": each.how}), flush=True)
 
 
 if __name__ == "__main__":

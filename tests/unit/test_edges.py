@@ -9,7 +9,7 @@ from judge.run.edges import edges_of
 
 
 def test_count_has_cases_at_every_edge():
-    edges = dict(edges_of(load_data(find_problem("count"))))
+    edges = {each.what: each.cases for each in edges_of(load_data(find_problem("count")))}
     assert {"A = B", "r is 0", "A is 0", "cx = cy", "all ints", "all below 1e-6"} <= set(edges)
     assert "cx = A" not in edges
     assert {"The line is a tangent: exactly", "The line is a tangent: nearly"} <= set(edges)
@@ -17,7 +17,7 @@ def test_count_has_cases_at_every_edge():
 
 
 def test_an_edge_that_no_case_may_have_is_told_too():
-    edges = dict(edges_of(load_data(find_problem("which-side"))))
+    edges = {each.what: each.cases for each in edges_of(load_data(find_problem("which-side")))}
     assert edges["A = B"] == 0
     assert edges["A = P"] > 0
     assert "all ints" not in edges  # there is nothing else

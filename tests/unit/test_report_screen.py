@@ -45,8 +45,9 @@ def test_the_middle_of_a_sentence_without_end_is_left_out(length, capsys):
         (io.StringIO(), {}, False, None),
     ],
 )
-def test_what_a_stream_can_take(stream, settings, colour, width):
-    screen = Screen.of(stream, settings)
+def test_what_a_stream_can_take(stream, settings, colour, width, monkeypatch):
+    monkeypatch.setattr("os.environ", settings)
+    screen = Screen.of(stream)
     assert (screen.colour, screen.width) == (colour, width)
 
 

@@ -136,7 +136,7 @@ def test_verify_measures_and_pins_what_each_group_rejects(kata):
         {name: pin} for name, pin in pins.items()
     ]
     assert load_problem(kata).group("large").kills == ("kept-between-calls", "wrong-sign")
-    assert {each.name: each.group for each in found.least}["wrong-sign"] == "large"
+    assert {each.name: each.group for each in found.mistakes}["wrong-sign"] == "large"
 
 
 RULES = """# Signs

@@ -121,7 +121,7 @@ def test_verify_says_what_it_did_not_judge(tmp_path, monkeypatch):
     )
     monkeypatch.setattr(find, "missing", lambda language: ["g++"] if language.id == "cpp" else [])
     report = verify_problem(problem, update_pins=True)
-    assert report.ok, report.faults
+    assert not report.faults
     for each in report.solutions:
         if each.file.endswith(".cpp"):
             assert (each.verdict, each.ok) == (None, True)

@@ -14,11 +14,11 @@ from msgspec.structs import replace
 
 from judge.cli.files import OutFile, read_submissions, svg_target
 from judge.cli.options import Common, command, opt
-from judge.cli.resolve import history_at, kata_meant, problem_of_file, shown, usual_file
+from judge.cli.resolve import history_at, kata_meant, keep, problem_of_file, shown, usual_file
 from judge.data.parse import example_of, line_of, read_case
 from judge.diagnose.regression import MARK, with_case
 from judge.diagnose.replay import decode, problem_name
-from judge.errors import StoreError, UsageError
+from judge.errors import UsageError
 from judge.files import read_ordinary_text
 from judge.judging.api import RunOptions
 from judge.judging.cases import ask as ask_file
@@ -42,6 +42,7 @@ from judge.report.published_cases import (
     PageWritten,
 )
 from judge.report.screen import Notes, is_terminal, note
+from judge.report.tell import shown_failure
 
 if TYPE_CHECKING:
     from judge.run.tried import Said, Tried
@@ -144,10 +145,10 @@ def _last_failed(
         near, failed = shown(run.path), run.verdict not in (Verdict.AC, Verdict.JE)
         if failed and (problem or near == Path(near).name):
             problem = problem or find_problem(run.problem, common.problems)
-            for failure in (run.result.counterexample, run.result.failure):
-                if failure is not None and failure.input is not None:
-                    own = file or (near if near and Path(near).is_file() else None)
-                    return problem, case_of(failure.input), failure.group or "", own
+            failure = shown_failure(run.result)
+            if failure is not None and failure.input is not None:
+                own = file or (near if near and Path(near).is_file() else None)
+                return problem, case_of(failure.input), failure.group or "", own
             break
     return problem or kata_meant(None, common), None, "", None
 
@@ -174,7 +175,7 @@ def _svg(_path: Path, _problem: Problem, found: CaseTried | None) -> str:
     from judge.drawing.svg import to_svg
     from judge.report.cases import picture_of
 
-    picture = picture_of(found.tried, found.said, "your case") if found else None
+    picture = picture_of(found.tried, found.said) if found else None
     if picture is None:
         raise UsageError("there is no picture of this case", remedy="leave out --svg")
     return to_svg(picture)
@@ -293,11 +294,7 @@ class _Hacking(Struct, frozen=True):
         return HackTurn(self.problem, self.puzzles, states, puzzle, outcome, *found)
 
     def _keep(self, puzzle: Puzzle, case: str, outcome: Outcome) -> None:
-        try:
-            with history_at(self.common.db) as history:
-                history.keep(Hack(self.problem.id, puzzle.mistake, case, outcome))
-        except StoreError as fault:  # what came of it is worth more
-            note(f"this is not kept: {fault}")
+        keep(Hack(self.problem.id, puzzle.mistake, case, outcome), self.common.db)
 
     def _hacks(self) -> list[Hack]:
         with history_at(self.common.db, reading=True) as history:

@@ -14,9 +14,9 @@ from msgspec import Struct
 from judge.batch.folder import root_of
 from judge.batch.run import Classroom, class_options
 from judge.batch.store import Store, store_of
-from judge.cli.files import OutFile, moment
+from judge.cli.files import OutFile, moment, writing
 from judge.cli.options import Common, command, opt
-from judge.errors import UsageError, unwritable
+from judge.errors import UsageError
 from judge.problem.find import find_problem
 from judge.problem.model import LEVELS
 from judge.report.published_klass import ClassLine, ClassRow, Cohort, gradebook, is_gradebook
@@ -71,10 +71,8 @@ def judge_class(
     if ask.html or ask.feedback:
         moment()  # what cannot be written is said before anything is judged
     if ask.feedback:
-        try:
+        with writing(ask.feedback, "name another folder with --feedback"):
             ask.feedback.mkdir(exist_ok=True)
-        except OSError as fault:
-            raise unwritable(ask.feedback, fault, "name another folder with --feedback") from fault
     with Store.open(store_of(folder)) as store:
         options, problems = class_options(common.isolation, ask.level), common.problems
         classroom = Classroom(

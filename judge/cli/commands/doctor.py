@@ -16,7 +16,7 @@ from judge.files import cache_folder
 from judge.judging.containment import every_hidden_folder, keep_level
 from judge.languages.find import found as found_of
 from judge.languages.model import languages
-from judge.report.published_setter import AttackRow, Attacks, Doctor
+from judge.report.published_setter import Attacks, Doctor
 from judge.report.screen import note
 from judge.report.wait import progress
 from judge.sandbox import Boxes, levels
@@ -78,6 +78,4 @@ def _attacked(level: str | None, hidden: list[Path]) -> Attacks:
     if level is None:
         raise UsageError("Nothing can be run here", remedy="see judge doctor")
     with progress("attacking") as seen:
-        found = attacked(Boxes(level, hidden), hidden, seen or (lambda *_: None))
-        rows = (AttackRow(each.attack.name, each.attack.tries, each.held, each.how) for each in found)
-        return Attacks(level, tuple(rows))
+        return Attacks(level, tuple(attacked(Boxes(level, hidden), hidden, seen or (lambda *_: None))))

@@ -8,8 +8,8 @@ import random
 import sys
 from collections.abc import Generator, Iterator, Sequence
 from contextlib import closing, nullcontext, suppress
-from functools import partial
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 from msgspec import Struct
@@ -18,12 +18,15 @@ from msgspec.structs import replace
 from judge.cli.files import OutFile, Submission, Unjudged, svg_target
 from judge.cli.options import Common, command, opt, seconds_of
 from judge.cli.resolve import Tasks, resolve
-from judge.errors import ExitCode, JudgeError, UsageError, told
+from judge.errors import JudgeError, UsageError, told
 from judge.judging.api import RunOptions
 from judge.problem import Problem
 from judge.problem.model import LEVELS, chosen_groups
 from judge.report.published_result import AtLines, Judged, Several
 from judge.run.result import Result, judge_fault
+
+if TYPE_CHECKING:
+    from judge.cli.drawings import Drawing
 
 _SEEDS = 10**9  # a fresh seed is below it: short enough to be typed again
 TEXT, GITHUB, EDITOR = FORMATS = ("text", "github", "editor")
@@ -98,7 +101,7 @@ def run(words: tuple[str, ...], ask: RunAsk, common: Common) -> Iterator[Struct]
     if ask.fresh is not None:
         if total > 1 or unjudged:
             raise UsageError("--fresh takes one file", remedy="name one FILE")
-        yield _fresh(*tasks[0], svg, ask, common)
+        yield from _fresh(*tasks[0], svg, ask, common)
         return
     found: list[Result] = []
 
@@ -147,14 +150,14 @@ def _judged(
     plain = ask.is_plain(common)
     brief = ask.quiet and plain
     wish = Wish(ask.options(common), ask.jobs, kept=not ask.unrecorded, db=common.db, total=total)
-    shown = partial(Judged, quiet=ask.quiet and total == 1, several=len(tasks) if total > 1 else 0)
+    several = len(tasks) if total > 1 else 0
 
     def faulty(end: int, why: str) -> Iterator[Judged]:
         nonlocal done
         while done < end:
             kata, each = waiting[done]
             done += 1
-            yield shown(judge_fault(kata, each.name, why), each.source)
+            yield Judged(judge_fault(kata, each.name, why), each.source, several=several)
 
     try:
         with progress("judging") if brief and ask.jobs > 1 and total > 1 else nullcontext() as advance:
@@ -166,7 +169,7 @@ def _judged(
                             done += 1
                             if advance:
                                 advance(done, total)
-                            row = shown(each.result, each.source, problem, each.rows, whole=ask.whole)
+                            row = replace(_shown(each, ask), several=several)
                             alone = total == 1 and not (ask.quiet or common.json)
                             yield _with_standing(row, ask, common) if alone else row
                             each.save(svg)
@@ -181,7 +184,13 @@ def _judged(
             yield from faulty(len(waiting), told(fault))
         raise
     for entry in unjudged:
-        yield shown(judge_fault(entry.problem, entry.name, entry.why))
+        yield Judged(judge_fault(entry.problem, entry.name, entry.why), several=several)
+
+
+def _shown(drawing: Drawing, ask: RunAsk) -> Judged:
+    """What is shown of a result."""
+    found = drawing.result
+    return Judged(found, drawing.source, drawing.problem, drawing.rows, quiet=ask.quiet, whole=ask.whole)
 
 
 def _with_standing(found: Judged, ask: RunAsk, common: Common) -> Judged:
@@ -198,8 +207,8 @@ def _with_standing(found: Judged, ask: RunAsk, common: Common) -> Judged:
 
 def _fresh(
     problem: Problem, submissions: list[Submission], svg: OutFile, ask: RunAsk, common: Common
-) -> Judged:
-    """One submission on new cases for so long."""
+) -> Iterator[Judged]:
+    """One submission on new cases for so long. Raises KeyboardInterrupt if that ended it and none failed."""
     from judge.cli.drawings import Drawing
     from judge.data.load import ProblemData
     from judge.judging.cases import judge_fresh
@@ -225,19 +234,11 @@ def _fresh(
     result = stressed.result
     again = f"{stressed.cases:,} fresh cases in {stressed.seconds:.0f} s; the same again: --seed {seed}"
     Notes().say(result.notes)
-    drawing = Drawing(problem, ProblemData(problem, ()), result)
+    drawing = Drawing(problem, ProblemData(problem, ()), result.noting(again), submission.source)
     drawing.save(svg)
-    stopped = stressed.interrupted and result.failure is None
-    return Judged(
-        result.noting(again),
-        submission.source,
-        problem,
-        drawing.rows,
-        quiet=ask.quiet,
-        whole=ask.whole,
-        fresh=again,
-        status=ExitCode.INTERRUPTED if stopped else result.exit_code,
-    )
+    yield replace(_shown(drawing, ask), fresh=again)
+    if stressed.interrupted and result.failure is None:
+        raise KeyboardInterrupt
 
 
 def _say_that_full_is_missing(result: Result) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from functools import partial
 from pathlib import Path
@@ -11,11 +11,13 @@ import click
 from msgspec import Struct
 from msgspec.structs import replace
 
+from judge.cli.files import writing
 from judge.cli.options import Common, command, opt
 from judge.data.load import ProblemData, load_data
-from judge.errors import ProblemError, UsageError, unwritable
+from judge.errors import ProblemError, UsageError
 from judge.files import replace_file
 from judge.judging.containment import kept_level
+from judge.judging.pool import Processes, in_order
 from judge.languages.boxes import AnyBoxes
 from judge.languages.signature import signature_of
 from judge.mistakes.verified import ChoicesReport, verify_choices
@@ -35,14 +37,13 @@ from judge.report.published_setter import (
     NewKata,
     Verified,
     VerifySummary,
-    exported,
-    verified,
 )
 from judge.report.screen import note
+from judge.report.views import copied
 from judge.report.wait import progress, stages
 from judge.report.words import counted
 from judge.run.edges import edges_of
-from judge.run.verify import Fault, VerifyReport, fresh_data, verify_problem
+from judge.run.verify import Fault, fresh_data, verify_problem
 from judge.sandbox import Boxes
 
 _BOTH = "both"
@@ -102,8 +103,9 @@ def verify(names: tuple[str, ...], ask: VerifyAsk, common: Common) -> Iterator[S
     # without a name a setter means their own, not all that can be found
     mine = folders_within(common.problems) if common.problems else problem_folders()
     chosen = tuple(dict.fromkeys(names or sorted(folder.name for folder in mine)))
-    faults = 0
-    for found in _checked(partial(_verify, ask, common.problems), chosen, ask.jobs):
+    check, faults = partial(_verify, ask, common.problems), 0
+    several = ask.jobs > 1 and len(chosen) > 1
+    for found in in_order(Processes(ask.jobs), check, chosen, _unread) if several else map(check, chosen):
         if ask.figures and found.ok:
             from judge.report.picture import FIGURE, figure
 
@@ -121,25 +123,17 @@ def verify(names: tuple[str, ...], ask: VerifyAsk, common: Common) -> Iterator[S
         yield VerifySummary(len(chosen), faults)
 
 
-def _checked(check: Callable[[str], Verified], names: Sequence[str], jobs: int) -> Iterator[Verified]:
-    """What was found of each, in their order; several at once are several processes."""
-    if jobs == 1 or len(names) == 1:
-        yield from map(check, names)
-        return
-    from concurrent.futures import ProcessPoolExecutor
-    from multiprocessing import get_context
-
-    with ProcessPoolExecutor(jobs, mp_context=get_context("spawn")) as pool:
-        yield from pool.map(check, names)
+def _unread(name: str, what: str, where: str = "", remedy: str = "") -> Verified:
+    """A kata that could not be looked at, which is its only fault."""
+    return Verified(name, 0, 0, "differing", (), (Fault(what, where or name, remedy),), ok=False)
 
 
 def _verify(ask: VerifyAsk, folders: Sequence[Path], name: str) -> Verified:
-    """What was found of one kata; of one that cannot be read, that is its only fault."""
+    """What was found of one kata."""
     try:
         problem = find_problem(name, folders)
     except ProblemError as error:
-        fault = Fault(error.what, error.where or name, error.remedy or "")
-        return verified(VerifyReport(name, 0, 0, "differing", (), (fault,)))
+        return _unread(name, error.what, error.where or "", error.remedy or "")
     boxes, narrow = Boxes(least=kept_level()), bool(ask.groups)
     if narrow:
         problem = replace(problem, groups=chosen_groups(problem, ask.groups))
@@ -160,13 +154,16 @@ def _verify(ask: VerifyAsk, folders: Sequence[Path], name: str) -> Verified:
             solution=ask.solution,
             partial=narrow,
         )
-    report = replace(
+    faults = tuple(dict.fromkeys((*report.faults, *found.faults, *kata_faults(problem, folders))))
+    return copied(
+        Verified,
         report,
-        edges=tuple(edges_of(data[0])) if ask.matrix and data else (),
-        faults=tuple(dict.fromkeys((*report.faults, *found.faults, *kata_faults(problem, folders)))),
+        ok=not faults,
+        faults=faults,
         warnings=(*report.warnings, *found.warnings),
+        mistakes=found.mistakes if ask.matrix or narrow else (),
+        edges=tuple(edges_of(data[0])) if ask.matrix and data else (),
     )
-    return verified(report, found if ask.matrix or narrow else None)
 
 
 class ExportAsk(Struct, frozen=True):
@@ -227,15 +224,15 @@ def _packages(problems: Sequence[Problem], ask: ExportAsk) -> Iterator[Exported]
         latex(wanted[0])
     boxes, broken = Boxes(least=kept_level()), None
     for each in problems:
-        found = Export(each, short_name(each.id), left_out.get(each.id, ""))
-        if not found.why:
+        found = Export(each.id, short_name(each.id), left_out.get(each.id))
+        if not found.left_out:
             try:
                 with stages(each.id) as advance:
                     found = export(each, order, boxes, advance or (lambda *_: None))
             except ProblemError as fault:
-                broken, found = fault, replace(found, why=str(fault))
+                broken, found = fault, replace(found, left_out=str(fault))
         if broken is None or len(problems) > 1:
-            yield exported(found)
+            yield copied(Exported, found)
     if broken is not None:
         raise broken
     if not wanted:
@@ -248,11 +245,9 @@ def _names(problem: Problem) -> tuple[str, ...]:
 
 def _make_room(target: Path, names: Sequence[str], *, force: bool) -> None:
     """Make the folder; nothing that is there already is written over unasked."""
-    try:
+    with writing(target, _REMEDY):
         target.mkdir(parents=True, exist_ok=True)
         there = [name for name in names if (target / name).exists()]
-    except OSError as fault:
-        raise unwritable(target, fault, _REMEDY) from fault
     if there and not force:
         more = f" and {counted(len(there) - 1, 'more file')}" if len(there) > 1 else ""
         what = f"{there[0]}{more} would be written over"
@@ -261,17 +256,14 @@ def _make_room(target: Path, names: Sequence[str], *, force: bool) -> None:
 
 def _write_files(ask: ExportAsk, problem: Problem) -> FilesWritten:
     """The data of one kata, three files a group."""
-    target, place, cases = ask.out / problem.id, Path(), 0
+    target, cases = ask.out / problem.id, 0
     with progress(f"building {problem.id}") as advance:
         data = load_data(problem, seed=ask.seed, progress=advance)
     for said in data.notes:
         note(said)
-    try:
-        for group in data.groups:
-            cases += len(group.cases)
-            for name, content in group_files(data, group):
-                place = target / name
-                replace_file(place, content.encode())
-    except OSError as fault:
-        raise unwritable(place, fault, _REMEDY) from fault
+    for group in data.groups:
+        cases += len(group.cases)
+        for name, content in group_files(data, group):
+            with writing(target / name, _REMEDY):
+                replace_file(target / name, content.encode())
     return FilesWritten(problem.id, str(target), cases, _names(problem))

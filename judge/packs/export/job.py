@@ -15,7 +15,7 @@ from judge.packs.export.package import Contents, Files, zipped
 from judge.packs.export.place import check_archive, check_folder, write_archive, write_folder
 from judge.packs.export.programs import Exporter, LeftOut, Programs
 from judge.packs.export.statement import latex
-from judge.problem import Problem
+from judge.problem import Problem, Verdict
 from judge.sandbox.boundary import BoxFactory
 
 Progress = Callable[[str, int, int], None]
@@ -43,17 +43,26 @@ class Package(Struct, frozen=True):
     bytes: int
 
 
-class Export(Struct, frozen=True):
-    """What came of one problem; `why` says why it was left out, and is empty where it was not."""
+class Held(Struct, frozen=True):
+    """A program of the packages: its verdict there, and the test that decides it."""
 
-    problem: Problem
-    short: str
-    why: str = ""
+    file: str
+    verdict: Verdict
+    test: str | None
+
+
+class Export(Struct, frozen=True):
+    """The packages of a problem; `left_out` says why there are none."""
+
+    problem: str
+    package: str
+    left_out: str | None = None
     packages: tuple[Package, ...] = ()
     domjudge: Path | None = None
-    programs: Programs | None = None
+    time_limit: int | None = None
+    programs: tuple[Held, ...] = ()
+    programs_left_out: tuple[LeftOut, ...] = ()
     notes: tuple[str, ...] = ()
-    broken: bool = False  # left out through a fault of the problem's own folder
 
 
 def places(problem: Problem, order: Order) -> tuple[dict[Version, tuple[Path, Path]], Path]:
@@ -84,7 +93,7 @@ def export(problem: Problem, order: Order, boxes: BoxFactory, progress: Progress
     try:
         tests = tuple(tests_in(data))
     except NoForm as why:
-        return Export(problem, short, str(why))
+        return Export(problem.id, short, str(why))
     programs = Exporter(data, tests, boxes).programs(progress, held=order.held, wrong=order.wrong)
     contents = Contents(problem, tests, programs, latex(problem))
     check_places(problem, order)
@@ -98,13 +107,16 @@ def export(problem: Problem, order: Order, boxes: BoxFactory, progress: Progress
     if order.archives:
         write_archive(domjudge, zipped(contents.domjudge()))
     return Export(
-        problem,
+        problem.id,
         short,
-        "",
-        tuple(packages),
-        domjudge if order.archives else None,
-        programs,
-        tuple(_notes(problem, programs)),
+        packages=tuple(packages),
+        domjudge=domjudge if order.archives else None,
+        time_limit=programs.seconds,
+        programs=tuple(
+            Held(each.path, each.trial.verdict, each.trial.file or None) for each in programs.held
+        ),
+        programs_left_out=programs.left_out,
+        notes=tuple(_notes(problem, programs)),
     )
 
 
@@ -121,12 +133,4 @@ def _notes(problem: Problem, programs: Programs) -> Sequence[str]:
         found.append(f"packages know no license {problem.source.license}: it is 'unknown' there")
     if programs.held and not any(each.path.startswith("accepted/") for each in programs.held):
         found.append("it holds no accepted program, and the tools want one")
-    return found
-
-
-def reasons(left_out: Sequence[LeftOut]) -> dict[str, list[str]]:
-    """The files that were left out, by the reason."""
-    found: dict[str, list[str]] = {}
-    for each in left_out:
-        found.setdefault(each.why, []).append(each.file)
     return found

@@ -23,7 +23,7 @@ from judge import __version__
 from judge.drawing.svg import style
 from judge.problem import Verdict
 from judge.report.tell import level_share
-from judge.report.words import printable, times
+from judge.report.words import counted, printable, times
 
 if TYPE_CHECKING:
     from jinja2 import Environment
@@ -89,6 +89,7 @@ def _environment() -> Environment:
         finalize=lambda value: printable(value) if type(value) is str else value,
     )
     environment.filters |= {
+        "counted": counted,
         "date": _date,
         "drawing": Markup,
         "lines": _lines,

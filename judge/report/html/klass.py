@@ -16,7 +16,6 @@ from judge.problem.model import FULL_SCORE
 from judge.report.html import page
 from judge.report.html.case import Case, Cases
 from judge.report.published_klass import EQUAL_CAUTION, Cohort
-from judge.report.words import counted
 from judge.run.result import Result
 
 CLASS_MARK = "judge class page"  # in the head of every such page, also of older ones
@@ -47,7 +46,7 @@ class ClassPages:
 
     def whole(self) -> bytes:
         """The page of the class."""
-        cohort, marks = self._cohort, self._cohort.marks.values()
+        cohort = self._cohort
         katas = [
             (
                 view,
@@ -63,16 +62,11 @@ class ClassPages:
             "class.html.j2",
             CLASS_MARK,
             [case for *_, made in katas for _, case in made],
-            [mark.verdict for mark in marks],
+            [mark.verdict for mark in cohort.marks.values()],
             title=self._title,
             generated=self._generated,
             cohort=cohort,
             katas=katas,
-            tiles=[
-                counted(len(cohort.people), "student").split(),
-                counted(cohort.handins, "submission").split(),
-                (f"{sum(mark.accepted for mark in marks)} of {len(marks)}", "solved, by student and kata"),
-            ],
             names=self._names,
             inline=_INLINE,
             caution=EQUAL_CAUTION,
@@ -92,24 +86,22 @@ class ClassPages:
                 for at, view in enumerate(cohort.problems, 1)
             ]
             given = [mark for _, mark, _ in marks if mark]
-            if given:
-                yield (
-                    name,
-                    page(
-                        "feedback.html.j2",
-                        FEEDBACK_MARK,
-                        [case for *_, case in marks],
-                        [mark.verdict for mark in given],
-                        title=self._names[person.id],
-                        course=self._title,
-                        generated=self._generated,
-                        marks=marks,
-                        tiles=[
-                            (f"{sum(mark.accepted for mark in given)} of {len(marks)}", "katas solved"),
-                            (str(cohort.total(person.id)), f"points of {FULL_SCORE * len(marks)}"),
-                        ],
-                    ),
-                )
+            if not given:
+                continue
+            content = page(
+                "feedback.html.j2",
+                FEEDBACK_MARK,
+                [case for *_, case in marks],
+                [mark.verdict for mark in given],
+                title=self._names[person.id],
+                course=self._title,
+                generated=self._generated,
+                marks=marks,
+                solved=sum(mark.accepted for mark in given),
+                points=cohort.total(person.id),
+                full=FULL_SCORE * len(marks),
+            )
+            yield name, content
 
     def _called(self, problem: str) -> str:
         return self._cases.problems[problem].title if problem in self._cases.problems else problem
