@@ -38,10 +38,17 @@ SETS = {"set", "frozenset"}
 _SHOWN = 60
 
 _DECIMAL = re.compile(r"([+-]?)([0-9]+)(?:\.([0-9]+))?(?:[eE]([+-]?[0-9]+))?", re.ASCII)
-_COMMA = re.compile(r"[+-]?[0-9]+,[0-9]+(?:[eE][+-]?[0-9]+)?", re.ASCII)
 _HEX = re.compile(r"-?[0-9a-f]+", re.ASCII)
 _INTEGER = re.compile(r"[+-]?[0-9]{1,400}", re.ASCII)
 _FOREIGN = re.compile(r"[^\t -~]")
+_NO_DECIMALS = {  # how a text begins that is none, and what to say of it
+    r"[+-]?[0-9]+,[0-9]+(e[+-]?[0-9]+)?$": "it has a decimal comma; write a point",
+    r".*[^\0-\x7f]": "it has a character that is not ASCII",
+    r".*_": "it has an underscore",
+    r"[+-]*0x": "it is hexadecimal",
+    r"[+-]*(nan|inf|infinity)$": "it is not a finite number",
+    r"": "it is not a plain decimal number",
+}
 
 
 class Unreadable(Exception):  # noqa: N818 - it never reaches a person but as its text
@@ -87,26 +94,12 @@ def decimal(text: str) -> Written | Fault:
         return Fault(f"a number of {len(text)} characters", f"write at most {MOST_DIGITS}")
     match = _DECIMAL.fullmatch(text)
     if match is None:
-        return Fault(quoted(text), _why_no_decimal(text))
+        why = (why for begun, why in _NO_DECIMALS.items() if re.match(begun, text, re.IGNORECASE | re.DOTALL))
+        return Fault(quoted(text), next(why))
     power = match[4]
     if power and abs(int(power)) > MOST_EXPONENT:
         return Fault(quoted(text), f"its exponent is beyond ±{MOST_EXPONENT}")
     return Written(text, float(text))
-
-
-def _why_no_decimal(text: str) -> str:
-    lower = text.lower().lstrip("+-")
-    if _COMMA.fullmatch(text):
-        return "it has a decimal comma; write a point"
-    if not text.isascii():
-        return "it has a character that is not ASCII"
-    if "_" in text:
-        return "it has an underscore"
-    if lower.startswith("0x"):
-        return "it is hexadecimal"
-    if lower in {"nan", "inf", "infinity"}:
-        return "it is not a finite number"
-    return "it is not a plain decimal number"
 
 
 def number(raw: Raw) -> Given | Fault:
