@@ -12,9 +12,9 @@ from math import ulp
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from judge.values import wire
-from judge.values.answers import NO_WORDS, Exact, Real, Target, Tolerance, Words, accepted_doubles
-from judge.values.wire import Bounds, Errors, Raw, Tokens, Unreadable
+from judge.values import answers, wire
+from judge.values.answers import NO_WORDS, Bounds, Errors, Exact, Real, Target, Tolerance, Words
+from judge.values.wire import Raw, Tokens, Unreadable
 
 if TYPE_CHECKING:
     from judge.values.types import Composite
@@ -270,7 +270,7 @@ class RealType(NumberType):
             raise Unfit(f"{exact!r} where a Real is meant")
         if isinstance(exact.x, float) or isinstance(exact.unit, float):  # rounded already, most likely
             raise Unfit(f"{exact!r} holds a float; write Fraction(x) where a double is the exact number")
-        return accepted_doubles(exact, tolerance)
+        return answers.accepted_doubles(exact, tolerance)
 
     def best(self, target: Bounds) -> Value:
         """The nearest double."""
@@ -295,17 +295,17 @@ class RealType(NumberType):
     def off(self, value: Value, target: Bounds, leaf: Leaf) -> float | None:
         """Its error, as its double has it; 0 where x is 0, which has no scale."""
         lo, hi, nearest = target
-        if not (lo <= value <= hi if type(value) is float else wire.accepts(value, target, leaf)):
+        if not (lo <= value <= hi if type(value) is float else answers.accepts(value, target, leaf)):
             return None
         return abs(wire.near(value) - nearest) / ulp(nearest) if nearest else 0.0
 
     def why(self, value: Value, target: Bounds, words: Words, place: Place) -> Mismatch:
         """How far off it is."""
         nearest = target[2]
-        found = absolute, relative, ulps = wire.errors(value, nearest)
+        found = absolute, relative, ulps = answers.errors(value, nearest)
         where = place.name(short=True) or words.answer or "the answer"
         share = "" if relative is None else f", relative error {relative:.2g} ({ulps:.3g} ulps)"
-        how = wire.cut_digits(value, nearest)
+        how = answers.cut_digits(value, nearest)
         message = f"{where} is off by {absolute:.2g}{share}{how and f'; {how}'}"
         return Mismatch(message, where, found)
 

@@ -40,14 +40,13 @@ def read(type_: Type, raw: Raw, place: Place = ROOT, *, bounded: bool = True) ->
 def _no_parts(type_: Composite, raw: Raw, found: Sequence[Raw] | None, place: Place) -> str:
     name = place.name()
     what = f"{name} is meant to be {type_.noun}" if name else f"{type_.noun} is meant"
-    wrong, remedy = fault(raw), ""
-    if isinstance(type_, ListType):
-        if raw is None:
-            return f"None where {what}" + (f": no {type_.several} are []" if not type_.low else "")
-        if found is not None:
-            return f"{f'a {type_.one}' if type_.one != 'item' else shown(type_.item, raw)} where {what}"
-        remedy = collecting(wrong.type)
-    return wrong.where(what, remedy)
+    wrong = fault(raw)
+    if not isinstance(type_, ListType):
+        return wrong.where(what)
+    if found is not None:
+        return f"{shown(type_.item, raw)} where {what}"
+    none = f"no {type_.several} are []" if raw is None and not type_.low else ""
+    return wrong.where(what, none or collecting(wrong.type))
 
 
 def read_line(type_: Type, text: str) -> tuple[Raw] | str:

@@ -93,7 +93,7 @@ WRONG = [
     ("[int; 2]", [1, 2], [1, 2, 3], "the answer has 3 items where 2 are meant"),
     ("[int]", [1], {"type": "set", "text": ""}, "a set has no order"),
     ("[int]", [1], {"type": "generator", "text": ""}, "wrap it in list(...)"),
-    ("[vec2]", [vector((1, 2))], [1.0, 2.0], "a point where a list of points is meant"),
+    ("[vec2]", [vector((1, 2))], [1.0, 2.0], "(1.0, 2.0) where a list of points is meant"),
     ("[(vec2, int)]", [(vector((1, 2)), 0)], [[[1.0, 9.0], 0]], "y of part 1 of item 1 is off by 7"),
     (HITS, [HIT], [[1.0, 0, word("exit")]], "part 3 of item 1: 'enter' wanted, 'exit' given"),
     (HITS, [HIT], [[1.0, 0]], "item 1 has 2 parts where a tuple[float, int, str] is meant"),
