@@ -53,7 +53,7 @@ class Rung(Struct, frozen=True):
             return self._typed(value)
 
         return tuple(
-            parameters.simple(parameter.type, draw, number, positive=parameter.low >= 0)
+            parameters.simple(parameter.type, draw.integer, number, positive=parameter.low >= 0)
             for parameter in problem.parameters
         )
 

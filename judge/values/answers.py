@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from fractions import Fraction
-from math import inf, isinf
+from math import inf, isinf, nextafter, ulp
 from sys import float_info
 from typing import TYPE_CHECKING, Any
 
@@ -20,11 +20,16 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from judge.errors import ProblemError
+from judge.values.wire import DECIMAL, Given, Written, near
 
 if TYPE_CHECKING:
     from judge.exact import Surd
 
 Exact = Any  # such a tree
+Bounds = tuple[
+    float, float, float
+]  # the least and the greatest double that is accepted, and the nearest to x
+Errors = tuple[float, float | None, float | None]  # of a number: absolute, relative, in ulps
 Target = Any  # what answers are held against, made of an exact one (judge.values.check)
 _LARGEST = float_info.max
 
@@ -96,8 +101,8 @@ def vector(coordinates: Sequence[Surd | Fraction | int], unit: Surd | Fraction |
     return tuple(Real(x, unit) for x in coordinates)
 
 
-def accepted_doubles(real: Real, tolerance: Tolerance) -> tuple[float, float, float]:
-    """The least and the greatest double that is accepted, and the nearest to x, all of them finite.
+def accepted_doubles(real: Real, tolerance: Tolerance) -> Bounds:
+    """The doubles of an exact number, all of them finite.
 
     An interval beyond the largest double is the empty one from the largest double to its negative. Raises
     ProblemError as `exact_ends` does.
@@ -134,3 +139,60 @@ def exact_ends(real: Real, tolerance: Tolerance) -> tuple[Surd, Surd]:
     if x * share > wide:
         return x * (1 - share) - slack, x * (1 + share) + slack
     return x - (wide + slack), x + (wide + slack)
+
+
+# -- a number against those doubles ------------------------------------------------------------------------
+
+
+def accepts(given: Given, bounds: Bounds, leaf: Callable[[], tuple[Real, Tolerance]]) -> bool:
+    """Whether it is accepted, exactly; `leaf` is asked only where doubles do not decide."""
+    lo, hi, _ = bounds
+    if isinstance(given, float):
+        return lo <= given <= hi
+    rounded = near(given)  # which lies on the same side of a double, unless it is that double
+    if lo < rounded < hi:
+        return True
+    beyond = lo == _LARGEST and hi == -_LARGEST  # an interval of which rounded ends say nothing
+    if not beyond and not nextafter(lo, -inf) <= rounded <= nextafter(hi, inf):
+        return False
+    exact = given.exact() if isinstance(given, Written) else given
+    if lo <= exact <= hi:  # Python compares ints and Fractions with floats exactly
+        return True
+    low, high = exact_ends(*leaf())
+    return low <= exact <= high
+
+
+def errors(given: Given, nearest: float) -> Errors:
+    """The absolute, relative and ulp error of any number beside the nearest double; None for 0."""
+    away = abs((given.exact() if isinstance(given, Written) else Fraction(given)) - Fraction(nearest))
+    if nearest == 0:
+        return near(away), None, None
+    return near(away), near(away / abs(Fraction(nearest))), near(away / Fraction(ulp(nearest)))
+
+
+_USUAL = 6  # digits that C and C++ print by default; streams leave out zeros at the end
+_ENOUGH = 17  # significant digits that tell any double from all others
+_LEAST = 4  # digits that are no coincidence
+_HALF = Fraction(1, 2) + Fraction(1, 10**6)  # of the last digit's place: what was rounded is itself a double
+
+
+def cut_digits(given: Given, nearest: float) -> str:
+    """How a decimal was printed with too few digits, and the remedy, where that alone makes it wrong.
+
+    A decimal that is what the exact number rounds to was computed rightly, as far as it can be seen.
+    """
+    found = DECIMAL.fullmatch(given.text) if isinstance(given, Written) else None
+    if found is None or not isinstance(given, Written):
+        return ""
+    places, power = found[3] or "", int(found[4] or 0)
+    significant = len((found[2] + places).lstrip("0"))
+    if significant >= _ENOUGH:
+        return ""
+    last = Fraction(10) ** (power - len(places))  # the place of the last digit
+    away = abs(Fraction(nearest) - given.exact()) / last
+    if found[4] is None and len(places) == _USUAL != significant and away <= _HALF:
+        return f"printed with {_USUAL} decimals: print {_ENOUGH} significant digits"
+    for digits in (max(significant, _USUAL), significant) if significant >= _LEAST else ():
+        if away * 10 ** (digits - significant) <= _HALF:
+            return f"printed with {digits} significant digits: print {_ENOUGH}"
+    return ""

@@ -12,26 +12,9 @@ from math import ulp
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from judge.values.answers import NO_WORDS, Exact, Real, Target, Tolerance, Words, accepted_doubles
-from judge.values.wire import (
-    LONGEST_WORD,
-    Bounds,
-    Errors,
-    Fault,
-    Raw,
-    Tokens,
-    Unreadable,
-    Written,
-    accepts,
-    cut_digits,
-    errors,
-    fault,
-    near,
-    number,
-    quoted,
-    show,
-    word,
-)
+from judge.values import answers, wire
+from judge.values.answers import NO_WORDS, Bounds, Errors, Exact, Real, Target, Tolerance, Words
+from judge.values.wire import Raw, Tokens, Unreadable
 
 if TYPE_CHECKING:
     from judge.values.types import Composite
@@ -63,24 +46,15 @@ class Place(NamedTuple):
         """The indices that lead there in the exact answer."""
         return () if self.outer is None else (*self.outer.steps(), self.at)
 
-    def words(self, *, short: bool = False) -> list[str]:
-        """The names of the part, of that around it, and so on; a `short` one leaves out an only point."""
-        if self.outer is None:
-            return []
-        around = self.outer.words(short=short)
-        alone = short and self.of == 1 and not around and self.composite and self.composite.one == "point"
-        return around if self.composite is None or alone else [self.composite.word(self.at), *around]
-
     def name(self, *, short: bool = False) -> str:
-        """The place in words, "y of point 2"; empty for the whole answer."""
-        return " of ".join(self.words(short=short))
-
-    def told(self) -> str:
-        """The place of a number, short; a coordinate of no point comes last: "part 2 of item 3: x"."""
-        first, *rest = self.words(short=True) or [""]
-        if first in COORDINATES and rest and not rest[0].startswith("point"):
-            return f"{' of '.join(rest)}: {first}"
-        return " of ".join([first, *rest])
+        """The place in words, "y of point 2", nothing for the root; `short` leaves out an only point."""
+        if self.outer is None:
+            return ""
+        around = self.outer.name(short=short)
+        word = self.composite.word(self.at) if self.composite else ""
+        if short and word == "point 1" and self.of == 1 and not around:
+            word = ""
+        return " of ".join(filter(None, (word, around)))
 
     def prefix(self) -> str:
         """How a sentence about the whole of this place begins: "part 2 of item 3: ", nothing for the root."""
@@ -205,7 +179,7 @@ class Atom(Type):
             return self.value_of(raw)
         except ValueError:
             name = f" for {place.name()}" if place.name() else ""
-            raise Unreadable(fault(raw).where(f"{self.noun} is meant{name}")) from None
+            raise Unreadable(wire.fault(raw).where(f"{self.noun} is meant{name}")) from None
 
     def off(self, value: Value, target: Target, leaf: Leaf) -> float | None:
         """How many ulps the value is off, NOTHING where that is not measured; None where it is wrong."""
@@ -223,16 +197,11 @@ class Atom(Type):
         try:
             return self.sent(self.value_from(token))
         except ValueError:
-            raise Unreadable(f"{quoted(token)} where {meant} is meant") from None
+            raise Unreadable(f"{wire.quoted(token)} where {meant} is meant") from None
 
     def shown(self, value: Value) -> str:
         """A value as a person would write it in Python."""
         return repr(value)
-
-    def fault(self, name: str, value: Any) -> str | None:
-        """What is wrong with a parameter's value, for a person, or None."""
-        wrong = self.why_not(value)
-        return f"{name} has {wrong}" if wrong else None
 
 
 class NumberType(Atom):
@@ -244,31 +213,26 @@ class NumberType(Atom):
     def __init__(self, *, least: int | None = None) -> None:
         self.least = least
 
+    def why_not(self, value: Any) -> str | None:
+        """Exactly an int or a float: a bool would not come back from the cache as it went in."""
+        if type(value) not in self.kinds:
+            return f"{value!r}, a {type(value).__name__}, where {type(self).noun} is meant"
+        return None if value - value == 0 else f"{value!r}, which is not finite"
+
     def shown(self, value: Value) -> str:
         """In full, unless it is absurdly long."""
-        return show(value)
+        return wire.show(value)
 
     def read(self, raw: Raw, place: Place, noun: str) -> Value:
         """An int of any size; where a float may be, a float, a Fraction or a Written too."""
-        given, name = number(raw), place.name()
+        given, name = wire.number(raw), place.name()
         meant = name or (noun if self.measured else self.noun)
-        if isinstance(given, Fault):
-            is_point = name[:1] in COORDINATES and given.type.startswith("complex")
-            raise Unreadable(given.where(f"{meant} is meant", "return a point as (x, y)" if is_point else ""))
+        if isinstance(given, wire.Fault):
+            raise Unreadable(given.where(f"{meant} is meant"))
         if isinstance(given, int) or float in self.kinds:
             return given
         kind, more = "float" if isinstance(given, float) else "number", " as an int" if name else ""
-        raise Unreadable(f"the {kind} {show(raw)} where {meant} is meant{more}")
-
-    def fault(self, name: str, value: Any) -> str | None:
-        """Exactly an int or a float: a bool would not come back from the cache as it went in."""
-        kind = type(value)
-        if kind not in (int, float):
-            return f"{name} has {value!r}, a {kind.__name__}, where a number is meant"
-        if kind not in self.kinds:
-            meant = "an int" if kind is float else "a float"
-            return f"{name} has the {kind.__name__} {value!r} where {meant} is meant"
-        return None if value - value == 0 else f"{name} has {value!r}, which is not finite"
+        raise Unreadable(f"the {kind} {wire.show(raw)} where {meant} is meant{more}")
 
     def value_from(self, token: str) -> Any:
         """An int as `repr` writes it, or else a float."""
@@ -289,23 +253,16 @@ class IntType(NumberType):
         """Whether they are equal."""
         return lambda raw, target: NOTHING if type(raw) is int and raw == target else None
 
-    def why_not(self, value: Any) -> str | None:
-        """Exactly an int."""
-        return None if type(value) is int else f"{value!r} where an int is meant"
-
     def take(self, tokens: Tokens, meant: str) -> Raw:
         """A plain integer."""
         return tokens.integer(meant)
 
 
 class RealType(NumberType):
-    """`real`: an int or a float among others, held against (lo, hi, nearest); `double`: floats alone."""
+    """`real`: an int or a float among others, held against (lo, hi, nearest)."""
 
     text, noun, plural, annotation, measured = "real", "a number", "numbers", "float", True
-
-    def __init__(self, *, least: int | None = None, double: bool = False) -> None:
-        super().__init__(least=least)
-        self.kinds = (float,) if double else (int, float)
+    kinds: tuple[type[int | float], ...] = (int, float)
 
     def aim(self, exact: Exact, tolerance: Tolerance) -> Target:
         """The least and the greatest double that is accepted, and the nearest one."""
@@ -313,7 +270,7 @@ class RealType(NumberType):
             raise Unfit(f"{exact!r} where a Real is meant")
         if isinstance(exact.x, float) or isinstance(exact.unit, float):  # rounded already, most likely
             raise Unfit(f"{exact!r} holds a float; write Fraction(x) where a double is the exact number")
-        return accepted_doubles(exact, tolerance)
+        return answers.accepted_doubles(exact, tolerance)
 
     def best(self, target: Bounds) -> Value:
         """The nearest double."""
@@ -326,7 +283,7 @@ class RealType(NumberType):
         def quick(raw: Raw, target: Target) -> float | None:
             lo, hi, nearest = target
             if type(raw) is not float:
-                if type(raw) is not Written or not lo < raw.approx < hi:
+                if type(raw) is not wire.Written or not lo < raw.approx < hi:
                     return None
                 raw = raw.approx
             if not lo <= raw <= hi:
@@ -338,23 +295,29 @@ class RealType(NumberType):
     def off(self, value: Value, target: Bounds, leaf: Leaf) -> float | None:
         """Its error, as its double has it; 0 where x is 0, which has no scale."""
         lo, hi, nearest = target
-        if not (lo <= value <= hi if type(value) is float else accepts(value, target, leaf)):
+        if not (lo <= value <= hi if type(value) is float else answers.accepts(value, target, leaf)):
             return None
-        return abs(near(value) - nearest) / ulp(nearest) if nearest else 0.0
+        return abs(wire.near(value) - nearest) / ulp(nearest) if nearest else 0.0
 
     def why(self, value: Value, target: Bounds, words: Words, place: Place) -> Mismatch:
         """How far off it is."""
         nearest = target[2]
-        found = absolute, relative, ulps = errors(value, nearest)
+        found = absolute, relative, ulps = answers.errors(value, nearest)
         where = place.name(short=True) or words.answer or "the answer"
         share = "" if relative is None else f", relative error {relative:.2g} ({ulps:.3g} ulps)"
-        how = cut_digits(value, nearest)
-        message = f"{place.told() or where} is off by {absolute:.2g}{share}{how and f'; {how}'}"
+        how = answers.cut_digits(value, nearest)
+        message = f"{where} is off by {absolute:.2g}{share}{how and f'; {how}'}"
         return Mismatch(message, where, found)
 
     def take(self, tokens: Tokens, meant: str) -> Raw:
         """A decimal."""
         return tokens.number(meant)
+
+
+class DoubleType(RealType):
+    """The floats of an array."""
+
+    noun, kinds = "a float", (float,)
 
 
 class WordType(Atom):
@@ -365,8 +328,8 @@ class WordType(Atom):
     def __init__(self, *words: str) -> None:
         if len(words) < 2 or len(set(words)) < len(words) or "none" in words:
             raise ValueError("a word is one of two or more, all of them different and none of them none")
-        if max(map(len, words)) > LONGEST_WORD:
-            raise ValueError(f"a word has at most {LONGEST_WORD} characters")
+        if max(map(len, words)) > wire.LONGEST_WORD:
+            raise ValueError(f"a word has at most {wire.LONGEST_WORD} characters")
         self.text, self.samples = f"word({'|'.join(words)})", words
         self.noun = f"{', '.join(words[:-1])} or {words[-1]}"
 
@@ -382,13 +345,13 @@ class WordType(Atom):
 
     def value_of(self, raw: Raw) -> Any:
         """Any word: a wrong one is a wrong answer."""
-        if (given := word(raw)) is None:
+        if (given := wire.word(raw)) is None:
             raise ValueError("no word")
         return given
 
     def take(self, tokens: Tokens, meant: str) -> Raw:
         """Any word of the usual length."""
         token = tokens.next()
-        if len(token) > LONGEST_WORD:
-            raise Unreadable(f"{quoted(token)} where {self.noun} is meant")
+        if len(token) > wire.LONGEST_WORD:
+            raise Unreadable(f"{wire.quoted(token)} where {self.noun} is meant")
         return {"word": token}

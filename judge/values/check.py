@@ -21,7 +21,7 @@ from judge.values.answers import AnyOf, Exact, Judged, Target, Tolerance, Words
 from judge.values.atoms import NOTHING, ROOT, Atom, Mismatch, Place, Type, Unfit, Value
 from judge.values.reading import read, read_line
 from judge.values.show import line, shown, wanted
-from judge.values.types import ListType, TupleType, lasting
+from judge.values.types import ListType, lasting
 from judge.values.wire import Raw, Unreadable, Written, quoted
 
 ExactOf = Callable[[], tuple[Exact, Tolerance]]
@@ -54,7 +54,6 @@ class Rejection(Struct, frozen=True):
 
 
 Outcome = Accepted | Rejection
-_UNMEASURED = Accepted()
 
 
 def target(type_: Type, exact: Exact, tolerance: Tolerance) -> Target:
@@ -82,13 +81,8 @@ def _target(type_: Type, exact: Exact, tolerance: Tolerance) -> Target:
         return None
     if isinstance(inner, Atom):
         return inner.aim(exact, tolerance)
-    if type(exact) not in (list, tuple):
-        raise Unfit(f"{exact!r} where a {inner.kind.__name__} is meant")
-    count = len(exact)
-    if isinstance(inner, TupleType) and count != len(inner.made_of):
-        raise Unfit(f"{count} parts where {len(inner.made_of)} are meant")
-    if isinstance(inner, ListType) and not inner.fits(count):
-        raise Unfit(f"{count} {inner.one if count == 1 else inner.several} where {inner.bounds()} are meant")
+    if wrong := inner.why_not(tuple(exact) if type(exact) is list else exact):
+        raise Unfit(wrong)
     return tuple([_target(part, each, tolerance) for part, each in inner.pairs(exact)])
 
 
@@ -99,7 +93,7 @@ def check(type_: Type, raw: Raw, target: Target, exact: ExactOf) -> Outcome:
     """Decide an answer, JSON of any shape whatever; it never raises for one."""
     found, _ = decide(type_, raw, target, exact)
     if isinstance(found, float):
-        return Accepted(found) if found >= 0.0 else _UNMEASURED
+        return Accepted(found if found >= 0.0 else None)
     why = found()
     return Rejection(why.message, wanted(type_, target), shown(type_, raw), why.where, *why.errors)
 

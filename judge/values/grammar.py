@@ -25,19 +25,13 @@ from judge.values.types import ArrayType, ListType, OptionalType, TupleType
 
 _MOST_TEXT = 2_000  # characters of a type's text
 _TOKEN = re.compile(r"[A-Za-z_][\w-]*|\d+|\.\.|\S", re.ASCII)
+_FOREIGN = re.compile(r"[^\w\s()\[\],;?|.-]", re.ASCII)
+_LENGTH = re.compile(r"[0-9]{1,9}")
 _DEEPEST = 12
 _T = TypeVar("_T")
-_LONGEST = 9  # digits of a list's length
 
-ATOMS: dict[str, Callable[..., Type]] = {
-    "int": IntType,
-    "real": RealType,
-    "word": WordType,
-    "array": ArrayType,
-}
-
-# Names that stand for a type of the same language.
-ALIASES = {
+# What a name stands for: another text of the language, or what makes the type.
+NAMES: dict[str, str | Callable[..., Type]] = {
     "count": "int?",
     "points": "[vec2; 0..2]",
     "parameter": "real?",
@@ -45,10 +39,17 @@ ALIASES = {
     "integer": "int",
     "point": "vec2",
     "point3": "vec3",
+    "vec2": lambda: TupleType((RealType(), RealType()), COORDINATES[:2], "Point"),
+    "vec3": lambda: TupleType((RealType(), RealType(), RealType()), COORDINATES, "Point3"),
+    "integer-point": lambda: TupleType((IntType(), IntType()), COORDINATES[:2], "IntPoint"),
+    "int": IntType,
+    "real": RealType,
+    "word": WordType,
+    "array": ArrayType,
 }
 
 # What people write who know other languages, and what it is called here.
-_FOREIGN = {
+_ELSEWHERE = {
     "float double decimal": "real",
     "str string text enum": "word(a|b)",
     "list vector": "[T]",
@@ -57,17 +58,10 @@ _FOREIGN = {
 }
 
 
-VECTORS: dict[str, Callable[..., Type]] = {
-    "vec2": lambda: TupleType((RealType(), RealType()), COORDINATES[:2], "Point"),
-    "vec3": lambda: TupleType((RealType(), RealType(), RealType()), COORDINATES, "Point3"),
-    "integer-point": lambda: TupleType((IntType(), IntType()), COORDINATES[:2], "IntPoint"),
-}
-
-
 class TypeFault(ValueError):  # noqa: N818 - a fault of the text
     """A text that is no type: what is wrong, and what to do about it."""
 
-    def __init__(self, what: str, remedy: str) -> None:
+    def __init__(self, what: str, remedy: str = "write it as a name, (T, T), [T; low..high] or T?") -> None:
         super().__init__(what)
         self.what = what
         self.remedy = remedy
@@ -84,33 +78,33 @@ def parse(text: str, folder: Path | None = None, words: Words = NO_WORDS) -> Typ
 
 
 class _Parser:
-    """One text, read from left to right."""
+    """One text, read from left to right. A ValueError says what is wrong."""
 
     def __init__(self, text: str, folder: Path | None, depth: int = 0) -> None:
-        self._text = text
+        self._text = text.strip()
         self._folder = folder
         self._depth = depth
         self._tokens = _TOKEN.findall(text)
-        foreign = re.search(r"[^\w\s()\[\],;?|.-]", text, re.ASCII)
-        if foreign:
-            raise self._fault(f"{foreign[0]!r} belongs in no type")
-
-    def _fault(self, why: str, remedy: str = "") -> TypeFault:
-        usual = "write it as a name, (T, T), [T; low..high] or T?"
-        return TypeFault(f"{self._text.strip()!r} is no type: {why}", remedy or usual)
 
     def whole(self) -> Type:
-        """The type of the whole text."""
-        found = self._type()
-        if self._tokens:
-            raise self._fault(f"{self._tokens[0]!r} comes after its end")
+        """The type of the whole text. Raises TypeFault."""
+        try:
+            if foreign := _FOREIGN.search(self._text):
+                raise ValueError(f"{foreign[0]!r} belongs in no type")
+            found = self._type()
+            if self._tokens:
+                raise ValueError(f"{self._tokens[0]!r} comes after its end")
+        except TypeFault:
+            raise
+        except ValueError as why:
+            raise TypeFault(f"{self._text!r} is no type: {why}") from None
         return found
 
     def _next(self, wanted: str = "") -> str:
         token = self._tokens.pop(0) if self._tokens else ""
         if not token or (wanted and token != wanted):
             found = repr(token) if token else "its end"
-            raise self._fault(f"{found} where {repr(wanted) if wanted else 'a type'} is meant")
+            raise ValueError(f"{found} where {repr(wanted) if wanted else 'a type'} is meant")
         return token
 
     def _take(self, token: str) -> bool:
@@ -119,19 +113,19 @@ class _Parser:
     def _type(self) -> Type:
         self._depth += 1
         if self._depth > _DEEPEST:
-            raise self._fault("it is nested too deep")
+            raise ValueError("it is nested too deep")
+        found: Type
         token = self._next()
         if token == "(":
-            found = self._made(TupleType, self._several(self._type, ","))
+            found = TupleType(self._several(self._type, ","))
         elif token == "[":
             found = self._list()
         elif token.replace("-", "_").isidentifier():
-            arguments = self._several(self._next, "|;,") if self._take("(") else []
-            found = self._named(token, arguments)
+            found = self._named(token, self._several(self._next, "|;,") if self._take("(") else [])
         else:
-            raise self._fault(f"none begins with {token!r}")
+            raise ValueError(f"none begins with {token!r}")
         self._depth -= 1
-        return self._made(OptionalType, found) if self._take("?") else found
+        return OptionalType(found) if self._take("?") else found
 
     def _several(self, each: Callable[[], _T], between: str) -> list[_T]:
         """What is parted by any of these signs, up to the closing parenthesis."""
@@ -142,51 +136,45 @@ class _Parser:
             found.append(each())
         return found
 
-    def _list(self) -> Type:
+    def _list(self) -> ListType:
         item = self._type()
         low, high = 0, None
         if self._take(";"):
-            low = high = self._number()
+            low = high = self._length()
             if self._take(".."):
-                high = self._number()
+                high = self._length()
         self._next("]")
-        return self._made(ListType, item, low, high)
+        return ListType(item, low, high)
 
-    def _number(self) -> int:
+    def _length(self) -> int:
         token = self._next()
-        if not token.isdecimal() or len(token) > _LONGEST:
-            raise self._fault(f"{token!r} is no length of a list")
+        if not _LENGTH.fullmatch(token):
+            raise ValueError(f"{token!r} is no length of a list")
         return int(token)
-
-    def _made(self, make: Callable[..., Any], *arguments: Any) -> Type:
-        try:
-            made: Type = make(*arguments)
-        except TypeError:
-            raise self._fault("there are too many or too few words between its parentheses") from None
-        except ValueError as why:
-            raise self._fault(str(why)) from None
-        return made
 
     def _named(self, name: str, arguments: list[str]) -> Type:
         """The type of that name."""
-        found = ALIASES.get(name) or (VECTORS | ATOMS).get(name) or _found(name, self._folder)
+        found = NAMES.get(name) or _found(name, self._folder)
         if found is None:
             raise self._unknown(name)
-        if not isinstance(found, str):
-            return self._made(found, *arguments)
-        if arguments:
-            raise self._fault(f"{name} takes nothing in parentheses")
-        return _Parser(found, self._folder, self._depth).whole()
+        if isinstance(found, str):
+            if arguments:
+                raise ValueError(f"{name} takes nothing in parentheses")
+            return _Parser(found, self._folder, self._depth).whole()
+        try:
+            made: Type = found(*arguments)
+        except TypeError:
+            raise ValueError("there are too many or too few words between its parentheses") from None
+        return made
 
     def _unknown(self, name: str) -> TypeFault:
         files = sorted(self._folder.glob("[a-z]*.py")) if self._folder else []
-        own = [*ALIASES, *VECTORS, *ATOMS, *(path.stem.replace("_", "-") for path in files)]
-        foreign = (meant for names, meant in _FOREIGN.items() if name in names.split())
-        meant = next(foreign, None) or nearest(name, own)
+        own = [*NAMES, *(path.stem.replace("_", "-") for path in files)]
+        elsewhere = (meant for names, meant in _ELSEWHERE.items() if name in names.split())
+        meant = next(elsewhere, None) or nearest(name, own)
         remedy = f"did you mean {meant!r}?" if meant else f"use one of {', '.join(own)}"
-        if self._text.strip() == name:
-            return TypeFault(f"{name!r} is unknown", remedy)
-        return TypeFault(f"{self._text.strip()!r} is no type: {name!r} is unknown", remedy)
+        what = f"{name!r} is unknown"
+        return TypeFault(what if self._text == name else f"{self._text!r} is no type: {what}", remedy)
 
 
 def _found(name: str, folder: Path | None) -> Any:

@@ -16,7 +16,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from itertools import islice
-from math import isfinite
+from math import inf, isfinite
 from operator import sub
 from typing import Any
 
@@ -141,35 +141,32 @@ class Usual(Struct, frozen=True):
 
 def kind(type_: Type, given: Outline, right: Outline, usual: Usual) -> str:
     """What kind of wrong answer one is, beside the right one and what is usual in the problem."""
-    type_ = lasting(type_)
+    inner = lasting(type_)
     (form, numbers), (wanted_form, wanted) = given, right
-    if isinstance(
-        type_, IntType
-    ):  # where few are usual, one that is none of them stands for having no answer
+    if isinstance(inner, IntType):
+        # Where few are usual, one that is none of them stands for having no answer.
         unusual = not numbers or (usual.few and numbers[0] not in usual.few)
         if form in ("count", "type float") and unusual:
             return "sentinel"
         return f"{numbers[0]:.0f}" if form == "count" else form
-    if isinstance(type_, RealType):
+    if isinstance(inner, RealType):
         return _kind_of_number(given, wanted, usual)
-    if isinstance(type_, ListType):
-        return _kind_of_list(type_, given, right)
-    if form != wanted_form or len(numbers) != len(wanted):
-        return form
-    return "digits" if only_digits(numbers, wanted) else "elsewhere"
+    alike = form == wanted_form and len(numbers) == len(wanted)
+    if alike and only_digits(numbers, wanted):
+        return "digits"
+    special = _kind_of_list(inner, given, right) if isinstance(inner, ListType) else ""
+    return special or ("elsewhere" if alike else form)
 
 
 def _kind_of_number(given: Outline, wanted: tuple[float, ...], usual: Usual) -> str:
     form, numbers = given
-    if form == "type float":  # inf or nan
-        return "sentinel"
-    if form != "number":
+    if form not in ("number", "type float"):
         return form
-    (t,) = numbers
-    if not wanted:
-        return "invented" if isfinite(t) and (t >= 0.0 or usual.negative) else "sentinel"
+    t = numbers[0] if form == "number" else inf  # or nan
     if not isfinite(t):
         return "sentinel"
+    if not wanted:
+        return "invented" if t >= 0.0 or usual.negative else "sentinel"
     if only_digits(numbers, wanted):
         return "digits"
     if t < 0.0 and not usual.negative:
@@ -178,21 +175,14 @@ def _kind_of_number(given: Outline, wanted: tuple[float, ...], usual: Usual) -> 
 
 
 def _kind_of_list(type_: ListType, given: Outline, right: Outline) -> str:
-    """Fewer or more items, the right ones in another order, other digits, others."""
-    (form, numbers), (wanted_form, wanted) = given, right
-    name = form.partition(" ")[0]
-    if name != type_.several or not wanted_form.startswith(f"{name} "):
-        return form
-    count, size = (int(each.split(" ", 2)[1]) for each in (form, wanted_form))
+    """Fewer or more items, the right ones in another order, or nothing."""
+    (name, *words), (wanted_name, *wanted_words) = (form.split(" ", 2) for form, _ in (given, right))
+    if not name == wanted_name == type_.several:
+        return ""
+    count, size = int(words[0]), int(wanted_words[0])
     if count != size:
         return f"{'fewer' if count < size else 'more'} {count}"
-    if len(numbers) != len(wanted):
-        return form
-    if only_digits(numbers, wanted) and form == wanted_form:
-        return "digits"
-    if reordered(numbers, wanted, count):
-        return "reordered"
-    return "elsewhere" if form == wanted_form else form
+    return "reordered" if reordered(given[1], right[1], count) else ""
 
 
 def largest(numbers: Sequence[float], others: Sequence[float]) -> float:

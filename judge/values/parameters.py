@@ -8,25 +8,10 @@ from __future__ import annotations
 from array import array
 from collections.abc import Callable, Iterator
 from itertools import chain
-from typing import Any, Protocol
+from typing import Any
 
 from judge.values.atoms import LONGEST, Atom, Number, NumberType, Type, Value
 from judge.values.types import ArrayType, Composite, ListType, OptionalType, TupleType, lasting
-
-
-class Draws(Protocol):
-    """Where the search for simple cases takes its choices from; `judge.data.draw.Draw` is one."""
-
-    def integer(self, low: int, high: int) -> int:
-        """An int from `low` to `high`."""
-        ...
-
-
-def parts_of(type_: Type, value: Value) -> Iterator[tuple[Type, Value]]:
-    """The parts of a well-shaped value with their types; an atom and None have none."""
-    inner = lasting(type_)
-    if value is not None and isinstance(inner, Composite):
-        yield from inner.pairs(value)
 
 
 def fault(type_: Type, name: str, value: Any) -> str | None:
@@ -34,19 +19,10 @@ def fault(type_: Type, name: str, value: Any) -> str | None:
     inner = lasting(type_)
     if value is None and inner is not type_:
         return None
-    if isinstance(inner, Atom):
-        return inner.fault(name, value)
-    if isinstance(inner, ListType):
-        if type(value) is not tuple:
-            return f"{name} must be a tuple of {inner.several}, not {value!r}"
-        if not inner.fits(len(value)):
-            return f"{name} has {len(value)} {inner.several} where {inner.bounds()} are meant"
-    elif type(value) is not tuple or len(value) != len(inner.made_of):
-        meant = f"a tuple {inner.text}"
-        if all(isinstance(part, NumberType) for part in inner.made_of):
-            meant = "a pair of numbers" if len(inner.made_of) == 2 else f"{len(inner.made_of)} numbers"
-        return f"{name} must be {meant}, not {value!r}"
-    return next(filter(None, (fault(part, name, each) for part, each in inner.pairs(value))), None)
+    if wrong := inner.why_not(value):
+        return f"{name} has {wrong}"
+    faults = () if isinstance(inner, Atom) else (fault(part, name, each) for part, each in inner.pairs(value))
+    return next(filter(None, faults), None)
 
 
 def leaves(type_: Type, value: Value) -> Iterator[tuple[Type, Value]]:
@@ -70,10 +46,11 @@ def tokens(type_: Type, value: Value) -> Iterator[str]:
         yield "none"
     elif isinstance(inner, Atom):
         yield inner.text_of(value)
-    elif isinstance(inner, ListType):
-        yield str(len(value))
-    for part, each in parts_of(inner, value):
-        yield from tokens(part, each)
+    else:
+        if isinstance(inner, ListType):
+            yield str(len(value))
+        for part, each in inner.pairs(value):
+            yield from tokens(part, each)
 
 
 def from_tokens(type_: Type, words: Iterator[str]) -> Value:
@@ -97,7 +74,7 @@ def listed(type_: Type, value: Value) -> Any:
         return value
     if isinstance(inner, ListType) and inner.item.is_plain:
         return list(value)
-    return inner.kind([listed(part, each) for part, each in parts_of(inner, value)])
+    return inner.kind([listed(part, each) for part, each in inner.pairs(value)])
 
 
 def argument(type_: Type, value: Value) -> Any:
@@ -125,26 +102,31 @@ def simpler(type_: Type, value: Value) -> Iterator[Value]:
             if count - size >= inner.low:
                 for start in range(0, count, size):
                     yield (*value[:start], *value[start + size :])
-    if not isinstance(inner, ArrayType):
-        for at, (part, each) in enumerate(parts_of(inner, value)):
+    if not isinstance(inner, Atom | ArrayType):
+        for at, (part, each) in enumerate(inner.pairs(value)):
             for other in simpler(part, each):
                 yield (*value[:at], other, *value[at + 1 :])
 
 
-def simple(type_: Type, draw: Draws, number: Callable[[bool], Number], *, positive: bool) -> Value:
-    """A simple value: `number(positive)` gives its numbers, `positive` says that none may be negative."""
+def simple(
+    type_: Type, integer: Callable[[int, int], int], number: Callable[[bool], Number], *, positive: bool
+) -> Value:
+    """A simple value; `positive` says that none of its numbers may be negative.
+
+    `number(positive)` gives those, and `integer(low, high)` takes all other choices.
+    """
     inner = lasting(type_)
-    if inner is not type_ and not draw.integer(0, 1):  # None as often as not
+    if inner is not type_ and not integer(0, 1):  # None as often as not
         return None
     if isinstance(inner, NumberType):
         found = number(positive or (inner.least is not None and inner.least >= 0))
         return found if type(found) in inner.kinds else inner.kinds[0](found)
     if isinstance(inner, Atom):
-        return inner.samples[draw.integer(0, len(inner.samples) - 1)]
+        return inner.samples[integer(0, len(inner.samples) - 1)]
     count = 0
     if isinstance(inner, ListType):
         most = inner.low + 3
-        count = draw.integer(inner.low, most if inner.high is None else min(inner.high, most))
+        count = integer(inner.low, most if inner.high is None else min(inner.high, most))
     elif isinstance(inner, TupleType) and inner.is_vector:  # a coordinate may always be negative
         positive = False
-    return tuple([simple(part, draw, number, positive=positive) for part in inner.parts(count)])
+    return tuple([simple(part, integer, number, positive=positive) for part in inner.parts(count)])

@@ -8,7 +8,7 @@ from judge.values.answers import NO_WORDS, Words
 from judge.values.atoms import ROOT, Atom, Place, Type, Value
 from judge.values.show import is_one_item, shown
 from judge.values.types import Composite, ListType, OptionalType, TupleType, lasting
-from judge.values.wire import Raw, Tokens, Unreadable, collecting, fault, items, quoted
+from judge.values.wire import Raw, Tokens, Unreadable, collecting, fault, items, quoted, show
 
 
 def read(type_: Type, raw: Raw, place: Place = ROOT, *, bounded: bool = True) -> Value:
@@ -25,8 +25,8 @@ def read(type_: Type, raw: Raw, place: Place = ROOT, *, bounded: bool = True) ->
     if found is None or is_one_item(inner, found):
         raise Unreadable(_no_parts(inner, raw, found, place))
     count = len(found)
-    if (bounded or isinstance(inner, TupleType)) and (why := inner.wrong_count(count, place)):
-        raise Unreadable(why)
+    if (bounded or isinstance(inner, TupleType)) and (wrong := inner.wrong_count(count)):
+        raise Unreadable(f"{place.name() or 'the answer'} has {wrong}")
     if isinstance(inner, ListType) and inner.item.text == "int" and set(map(type, found)) <= {int}:
         return list(found)  # a million of them, perhaps
     return inner.kind(
@@ -40,16 +40,13 @@ def read(type_: Type, raw: Raw, place: Place = ROOT, *, bounded: bool = True) ->
 def _no_parts(type_: Composite, raw: Raw, found: Sequence[Raw] | None, place: Place) -> str:
     name = place.name()
     what = f"{name} is meant to be {type_.noun}" if name else f"{type_.noun} is meant"
-    wrong, remedy = fault(raw), ""
-    if isinstance(type_, ListType):
-        if raw is None:
-            return f"None where {what}" + (f": no {type_.several} are []" if not type_.low else "")
-        if found is not None:
-            return f"{f'a {type_.one}' if type_.one != 'item' else shown(type_.item, raw)} where {what}"
-        remedy = collecting(wrong.type)
-    elif type_.one == "point" and wrong.type.startswith("complex"):
-        remedy = f"return a point as {type_.noun}"
-    return wrong.where(what, remedy)
+    wrong = fault(raw)
+    if not isinstance(type_, ListType):
+        return wrong.where(what)
+    if found is not None:
+        return f"{shown(type_.item, raw)} where {what}"
+    none = f"no {type_.several} are []" if raw is None and not type_.low else ""
+    return wrong.where(what, none or collecting(wrong.type))
 
 
 def read_line(type_: Type, text: str) -> tuple[Raw] | str:
@@ -90,10 +87,7 @@ def _count(type_: ListType, line: Tokens, *, whole: bool) -> int:
         raise Unreadable(f'"{line.ahead}" where {_hint(type_)} is meant: no {type_.several} are 0')
     count = line.integer(f"the number of {type_.several} k")
     if not type_.fits(count):
-        given = str(count) if len(str(count)) <= 20 else f"{str(count)[:20]}…"
-        bounds = f"{type_.low} or more" if type_.high is None else f"{type_.low} to {type_.high}"
-        bounds = str(type_.low) if type_.low == type_.high else bounds
-        raise Unreadable(f"k = {given} where {bounds} {type_.several} are meant")
+        raise Unreadable(f"k = {show(count)} where {type_.bounds()} {type_.several} are meant")
     width = type_.item.width
     if width is not None and whole and len(line.words) != count * width:
         noun = "coordinates" if type_.one == "point" else "more"

@@ -8,7 +8,7 @@ from itertools import repeat
 from typing import Any, cast
 
 from judge.values.answers import Target
-from judge.values.atoms import COORDINATES, LONGEST, NOTHING, Atom, Place, Quick, RealType, Type, Value
+from judge.values.atoms import COORDINATES, LONGEST, NOTHING, Atom, DoubleType, Quick, Type, Value
 from judge.values.wire import Raw, items
 
 MANY_LENGTHS = 1000  # of a list without a bound
@@ -75,9 +75,15 @@ class Composite(Made):
         """What the part `at` is called."""
         return f"{self.one} {at + 1}"
 
-    def wrong_count(self, count: int, place: Place) -> str | None:
-        """Why an answer cannot have so many parts."""
+    def wrong_count(self, count: int) -> str | None:
+        """Why a value cannot have so many parts: "3 points where 0 to 2 are meant"."""
         raise NotImplementedError
+
+    def why_not(self, value: Any) -> str | None:
+        """Why a value is no tuple of so many parts, which are not looked at."""
+        if type(value) is not tuple:
+            return f"{value!r} where a tuple is meant"
+        return self.wrong_count(len(value))
 
     @cached_property
     def quick(self) -> Quick:
@@ -141,12 +147,12 @@ class TupleType(Composite):
         """Its name."""
         return self.names[at]
 
-    def wrong_count(self, count: int, place: Place) -> str | None:
+    def wrong_count(self, count: int) -> str | None:
         """As many as there are."""
         if count == len(self.made_of):
             return None
-        what = f"{count} {'coordinate' if self.is_vector else 'part'}{'' if count == 1 else 's'}"
-        return f"{place.name() or 'the answer'} has {what} where {self.noun} is meant"
+        what = "coordinate" if self.is_vector else "part"
+        return f"{count} {what}{'' if count == 1 else 's'} where {self.noun} is meant"
 
 
 class ListType(Composite):
@@ -177,17 +183,14 @@ class ListType(Composite):
     def bounds(self) -> str:
         """How many items there may be, in words."""
         if self.high is None:
-            return f"at least {self.low}"
-        if self.low == self.high:
-            return str(self.low)
-        return f"{self.low} to {self.high}" if self.low else f"at most {self.high}"
+            return f"{self.low} or more"
+        return str(self.low) if self.low == self.high else f"{self.low} to {self.high}"
 
-    def wrong_count(self, count: int, place: Place) -> str | None:
-        """No more than the bound."""
-        if self.high is None or count <= self.high:
+    def wrong_count(self, count: int) -> str | None:
+        """As many as the bounds let pass."""
+        if self.fits(count):
             return None
-        meant = self.high if self.low == self.high else f"at most {self.high}"
-        return f"{place.prefix()}{count} {self.several} given where {meant} are meant"
+        return f"{count} {self.one if count == 1 else self.several} where {self.bounds()} are meant"
 
 
 class ArrayType(ListType):
@@ -198,7 +201,7 @@ class ArrayType(ListType):
             raise ValueError("an array holds f64")
         if most and not (most.isdecimal() and len(most) < 10):
             raise ValueError(f"{most} is no length of an array")
-        super().__init__(RealType(double=True), 0, int(most or 10_000_000))
+        super().__init__(DoubleType(), 0, int(most or 10_000_000))
         self.text = f"array({code}; {most})" if most else f"array({code})"
         self.noun, self.plural, self.annotation = "an array of numbers", "arrays", "array[float]"
 

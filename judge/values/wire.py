@@ -12,18 +12,13 @@ from __future__ import annotations
 
 import re
 import sys
-from collections.abc import Callable, Sequence
+from array import array
+from collections.abc import Sequence
 from fractions import Fraction
-from math import inf, nextafter, ulp
-from sys import float_info
-from typing import TYPE_CHECKING, Any
+from math import inf
+from typing import Any
 
 from msgspec import Struct
-
-if TYPE_CHECKING:
-    from array import array
-
-    from judge.values.answers import Real, Tolerance
 
 MOST_DIGITS = 2000  # of a decimal: a double's full expansion has 767 significant digits
 MOST_EXPONENT = 5000
@@ -37,11 +32,18 @@ ITERATORS = (
 SETS = {"set", "frozenset"}
 _SHOWN = 60
 
-_DECIMAL = re.compile(r"([+-]?)([0-9]+)(?:\.([0-9]+))?(?:[eE]([+-]?[0-9]+))?", re.ASCII)
-_COMMA = re.compile(r"[+-]?[0-9]+,[0-9]+(?:[eE][+-]?[0-9]+)?", re.ASCII)
+DECIMAL = re.compile(r"([+-]?)([0-9]+)(?:\.([0-9]+))?(?:[eE]([+-]?[0-9]+))?", re.ASCII)
 _HEX = re.compile(r"-?[0-9a-f]+", re.ASCII)
 _INTEGER = re.compile(r"[+-]?[0-9]{1,400}", re.ASCII)
 _FOREIGN = re.compile(r"[^\t -~]")
+_NO_DECIMALS = {  # how a text begins that is none, and what to say of it
+    r"[+-]?[0-9]+,[0-9]+(e[+-]?[0-9]+)?$": "it has a decimal comma; write a point",
+    r".*[^\0-\x7f]": "it has a character that is not ASCII",
+    r".*_": "it has an underscore",
+    r"[+-]*0x": "it is hexadecimal",
+    r"[+-]*(nan|inf|infinity)$": "it is not a finite number",
+    r"": "it is not a plain decimal number",
+}
 
 
 class Unreadable(Exception):  # noqa: N818 - it never reaches a person but as its text
@@ -85,28 +87,14 @@ def decimal(text: str) -> Written | Fault:
     """A plain ASCII decimal, `[+-]?digits[.digits][e[+-]digits]`, or why it is none."""
     if len(text) > MOST_DIGITS:
         return Fault(f"a number of {len(text)} characters", f"write at most {MOST_DIGITS}")
-    match = _DECIMAL.fullmatch(text)
+    match = DECIMAL.fullmatch(text)
     if match is None:
-        return Fault(quoted(text), _why_no_decimal(text))
+        why = (why for begun, why in _NO_DECIMALS.items() if re.match(begun, text, re.IGNORECASE | re.DOTALL))
+        return Fault(quoted(text), next(why))
     power = match[4]
     if power and abs(int(power)) > MOST_EXPONENT:
         return Fault(quoted(text), f"its exponent is beyond ±{MOST_EXPONENT}")
     return Written(text, float(text))
-
-
-def _why_no_decimal(text: str) -> str:
-    lower = text.lower().lstrip("+-")
-    if _COMMA.fullmatch(text):
-        return "it has a decimal comma; write a point"
-    if not text.isascii():
-        return "it has a character that is not ASCII"
-    if "_" in text:
-        return "it has an underscore"
-    if lower.startswith("0x"):
-        return "it is hexadecimal"
-    if lower in {"nan", "inf", "infinity"}:
-        return "it is not a finite number"
-    return "it is not a plain decimal number"
 
 
 def number(raw: Raw) -> Given | Fault:
@@ -157,8 +145,6 @@ def numbers(raw: Raw) -> array[Any] | None:
     sent = raw.get("array") if type(raw) is dict and len(raw) == 1 else None
     if type(sent) is not list or len(sent) != 2 or type(sent[1]) is not str or sent[0] not in CODES:
         return None
-    from array import array  # late: few answers are arrays
-
     try:
         found = array(sent[0], bytes.fromhex(sent[1]))
     except ValueError:
@@ -170,15 +156,16 @@ def numbers(raw: Raw) -> array[Any] | None:
 
 def fault(raw: Raw) -> Fault:
     """What a wrong `raw` is, in words, and the remedy for the mistakes people make."""
-    kind, text = type(raw), word(raw)
+    kind = type(raw)
+    text = raw[:_SHOWN] if kind is str else word(raw)
     if raw is None or kind in (int, float, Written):
         return Fault(show(raw))
     if kind in (list, tuple):
         return Fault("a list")
-    if kind in (bool, str):
-        return _typed(kind.__name__, repr(raw[:_SHOWN] if kind is str else raw))
+    if kind is bool:
+        return _typed("bool", repr(raw))
     if text is not None:
-        return _typed("str", _clean(repr(text)))
+        return _typed("str", repr(text))
     if items(raw) is not None:
         return Fault("an array" if "array" in raw else f"the tuple {show(raw)}")
     if kind is dict and set(raw) == {"type", "text"} and set(map(type, raw.values())) == {str}:
@@ -225,12 +212,10 @@ def show(raw: Raw, depth: int = 3) -> str:
         return read.text.rstrip(",")
     if isinstance(read, Written):
         return _clean(read.text)
-    if isinstance(read, Fraction):
-        small = max(read.numerator.bit_length(), read.denominator.bit_length()) <= 128
-        return repr(read) if small else f"a Fraction near {near(read)!r}"
-    if isinstance(read, int) and read.bit_length() > 256:
-        return f"an int of {read.bit_length()} bits"
-    return repr(read)
+    whole, bits = isinstance(read, int), max(part.bit_length() for part in read.as_integer_ratio())
+    if bits <= (256 if whole else 128):
+        return repr(read)
+    return f"an int of {bits} bits" if whole else f"a Fraction near {near(read)!r}"
 
 
 def near(value: Given) -> float:
@@ -248,68 +233,6 @@ def collecting(type_name: str) -> str:
     if type_name in SETS:
         return "a set has no order, and list(...) gives it none; collect a list"
     return "wrap it in list(...)" if type_name in ITERATORS.split() else ""
-
-
-# -- a number against the doubles (lo, hi, nearest) that a tolerance accepts ------------------------------
-
-Bounds = tuple[float, float, float]
-Errors = tuple[float, float | None, float | None]  # absolute, relative, in ulps
-
-
-def accepts(given: Given, bounds: Bounds, leaf: Callable[[], tuple[Real, Tolerance]]) -> bool:
-    """Whether it is accepted, exactly; `leaf` is asked only where doubles do not decide."""
-    lo, hi, _ = bounds
-    if isinstance(given, float):
-        return lo <= given <= hi
-    rounded = near(given)  # which lies on the same side of a double, unless it is that double
-    if lo < rounded < hi:
-        return True
-    beyond = lo == float_info.max and hi == -float_info.max  # an interval of which rounded ends say nothing
-    if not beyond and not nextafter(lo, -inf) <= rounded <= nextafter(hi, inf):
-        return False
-    exact = given.exact() if isinstance(given, Written) else given
-    if lo <= exact <= hi:  # Python compares ints and Fractions with floats exactly
-        return True
-    from judge.values.answers import exact_ends
-
-    low, high = exact_ends(*leaf())
-    return low <= exact <= high
-
-
-def errors(given: Given, nearest: float) -> Errors:
-    """The absolute, relative and ulp error of any number beside the nearest double; None for 0."""
-    away = abs((given.exact() if isinstance(given, Written) else Fraction(given)) - Fraction(nearest))
-    if nearest == 0:
-        return near(away), None, None
-    return near(away), near(away / abs(Fraction(nearest))), near(away / Fraction(ulp(nearest)))
-
-
-_USUAL = 6  # digits that C and C++ print by default; streams leave out zeros at the end
-_ENOUGH = 17  # significant digits that tell any double from all others
-_LEAST = 4  # digits that are no coincidence
-_HALF = Fraction(1, 2) + Fraction(1, 10**6)  # of the last digit's place: what was rounded is itself a double
-
-
-def cut_digits(given: Given, nearest: float) -> str:
-    """How a decimal was printed with too few digits, and the remedy, where that alone makes it wrong.
-
-    A decimal that is what the exact number rounds to was computed rightly, as far as it can be seen.
-    """
-    found = _DECIMAL.fullmatch(given.text) if isinstance(given, Written) else None
-    if found is None or not isinstance(given, Written):
-        return ""
-    places, power = found[3] or "", int(found[4] or 0)
-    significant = len((found[2] + places).lstrip("0"))
-    if significant >= _ENOUGH:
-        return ""
-    last = Fraction(10) ** (power - len(places))  # the place of the last digit
-    away = abs(Fraction(nearest) - given.exact()) / last
-    if found[4] is None and len(places) == _USUAL != significant and away <= _HALF:
-        return f"printed with {_USUAL} decimals: print {_ENOUGH} significant digits"
-    for digits in (max(significant, _USUAL), significant) if significant >= _LEAST else ():
-        if away * 10 ** (digits - significant) <= _HALF:
-            return f"printed with {digits} significant digits: print {_ENOUGH}"
-    return ""
 
 
 # -- lines of text -----------------------------------------------------------------------------------------

@@ -15,7 +15,7 @@ from judge.problem.load import Head
 from judge.problem.model import GroupLimits, KataLevel, Parameter, Source, TimeRule
 from judge.sandbox.attacks import ATTACKS
 from judge.values.answers import Tolerance, Words
-from judge.values.grammar import ALIASES, ATOMS, VECTORS
+from judge.values.grammar import NAMES
 
 ROOT = Path(__file__).parents[2]
 MANUAL = ROOT / "judge" / "manual"
@@ -55,7 +55,7 @@ def test_every_key_of_the_loader_is_told_and_no_other_with_an_example():
 def test_every_type_of_the_loader_is_told():
     rows = set(re.findall(r"`([^`]+)`", re.sub(r"^```.*?^```$", "", sections()["Types"], flags=re.M | re.S)))
     told = {word for row in rows for word in re.findall(r"^[a-z][a-z0-9-]*", row)}
-    assert {*ALIASES, *VECTORS, *ATOMS} <= told
+    assert set(NAMES) <= told
 
 
 def test_every_name_and_every_hook_of_a_problem_py_is_told():
