@@ -7,12 +7,15 @@ import sys
 import tempfile
 import threading
 import time
-from collections.abc import Callable, Collection, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from contextlib import closing, contextmanager, redirect_stderr, suppress
 from io import StringIO
 from queue import Empty, SimpleQueue
 from types import FrameType
 from typing import TYPE_CHECKING, NoReturn
+
+from rich.console import Group, RenderableType
+from rich.text import Text
 
 from judge.cli.commands.practise import HintAsk, hints, note_seen
 from judge.cli.drawings import Drawing
@@ -23,44 +26,28 @@ from judge.cli.resolve import Kata, history_at, take_up
 from judge.cli.watching import WatchedFile
 from judge.errors import JudgeError
 from judge.judging.api import RunOptions
-from judge.languages import file_name, language_of
+from judge.languages import language_of
 from judge.practice.progress import solved
-from judge.practice.saves import Saves
-from judge.practice.stub import make_stub, write_stub
-from judge.practice.syllabus import PracticeSet, next_kata, set_of, sound_sets
-from judge.problem import Problem
-from judge.problem.find import sound_problems
-from judge.report.parts import FAINT, GOOD, WARNING, prose
+from judge.practice.stub import make_stub, usual_name, write_stub
+from judge.practice.syllabus import Course, read_course
+from judge.report.parts import faint, good, prose, warning
 from judge.report.picture import has_room
 from judge.report.result import Shown, accepted, magnified, result, verdict_line
 from judge.report.screen import Screen, drawn, out
 from judge.report.tell import Told, tell
 from judge.report.views import view
-from judge.report.watch import (
-    GONE,
-    begun_text,
-    keys,
-    keys_text,
-    note_text,
-    place_text,
-    redraw,
-    reprompt,
-    waiting_text,
-)
+from judge.report.watch import GONE, begun, keys, keys_line, place, redraw, reprompt, waiting_line
 
 if TYPE_CHECKING:
-    from rich.console import Group
-
     from judge.report.published_look import Standing
 
-_SAVED, _RESIZED = "saved", "resized"
+_RESIZED = "resized"
 _END = ("q", "\x04", GONE)
-_LOOK = 1.0  # seconds after which the file is looked at even if nothing was told of it
-_AGAIN = 2.0  # seconds that breaking off may take
-_TICK = 0.1  # seconds between two states of the line that says what is being judged
+_LOOK = 0.1  # seconds between two looks at the file
+_AGAIN = 2.0  # seconds after which what was broken off is broken off again, if an import has swallowed it
 _BELOW = 2  # rows that the keys take, and one to spare
 
-View = Callable[[Screen], str]
+View = Callable[[Screen], RenderableType]
 
 
 def loop(kata: Kata, level: str | None, common: Common) -> None:
@@ -89,25 +76,41 @@ def _handled(handler: Callable[[int, FrameType | None], None], *signals: signal.
             signal.signal(*each)
 
 
-@contextmanager
-def _waiting(screen: Screen, file: str) -> Iterator[None]:
-    """Say below what is seen what is being judged, and for how long, while the block runs."""
-    over = threading.Event()
+class _Judging:
+    """A context in which the main thread judges, and another may break that off as Ctrl-C does."""
 
-    def tell() -> None:
-        begun = time.monotonic()
-        while True:
-            reprompt(screen, waiting_text(file, time.monotonic() - begun, screen))
-            if over.wait(_TICK):
+    def __init__(self) -> None:
+        self._turn = threading.Lock()  # so that no interrupt comes when judging is over
+        self._begun: float | None = None
+        self._broken_off: float | None = None
+
+    def __enter__(self) -> None:
+        self._broken_off, self._begun = None, time.monotonic()
+
+    def __exit__(self, kind: type[BaseException] | None, *_: object) -> bool:
+        """Judging is over; no error comes of breaking it off."""
+        try:
+            self._over()
+        except KeyboardInterrupt:  # it came at the last moment
+            self._over()
+            if self._broken_off is None:
+                raise
+        return kind is KeyboardInterrupt and self._broken_off is not None
+
+    def _over(self) -> None:
+        with self._turn:
+            self._begun = None
+
+    def tick(self, say: Callable[[float], None], *, outdated: Callable[[], bool]) -> None:
+        """If the main thread is judging, say for how many seconds, or break that off."""
+        with self._turn:
+            if self._begun is None:
                 return
-
-    thread = threading.Thread(target=tell, name="waiting", daemon=True)
-    thread.start()
-    try:
-        yield
-    finally:
-        over.set()
-        thread.join()
+            now = time.monotonic()
+            say(now - self._begun)
+            if outdated() and (self._broken_off is None or now - self._broken_off > _AGAIN):
+                self._broken_off = now
+                signal.pthread_kill(threading.main_thread().ident or 0, signal.SIGINT)
 
 
 class _Loop:
@@ -119,6 +122,7 @@ class _Loop:
         self._file = WatchedFile(kata, Wish(options, db=common.db))
         self._stub = make_stub(kata.problem, language_of(kata.path)).encode()
         self._events: SimpleQueue[str] = SimpleQueue()
+        self._judging = _Judging()
         self._found: Drawing | None = None
         self._text = ""  # why there is no result
         self._notes = ""
@@ -130,37 +134,30 @@ class _Loop:
     def watch(self) -> Kata | None:
         """Judge on every save and obey the keys; the kata to go on to, or None to end."""
         try:
-            with closing(self._file), keys(sys.stdin.fileno(), self._pressed) as take:
+            with closing(self._file), keys(sys.stdin.fileno(), self._pressed, self._tick) as take:
 
                 def resized(number: int, _frame: object) -> None:
                     if number == signal.SIGCONT:
                         take()
                     self._events.put(_RESIZED)
 
-                with (
-                    _handled(resized, signal.SIGWINCH, signal.SIGCONT),
-                    Saves(self._kata.path, self._saved),
-                ):
+                with _handled(resized, signal.SIGWINCH, signal.SIGCONT):
                     return self._obey()
-        except KeyboardInterrupt:
-            if not self._leaving:
-                raise
-            return None
         finally:
-            reprompt(out(), "")
-
-    def _saved(self) -> None:
-        """Perhaps, as the thread tells that watches the file."""
-        self._events.put(_SAVED)
-        self._file.look()
+            reprompt(out(), Text())
 
     def _pressed(self, key: str) -> None:
         """A key, in the thread that reads them: the one that ends it does so in the middle of judging too."""
-        if key in _END:
-            self._leaving = True
-            while self._file.judging.break_off():  # again, if an import has swallowed it
-                self._file.judging.over(_AGAIN)
+        self._leaving = self._leaving or key in _END
         self._events.put(key)
+
+    def _tick(self) -> None:
+        """In that thread too, all the time: say what is being judged, unless that is out of date."""
+        screen, name = out(), self._kata.name
+        self._judging.tick(
+            lambda seconds: reprompt(screen, waiting_line(name, seconds, screen)),
+            outdated=lambda: self._leaving or self._file.changed,
+        )
 
     def _obey(self) -> Kata | None:
         while not self._leaving:
@@ -171,7 +168,7 @@ class _Loop:
                 event = self._events.get(timeout=_LOOK)
             if event == _RESIZED:
                 self._draw()
-            elif event and event != _SAVED and not self._leaving and (following := self._key(event)):
+            elif event and not self._leaving and (following := self._key(event)):
                 return following
         return None
 
@@ -186,13 +183,12 @@ class _Loop:
             return
         screen = out()
         if not (self._found or self._text):
-            redraw(screen, drawn(self._place(screen), screen), "")
+            redraw(screen, drawn(self._place(screen), screen), Text())
         notes = StringIO()
         found: Drawing | str | None = None
-        with self._file.judging:
+        with self._judging, redirect_stderr(notes):  # a bar would be drawn over
             if not self._leaving:
-                with _waiting(screen, self._kata.name), redirect_stderr(notes):  # a bar would be drawn over
-                    found = self._file.judge()
+                found = self._file.judge()
         if found is None:  # what was judged is out of date: what is there now comes next
             return
         self._found, self._text = (None, found) if isinstance(found, str) else (found, "")
@@ -203,86 +199,75 @@ class _Loop:
                 self._standing = standing(self._kata.problem.id, self._common)
                 self._draw()
 
-    def _begun(self, screen: Screen) -> str:
+    def _begun(self, screen: Screen) -> RenderableType:
         """The kata, whose file is still to be written."""
         rows = screen.height - _BELOW
-        return begun_text(self._place(screen), self._kata.problem, self._kata.name, screen, rows)
+        return begun(self._place(screen), self._kata.problem, self._kata.name, screen, rows)
 
-    def _place(self, screen: Screen) -> Group:
-        problem, (problems, sets, done) = self._kata.problem, self._katas()
-        mine = sum(each.id in done for each in problems)
-        found = set_of(problem.id, sets)
-        return place_text(problem, found, mine, len(problems), screen)
+    def _place(self, screen: Screen) -> RenderableType:
+        return place(self._kata.problem, self._course(), screen)
 
-    def _katas(self) -> tuple[Sequence[Problem], Sequence[PracticeSet[Problem]], Collection[str]]:
-        """All katas, their sets, and those that are solved."""
+    def _course(self) -> Course:
         with history_at(self._common.db, reading=True) as history:
-            done = solved(history.runs())
-        problems, _ = sound_problems(self._common.problems)
-        return problems, sound_sets(problems, self._common.problems)[0], done
+            return read_course(solved(history.runs()), self._common.problems)
 
     def _key(self, key: str) -> Kata | None:
         """Do what a key says; the kata to go on to, if it says so."""
         sure, self._asked = key == self._asked, ""
         try:
-            if key == "n":
-                if sure or self._solved:
-                    return self._next()
-                self._ask_again(key, "Not solved yet. Press n again to skip it.")
-            elif key == "x":
-                if sure:
-                    write_stub(self._kata.problem, self._kata.path, over=True)
-                else:
-                    text = "Start over? Your text will be kept as a .bak file. Press x again."
-                    self._ask_again(key, text)
+            if key == "n" and (sure or self._solved):
+                return self._next()
+            if key == "x" and sure:
+                write_stub(self._kata.problem, self._kata.path, over=True)
+            elif key in _ASKED:
+                self._asked = key
+                self._say(warning(_ASKED[key]))
             elif key in _VIEWS:
                 self._show(_VIEWS[key](self))
         except JudgeError as fault:
-            self._say(str(fault))
+            self._say(warning(str(fault)))
         return None
 
     def _next(self) -> Kata | None:
         """The kata to go on to, taken up; None where all others are solved."""
-        common, following = self._common, next_kata(self._kata.problem.id, *self._katas())
+        following = self._course().next(self._kata.problem.id)
         if following is None:
-            self._say("All other katas are solved.", GOOD)
+            self._say(good("All other katas are solved."))
             return None
-        kata = Kata(following, self._kata.path.with_name(file_name(following.id.replace("-", "_"))))
+        kata = Kata(following, self._kata.path.with_name(usual_name(following.id)))
         if not kata.path.exists():
             write_stub(following, kata.path)
-        take_up(kata, common.db)
+        take_up(kata, self._common.db)
         return kata
 
     def hint(self) -> View:
         """The next hint."""
         (hint,) = hints(self._kata.problem, HintAsk(), self._common.db)
         note_seen(hint, self._common.db)
-        return lambda screen: drawn(view(hint, screen), screen)
+        return lambda screen: view(hint, screen)
 
     def statement(self) -> View:
         """The statement."""
-        return lambda screen: drawn(prose(self._kata.problem.statement, screen), screen)
+        return lambda screen: prose(self._kata.problem.statement, screen)
 
     def katas(self) -> View:
         """The katas by set."""
         from judge.cli.commands.look import ListAsk, listed
-        from judge.report.look import kata_list
 
         found = listed(None, ListAsk(), self._common)
-        return lambda screen: drawn(kata_list(found, screen), screen)
+        return lambda screen: view(found, screen)
 
     def picture(self) -> View:
         """The failing case, drawn below its arguments."""
         found = self._found
 
-        def shown(screen: Screen) -> str:
+        def shown(screen: Screen) -> RenderableType:
             if found and not has_room(screen):
-                return note_text("A picture needs a terminal of 60 columns that knows braille.", screen)
+                return warning("A picture needs a terminal of 60 columns that knows braille.")
             drawing = found.rows(screen) if found else None
             if found is None or drawing is None:
-                return note_text("There is no failing case to draw.", screen)
-            rows = screen.height - _BELOW - 2
-            return drawn(magnified(_told(found), drawing, rows, screen.width), screen)
+                return warning("There is no failing case to draw.")
+            return magnified(_told(found), drawing, screen.height - _BELOW - 2, screen.width)
 
         return shown
 
@@ -293,44 +278,40 @@ class _Loop:
             failures = (self._found.result.counterexample, self._found.result.failure)
             page = explore(problem, next((each.input for each in failures if each and each.input), None))
         if page is None:
-            return lambda screen: note_text(f"There is no page for {problem.id} yet.", screen)
+            return lambda _screen: warning(f"There is no page for {problem.id} yet.")
         import click
 
         with tempfile.NamedTemporaryFile("w", suffix=".html", delete=False, encoding="utf-8") as file:
             file.write(page)
         click.launch(file.name)
-        return lambda screen: note_text(f"Opened {file.name}", screen, FAINT)
+        return lambda _screen: faint(f"Opened {file.name}")
 
     def report(self) -> View:
         """What judging came to."""
         return self._report
 
-    def _report(self, screen: Screen) -> str:
+    def _report(self, screen: Screen) -> RenderableType:
         if self._found is None:
-            return note_text(self._text, screen)
+            return warning(self._text)
         after = None
         if self._solved:
             after = accepted(self._kata.problem.id, self._standing, screen.width, key="n")
         told, name, rows = _told(self._found), self._found.result.submission, self._found.rows(screen)
         shown = Shown(told, name, drawing=rows, after=after, commands=False)
-        return drawn(result(shown, screen, screen.height - _BELOW - self._notes.count("\n")), screen)
+        return result(shown, screen, screen.height - _BELOW - self._notes.count("\n"))
 
-    def _end(self, screen: Screen) -> str:
-        """The last lines, whatever else is shown: the verdict."""
-        if self._found is None:
-            return note_text(self._text, screen) if self._text else ""
-        return drawn(verdict_line(_told(self._found), self._kata.name), screen)
+    def _end(self) -> RenderableType | None:
+        """The last line, whatever else is shown: the verdict."""
+        if self._found is not None:
+            return verdict_line(_told(self._found), self._kata.name)
+        return warning(self._text) if self._text else None
 
     @property
     def _solved(self) -> bool:
         return self._found is not None and self._found.result.solved
 
-    def _ask_again(self, key: str, text: str) -> None:
-        self._asked = key
-        self._say(text)
-
-    def _say(self, text: str, style: str = WARNING) -> None:
-        self._show(lambda screen: note_text(text, screen, style))
+    def _say(self, text: Text) -> None:
+        self._show(lambda _screen: text)
 
     def _show(self, view: View) -> None:
         self._view = view
@@ -339,11 +320,12 @@ class _Loop:
     def _draw(self) -> None:
         """All of it at once; the verdict is last, above the keys."""
         screen = out()
-        parts = [self._notes, self._view(screen)]
-        if self._view != self._report and (end := self._end(screen)):
-            parts += ["" if parts[-1].endswith("\n\n") else "\n", end]
+        text = self._notes + drawn(self._view(screen), screen)
+        if self._view != self._report and (end := self._end()):
+            apart = () if text.endswith("\n\n") else ("",)
+            text += drawn(Group(*apart, end), screen)
         failed = self._found is not None and self._found.result.failure is not None
-        redraw(screen, "".join([*parts, "\n"]), keys_text(screen, failed=failed))
+        redraw(screen, f"{text}\n", keys_line(screen, failed=failed))
 
 
 def _told(found: Drawing) -> Told:
@@ -351,6 +333,10 @@ def _told(found: Drawing) -> Told:
     return tell(found.problem, found.result, found.source)
 
 
+_ASKED = {  # what is done when the key is pressed again
+    "n": "Not solved yet. Press n again to skip it.",
+    "x": "Start over? Your text will be kept as a .bak file. Press x again.",
+}
 _VIEWS: dict[str, Callable[[_Loop], View]] = {
     "h": _Loop.hint,
     "s": _Loop.statement,

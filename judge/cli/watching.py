@@ -1,9 +1,12 @@
-"""The file of a kata that is being watched: its saves, and its judging."""
+"""The file of a kata that is being watched: its saves, however an editor does that, and its judging.
+
+An editor writes in place, truncates first, or renames. To look costs next to nothing, on any file system and
+through links.
+"""
 
 from __future__ import annotations
 
-import signal
-import threading
+import time
 from contextlib import suppress
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -13,7 +16,6 @@ from judge.cli.judging import Wish
 from judge.cli.resolve import Kata
 from judge.errors import JudgeError, UsageError
 from judge.judging.session import Session
-from judge.practice.saves import SavedMark, mark, settled
 from judge.problem import Verdict
 from judge.problem.load import load_problem, own_files
 
@@ -21,45 +23,32 @@ if TYPE_CHECKING:
     from judge.cli.drawings import Drawing
 
 
-class Judging:
-    """A context in which the main thread judges, and another may break that off as Ctrl-C does."""
+_PAUSE = 0.05  # seconds in which a file that is written on would change
+_PAUSES = 20  # of them at most
+_PATIENCE = 6  # pauses for a file that is being replaced
 
-    def __init__(self) -> None:
-        self._idle = threading.Event()
-        self._idle.set()
-        self._turn = threading.Lock()  # so that no interrupt comes when judging is over
-        self._outdated = False
+SavedMark = tuple[int, int, int]  # what changes with every save: the inode, the size, the time in nanoseconds
 
-    def __enter__(self) -> None:
-        self._outdated = False
-        self._idle.clear()
 
-    def __exit__(self, kind: type[BaseException] | None, *_: object) -> bool:
-        """Judging is over; no error comes of breaking off what is out of date."""
-        try:
-            self._over()
-        except KeyboardInterrupt:  # it came at the last moment
-            self._over()
-            if not self._outdated:
-                raise
-        return kind is KeyboardInterrupt and self._outdated
+def mark(path: Path) -> SavedMark | None:
+    """The file's mark; None where there is none, or it cannot be seen."""
+    try:
+        found = path.stat()
+    except (OSError, ValueError):
+        return None
+    return found.st_ino, found.st_size, found.st_mtime_ns
 
-    def _over(self) -> None:
-        with self._turn:
-            self._idle.set()
 
-    def break_off(self, *, outdated: bool = False) -> bool:
-        """Interrupt the main thread if it is judging; whether there was something to break off."""
-        with self._turn:
-            if self._idle.is_set():
-                return False
-            self._outdated = outdated
-            signal.pthread_kill(threading.main_thread().ident or 0, signal.SIGINT)
-            return True
-
-    def over(self, seconds: float) -> None:
-        """Wait so long until nothing is being judged."""
-        self._idle.wait(seconds)
+def settled(path: Path) -> SavedMark | None:
+    """The file's mark once it has stopped changing; a missing or empty one is given time to come back."""
+    before = mark(path)
+    for pauses in range(1, _PAUSES + 1):
+        time.sleep(_PAUSE)
+        now = mark(path)
+        if now == before and ((now and now[1]) or pauses >= _PATIENCE):
+            break
+        before = now
+    return before
 
 
 class WatchedFile:
@@ -70,28 +59,24 @@ class WatchedFile:
     """
 
     def __init__(self, kata: Kata, wish: Wish) -> None:
-        self.judging = Judging()
         self._kata, self._wish = kata, wish
-        self._seen: SavedMark | None = None
-        self._looked = False
+        self._seen: SavedMark | str | None = "not looked at yet"
         self._session: Session | None = None
         self._had: str | None = None  # the level of isolation so far
         self._problem = kata.problem
         self._files: list[tuple[str, SavedMark | None]] = []  # of the problem, as it was judged
 
-    def look(self) -> None:
-        """Something has happened to the file: give up judging what stood in it before, from any thread."""
-        if mark(self._kata.path) != self._seen:
-            self.judging.break_off(outdated=True)
+    @property
+    def changed(self) -> bool:
+        """Whether the file is another one than the last that was seen."""
+        return mark(self._kata.path) != self._seen
 
     def saved(self) -> bool:
         """Whether there is something new to judge or to tell; waits while the file is being written."""
-        if self._looked and mark(self._kata.path) == self._seen:
+        if not self.changed:
             return False
-        now = settled(self._kata.path)
-        new = not self._looked or now != self._seen
-        self._seen, self._looked = now, True
-        return new
+        before, self._seen = self._seen, settled(self._kata.path)
+        return self._seen != before
 
     def judge(self) -> Drawing | str:
         """Judge the file as it is now, as `judge run` does; a sentence where that cannot be done.
@@ -110,9 +95,9 @@ class WatchedFile:
             return f"{name} is empty; it is judged when there is something in it"
         try:
             return self._judged(submission)
+        except UsageError:
+            raise
         except JudgeError as fault:
-            if isinstance(fault, UsageError):
-                raise
             return str(fault)
 
     def _judged(self, submission: Submission) -> Drawing:

@@ -6,7 +6,6 @@
     cards.py, questions.py   cards and their decks; a card as it is asked
     quiz.py                  which cards come next, and the mock interview
     stub.py, solutions.py    the file a kata begins with, the solutions that are explained afterwards
-    saves.py                 noticing that a file was saved
     setter.py                a new kata, and what it needs for all of this
 
 It stands above `judging` and below `report`, and prints nothing.

@@ -24,7 +24,7 @@ from typing import TYPE_CHECKING, TypeVar
 
 from judge.errors import StoreError, UsageError
 from judge.files import read_ordinary, user_data
-from judge.practice.events import DAMAGE, TABLES, Event, Kind, Run, Started, from_row, to_row
+from judge.practice.events import DAMAGE, TABLES, Event, Help, Kind, Run, Started, from_row, to_row
 from judge.problem import Verdict
 from judge.problem.model import is_solution
 
@@ -185,6 +185,10 @@ class History:
             return zlib.decompress(body)
         except DAMAGE as fault:  # it is not there, or no judge wrote it
             raise StoreError(f"the source of run {number} is damaged", where=str(self.path)) from fault
+
+    def hints_seen(self, problem: str) -> int:
+        """How many hints of a problem have been seen."""
+        return max((each.hints for each in self.events(Help, problem)), default=0)
 
     def places(self) -> list[Started]:
         """Every file that was started or judged, the last one first, each once; model solutions are not."""

@@ -57,7 +57,7 @@ def next_due(cards: Iterable[Card], reviews: Iterable[Review]) -> datetime | Non
 
 
 def to_practise(
-    missed: Sequence[Card], folders: Sequence[Path], more: Mapping[str, str] | None = None
+    missed: Sequence[Card], folders: Sequence[Path], more: Mapping[str, str] = {}
 ) -> tuple[Practise, ...]:
     """The questions of cards that were not known, and those in `more`, each with its command.
 
@@ -65,7 +65,7 @@ def to_practise(
     checklist is broken.
     """
     asked = [card.rows[0] for card in missed if card.rows]
-    commands = {**(more or {}), **{row: f"judge quiz --question {row}" for row in asked}}
+    commands = {**more, **{row: f"judge quiz --question {row}" for row in asked}}
     here = {folder.name for folder in problem_folders(folders)}
     return tuple(
         Practise(
@@ -126,39 +126,22 @@ def usual_kata(
     return (later or new or problems)[0]
 
 
-class Held(Struct, frozen=True):
-    """What became of the kata: how often its file was judged, and the last result."""
+def lacking(problem: Problem, last: Result | None) -> tuple[str, ...]:
+    """The skills that the last run did not show; none where it was accepted, or nothing was judged."""
+    if last is None or last.verdict is Verdict.AC:
+        return ()
+    passed = {group.name for group in last.groups if group.verdict is Verdict.AC}
+    return tuple(skill.name for skill in problem.skills if not passed.issuperset(skill.groups))
 
-    problem: Problem
-    file: str
-    runs: int = 0
-    last: Result | None = None
 
-    def after(self, result: Result) -> Held:
-        """The same once that result is there."""
-        return Held(self.problem, self.file, self.runs + 1, result)
-
-    @property
-    def solved(self) -> bool:
-        """Whether the last run was accepted with no group left out."""
-        return self.last is not None and self.last.verdict is Verdict.AC
-
-    @property
-    def lacking(self) -> tuple[str, ...]:
-        """The skills that the last run did not show; none where nothing was judged."""
-        if self.last is None:
-            return ()
-        passed = {group.name for group in self.last.groups if group.verdict is Verdict.AC}
-        return tuple(skill.name for skill in self.problem.skills if not passed.issuperset(skill.groups))
-
-    def questions(self, folders: Sequence[Path]) -> dict[str, str]:
-        """The questions of the checklist that the last run left open, each with a command that goes on."""
-        if self.solved or not self.runs:
-            return {}
-        lacking = set(self.lacking)
-        command = f"judge {'hint' if self.problem.has_hints else 'show'} {self.problem.id}"
-        return {
-            row.id: command
-            for row in read_checklist(folders).rows
-            if lacking.intersection(row.skills) or (not lacking and self.problem.id in row.katas)
-        }
+def left_open(problem: Problem, last: Result | None, folders: Sequence[Path]) -> dict[str, str]:
+    """The questions of the checklist that the last run left open, each with a command that goes on."""
+    if last is None or last.verdict is Verdict.AC:
+        return {}
+    skills = set(lacking(problem, last))
+    command = f"judge {'hint' if problem.has_hints else 'show'} {problem.id}"
+    return {
+        row.id: command
+        for row in read_checklist(folders).rows
+        if skills.intersection(row.skills) or (not skills and problem.id in row.katas)
+    }

@@ -36,7 +36,7 @@ from msgspec import Struct
 from judge.cache import DISK, digest, stamp
 from judge.errors import ProblemError, UsageError, nearest
 from judge.problem import Problem, Tier
-from judge.problem.find import find_problem, problem_roots
+from judge.problem.find import find_problem, problem_roots, sound_problems
 from judge.problem.model import Listed, group_place
 
 if TYPE_CHECKING:
@@ -187,30 +187,40 @@ def toml_files(folder: str, order: Sequence[str], extra: Sequence[Path]) -> dict
     return {name: found[name] for name in (*first, *sorted(found.keys() - first))}
 
 
-def set_of(problem: str, sets: Iterable[PracticeSet[P]]) -> PracticeSet[P] | None:
-    """The first set that a kata belongs to; None where it is in none but the whole path."""
-    return next(
-        (each for each in sets if each.name != USUAL and problem in [own.id for own in each.problems]), None
-    )
+class Course(Struct, frozen=True):
+    """All katas and their sets, and those katas that a person has solved."""
+
+    problems: Sequence[Problem]
+    sets: Sequence[PracticeSet[Problem]]
+    solved: Collection[str]
+
+    def set_of(self, problem: str) -> PracticeSet[Problem] | None:
+        """The first set that a kata belongs to; None where it is in none but the whole path."""
+        mine = (each for each in self.sets if each.name != USUAL)
+        return next((each for each in mine if problem in [own.id for own in each.problems]), None)
+
+    def next(self, after: str) -> Problem | None:
+        """The kata that comes after that one and is not solved; None where all others are.
+
+        First in its own set, from there on and then from the start, so that one that was left out comes back;
+        then on the whole path.
+        """
+        own = self.set_of(after)
+        path = next((each.problems for each in self.sets if each.name == USUAL), self.problems)
+        for row in (own.problems if own else (), path):
+            names = [each.id for each in row]
+            at = names.index(after) + 1 if after in names else 0
+            for each in (*row[at:], *row[:at]):
+                if each.id not in self.solved and each.id != after:
+                    return each
+        return None
 
 
-def next_kata(
-    after: str, problems: Sequence[Problem], sets: Sequence[PracticeSet[Problem]], solved: Collection[str]
-) -> Problem | None:
-    """The kata that comes after that one and is not solved; None where all others are.
-
-    First in its own set, from there on and then from the start, so that one that was left out comes back;
-    then on the whole path.
-    """
-    own = set_of(after, sets)
-    path = next((each.problems for each in sets if each.name == USUAL), problems)
-    for row in (own.problems if own else (), path):
-        names = [each.id for each in row]
-        at = names.index(after) + 1 if after in names else 0
-        for each in (*row[at:], *row[:at]):
-            if each.id not in solved and each.id != after:
-                return each
-    return None
+def read_course(solved: Collection[str], extra: Sequence[Path] = ()) -> Course:
+    """What can be read, with what is solved of it; `extra` are folders to look in first."""
+    problems, _ = sound_problems(extra)
+    sets, _ = sound_sets(problems, extra)
+    return Course(problems, sets, {each.id for each in problems if each.id in solved})
 
 
 # -- skills and questions ----------------------------------------------------------------------------------

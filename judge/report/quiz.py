@@ -33,7 +33,8 @@ from judge.report.words import counted, due_words, shown_name
 if TYPE_CHECKING:
     from judge.practice.events import Rating
     from judge.practice.questions import Question, Reply
-    from judge.practice.quiz import Held, Plan, Practise
+    from judge.practice.quiz import Plan, Practise
+    from judge.problem import Problem
 
 RATE = "How well? 1 again, 2 hard, 3 good, 4 easy: "
 SAVE = "Save the file. Enter judges it, q goes on: "
@@ -108,31 +109,33 @@ def _practise(found: Sequence[Practise]) -> RenderableType | None:
 
 def card_list(found: CardList, _screen: Screen) -> RenderableType:
     """The cards, a row each, with when each is due."""
-    due = {key: due_words(review.due, found.now) for key, review in found.reviews.items()}
-    rows = [(strong(card.key), card.form, faint(due.get(card.key, "")), card.front) for card in found.cards]
-    new = sum(card.key not in due for card in found.cards)
+    rows = [
+        (strong(row.card), row.form, faint(due_words(row.due, found.now) if row.due else ""), row.front)
+        for row in found.published
+    ]
+    new = sum(row.due is None for row in found.published)
     return blocks(
-        table(rows, "card", "form", "due" if due else "", "question"),
+        table(rows, "card", "form", "due" if new < len(rows) else "", "question"),
         faint(f"{counted(len(rows), 'card')}, {new} new"),
     )
 
 
-def opening(minutes: int, planned: Plan, held: Held) -> RenderableType:
+def opening(minutes: int, planned: Plan, kata: str) -> RenderableType:
     """What is to come in an interview."""
     before, after = (counted(len(cards), "card") for cards in (planned.before, planned.after))
     return Group(
         head("Mock interview", faint(counted(minutes, "minute"))),
-        faint(f"{before}, the kata {held.problem.id}, {after}. q leaves; your answers are kept."),
+        faint(f"{before}, the kata {kata}, {after}. q leaves; your answers are kept."),
         Text(),
     )
 
 
-def kata(held: Held, minutes: int) -> RenderableType:
+def kata(problem: Problem, file: str, minutes: int) -> RenderableType:
     """The kata of an interview, its file, and the time for it."""
     return Group(
-        head(held.problem.title, faint(counted(minutes, "minute"))),
-        _prose(held.problem.summary),
-        _prose(f"Write it in {shown_name(held.file)}: the statement is in there. I judge it on every save."),
+        head(problem.title, faint(counted(minutes, "minute"))),
+        _prose(problem.summary),
+        _prose(f"Write it in {shown_name(file)}: the statement is in there. I judge it on every save."),
         Text(),
     )
 

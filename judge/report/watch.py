@@ -13,12 +13,12 @@ import threading
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 
-from rich.console import Group
+from rich.console import Group, RenderableType
 from rich.text import Text
 
-from judge.practice.syllabus import PracticeSet
+from judge.practice.syllabus import Course
 from judge.problem import Problem
-from judge.report.parts import WARNING, faint, joined, prose, solved_bar, strong, text
+from judge.report.parts import faint, joined, prose, solved_bar, strong, text
 from judge.report.screen import Screen, drawn
 from judge.report.words import shown_name
 
@@ -38,84 +38,80 @@ _KEYS = {
     "x": "start over",
     "q": "quit",
 }
+_TICK = 0.1
 _OF_A_CASE = "pe"  # keys that need a case that failed
 
 
-def place_text(
-    problem: Problem, found: PracticeSet[Problem] | None, solved: int, katas: int, screen: Screen
-) -> Group:
+def place(problem: Problem, course: Course, screen: Screen) -> Group:
     """The kata's title, where it stands in its set, and how many are solved."""
     said = ""
-    if found:
+    if found := course.set_of(problem.id):
         at = [each.id for each in found.problems].index(problem.id) + 1
         said = f"{found.title.lower()}, kata {at} of {len(found.problems)}"
     head = strong(f"{problem.id}  {problem.title}")
     room = (screen.width or 80) - head.cell_len - len(said)
     rows = [joined(head, " " * room, faint(said))] if room > 1 else [head, faint(said)]
-    return Group(*rows, solved_bar(solved, katas, (), screen.width))
+    return Group(*rows, solved_bar(len(course.solved), len(course.problems), (), screen.width))
 
 
-def begun_text(place: Group, problem: Problem, file: str, screen: Screen, rows: int) -> str:
+def begun(place: RenderableType, problem: Problem, file: str, screen: Screen, rows: int) -> Group:
     """The kata before its file is written, in so many rows: the task as far as there is room."""
-    task = drawn(prose(_task(problem.statement), screen), screen).splitlines()
-    head = drawn(
-        Group(place, Text(), text(f"  Created {shown_name(file)}. Open it in your editor."), Text()), screen
-    )
-    end = drawn(Group(Text(), text("  Write the function, then save. I judge it on every save.")), screen)
-    room = max(rows - head.count("\n") - end.count("\n"), 2)
+    created = text(f"  Created {shown_name(file)}. Open it in your editor.")
+    above = Group(place, Text(), created, Text())
+    below = Group(Text(), text("  Write the function, then save. I judge it on every save."))
+    statement = problem.statement.partition("\n")[2].partition("\n## ")[0].strip()  # the task alone
+    task = list(Text.from_ansi(drawn(prose(statement, screen), screen)).split())
+    room = max(rows - drawn(Group(above, below), screen).count("\n"), 2)
     if len(task) > room:
-        task = [*task[: room - 1], drawn(faint("  … press s for the rest"), screen).rstrip("\n")]
-    return head + "".join(f"{row}\n" for row in task) + end
+        task[room - 1 :] = [faint("  … press s for the rest")]
+    return Group(above, *task, below)
 
 
-def _task(statement: str) -> str:
-    """A statement without its title, and without what follows the task."""
-    return statement.partition("\n")[2].partition("\n## ")[0].strip() + "\n"
-
-
-def note_text(said: str, screen: Screen, style: str = WARNING) -> str:
-    """A sentence of the judge's own."""
-    return drawn(text(said, style), screen)
-
-
-def waiting_text(file: str, seconds: float, screen: Screen) -> str:
-    """What is being judged, and for how long, on one line without its end."""
-    width = (screen.width or 80) - 1
+def waiting_line(file: str, seconds: float, screen: Screen) -> Text:
+    """What is being judged, and for how long."""
     said = f"judging {shown_name(file)}  {seconds:.1f} s"
-    return drawn(faint(said[-width:]), screen).rstrip("\n")
+    return faint(said[-(screen.width or 80) + 1 :])
 
 
-def keys_text(screen: Screen, *, failed: bool) -> str:
-    """The keys on one line, without its end: what they do where there is room for it."""
-    width = screen.width or 80
+def keys_line(screen: Screen, *, failed: bool) -> Text:
+    """The keys on one line: what they do where there is room for it."""
     shown = [(key, about) for key, about in _KEYS.items() if failed or key not in _OF_A_CASE]
     for words, gap in ((2, "   "), (2, "  "), (1, " "), (0, " ")):
         line = Text(gap).join(
             joined(strong(key), *map(" {}".format, about.split()[:words])) for key, about in shown
         )
-        if line.cell_len < width:
+        if line.cell_len < (screen.width or 80):
             break
-    return drawn(line, screen).rstrip("\n")
+    return line
 
 
-def redraw(screen: Screen, text: str, prompt: str) -> None:
+def redraw(screen: Screen, text: str, prompt: Text) -> None:
     """Replace what is seen by `text`, whole lines, and the prompt below it: in one write, line over line.
 
     What is more than the screen holds scrolls out of its top, and can be scrolled back to.
     """
     rows = [f"{row}{_REST_OF_LINE}\n" for row in text.splitlines()]
     begin, end = _TOGETHER
-    screen.write(f"{begin}{_HOME}{''.join(rows)}{prompt}{_REST_OF_SCREEN}{end}")
+    screen.write(f"{begin}{_HOME}{''.join(rows)}{_open(prompt, screen)}{_REST_OF_SCREEN}{end}")
 
 
-def reprompt(screen: Screen, prompt: str) -> None:
+def reprompt(screen: Screen, prompt: Text) -> None:
     """Replace the prompt alone."""
-    screen.write(f"\r{prompt}{_REST_OF_SCREEN}")
+    screen.write(f"\r{_open(prompt, screen)}{_REST_OF_SCREEN}")
+
+
+def _open(prompt: Text, screen: Screen) -> str:
+    """A prompt without the end of its line."""
+    return drawn(prompt, screen).rstrip("\n")
 
 
 @contextmanager
-def keys(terminal: int, tell: Callable[[str], None]) -> Iterator[Callable[[], None]]:
+def keys(
+    terminal: int, tell: Callable[[str], None], tick: Callable[[], None]
+) -> Iterator[Callable[[], None]]:
     """Tells every key that is pressed, from a thread of its own, while the block runs.
+
+    `tick` is called there ten times a second.
 
     The terminal gives keys at once and does not show them meanwhile, and is what it was afterwards. What is
     given has that done again, after the process was stopped and goes on. Ctrl-C stays as it is.
@@ -137,14 +133,17 @@ def keys(terminal: int, tell: Callable[[str], None]) -> Iterator[Callable[[], No
             termios.tcsetattr(terminal, termios.TCSANOW, before)
 
     def read() -> None:
-        while end not in select.select([terminal, end], [], [])[0]:
-            found = b""
-            with suppress(OSError):
-                found = os.read(terminal, 64)
-            for key in _keys(found):
-                tell(key)
-            if not found:
-                return
+        watched = [terminal, end]
+        while end not in (ready := select.select(watched, [], [], _TICK)[0]):
+            if ready:
+                found = b""
+                with suppress(OSError):
+                    found = os.read(terminal, 64)
+                for key in _keys(found):
+                    tell(key)
+                if not found:
+                    watched.remove(terminal)
+            tick()
 
     thread = threading.Thread(target=read, name="keys", daemon=True)
     atexit.register(give_back)  # should a second Ctrl-C come before the first is dealt with

@@ -29,7 +29,8 @@ def typing(judge, monkeypatch):
     """Run judge with these lines on its standard input."""
 
     def run(lines, *words):
-        monkeypatch.setattr(sys, "stdin", io.StringIO("".join(f"{each}\n" for each in lines)))
+        typed = "".join(f"{each}\n" for each in lines).encode()
+        monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO(typed)))
         return judge(*words)
 
     return run

@@ -8,8 +8,9 @@ from __future__ import annotations
 import secrets
 import select
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import closing, suppress
+from datetime import datetime
 from pathlib import Path
 from time import monotonic
 from typing import TYPE_CHECKING
@@ -28,13 +29,23 @@ from judge.practice.events import Answer, Help, Rating, Run
 from judge.practice.history import History
 from judge.practice.questions import Question, Reply, Sources
 from judge.practice.questions import ask as asked_of
-from judge.practice.quiz import Held, next_cards, next_due, plan, to_practise, usual_kata
-from judge.practice.review import card_reviews
+from judge.practice.quiz import (
+    Practise,
+    lacking,
+    left_open,
+    next_cards,
+    next_due,
+    plan,
+    to_practise,
+    usual_kata,
+)
+from judge.practice.review import Review, card_reviews
 from judge.practice.stub import write_stub
 from judge.practice.syllabus import FIRST, USUAL, find_row, read_checklist
+from judge.problem import Verdict
 from judge.problem.find import find_problem, problem_folders
 from judge.report import quiz as texts
-from judge.report.published_quiz import CardList, CardRow, Interviewed, Quizzed, interviewed, quizzed
+from judge.report.published_quiz import Answered, CardList, CardRow, Interviewed, Quizzed
 from judge.report.screen import Screen, drawn, err, is_terminal, note, out, show
 from judge.report.wait import progress
 
@@ -42,6 +53,7 @@ if TYPE_CHECKING:
     from rich.console import RenderableType
 
     from judge.cli.watching import WatchedFile
+    from judge.run.result import Result
 
 _STOP = ("q", "quit")
 _UNKNOWN = "?"
@@ -50,7 +62,6 @@ _KEPT = 400  # of them in the history
 _RATINGS = {str(int(rating)): rating for rating in Rating} | {each.name.lower(): each for each in Rating}
 _LAST = 0.1  # of the time, kept for the cards after the kata
 _LOOK = 0.5  # seconds between two looks at the file
-_ENTER = "An empty line has the file judged, q goes on"
 _MOST = 15  # questions of the page
 _TITLE, _PAGE_WIDTH = "\nThe interview", 80
 
@@ -81,20 +92,21 @@ def quiz(name: str | None, ask: QuizAsk, common: Common) -> Iterator[Struct]:
     with history_at(common.db, reading=ask.listed) as history:
         answered, today = card_reviews(history.events(Answer)), events.now().astimezone()
         if ask.listed:
-            yield CardList(tuple(cards), {review.name: review for review in answered}, today)
+            reviews = {review.name: review for review in answered}
+            yield CardList(tuple(_row(card, reviews.get(card.key)) for card in cards), today)
             return
         own = name or _own_set(history.runs(), common.problems)
         chosen = next_cards(cards, answered, today, own=own, ahead=ask.question is not None)[: ask.cards]
         asking = Round(ask.seed, history, common)
         if not chosen:
-            yield quizzed((), (), asking.sources.seed, next_due(cards, answered))
+            yield asking.summary(next_due(cards, answered))
             return
         try:
             with suppress(StoppedError):
                 for card in chosen:
                     asking.ask(card, len(chosen))
         finally:  # after Ctrl-C too
-            yield quizzed(asking.asked, to_practise(asking.missed, common.problems), asking.sources.seed)
+            yield asking.summary()
 
 
 def shown_cards(name: str, folders: Sequence[Path]) -> list[Card]:
@@ -105,6 +117,11 @@ def shown_cards(name: str, folders: Sequence[Path]) -> list[Card]:
     cards = cards_of(name, all_cards(folders), folders)
     here = {folder.name for folder in problem_folders(folders)}
     return [card for card in cards if not card.problem or card.problem in here]
+
+
+def _row(card: Card, review: Review | None) -> CardRow:
+    known = (review.last, review.rating.name.lower(), review.due) if review else ()
+    return CardRow(card.key, card.form, card.rows, card.sets, card.front, *known)
 
 
 def _narrowed(cards: list[Card], question: str | None, folders: Sequence[Path]) -> list[Card]:
@@ -139,14 +156,14 @@ class StoppedError(Exception):
 
 
 class Round:
-    """Cards that are asked in turn on one screen; `asked` has each that was answered, with its rating."""
+    """Cards that are asked in turn on one screen; `answers` has each that was answered, with its rating."""
 
     def __init__(self, seed: int | None, history: History, common: Common) -> None:
         seed = secrets.randbits(32) if seed is None else seed
         self.sources = Sources(common.problems, seed, progress)
         self.screen = err() if common.json else out()
-        self.asked: list[tuple[Question, Rating]] = []
-        self._history = history
+        self.answers: list[tuple[Card, Rating]] = []
+        self._history, self._folders = history, common.problems
 
     def ask(self, card: Card, count: int) -> None:
         """Ask the next of `count` cards, keep the answer, and say what it came to. Raises StoppedError.
@@ -154,40 +171,49 @@ class Round:
         A card whose figure cannot be made costs a note.
         """
         try:
-            asked = asked_of(card, self.sources, str(len(self.asked)))
+            asked = asked_of(card, self.sources, str(len(self.answers)))
         except ProblemError as fault:
             note(f"a card is left out: {fault}")
             return
-        self.show(texts.question(asked, f"Question {len(self.asked) + 1} of {count}", self.screen))
+        self.show(texts.question(asked, f"Question {len(self.answers) + 1} of {count}", self.screen))
         given, found, rating = self._rated(asked) if asked.check is None else self._checked(asked)
         self._history.keep(Answer(card.key, card.form, rating, asked.check is not None, given[:_KEPT]))
-        self.asked.append((asked, rating))
+        self.answers.append((card, rating))
         self.show(texts.reply(asked, found, rating))
 
+    def practise(self, more: Mapping[str, str] = {}) -> tuple[Practise, ...]:
+        """What to practise: what was not remembered well, and those questions, with a command for each."""
+        missed = [card for card, rating in self.answers if rating in (Rating.AGAIN, Rating.HARD)]
+        return to_practise(missed, self._folders, more)
+
     @property
-    def missed(self) -> Sequence[Card]:
-        """The cards that were not remembered well."""
-        return [asked.card for asked, rating in self.asked if rating in (Rating.AGAIN, Rating.HARD)]
+    def known(self) -> int:
+        """How many cards were remembered."""
+        return sum(rating is not Rating.AGAIN for _, rating in self.answers)
+
+    def summary(self, next_due: datetime | None = None) -> Quizzed:
+        """How the cards went."""
+        answers = tuple(Answered(card.key, rating.name.lower()) for card, rating in self.answers)
+        return Quizzed(len(answers), self.known, answers, self.practise(), self.sources.seed, next_due)
 
     def show(self, what: RenderableType) -> None:
         """Draw something between the questions."""
         show(what, self.screen)
 
-    def typed(self, asks: str = "") -> str:
+    def typed(self, asks: str) -> str:
         """The next line of standard input, after a prompt. Raises StoppedError."""
-        if asks:
-            self.screen.write(texts.prompt(asks, self.screen))
+        self.screen.write(texts.prompt(asks, self.screen))
+        return self.line()
+
+    def line(self) -> str:
+        """The next line of standard input. Raises StoppedError."""
         text = ""  # if it cannot be read, or was closed: nobody types there
         try:
-            buffer = getattr(sys.stdin, "buffer", None)
-            line = buffer.readline(_LONGEST) if buffer else sys.stdin.readline(_LONGEST)
-            text = line.decode("utf-8", "replace") if isinstance(line, bytes) else line
-        except UnicodeDecodeError:  # of a stream that has no bytes to decode anew
-            text = "\ufffd"
-        except (OSError, ValueError):
+            text = sys.stdin.buffer.readline(_LONGEST).decode("utf-8", "replace")
+        except (AttributeError, OSError, ValueError):
             pass
         finally:  # Ctrl-C and Ctrl-D leave the line of the prompt open, and a pipe is not seen at all
-            if asks and not (text and is_terminal(sys.stdin)):
+            if not (text and is_terminal(sys.stdin)):
                 self.screen.write("\n")
         if not text or text.strip().lower() in _STOP:
             raise StoppedError
@@ -258,7 +284,7 @@ def interview(name: str, ask: InterviewAsk, common: Common) -> Iterator[Intervie
         path = ask.file or file_name(f"{problem.id.replace('-', '_')}_interview")
         held = _Interview(ask, history, common, Kata(problem, Path(path).absolute()))
         planned = plan(cards, ask.minutes, card_reviews(history.events(Answer)), today)
-        held.show(texts.opening(ask.minutes, planned, held.held))
+        held.show(texts.opening(ask.minutes, planned, problem.id))
         try:
             with suppress(StoppedError):
                 held.ask_all(planned.before, planned.count)
@@ -277,8 +303,9 @@ class _Interview(Round):
 
     def __init__(self, ask: InterviewAsk, history: History, common: Common, kata: Kata) -> None:
         super().__init__(ask.seed, history, common)
-        self.held = Held(kata.problem, kata.name)
         self._wanted, self._common, self._kata = ask, common, kata
+        self._runs = 0
+        self._last: Result | None = None
         self._begun = monotonic()
 
     def _left(self, kept: float = 0.0) -> float:
@@ -303,7 +330,8 @@ class _Interview(Round):
 
         if self._left() <= 0:
             raise StoppedError
-        self.show(texts.kata(self.held, max(0, int(self._left(_LAST) // 60))))
+        minutes = max(0, int(self._left(_LAST) // 60))
+        self.show(texts.kata(self._kata.problem, self._kata.name, minutes))
         if not self._kata.path.exists():
             write_stub(self._kata.problem, self._kata.path)
         person = is_terminal(sys.stdin)
@@ -314,11 +342,26 @@ class _Interview(Round):
                 if not person:
                     return
             with suppress(StoppedError):
-                while not self.held.solved and (left := self._left(_LAST)) > 0:
-                    if self._is_asked(watched, left) if person else self._is_told(watched):
-                        self._judge(watched)
-                if not self.held.solved:
+                while not self._solved and self._is_asked(watched):
+                    self._judge(watched)
+                if not self._solved:
                     self.show(texts.time_over())
+
+    def _is_asked(self, watched: WatchedFile) -> bool:
+        """Wait for an empty line, or a person's save; False once the time is over. Raises StoppedError."""
+        person, prompt = is_terminal(sys.stdin), texts.prompt(texts.SAVE, self.screen)
+        self.screen.write(prompt)
+        while self._left(_LAST) > 0:
+            if not person or select.select([sys.stdin], [], [], _LOOK)[0]:
+                if not self.line():
+                    watched.saved()
+                    return True
+                self.show(texts.mistyped("An empty line has the file judged, q goes on"))
+                self.screen.write(prompt)
+            elif watched.saved():
+                break
+        self.screen.write("\n")
+        return self._left(_LAST) > 0
 
     def _judge(self, watched: WatchedFile) -> None:
         from judge.report.published_result import Judged
@@ -328,41 +371,32 @@ class _Interview(Round):
         if isinstance(found, str):
             note(found)
             return
-        if self._common.json:
-            note(f"{found.result.submission}: {found.result.verdict.value}")
-        else:
-            shown = Judged(found.result, found.source, found.problem, found.rows, commands=False)
-            self.show(judged(shown, self.screen))
-            self.screen.write("\n")
-        self.held = self.held.after(found.result)
-
-    def _is_told(self, watched: WatchedFile) -> bool:
-        """Wait for an empty line of a pipe; True. Raises StoppedError at its end."""
-        while self.typed():
-            note(_ENTER)
-        watched.saved()
-        return True
-
-    def _is_asked(self, watched: WatchedFile, seconds: float) -> bool:
-        """Wait for a save or an empty line; False where the time is over first. Raises StoppedError."""
-        end, prompt = monotonic() + seconds, texts.prompt(texts.SAVE, self.screen)
-        self.screen.write(prompt)
-        while monotonic() < end:
-            if select.select([sys.stdin], [], [], _LOOK)[0]:
-                if not self.typed():
-                    watched.saved()
-                    return True
-                self.show(texts.mistyped(_ENTER))
-                self.screen.write(prompt)
-            if watched.saved():
-                self.screen.write("\n")
-                return True
+        shown = Judged(found.result, found.source, found.problem, found.rows, commands=False)
+        self.show(judged(shown, self.screen))
         self.screen.write("\n")
-        return False
+        self._runs, self._last = self._runs + 1, found.result
+
+    @property
+    def _solved(self) -> bool:
+        return self._last is not None and self._last.verdict is Verdict.AC
 
     def page(self) -> Interviewed:
         """How it went, and what to practise: what the cards and the kata's last run left open."""
-        folders, whole = self._common.problems, self._wanted.minutes
-        practise = to_practise(self.missed, folders, self.held.questions(folders))[:_MOST]
+        problem, last, whole = self._kata.problem, self._last, self._wanted.minutes
         taken = min(whole - int(self._left() // 60), whole)
-        return interviewed(self.held, self.asked, practise, (max(taken, 1), whole), self.sources.seed)
+        return Interviewed(
+            minutes=max(taken, 1),
+            out_of=whole,
+            asked=len(self.answers),
+            known=self.known,
+            problem=problem.id,
+            file=self._kata.name,
+            runs=self._runs,
+            solved=self._solved,
+            verdict=last.verdict if last else None,
+            score=last.score if last else None,
+            mistake=last.pitfall.name if last and last.pitfall else None,
+            lacking=lacking(problem, last),
+            practise=self.practise(left_open(problem, last, self._common.problems))[:_MOST],
+            seed=self.sources.seed,
+        )

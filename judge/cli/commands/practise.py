@@ -30,9 +30,9 @@ from judge.practice.events import Help, Run
 from judge.practice.progress import solved
 from judge.practice.solutions import approaches, chosen_approach
 from judge.practice.stub import write_stub
-from judge.practice.syllabus import next_kata, sound_sets
+from judge.practice.syllabus import read_course
 from judge.problem import Problem
-from judge.problem.find import find_problem, id_of, sound_problems
+from judge.problem.find import find_problem, id_of
 from judge.problem.model import LEVELS
 from judge.problem.texts import read_hints
 from judge.report.published_look import Begun
@@ -100,9 +100,7 @@ def _meant(words: Sequence[str], ask: StartAsk, common: Common) -> Kata:
             return Kata(problem, Path(here.path))
     else:
         last = here or next(iter(places), None)
-        problems, _ = sound_problems(common.problems)
-        sets, _ = sound_sets(problems, common.problems)
-        problem = next_kata(last.problem if last else "", problems, sets, done)
+        problem = read_course(done, common.problems).next(last.problem if last else "")
         if problem is None:
             raise UsageError("All katas are solved. judge progress shows what you can do")
     return Kata(problem, _place(_named(problem, ask.language)))
@@ -186,7 +184,7 @@ def hints(problem: Problem, ask: HintAsk, db: Path | None) -> list[HintShown]:
 def _seen(problem: str, db: Path | None) -> int:
     """How many of the kata's hints have been seen."""
     with history_at(db, reading=True) as history:
-        return max((each.hints for each in history.events(Help, problem)), default=0)
+        return history.hints_seen(problem)
 
 
 def note_seen(hint: HintShown, db: Path | None) -> None:
