@@ -231,10 +231,8 @@ def _last(result: Result) -> str:
         return result.failure.message if result.failure else ""
     if not result.groups:
         return "nothing was run"
-    passed, cases = (
-        sum(group.passed for group in result.groups),
-        sum(group.cases for group in result.groups),
-    )
+    passed = sum(group.passed for group in result.groups)
+    cases = sum(group.cases for group in result.groups)
     every = "the only case passes" if cases == 1 else f"all {cases:,} cases pass"
     share = every if passed == cases else f"{passed:,} of {counted(cases, 'case')} pass"
     only = f", on {result.partial} only" if result.partial else ""
