@@ -97,6 +97,8 @@ def _mark(row: Row, handins: int) -> Counted:
         handins=handins,
         copied=bool(row.copied),
         busy=bool(row.done.busy),
+        machine=row.machine,
+        isolation=row.isolation,
     )
 
 

@@ -53,7 +53,11 @@ def _written(value: Struct, common: Common) -> ExitCode:
         sys.stdout.write(plain.encode(encoding, "backslashreplace").decode(encoding))
         sys.stdout.flush()
     else:
-        _show(value)
+        from judge.report.screen import out, show  # --json does without the screen
+        from judge.report.views import view
+
+        screen = out()
+        show(view(value, screen), screen, paged=getattr(value, "paged", False))
     return getattr(value, "exit_code", ExitCode.ACCEPTED)
 
 
@@ -84,11 +88,3 @@ def _json(value: Struct) -> str:
         import json
 
         return json.dumps(msgspec.to_builtins(value, enc_hook=str))
-
-
-def _show(value: Struct) -> None:
-    from judge.report.screen import out, show  # --json does without the screen
-    from judge.report.views import view
-
-    screen = out()
-    show(view(value, screen), screen, paged=getattr(value, "paged", False))

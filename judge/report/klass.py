@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from string import ascii_lowercase
 
 from rich.cells import cell_len
 from rich.console import Group, RenderableType
@@ -45,12 +46,13 @@ def cohort(found: Cohort, screen: Screen) -> RenderableType:
     Long lists are cut on a terminal; a pipe or a file gets them whole.
     """
     whole = screen.rows is None
-    below: list[RenderableType] = [faint(each) for each in _footnotes(found)]
+    letters = _letters(found)
+    below: list[RenderableType] = [faint(each) for each in _footnotes(found, letters)]
     below += [warning(f"{file}: {why}") for file, why in found.unjudged[:_FAULTS]]
     if len(found.unjudged) > _FAULTS:
         below.append(warning(f"… and {len(found.unjudged) - _FAULTS} more; --json has them all"))
     return blocks(
-        *_tables(found, screen.width),
+        *_tables(found, letters, screen.width),
         Group(*below, strong(_sum(found))),
         *(Group(*_kata(view, len(found.people), whole=whole)) for view in found.problems),
         *_need_help(found, whole=whole),
@@ -72,11 +74,13 @@ def _need_help(found: Cohort, *, whole: bool) -> Iterator[RenderableType]:
             yield Group(head(title, faint(about)), *(indented(paragraph(each)) for each in said))
 
 
-def _tables(found: Cohort, width: int | None) -> Iterator[RenderableType]:
+def _tables(
+    found: Cohort, letters: Mapping[tuple[str, str], str], width: int | None
+) -> Iterator[RenderableType]:
     """The columns beside the names, as many at a time as there is room for."""
     names = [fitted(each.id, _NAME) + ("" if each.known else _UNKNOWN) for each in found.people]
     columns: list[tuple[str, list[Text]]] = [
-        (view.problem, [_mark(found.marks.get((each.id, view.problem))) for each in found.people])
+        (view.problem, [_mark(found.marks.get((each.id, view.problem)), letters) for each in found.people])
         for view in found.problems
     ]
     if len(columns) > 1:
@@ -98,24 +102,32 @@ def _tables(found: Cohort, width: int | None) -> Iterator[RenderableType]:
         columns = columns[fit:]
 
 
-def _mark(mark: Counted | None) -> Text:
+def _mark(mark: Counted | None, letters: Mapping[tuple[str, str], str]) -> Text:
     if mark is None:
         return faint(_NOTHING)
     points = "" if mark.verdict is Verdict.JE else f" {mark.score}"
-    return text(f"{mark.verdict.value}{points}{_signs(mark)}", verdict_style(mark.verdict))
+    signs = _signs(mark) + letters.get((mark.machine, mark.isolation), "")
+    return text(f"{mark.verdict.value}{points}{signs}", verdict_style(mark.verdict))
 
 
 def _signs(mark: Counted) -> str:
     return (_COPY * mark.copied) + (_SEVERAL * (mark.handins > 1)) + (_BUSY * mark.busy)
 
 
-def _footnotes(found: Cohort) -> Iterator[str]:
+def _letters(found: Cohort) -> dict[tuple[str, str], str]:
+    """Where files were judged and how they were isolated, the most frequent first; others have a letter."""
+    places = Counter((mark.machine, mark.isolation) for mark in found.marks.values() if mark.isolation)
+    letters = ["", *(a + b for a in ("", *ascii_lowercase) for b in ascii_lowercase)]
+    return {place: letters[at % len(letters)] for at, (place, _) in enumerate(places.most_common())}
+
+
+def _footnotes(found: Cohort, letters: Mapping[tuple[str, str], str]) -> Iterator[str]:
     used = {sign for mark in found.marks.values() for sign in _signs(mark)}
     used |= {_UNKNOWN for each in found.people if not each.known}
     yield from (f"{sign} {meaning}" for sign, meaning in _MEANING.items() if sign in used)
-    for each in found.machines:
-        share = f": {counted(each.handins, 'file')}" if len(found.machines) > 1 else ""
-        yield f"judged with {each.isolation} isolation on {each.machine}{share}"
+    for (machine, isolation), letter in letters.items():
+        what = f"{isolation} isolation on {machine or 'a machine without a name'}"
+        yield f"{letter} {what}" if letter else f"judged with {what}"
     if found.nothing_handed_in and not found.left:
         yield f"nothing submitted: {', '.join(found.nothing_handed_in)}"
 

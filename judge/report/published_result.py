@@ -1,4 +1,4 @@
-"""What `judge run` returns: a result, what several came to, lines for another program."""
+"""What `judge run` returns: a result, and what several came to."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ class Judged(Struct, frozen=True):
 
     `quiet` shows the verdict alone; one of `several` is a line, with its kata where these are of more than
     one. `whole` shows every group, `commands` those that go on. `standing` says what an accepted one took,
-    `fresh` what a run on fresh cases did.
+    `fresh` what a run on fresh cases did. `plain` are lines for another program, written instead.
     """
 
     result: Result
@@ -35,6 +35,7 @@ class Judged(Struct, frozen=True):
     commands: bool = True
     standing: Standing | None = None
     fresh: str = ""
+    plain: str = ""
 
     @property
     def published(self) -> tuple[Result]:
@@ -58,10 +59,3 @@ class Several(Struct, frozen=True):
     def exit_code(self) -> ExitCode:
         """What they tell the shell together."""
         return exit_code(self.results)
-
-
-class AtLines(Struct, frozen=True):
-    """A result as lines for another program, which are written as they are."""
-
-    plain: str
-    exit_code: ExitCode

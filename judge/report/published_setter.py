@@ -10,7 +10,7 @@ from judge.packs.export.job import Export
 from judge.report.views import Published
 from judge.run.edges import Edge
 from judge.run.verify import Fault, MistakeReport, VerifyReport
-from judge.sandbox.attacking import Attacked
+from judge.sandbox.attacks import Attacked
 from judge.sandbox.probe import Level
 
 

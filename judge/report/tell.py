@@ -27,7 +27,6 @@ _SPENT = re.compile(r"used more than (\S+ s) of CPU time")
 _COMPILED = re.compile(r" \(line \d{1,9}(?:, column \d{1,9})?\)(?:: .*)?$")
 _LIKELY = 0.9  # the score from which on a mistake is very likely
 _MOST_FAILS = 3  # groups that are named
-STARS = {1: "★", 2: "★★"}
 
 
 class Told(Struct, frozen=True, kw_only=True):
@@ -79,7 +78,7 @@ def tell(problem: Problem | None, result: Result, source: bytes = b"") -> Told:
         verdict=result.verdict,
         meaning="Not written yet" if stub else result.verdict.meaning.capitalize(),
         how="run as a program" if result.mode is Mode.PROGRAM and result.groups else "",
-        stars=STARS.get(sum(level.passed for level in result.levels), ""),
+        stars="★" * sum(level.passed for level in result.levels),
         happened=_happened(problem, result),
         source=() if hurdle else _source(result, source),
         case=_case(result, shown),
@@ -231,10 +230,8 @@ def _last(result: Result) -> str:
         return result.failure.message if result.failure else ""
     if not result.groups:
         return "nothing was run"
-    passed, cases = (
-        sum(group.passed for group in result.groups),
-        sum(group.cases for group in result.groups),
-    )
+    passed = sum(group.passed for group in result.groups)
+    cases = sum(group.cases for group in result.groups)
     every = "the only case passes" if cases == 1 else f"all {cases:,} cases pass"
     share = every if passed == cases else f"{passed:,} of {counted(cases, 'case')} pass"
     only = f", on {result.partial} only" if result.partial else ""

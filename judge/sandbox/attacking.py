@@ -13,11 +13,10 @@ import subprocess
 import sys
 import tempfile
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from judge.sandbox.attacks import ATTACKS, BREACH, HELD, Attack
+from judge.sandbox.attacks import ATTACKS, BREACH, HELD, Attack, Attacked
 from judge.sandbox.boundary import BoxFactory, Limits, ProgramResult, Stop
 from judge.sandbox.inside import wire
 from judge.sandbox.launch import ENVIRONMENT
@@ -32,16 +31,6 @@ _LIMITS = {
 _SHOWN = 200
 _LONGEST = 70  # bytes of a folder's path below which that of a socket is not too long for the system
 _FIRST_MAPPING = re.compile(r"^([0-9a-f]+)-[0-9a-f]+ r", re.MULTILINE)
-
-
-@dataclass(frozen=True)
-class Attacked:
-    """What came of one attack: whether it was held, and how in words, as the kernel or the box said it."""
-
-    name: str
-    tries: str
-    held: bool
-    how: str
 
 
 def attacked(

@@ -8,6 +8,7 @@ A body tries something, and raises where it is refused. `target` is what `attack
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import NamedTuple
 
 from judge.sandbox.boundary import Stop
@@ -39,6 +40,16 @@ class Attack(NamedTuple):
         """The submission."""
         lines = self.body.strip("\n").splitlines()
         return _FRAME.format(body="\n".join(f"    {line}" for line in lines)).encode()
+
+
+@dataclass(frozen=True)
+class Attacked:
+    """What came of one attack: whether it was held, and how in words, as the kernel or the box said it."""
+
+    name: str
+    tries: str
+    held: bool
+    how: str
 
 
 ATTACKS = (

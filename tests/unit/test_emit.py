@@ -17,7 +17,7 @@ from judge.cli.emit import emit, schema_of
 from judge.cli.options import Common, command, opt
 from judge.errors import ExitCode
 from judge.problem import Verdict
-from judge.report.parts import bar, commands, facts, indented, table, verdict
+from judge.report.parts import bar, commands, facts, indented, label, table
 from judge.report.published_look import Document
 from judge.report.screen import Screen, drawn, show
 from judge.report.views import view_of
@@ -141,9 +141,7 @@ def test_hostile_text_is_written_out_in_every_part():
 
 
 def test_colours_are_the_terminals_own_sixteen():
-    assert (
-        drawn(verdict(Verdict.WA), Screen(io.StringIO(), True, 80)) == "\x1b[1;31mWA\x1b[0m  Wrong answer\n"
-    )
+    assert drawn(label(Verdict.WA), Screen(io.StringIO(), True, 80)) == "\x1b[1;31mWA\x1b[0m\n"
 
 
 @pytest.mark.parametrize(("done", "filled"), [(0, 0), (1, 1), (18, 19), (37, 40)])

@@ -22,7 +22,7 @@ from judge.errors import JudgeError, UsageError, told
 from judge.judging.api import RunOptions
 from judge.problem import Problem
 from judge.problem.model import LEVELS, chosen_groups
-from judge.report.published_result import AtLines, Judged, Several
+from judge.report.published_result import Judged, Several
 from judge.run.result import Result, judge_fault
 
 if TYPE_CHECKING:
@@ -113,7 +113,7 @@ def run(words: tuple[str, ...], ask: RunAsk, common: Common) -> Iterator[Struct]
         with closing(_judged(tasks, unjudged, svg, ask, common)) as results:
             for each in results:
                 found.append(each.result)
-                yield each if ask.form == TEXT else _at_lines(each, ask.form)
+                yield each if ask.form == TEXT else replace(each, plain=_lines(each, ask.form))
     except KeyboardInterrupt:
         yield from together()
         raise
@@ -125,13 +125,13 @@ def run(words: tuple[str, ...], ask: RunAsk, common: Common) -> Iterator[Struct]
     yield from together()
 
 
-def _at_lines(judged: Judged, form: str) -> AtLines:
+def _lines(judged: Judged, form: str) -> str:
     """The result as another program reads it."""
     from judge.report.formats import annotation, editor_lines
 
     asked = judged.result, judged.source, judged.problem.entry if judged.problem else ""
     lines = editor_lines(*asked) if form == EDITOR else (annotation(*asked, os.environ),)
-    return AtLines("".join(f"{line}\n" for line in lines), judged.result.exit_code)
+    return "".join(f"{line}\n" for line in lines)
 
 
 def _judged(

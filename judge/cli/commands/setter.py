@@ -17,7 +17,6 @@ from judge.data.load import ProblemData, load_data
 from judge.errors import ProblemError, UsageError
 from judge.files import replace_file
 from judge.judging.containment import kept_level
-from judge.judging.pool import Processes, in_order
 from judge.languages.boxes import AnyBoxes
 from judge.languages.signature import signature_of
 from judge.mistakes.verified import ChoicesReport, verify_choices
@@ -104,8 +103,12 @@ def verify(names: tuple[str, ...], ask: VerifyAsk, common: Common) -> Iterator[S
     mine = folders_within(common.problems) if common.problems else problem_folders()
     chosen = tuple(dict.fromkeys(names or sorted(folder.name for folder in mine)))
     check, faults = partial(_verify, ask, common.problems), 0
-    several = ask.jobs > 1 and len(chosen) > 1
-    for found in in_order(Processes(ask.jobs), check, chosen, _unread) if several else map(check, chosen):
+    checked: Iterator[Verified] = map(check, chosen)
+    if ask.jobs > 1 and len(chosen) > 1:
+        from judge.judging.pool import Processes, in_order
+
+        checked = in_order(Processes(ask.jobs), check, chosen, _unread)
+    for found in checked:
         if ask.figures and found.ok:
             from judge.report.picture import FIGURE, figure
 
