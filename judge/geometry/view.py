@@ -17,7 +17,7 @@ from judge.exact.surd import Surd, integers
 from judge.geometry.quadratic import TANGENT
 from judge.geometry.sure import Words
 from judge.values.answers import AnyOf, Real
-from judge.values.wire import Fault, Written, number, word
+from judge.values.wire import Fault, exactly, number, word
 
 Place = tuple[Decimal, Decimal]
 Plain = Any  # of an answer: None, a word, a Decimal, or a list of those
@@ -213,7 +213,7 @@ def given(raw: Any, depth: int = _DEPTH) -> Plain:
     read = number(raw)
     if isinstance(read, Fault):
         return None
-    return decimal(read.exact() if isinstance(read, Written) else Fraction(read))
+    return decimal(exactly(read))
 
 
 def points(plain: Plain) -> list[Place]:

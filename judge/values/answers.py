@@ -11,6 +11,7 @@ elements. Its leaves and wrappers:
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from decimal import Decimal
 from fractions import Fraction
 from math import inf, isinf, nextafter, ulp
 from sys import float_info
@@ -20,15 +21,13 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from judge.errors import ProblemError
-from judge.values.wire import DECIMAL, Given, Written, near
+from judge.values.wire import Given, Written, exactly, near
 
 if TYPE_CHECKING:
     from judge.exact import Surd
 
 Exact = Any  # such a tree
-Bounds = tuple[
-    float, float, float
-]  # the least and the greatest double that is accepted, and the nearest to x
+Bounds = tuple[float, float, float]  # the least and the greatest double accepted, and the nearest to x
 Errors = tuple[float, float | None, float | None]  # of a number: absolute, relative, in ulps
 Target = Any  # what answers are held against, made of an exact one (judge.values.check)
 _LARGEST = float_info.max
@@ -155,8 +154,8 @@ def accepts(given: Given, bounds: Bounds, leaf: Callable[[], tuple[Real, Toleran
     beyond = lo == _LARGEST and hi == -_LARGEST  # an interval of which rounded ends say nothing
     if not beyond and not nextafter(lo, -inf) <= rounded <= nextafter(hi, inf):
         return False
-    exact = given.exact() if isinstance(given, Written) else given
-    if lo <= exact <= hi:  # Python compares ints and Fractions with floats exactly
+    exact = exactly(given)
+    if lo <= exact <= hi:  # Python compares Fractions with floats exactly
         return True
     low, high = exact_ends(*leaf())
     return low <= exact <= high
@@ -164,7 +163,7 @@ def accepts(given: Given, bounds: Bounds, leaf: Callable[[], tuple[Real, Toleran
 
 def errors(given: Given, nearest: float) -> Errors:
     """The absolute, relative and ulp error of any number beside the nearest double; None for 0."""
-    away = abs((given.exact() if isinstance(given, Written) else Fraction(given)) - Fraction(nearest))
+    away = abs(exactly(given) - Fraction(nearest))
     if nearest == 0:
         return near(away), None, None
     return near(away), near(away / abs(Fraction(nearest))), near(away / Fraction(ulp(nearest)))
@@ -181,16 +180,14 @@ def cut_digits(given: Given, nearest: float) -> str:
 
     A decimal that is what the exact number rounds to was computed rightly, as far as it can be seen.
     """
-    found = DECIMAL.fullmatch(given.text) if isinstance(given, Written) else None
-    if found is None or not isinstance(given, Written):
+    if not isinstance(given, Written):
         return ""
-    places, power = found[3] or "", int(found[4] or 0)
-    significant = len((found[2] + places).lstrip("0"))
+    _, written, power = Decimal(given.text).as_tuple()
+    significant, last = len(written), Fraction(10) ** int(power)  # the place of the last digit
     if significant >= _ENOUGH:
         return ""
-    last = Fraction(10) ** (power - len(places))  # the place of the last digit
-    away = abs(Fraction(nearest) - given.exact()) / last
-    if found[4] is None and len(places) == _USUAL != significant and away <= _HALF:
+    away = abs(Fraction(nearest) - exactly(given)) / last
+    if power == -_USUAL != -significant and "e" not in given.text.lower() and away <= _HALF:
         return f"printed with {_USUAL} decimals: print {_ENOUGH} significant digits"
     for digits in (max(significant, _USUAL), significant) if significant >= _LEAST else ():
         if away * 10 ** (digits - significant) <= _HALF:

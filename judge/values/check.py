@@ -212,8 +212,7 @@ def _of_several(type_: Type, value: Value, target: Target, place: Place, misses:
     """What is wrong beside that right answer which agrees the longest, and misses by the least."""
     inner = lasting(type_)
     if value is None or (isinstance(inner, Atom) and not inner.measured):
-        given = inner.shown(value) if isinstance(inner, Atom) and value is not None else "None"
-        return place.mismatch(f"{wanted(type_, target)} wanted, {given} given")
+        return place.mismatch(f"{wanted(type_, target)} wanted, {shown(type_, value)} given")
     longest = max(each.place.steps()[len(place.steps()) + 1 :] for each in misses)
     told = [each.tell() for each in misses if each.place.steps()[len(place.steps()) + 1 :] == longest]
     return min(told, key=lambda why: inf if why.errors[0] is None else why.errors[0])

@@ -32,7 +32,7 @@ ITERATORS = (
 SETS = {"set", "frozenset"}
 _SHOWN = 60
 
-DECIMAL = re.compile(r"([+-]?)([0-9]+)(?:\.([0-9]+))?(?:[eE]([+-]?[0-9]+))?", re.ASCII)
+_DECIMAL = re.compile(r"([+-]?)([0-9]+)(?:\.([0-9]+))?(?:[eE]([+-]?[0-9]+))?", re.ASCII)
 _HEX = re.compile(r"-?[0-9a-f]+", re.ASCII)
 _INTEGER = re.compile(r"[+-]?[0-9]{1,400}", re.ASCII)
 _FOREIGN = re.compile(r"[^\t -~]")
@@ -72,10 +72,6 @@ class Written(Struct, frozen=True):
     text: str
     approx: float
 
-    def exact(self) -> Fraction:
-        """The number itself."""
-        return Fraction(self.text)
-
 
 Given = int | float | Fraction | Written
 Raw = Any  # JSON of any shape
@@ -87,7 +83,7 @@ def decimal(text: str) -> Written | Fault:
     """A plain ASCII decimal, `[+-]?digits[.digits][e[+-]digits]`, or why it is none."""
     if len(text) > MOST_DIGITS:
         return Fault(f"a number of {len(text)} characters", f"write at most {MOST_DIGITS}")
-    match = DECIMAL.fullmatch(text)
+    match = _DECIMAL.fullmatch(text)
     if match is None:
         why = (why for begun, why in _NO_DECIMALS.items() if re.match(begun, text, re.IGNORECASE | re.DOTALL))
         return Fault(quoted(text), next(why))
@@ -123,26 +119,26 @@ def _large(value: Raw) -> int | None:
 
 def word(raw: Raw) -> str | None:
     """The word that `raw` stands for, or None; at most `LONGEST_WORD` printable characters."""
-    if type(raw) is dict and len(raw) == 1:
-        text = raw.get("word")
-        if type(text) is str and len(text) <= LONGEST_WORD and text.isprintable():
-            return text
-    return None
+    text = _sent(raw, "word")
+    return text if type(text) is str and len(text) <= LONGEST_WORD and text.isprintable() else None
+
+
+def _sent(raw: Raw, key: str) -> Any:
+    """What an object of this one key has there, or None."""
+    return raw.get(key) if type(raw) is dict and len(raw) == 1 else None
 
 
 def items(raw: Raw) -> Sequence[Raw] | None:
     """The items of a list, a tuple or an array; None for anything else."""
     if type(raw) in (list, tuple):
         return raw  # type: ignore[no-any-return]
-    if type(raw) is dict and len(raw) == 1:
-        single = raw.get("tuple")
-        return single if type(single) is list and len(single) == 1 else numbers(raw)
-    return None
+    single = _sent(raw, "tuple")
+    return single if type(single) is list and len(single) == 1 else numbers(raw)
 
 
 def numbers(raw: Raw) -> array[Any] | None:
     """The typed array that `raw` stands for, or None."""
-    sent = raw.get("array") if type(raw) is dict and len(raw) == 1 else None
+    sent = _sent(raw, "array")
     if type(sent) is not list or len(sent) != 2 or type(sent[1]) is not str or sent[0] not in CODES:
         return None
     try:
@@ -216,6 +212,11 @@ def show(raw: Raw, depth: int = 3) -> str:
     if bits <= (256 if whole else 128):
         return repr(read)
     return f"an int of {bits} bits" if whole else f"a Fraction near {near(read)!r}"
+
+
+def exactly(value: Given) -> Fraction:
+    """A finite number itself."""
+    return Fraction(value.text if isinstance(value, Written) else value)
 
 
 def near(value: Given) -> float:

@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 
 from judge.sandbox.encode import MOST_ITEMS, encode
-from judge.values.wire import Fault, Written, number, numbers
+from judge.values.wire import Fault, Written, exactly, number, numbers
 
 
 def through(value):
@@ -193,6 +193,6 @@ def test_numbers_come_back_exactly_and_decimals_or_they_are_refused(value):
     assert (type(read), read) == (type(value), value)
     read = number(through(decimal.Decimal("-12.5e-3")))
     assert isinstance(read, Written)
-    assert read.exact() == fractions.Fraction(-1, 80)
+    assert exactly(read) == fractions.Fraction(-1, 80)
     for text in ("NaN", "Infinity", "1e999999", "-1e-999999"):
         assert isinstance(number(through(decimal.Decimal(text))), Fault)
