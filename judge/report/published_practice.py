@@ -8,6 +8,7 @@ from typing import ClassVar
 from msgspec import Struct, to_builtins
 
 from judge.practice.events import Run
+from judge.practice.solutions import Approach
 from judge.problem import Verdict
 from judge.problem.model import Mode
 from judge.report.views import Published, copied
@@ -108,15 +109,10 @@ class HintShown(Published, frozen=True, kw_only=True):
     text: str
 
 
-class ApproachRow(Struct, frozen=True):
-    """An approach, by its name and by what `judge solution` calls it; what it takes, if measured."""
+class ApproachRow(Approach, frozen=True):
+    """An approach with what it takes, if measured."""
 
-    name: str
-    call: str
-    file: str
-    language: str
-    about: str
-    taken: Taken | None
+    taken: Taken | None = None
 
 
 class Yours(Struct, frozen=True):
