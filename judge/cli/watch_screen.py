@@ -128,6 +128,13 @@ class _Loop:
         self._notes = ""
         self._standing: Standing | None = None
         self._view: View = self._report
+        self._views: dict[str, View] = {
+            "s": self._statement,
+            "l": self._list,
+            "p": self._picture,
+            " ": self._report,
+            "\n": self._report,
+        }
         self._asked = ""  # the key before, where it asks for confirmation
         self._leaving = False
 
@@ -222,8 +229,12 @@ class _Loop:
             elif key in _ASKED:
                 self._asked = key
                 self._say(warning(_ASKED[key]))
-            elif key in _VIEWS:
-                self._show(_VIEWS[key](self))
+            elif key == "h":
+                self._hint()
+            elif key == "e":
+                self._browse()
+            elif key in self._views:
+                self._show(self._views[key])
         except JudgeError as fault:
             self._say(warning(str(fault)))
         return None
@@ -240,55 +251,44 @@ class _Loop:
         take_up(kata, self._common.db)
         return kata
 
-    def hint(self) -> View:
-        """The next hint."""
+    def _hint(self) -> None:
+        """Show the next hint."""
         (hint,) = hints(self._kata.problem, HintAsk(), self._common.db)
         note_seen(hint, self._common.db)
-        return lambda screen: view(hint, screen)
+        self._show(lambda screen: view(hint, screen))
 
-    def statement(self) -> View:
-        """The statement."""
-        return lambda screen: prose(self._kata.problem.statement, screen)
-
-    def katas(self) -> View:
-        """The katas by set."""
-        from judge.cli.commands.look import ListAsk, listed
-
-        found = listed(None, ListAsk(), self._common)
-        return lambda screen: view(found, screen)
-
-    def picture(self) -> View:
-        """The failing case, drawn below its arguments."""
-        found = self._found
-
-        def shown(screen: Screen) -> RenderableType:
-            if found and not has_room(screen):
-                return warning("A picture needs a terminal of 60 columns that knows braille.")
-            drawing = found.rows(screen) if found else None
-            if found is None or drawing is None:
-                return warning("There is no failing case to draw.")
-            return magnified(_told(found), drawing, screen.height - _BELOW - 2, screen.width)
-
-        return shown
-
-    def browser(self) -> View:
-        """The failing case on a page where it can be dragged, opened in the browser."""
+    def _browse(self) -> None:
+        """Open the failing case in the browser, on a page where it can be dragged."""
         problem, page = self._kata.problem, None
         if self._found and (explore := self._found.data.module.hooks.explore):
             failures = (self._found.result.counterexample, self._found.result.failure)
             page = explore(problem, next((each.input for each in failures if each and each.input), None))
         if page is None:
-            return lambda _screen: warning(f"There is no page for {problem.id} yet.")
+            self._say(warning(f"There is no page for {problem.id} yet."))
+            return
         import click
 
         with tempfile.NamedTemporaryFile("w", suffix=".html", delete=False, encoding="utf-8") as file:
             file.write(page)
         click.launch(file.name)
-        return lambda _screen: faint(f"Opened {file.name}")
+        self._say(faint(f"Opened {file.name}"))
 
-    def report(self) -> View:
-        """What judging came to."""
-        return self._report
+    def _statement(self, screen: Screen) -> RenderableType:
+        return prose(self._kata.problem.statement, screen)
+
+    def _list(self, screen: Screen) -> RenderableType:
+        from judge.cli.commands.look import ListAsk, listed
+
+        return view(listed(None, ListAsk(), self._common), screen)
+
+    def _picture(self, screen: Screen) -> RenderableType:
+        """The failing case, drawn below its arguments."""
+        if self._found and not has_room(screen):
+            return warning("A picture needs a terminal of 60 columns that knows braille.")
+        drawing = self._found.rows(screen) if self._found else None
+        if self._found is None or drawing is None:
+            return warning("There is no failing case to draw.")
+        return magnified(_told(self._found), drawing, screen.height - _BELOW - 2, screen.width)
 
     def _report(self, screen: Screen) -> RenderableType:
         if self._found is None:
@@ -336,13 +336,4 @@ def _told(found: Drawing) -> Told:
 _ASKED = {  # what is done when the key is pressed again
     "n": "Not solved yet. Press n again to skip it.",
     "x": "Start over? Your text will be kept as a .bak file. Press x again.",
-}
-_VIEWS: dict[str, Callable[[_Loop], View]] = {
-    "h": _Loop.hint,
-    "s": _Loop.statement,
-    "l": _Loop.katas,
-    "p": _Loop.picture,
-    "e": _Loop.browser,
-    " ": _Loop.report,
-    "\n": _Loop.report,
 }

@@ -15,34 +15,30 @@ from judge.problem.solutions import Kind, Solution, parted, read_solutions, tree
 from judge.problem.toml import meant
 
 
-class Model(Struct, frozen=True):
-    """An approach: its solution, and the program without the lines that tell of it."""
+class Approach(Struct, frozen=True):
+    """An approach, by its name, and by what `judge solution` calls it among those of all languages."""
 
+    name: str
+    call: str
+    file: str
+    language: str
+    about: str
+
+
+class Model(Struct, frozen=True):
+    """An approach, its solution, and the program without the lines that tell of it."""
+
+    approach: Approach
     solution: Solution
     program: str
 
-    @property
-    def file(self) -> str:
-        """The name of its file."""
-        return self.solution.path.name
 
-    @property
-    def name(self) -> str:
-        """What the approach is called by: `cross-product`."""
-        language = self.solution.language
-        suffixes = language.suffixes if language else (SUFFIX,)
-        suffix = next(each for each in suffixes if self.file.endswith(each))
-        return self.file.removesuffix(suffix).replace("_", "-")
-
-    @property
-    def tongue(self) -> str:
-        """The name of its language."""
-        return self.solution.language.name if self.solution.language else NAME
-
-    @property
-    def call(self) -> str:
-        """What names it among those of all languages: its name in Python, its file's in another one."""
-        return self.file if self.solution.language else self.name
+def _model(solution: Solution, program: str) -> Model:
+    file, language = solution.path.name, solution.language
+    suffix = next(each for each in (language.suffixes if language else (SUFFIX,)) if file.endswith(each))
+    name = file.removesuffix(suffix).replace("_", "-")
+    call, tongue = (file, language.name) if language else (name, NAME)
+    return Model(Approach(name, call, file, tongue, solution.sentence), solution, program)
 
 
 def approaches(problem: Problem) -> list[Model]:
@@ -60,7 +56,7 @@ def approaches(problem: Problem) -> list[Model]:
         return (*order, solution.path.name != timed)
 
     shown = [(each, _program(each, problem.entry)) for each in sorted(programs, key=rank)]
-    if found := [Model(each, program) for each, program in shown if program is not None]:
+    if found := [_model(each, program) for each, program in shown if program is not None]:
         return found
     for fault in faults:
         raise fault
@@ -99,14 +95,15 @@ def chosen_approach(
         mine = [model for model in models if model.solution.language == tongue]
         if not mine:
             what = f"{problem.id} has no solution in {tongue.name if tongue else NAME}"
-            tongues = ", ".join(dict.fromkeys(model.tongue for model in models))
+            tongues = ", ".join(dict.fromkeys(model.approach.language for model in models))
             raise UsageError(what, remedy=f"there are some in {tongues}")
         models = mine
     if name is None:
         return models[0]
     wanted = name.removesuffix(SUFFIX).replace("_", "-").replace(" ", "-")
     for model in models:
-        if name == model.file or wanted in (model.name, model.solution.name.replace(" ", "-")):
+        called = (model.approach.name, model.solution.name.replace(" ", "-"))
+        if name == model.approach.file or wanted in called:
             return model
-    remedy = meant(wanted, [model.call for model in models])
+    remedy = meant(wanted, [model.approach.call for model in models])
     raise UsageError(f"{problem.id} has no approach {name!r}", remedy=remedy)

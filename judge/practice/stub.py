@@ -57,12 +57,9 @@ def write_stub(problem: Problem, path: Path, *, over: bool = False) -> Path | No
     try:
         if not path.name or path.is_dir():
             raise UsageError("this is a folder", where=str(path), remedy="name a file in it")
-        if not (over and path.exists()):
-            new_file(path, text)
-        elif (old := read_ordinary(path)) != text:
-            kept = _kept_beside(path, old)
-            replace_file(path, text)
-            return kept
+        if over and path.exists():
+            return write_over(path, text)
+        new_file(path, text)
     except FileExistsError as fault:
         raise UsageError(f"{path} exists. Start over: add --reset") from fault
     except FileNotFoundError as fault:
@@ -76,12 +73,19 @@ def write_stub(problem: Problem, path: Path, *, over: bool = False) -> Path | No
     return None
 
 
-def _kept_beside(path: Path, text: bytes) -> Path:
-    """Write a file's text beside it, over no other: FILE.bak, FILE.bak-2 and so on. Raises OSError."""
-    for number in count(1):
-        kept = path.with_name(f"{path.name}.bak" + (f"-{number}" if number > 1 else ""))
+def write_over(path: Path, text: bytes) -> Path | None:
+    """Write a file anew. Where it had another text, that is kept beside it, over no other file.
+
+    Returns that file: FILE.bak, FILE.bak-2 and so on. Raises OSError.
+    """
+    old = read_ordinary(path)
+    if old == text:
+        return None
+    names = (f"{path.name}.bak" + (f"-{number}" if number > 1 else "") for number in count(1))
+    for kept in map(path.with_name, names):
         with suppress(FileExistsError):
-            new_file(kept, text)
+            new_file(kept, old)
+            replace_file(path, text)
             return kept
     raise AssertionError
 

@@ -132,20 +132,15 @@ def _rows(rows: Iterable[tuple[str, str, str]], style: str = "") -> RenderableTy
 
 def kata_list(found: KataList, screen: Screen) -> RenderableType:
     """How many are solved, each set in a row, and the katas of one set; all of them where that is asked."""
-    solved = {row.problem for row in found.katas if row.solved}
     stars = Counter(row.stars for row in found.katas)
-    done = solved_bar(len(solved), len(found.katas), (stars[1], stars[2]), screen.width)
-    sets = [each for each in found.sets if each.katas]
-    if found.whole and not found.shown:
+    done = solved_bar(_solved(found.katas), len(found.katas), (stars[1], stars[2]), screen.width)
+    sets, shown = [each for each in found.sets if each.katas], found.shown
+    if found.whole and not shown:
         return blocks(done, *(Together(strong(each.name), *_katas(found, each.katas, None)) for each in sets))
     rows = [
-        (
-            text(each.name, STRONG if each.name == found.shown else ""),
-            f"{len(solved & {*each.katas})} of {len(each.katas)}",
-        )
+        (text(each.name, STRONG if each == shown else ""), f"{_solved(each.katas)} of {len(each.katas)}")
         for each in sets
     ]
-    shown = next((each for each in sets if each.name == found.shown), None)
     about = [table([(faint(shown.about),)], prose=None)] if shown else []
     room = None if screen.rows is None or found.whole else screen.rows - len(rows) - 8
     return blocks(
@@ -156,10 +151,13 @@ def kata_list(found: KataList, screen: Screen) -> RenderableType:
     )
 
 
-def _katas(found: KataList, names: Sequence[str], room: int | None) -> Iterator[RenderableType]:
-    """The katas of those names with their marks, as many as there is room for."""
-    rows = {row.problem: row for row in found.katas}
-    there = [rows[name] for name in names if name in rows and not (found.todo and rows[name].solved)]
+def _solved(rows: Sequence[KataRow]) -> int:
+    return sum(row.solved for row in rows)
+
+
+def _katas(found: KataList, rows: tuple[KataRow, ...], room: int | None) -> Iterator[RenderableType]:
+    """Those katas with their marks, as many as there is room for."""
+    there = found.wanted(rows)
     kept = there if room is None or len(there) <= room else there[: max(room - 1, 1)]
     if not there:
         yield good("  All katas of this set are solved." if found.todo else "  There is no kata.")

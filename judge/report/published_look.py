@@ -29,30 +29,32 @@ class KataRow(Published, frozen=True):
 
 
 class SetRow(Struct, frozen=True):
-    """A set of katas: its name, a sentence about it, and the names of its katas in order."""
+    """A set of katas: its name, a sentence about it, and its katas in order."""
 
     name: str
     about: str
-    katas: tuple[str, ...]
+    katas: tuple[KataRow, ...]
 
 
 class KataList(Struct, frozen=True):
-    """The sets, the rows of all katas, the set to show and the current kata; a broken kata is in `faults`."""
+    """All katas, their sets, the set to show, and the current kata; `faults` katas or sets are broken."""
 
-    sets: tuple[SetRow, ...]
     katas: tuple[KataRow, ...]
-    shown: str = ""
+    sets: tuple[SetRow, ...]
+    shown: SetRow | None = None
     current: str = ""
     todo: bool = False
     whole: bool = False
     faults: int = 0
 
+    def wanted(self, rows: tuple[KataRow, ...]) -> tuple[KataRow, ...]:
+        """Those of the katas that were asked for."""
+        return tuple(row for row in rows if not (self.todo and row.solved))
+
     @property
     def published(self) -> tuple[KataRow, ...]:
-        """The rows of the katas that were asked for."""
-        rows = {row.problem: row for row in self.katas}
-        asked = next((each.katas for each in self.sets if each.name == self.shown), tuple(rows))
-        return tuple(row for name in asked if (row := rows.get(name)) and not (self.todo and row.solved))
+        """The katas that were asked for."""
+        return self.wanted(self.shown.katas if self.shown else self.katas)
 
     @property
     def exit_code(self) -> ExitCode:

@@ -5,9 +5,10 @@ from __future__ import annotations
 from datetime import datetime
 from typing import ClassVar
 
-from msgspec import Struct
+from msgspec import Struct, to_builtins
 
 from judge.practice.events import Run
+from judge.practice.solutions import Approach
 from judge.problem import Verdict
 from judge.problem.model import Mode
 from judge.report.views import Published, copied
@@ -36,9 +37,6 @@ class RunRow(
     result: Result
 
 
-_COLUMNS = RunRow.__struct_fields__[1:]  # without the schema
-
-
 class RunList(Struct, frozen=True):
     """Runs, the latest last; `more` says that older ones are left out, `csv` that CSV is wanted."""
 
@@ -59,17 +57,14 @@ class RunList(Struct, frozen=True):
             return ""
         from judge.report.formats import csv_text  # only who asks for it waits for it
 
-        rows = [[_cell(getattr(row, name)) for name in _COLUMNS[:-1]] for row in self.published]
-        return csv_text([RunRow.__struct_encode_fields__[1:-1], *rows], "\n")
+        columns = RunRow.__struct_encode_fields__[1:-1]  # without the schema and the result
+        rows = (to_builtins(run, enc_hook=str) for run in self.published)
+        return csv_text([columns, *([_cell(row[name]) for name in columns] for row in rows)], "\n")
 
 
 def _cell(value: object) -> object:
-    """What a cell holds: names side by side, nothing for None."""
-    if isinstance(value, tuple):
-        return " ".join(value)
-    if isinstance(value, datetime):
-        return value.isoformat()
-    return "" if value is None else getattr(value, "value", value)
+    """What a cell holds: names side by side."""
+    return " ".join(value) if isinstance(value, tuple) else value
 
 
 class GroupChange(Struct, frozen=True):
@@ -114,15 +109,10 @@ class HintShown(Published, frozen=True, kw_only=True):
     text: str
 
 
-class ApproachRow(Struct, frozen=True):
-    """An approach, by its name and by what `judge solution` calls it; what it takes, if measured."""
+class ApproachRow(Approach, frozen=True):
+    """An approach with what it takes, if measured."""
 
-    name: str
-    call: str
-    file: str
-    language: str
-    about: str
-    taken: Taken | None
+    taken: Taken | None = None
 
 
 class Yours(Struct, frozen=True):

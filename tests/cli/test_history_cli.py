@@ -106,7 +106,7 @@ def test_a_source_is_restored_and_what_was_there_is_kept(judge, three_runs):
         assert "What was there is kept as middle.py.bak" in judge("history", "--restore", "1").out
         assert Path("middle.py").read_text() == FLOOR
     assert Path("middle.py.bak").read_text() == "mine = 1\n"
-    assert Path("middle.py.bak1").read_text() == "mine = 2\n"
+    assert Path("middle.py.bak-2").read_text() == "mine = 2\n"
 
 
 def test_what_changed_between_two_runs(judge, three_runs, submit):

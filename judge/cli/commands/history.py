@@ -12,9 +12,10 @@ from judge.cli.files import check_place
 from judge.cli.options import Common, command, opt
 from judge.cli.resolve import history_at, shown
 from judge.errors import UsageError, unwritable
-from judge.files import new_file, read_ordinary, replace_file
+from judge.files import new_file
 from judge.practice.events import Run
 from judge.practice.history import History
+from judge.practice.stub import write_over
 from judge.problem.find import find_problem
 from judge.report.published_practice import GroupChange, Restored, RunList, RunRow, RunsCompared
 from judge.report.views import copied
@@ -107,13 +108,12 @@ def _restored(run: Run, source: bytes, target: Path | None) -> Restored:
         raise UsageError(f"run {run.id} judged no ordinary file", remedy="name one with --out FILE")
     target = target or Path(run.path)
     check_place(target, "--out")
-    kept = None
+    there, kept = target.exists(), None
     try:
-        there = read_ordinary(target) if target.exists() else None
-        if there not in (None, source):
-            kept = _kept_beside(target, there or b"")
-        if there != source:
-            replace_file(target, source)
+        if there:
+            kept = write_over(target, source)
+        else:
+            new_file(target, source)
     except OSError as fault:
         raise unwritable(target, fault, "name another file with --out") from fault
     return Restored(
@@ -122,19 +122,6 @@ def _restored(run: Run, source: bytes, target: Path | None) -> Restored:
         problem=run.problem,
         source=run.source_hash,
         file=shown(target),
-        written=there != source,
+        written=kept is not None or not there,
         kept_as=shown(kept) if kept else None,
     )
-
-
-def _kept_beside(path: Path, content: bytes) -> Path:
-    """A new file with that content, FILE.bak or the next free name. Raises OSError."""
-    number = 0
-    while True:
-        beside = path.with_name(f"{path.name}.bak{number or ''}")
-        try:
-            new_file(beside, content)
-        except FileExistsError:
-            number += 1
-        else:
-            return beside

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
+from itertools import chain
 from pathlib import Path
 
 import click
@@ -10,7 +11,7 @@ from msgspec import Struct
 
 from judge.cli.options import Common, command, opt
 from judge.cli.resolve import current, history_at, this_folder
-from judge.errors import ProblemError, StoreError, UsageError, nearest
+from judge.errors import StoreError, UsageError, nearest
 from judge.practice.progress import levels, solved, stars, tried
 from judge.practice.syllabus import USUAL, sound_sets
 from judge.problem.find import find_problem, listed_problems
@@ -45,21 +46,29 @@ def list_katas(name: str | None, ask: ListAsk, common: Common) -> KataList:
 def listed(name: str | None, ask: ListAsk, common: Common) -> KataList:
     """The katas by set, one set open. Raises UsageError for a name that no set has."""
     problems, faults = listed_problems(common.problems, Listed)
+    sets, broken = sound_sets(problems, common.problems)
     rows, at = _rows(problems, common.db)
-    sets, broken = _sets(problems, common.problems)
-    for fault in (*faults, *broken):
+    faults += broken
+    for fault in faults:
         note(str(fault), bad=True)
-    names = [each.name for each in sets]
-    if name is not None and name not in names:
-        meant = nearest(name, names)
-        remedy = f"did you mean {meant}?" if meant else f"there are {', '.join(names)}"
+    shelves = [
+        SetRow(each.name, each.about, tuple(rows[problem.id] for problem in each.problems)) for each in sets
+    ]
+    inside = {row.problem for each in shelves for row in each.katas}
+    if others := tuple(row for row in rows.values() if row.problem not in inside):
+        shelves.append(SetRow(_OTHERS, "Katas that are in no set.", others))
+    named = {each.name: each for each in shelves}
+    if name is not None and name not in named:
+        meant = nearest(name, named)
+        remedy = f"did you mean {meant}?" if meant else f"there are {', '.join(named)}"
         raise UsageError(f"There is no set {name!r}", remedy=remedy)
-    shown_sets = sets if name == USUAL else tuple(each for each in sets if each.name != USUAL)
-    shown = name or ("" if common.json or ask.whole else _opened(shown_sets, rows, at))
-    return KataList(shown_sets, rows, shown, at, ask.todo, ask.whole, len(faults) + len(broken))
+    parts = tuple(each for each in shelves if name == USUAL or each.name != USUAL)
+    opened = None if common.json or ask.whole else _opened(parts, at)
+    shown = named[name] if name else opened
+    return KataList(tuple(rows.values()), parts, shown, at, ask.todo, ask.whole, len(faults))
 
 
-def _rows(problems: Sequence[Listed], db: Path | None) -> tuple[tuple[KataRow, ...], str]:
+def _rows(problems: Sequence[Listed], db: Path | None) -> tuple[dict[str, KataRow], str]:
     """Each problem's row, and the current kata; a history that cannot be read counts as empty."""
     try:
         with history_at(db, reading=True) as history:
@@ -68,40 +77,27 @@ def _rows(problems: Sequence[Listed], db: Path | None) -> tuple[tuple[KataRow, .
         note(str(fault))
         runs, taken_up = [], None
     done, won = solved(runs), stars(levels(problems, tried(runs)))
-    rows = tuple(_row(each, solved=each.id in done, stars=won[each.id]) for each in problems)
+    rows = {
+        each.id: copied(
+            KataRow,
+            each,
+            problem=each.id,
+            groups=len(each.groups),
+            cases=sum(group.count for group in each.groups),
+            points=sum(group.points for group in each.groups),
+            solved=each.id in done,
+            stars=won[each.id],
+        )
+        for each in problems
+    }
     return rows, taken_up.problem if taken_up else ""
 
 
-def _row(problem: Listed, *, solved: bool, stars: int) -> KataRow:
-    return copied(
-        KataRow,
-        problem,
-        problem=problem.id,
-        groups=len(problem.groups),
-        cases=sum(group.count for group in problem.groups),
-        points=sum(group.points for group in problem.groups),
-        solved=solved,
-        stars=stars,
-    )
-
-
-def _sets(
-    problems: Sequence[Listed], folders: Sequence[Path]
-) -> tuple[tuple[SetRow, ...], list[ProblemError]]:
-    """The sets in their order, the katas that are in none as the last; and the faults of the others."""
-    sets, faults = sound_sets(problems, folders)
-    found = [SetRow(each.name, each.about, tuple(problem.id for problem in each.problems)) for each in sets]
-    held = {kata for each in found for kata in each.katas}
-    others = tuple(problem.id for problem in problems if problem.id not in held)
-    return (*found, *([SetRow(_OTHERS, "Katas that are in no set.", others)] if others else ())), faults
-
-
-def _opened(sets: Sequence[SetRow], rows: Sequence[KataRow], at: str) -> str:
-    """The set of the current kata; failing that, the first with something to do."""
-    todo = {row.problem for row in rows if not row.solved}
-    with_current: Iterator[str] = (each.name for each in sets if at in each.katas)
-    with_todo: Iterator[str] = (each.name for each in sets if todo & {*each.katas})
-    return next(with_current, None) or next(with_todo, sets[0].name if sets else "")
+def _opened(sets: Sequence[SetRow], at: str) -> SetRow | None:
+    """The set of the current kata; failing that, the first with something to do; None where there is none."""
+    current = (each for each in sets if at in [row.problem for row in each.katas])
+    todo = (each for each in sets if not all(row.solved for row in each.katas))
+    return next(chain(current, todo, sets), None)
 
 
 class ShowAsk(Struct, frozen=True):
