@@ -16,6 +16,7 @@ from judge.batch.standard import differing
 from judge.cache import digest
 from judge.problem import Problem, Verdict
 from judge.problem.model import FULL_SCORE
+from judge.report.words import counted
 from judge.run.result import judge_fault, read_result
 
 
@@ -183,7 +184,7 @@ def _change(before: Row, standard: Standard) -> str:
 
 
 def _said(kept: int, changed: Counter[str]) -> list[str]:
-    said = [f"{kept} kept from before"] if kept else []
+    said = [f"{counted(kept, 'result')} kept from before"] if kept else []
     for parts, count in changed.items():
         if parts:
             said.append(f"{count} judged anew, because of {parts}")

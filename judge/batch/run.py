@@ -229,7 +229,7 @@ def _left_out(found: ClassFolder) -> list[str]:
     for each in found.unplaced:
         reasons.setdefault(each.why, []).append(each.file)
     if found.others:
-        reasons["not a program by its name"] = list(found.others)
+        reasons["not a program, by its name"] = list(found.others)
     return [f"not judged: {_some(files)}: {why}" for why, files in reasons.items()]
 
 

@@ -74,7 +74,7 @@ def test_the_table_says_all_and_the_rows_are_those_of_judge_run(judge, homework)
         "1 of 4 accepted, 5 students, 1 kata",
     ]
     assert f"isolation on {os.uname().nodename}" in ended.out
-    assert ended.err == "judge: not judged: README.md: not a program by its name\n"
+    assert ended.err == "judge: not judged: README.md: not a program, by its name\n"
     found = rows(judge("class", "homework", "--json"))
     plain = judge("run", "middle", *(f"homework/{name}" for name in found), "--no-shrink", "--json")
     for row, line in zip(found.values(), plain.lines, strict=True):
@@ -95,12 +95,12 @@ def test_only_what_is_new_is_judged(judge, homework, submit, monkeypatch):
     submit(MEAN, "homework/dan/middle.py")
     submit(WRONG.format(3), "homework/bob/middle.py")
     ended = judge("class", "homework")
-    assert "2 kept from before" in ended.err
+    assert "2 results kept from before" in ended.err
     assert "dan  AC 100=" in ended.out
     again = {row.file: row for row in stored()}
     assert {file for file in first if first[file] == again[file]} == {"ada/middle.py", "cy/homework.py"}
     submit(FLOOR, "homework/bob/middle.py")  # as it was
-    assert "4 kept from before" in judge("class", "homework").err
+    assert "4 results kept from before" in judge("class", "homework").err
     there = ("ada/middle.py", "bob/middle.py", "cy/homework.py", "ada/middle.py")
     assert [row.digest for row in stored()] == [first[file].digest for file in there]
     with Store.open(Path("homework.judge.sqlite3"), reading=True) as store:
@@ -130,7 +130,7 @@ def test_parts_put_together_are_the_plain_run(judge, homework, submit, capsys):
     assert batch(["merge", "homework", *parts]) == 0
     assert "6 rows merged from 3 files" in capsys.readouterr().err
     assert untimed(stored()) == untimed(stored("plain.sqlite3"))
-    assert "5 kept from before" in judge("class", "homework").err  # the sixth cannot be read
+    assert "5 results kept from before" in judge("class", "homework").err  # the sixth cannot be read
     assert batch(["shard", "0/3", "homework"]) == 2
     assert "judge: '0/3' is not a part; write 3/20" in capsys.readouterr().err
 
@@ -192,7 +192,7 @@ def test_the_same_command_goes_on_after_any_end(judge, submit, how):
         assert f"0 of {len(kept)} accepted, 6 students, 1 kata" in printed
         assert "Traceback" not in said
     ended = judge("class", "homework")
-    assert f"{len(kept)} kept from before" in ended.err
+    assert f"{len(kept)} results kept from before" in ended.err
     final = stored()
     assert len(final) == len({row.key for row in final}) == 6
     assert {row.key: row.at for row in kept}.items() <= {row.key: row.at for row in final}.items()

@@ -54,7 +54,7 @@ def test_what_is_there_is_kept_and_equals_get_copies_later_too():
     third = replace(ADA, student="dan", file="dan/p.py")
     (copy,) = planned([third], [*plan.rows], GROUND).rows
     assert copy.copied == "ada/p.py"  # not of the copy
-    assert plan.said == ("1 kept from before",)
+    assert plan.said == ("1 result kept from before",)
 
 
 def test_a_file_or_a_problem_that_cannot_be_judged_is_a_row_and_a_fault_is_tried_again():
@@ -90,7 +90,7 @@ def test_another_standard_is_told_and_what_comes_back_is_the_newest():
     assert set(current([ADA, BOB], rows)) == {ADA, BOB}
     every = [*rows, *judged(plan)]
     back = planned([ADA, BOB], every, GROUND)
-    assert (back.kept, back.work, back.said) == ((), (), ("2 kept from before",))
+    assert (back.kept, back.work, back.said) == ((), (), ("2 results kept from before",))
     assert [row.key for row in back.rows] == [row.key for row in rows]
     assert all(row.at >= every[-1].at for row in back.rows)
     changed = replace(ADA, source=b"two")

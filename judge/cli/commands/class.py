@@ -38,7 +38,7 @@ class ClassAsk(Struct, frozen=True):
     again: tuple[str, ...] = opt(
         "--again NAME", "Judge a student, a kata or a file again (repeatable).", default=()
     )
-    csv: Path | None = opt("--csv FILE", "Write the gradebook, a line a student.")
+    csv: Path | None = opt("--csv FILE", "Write the gradebook, one line for each student.")
     html: Path | None = opt("--html FILE", "Write one page of it all, with a picture of each mistake.")
     feedback: Path | None = opt("--feedback DIR", "Write a page for each student into this folder.")
     where: str | None = opt(

@@ -35,12 +35,12 @@ TEXT, GITHUB, EDITOR = FORMATS = ("text", "github", "editor")
 class RunAsk(Struct, frozen=True):
     """What to run, and what to show of it; the hidden ones are for scripts."""
 
-    quiet: bool = opt("-q --quiet", "Only the verdicts, one line a file.")
+    quiet: bool = opt("-q --quiet", "Only the verdicts, one line for each file.")
     whole: bool = opt("--all", "Show every test group.")
     level: str | None = opt("--level", "Only this level.", choices=LEVELS)
     groups: tuple[str, ...] = opt("--group G", "Only this group; repeatable.", default=())
     jobs: int = opt("-j --jobs N", "Judge N files at once.", type=click.IntRange(1, 256), default=1)
-    fresh: str | None = opt("--fresh --for TIME", "Judge on new cases for so long, such as 30s or 2m.")
+    fresh: str | None = opt("--fresh --for TIME", "Judge on new cases for this long, such as 30s or 2m.")
     form: str = opt(
         "--format",
         "github: annotations; editor: lines as compilers write them.",
@@ -80,9 +80,9 @@ class RunAsk(Struct, frozen=True):
 def run(words: tuple[str, ...], ask: RunAsk, common: Common) -> Iterator[Struct]:
     """Judge files once.
 
-    Without words: the file of your current kata. A FILE says its kata by its function, the first line of its
-    stub, its name, or its folder in solutions/; a folder stands for every *.py in it. A file that does not
-    define the kata's function is run as a program that reads standard input.
+    Without words, it is the file of your current kata. The kata of a FILE is found by the function in it, the
+    first line of its stub, its name, or its folder in solutions/. A folder stands for every *.py in it. A
+    file that does not define the kata's function is run as a program that reads standard input.
 
     With --fresh, new cases are drawn until the time is up or one fails. Ctrl-C keeps what was found.
 
