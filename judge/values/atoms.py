@@ -54,7 +54,7 @@ class Place(NamedTuple):
         word = self.composite.word(self.at) if self.composite else ""
         if short and word == "point 1" and self.of == 1 and not around:
             word = ""
-        return " of ".join(filter(None, (word, around)))
+        return f"{word} of {around}" if word and around else word or around
 
     def prefix(self) -> str:
         """How a sentence about the whole of this place begins: "part 2 of item 3: ", nothing for the root."""

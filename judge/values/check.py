@@ -54,6 +54,7 @@ class Rejection(Struct, frozen=True):
 
 
 Outcome = Accepted | Rejection
+_UNMEASURED = Accepted()
 
 
 def target(type_: Type, exact: Exact, tolerance: Tolerance) -> Target:
@@ -93,7 +94,7 @@ def check(type_: Type, raw: Raw, target: Target, exact: ExactOf) -> Outcome:
     """Decide an answer, JSON of any shape whatever; it never raises for one."""
     found, _ = decide(type_, raw, target, exact)
     if isinstance(found, float):
-        return Accepted(found if found >= 0.0 else None)
+        return Accepted(found) if found >= 0.0 else _UNMEASURED
     why = found()
     return Rejection(why.message, wanted(type_, target), shown(type_, raw), why.where, *why.errors)
 

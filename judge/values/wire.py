@@ -119,26 +119,26 @@ def _large(value: Raw) -> int | None:
 
 def word(raw: Raw) -> str | None:
     """The word that `raw` stands for, or None; at most `LONGEST_WORD` printable characters."""
-    text = _sent(raw, "word")
-    return text if type(text) is str and len(text) <= LONGEST_WORD and text.isprintable() else None
-
-
-def _sent(raw: Raw, key: str) -> Any:
-    """What an object of this one key has there, or None."""
-    return raw.get(key) if type(raw) is dict and len(raw) == 1 else None
+    if type(raw) is dict and len(raw) == 1:
+        text = raw.get("word")
+        if type(text) is str and len(text) <= LONGEST_WORD and text.isprintable():
+            return text
+    return None
 
 
 def items(raw: Raw) -> Sequence[Raw] | None:
     """The items of a list, a tuple or an array; None for anything else."""
     if type(raw) in (list, tuple):
         return raw  # type: ignore[no-any-return]
-    single = _sent(raw, "tuple")
-    return single if type(single) is list and len(single) == 1 else numbers(raw)
+    if type(raw) is dict and len(raw) == 1:
+        single = raw.get("tuple")
+        return single if type(single) is list and len(single) == 1 else numbers(raw)
+    return None
 
 
 def numbers(raw: Raw) -> array[Any] | None:
     """The typed array that `raw` stands for, or None."""
-    sent = _sent(raw, "array")
+    sent = raw.get("array") if type(raw) is dict and len(raw) == 1 else None
     if type(sent) is not list or len(sent) != 2 or type(sent[1]) is not str or sent[0] not in CODES:
         return None
     try:

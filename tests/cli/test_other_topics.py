@@ -138,7 +138,7 @@ SLIPS = [
     ("unit-vector", "toml", "relative = 1e-9", "relative = 1e-30", "the example contradicts solve: "),
     ("larger-fraction", "toml", "less|equal|more", "less|equal", "'more' where less or equal is meant"),
     ("root-enclosed", "py", "high - low <= width", "high - low < 0", "the example contradicts solve: "),
-    ("rises", "py", "return [0, *(", "return ['x', *(", "'x' where an int is meant"),
+    ("rises", "py", "return [0, *(", "return ['x', *(", "'x', a str, where an int is meant"),
     ("lamps", "toml", "[circle; 1..6]", "[circle; 1..2]", "lamps has "),
 ]
 
