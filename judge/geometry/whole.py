@@ -14,6 +14,7 @@ from judge.exact.signs import sign
 from judge.exact.surd import Surd, integers
 from judge.problem.declare import InvalidCase
 from judge.values.answers import Judged, Real
+from judge.values.wire import near
 
 Number = int | float
 Whole = tuple[int, int]
@@ -114,7 +115,7 @@ def _no_enclosure(x: Fraction, width: Fraction, ends: tuple[Number, Number], _gr
     if not low <= x <= high:
         return f"{'lo is above' if low > x else 'hi is below'} the exact number, {float(x)!r}"
     if high - low > width:
-        return f"it is {float(high - low):.3g} wide, {float(width):.3g} is allowed"
+        return f"it is {near(high - low):.3g} wide, {near(width):.3g} is allowed"
     return None
 
 

@@ -203,7 +203,7 @@ def _facts(result: Result, shown: Failure | None) -> Iterator[tuple[str, str]]:
             yield "got", shown.got
     if shown.printed:
         yield "printed", shown.printed
-    plain = (f"{shown.expected} wanted, {shown.got} given", f"{shown.expected} expected, {shown.got} got")
+    plain = (f"{shown.expected} expected, {shown.got} given", f"{shown.expected} expected, {shown.got} got")
     if wrong and shown.input is not None and shown.message not in plain:
         yield "why", shown.message
     small = result.counterexample

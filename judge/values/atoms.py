@@ -95,7 +95,7 @@ class Type:
     width: int | None = 1  # tokens on a line; None where that varies
     most = 1  # items of all levels in the longest answer, where the type bounds them
     lengths = 1  # that the longest of its lists may have, as many as are told apart
-    noun = "a value"  # what is meant, "a number"
+    noun = "a value"  # what is expected, "a number"
     plural = "values"  # "a list of numbers"
     one, several = "item", "items"  # what one and several of them in a list are called
     annotation = "object"  # in a stub
@@ -142,7 +142,7 @@ class Atom(Type):
     is_parameter = property(lambda self: bool(self.samples))
 
     def why_not(self, value: Any) -> str | None:
-        """Why a value is none of this type, "'up' where left or right is meant"; None where it is one."""
+        """Why a value is none of this type, "'up' where left or right is expected"; None where it is one."""
         raise NotImplementedError
 
     def value_of(self, raw: Raw) -> Any:
@@ -179,7 +179,7 @@ class Atom(Type):
             return self.value_of(raw)
         except ValueError:
             name = f" for {place.name()}" if place.name() else ""
-            raise Unreadable(wire.fault(raw).where(f"{self.noun} is meant{name}")) from None
+            raise Unreadable(wire.fault(raw).where(f"{self.noun} is expected{name}")) from None
 
     def off(self, value: Value, target: Target, leaf: Leaf) -> float | None:
         """How many ulps the value is off, NOTHING where that is not measured; None where it is wrong."""
@@ -188,7 +188,7 @@ class Atom(Type):
     def why(self, value: Value, target: Target, words: Words, place: Place) -> Mismatch:
         """Why a value that is wrong is so: it may even be none of this type."""
         return place.mismatch(
-            self.why_not(value) or f"{self.shown(target)} wanted, {self.shown(value)} given"
+            self.why_not(value) or f"{self.shown(target)} expected, {self.shown(value)} given"
         )
 
     def take(self, tokens: Tokens, meant: str) -> Raw:
@@ -197,7 +197,7 @@ class Atom(Type):
         try:
             return self.sent(self.value_from(token))
         except ValueError:
-            raise Unreadable(f"{wire.quoted(token)} where {meant} is meant") from None
+            raise Unreadable(f"{wire.quoted(token)} where {meant} is expected") from None
 
     def shown(self, value: Value) -> str:
         """A value as a person would write it in Python."""
@@ -216,7 +216,7 @@ class NumberType(Atom):
     def why_not(self, value: Any) -> str | None:
         """Exactly an int or a float: a bool would not come back from the cache as it went in."""
         if type(value) not in self.kinds:
-            return f"{value!r}, a {type(value).__name__}, where {type(self).noun} is meant"
+            return f"{value!r}, a {type(value).__name__}, where {type(self).noun} is expected"
         return None if value - value == 0 else f"{value!r}, which is not finite"
 
     def shown(self, value: Value) -> str:
@@ -228,11 +228,11 @@ class NumberType(Atom):
         given, name = wire.number(raw), place.name()
         meant = name or (noun if self.measured else self.noun)
         if isinstance(given, wire.Fault):
-            raise Unreadable(given.where(f"{meant} is meant"))
+            raise Unreadable(given.where(f"{meant} is expected"))
         if isinstance(given, int) or float in self.kinds:
             return given
         kind, more = "float" if isinstance(given, float) else "number", " as an int" if name else ""
-        raise Unreadable(f"the {kind} {wire.show(raw)} where {meant} is meant{more}")
+        raise Unreadable(f"the {kind} {wire.show(raw)} where {meant} is expected{more}")
 
     def value_from(self, token: str) -> Any:
         """An int as `repr` writes it, or else a float."""
@@ -267,7 +267,7 @@ class RealType(NumberType):
     def aim(self, exact: Exact, tolerance: Tolerance) -> Target:
         """The least and the greatest double that is accepted, and the nearest one."""
         if type(exact) is not Real:
-            raise Unfit(f"{exact!r} where a Real is meant")
+            raise Unfit(f"{exact!r} where a Real is expected")
         if isinstance(exact.x, float) or isinstance(exact.unit, float):  # rounded already, most likely
             raise Unfit(f"{exact!r} holds a float; write Fraction(x) where a double is the exact number")
         return answers.accepted_doubles(exact, tolerance)
@@ -341,7 +341,7 @@ class WordType(Atom):
     def why_not(self, value: Any) -> str | None:
         """One of the choice."""
         known = type(value) is str and value in self.samples
-        return None if known else f"{value!r} where {self.noun} is meant"
+        return None if known else f"{value!r} where {self.noun} is expected"
 
     def value_of(self, raw: Raw) -> Any:
         """Any word: a wrong one is a wrong answer."""
@@ -353,5 +353,5 @@ class WordType(Atom):
         """Any word of the usual length."""
         token = tokens.next()
         if len(token) > wire.LONGEST_WORD:
-            raise Unreadable(f"{wire.quoted(token)} where {self.noun} is meant")
+            raise Unreadable(f"{wire.quoted(token)} where {self.noun} is expected")
         return {"word": token}

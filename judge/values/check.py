@@ -200,12 +200,12 @@ def _plain(value: Value) -> Any:
 def _none(type_: Type, value: Value, target: Target, ask: _Ask, place: Place) -> Mismatch:
     """None where there is an answer, or the other way round."""
     if target is None:
-        message = f"None wanted, {shown(type_, value)} given"
+        message = f"None expected, {shown(type_, value)} given"
     elif ask.words.missing and not place.name():
         name = f"{ask.words.answer} = " if ask.words.answer else ""
         message = f"None given, {ask.words.missing}: {name}{wanted(type_, target)}"
     else:
-        message = f"{wanted(type_, target)} wanted, None given"
+        message = f"{wanted(type_, target)} expected, None given"
     return place.mismatch(message)
 
 
@@ -213,7 +213,7 @@ def _of_several(type_: Type, value: Value, target: Target, place: Place, misses:
     """What is wrong beside that right answer which agrees the longest, and misses by the least."""
     inner = lasting(type_)
     if value is None or (isinstance(inner, Atom) and not inner.measured):
-        return place.mismatch(f"{wanted(type_, target)} wanted, {shown(type_, value)} given")
+        return place.mismatch(f"{wanted(type_, target)} expected, {shown(type_, value)} given")
     longest = max(each.place.steps()[len(place.steps()) + 1 :] for each in misses)
     told = [each.tell() for each in misses if each.place.steps()[len(place.steps()) + 1 :] == longest]
     return min(told, key=lambda why: inf if why.errors[0] is None else why.errors[0])
@@ -223,7 +223,7 @@ def _other_count(type_: ListType, value: Value, target: Target, ask: _Ask, place
     """Too many items, or too few."""
     size = len(target)
     count = f"1 {type_.one}" if size == 1 else f"{size or 'no'} {type_.several}"
-    message = f"{count} wanted, {len(value) or 'none'} given"
+    message = f"{count} expected, {len(value) or 'none'} given"
     if size == 1 and len(value) == 2 and all(_fits(type_, each, target, 0, ask, place) for each in value):
         message += f": the same {type_.one} twice"
     return place.mismatch(message)

@@ -104,7 +104,7 @@ class _Parser:
         token = self._tokens.pop(0) if self._tokens else ""
         if not token or (wanted and token != wanted):
             found = repr(token) if token else "its end"
-            raise ValueError(f"{found} where {repr(wanted) if wanted else 'a type'} is meant")
+            raise ValueError(f"{found} where {repr(wanted) if wanted else 'a type'} is expected")
         return token
 
     def _take(self, token: str) -> bool:

@@ -39,7 +39,7 @@ def read(type_: Type, raw: Raw, place: Place = ROOT, *, bounded: bool = True) ->
 
 def _no_parts(type_: Composite, raw: Raw, found: Sequence[Raw] | None, place: Place) -> str:
     name = place.name()
-    what = f"{name} is meant to be {type_.noun}" if name else f"{type_.noun} is meant"
+    what = f"{name} is expected to be {type_.noun}" if name else f"{type_.noun} is expected"
     wrong = fault(raw)
     if not isinstance(type_, ListType):
         return wrong.where(what)
@@ -74,7 +74,7 @@ def _take(type_: Type, line: Tokens, *, whole: bool = False) -> Raw:
             line.next()
             return None
         what = line.meant if whole and type_.width == 1 else _hint(type_)
-        raise Unreadable(f"{quoted(ahead)} where {what} is meant: write none in lower case")
+        raise Unreadable(f"{quoted(ahead)} where {what} is expected: write none in lower case")
     if isinstance(inner, Atom):
         return inner.take(line, line.meant if whole else inner.noun)
     count = _count(inner, line, whole=whole) if isinstance(inner, ListType) else 0
@@ -84,10 +84,10 @@ def _take(type_: Type, line: Tokens, *, whole: bool = False) -> Raw:
 def _count(type_: ListType, line: Tokens, *, whole: bool) -> int:
     """The length of the list that follows."""
     if line.ahead.lower() == "none":
-        raise Unreadable(f'"{line.ahead}" where {_hint(type_)} is meant: no {type_.several} are 0')
+        raise Unreadable(f'"{line.ahead}" where {_hint(type_)} is expected: no {type_.several} are 0')
     count = line.integer(f"the number of {type_.several} k")
     if not type_.fits(count):
-        raise Unreadable(f"k = {show(count)} where {type_.bounds()} {type_.several} are meant")
+        raise Unreadable(f"k = {show(count)} where {type_.bounds()} {type_.several} are expected")
     width = type_.item.width
     if width is not None and whole and len(line.words) != count * width:
         noun = "coordinates" if type_.one == "point" else "more"

@@ -58,7 +58,7 @@ def shown(type_: Type, raw: Raw) -> str:
 
 
 def is_one_item(type_: Composite, found: Sequence[Raw]) -> bool:
-    """Whether one item is given where a list of them is meant: (x, y) for [(x, y)]."""
+    """Whether one item is given where a list of them is expected: (x, y) for [(x, y)]."""
     if not isinstance(type_, ListType) or not isinstance(type_.item, TupleType):
         return False
     return len(type_.item.made_of) == len(found) and all(

@@ -76,13 +76,13 @@ class Composite(Made):
         return f"{self.one} {at + 1}"
 
     def wrong_count(self, count: int) -> str | None:
-        """Why a value cannot have so many parts: "3 points where 0 to 2 are meant"."""
+        """Why a value cannot have so many parts: "3 points where 0 to 2 are expected"."""
         raise NotImplementedError
 
     def why_not(self, value: Any) -> str | None:
         """Why a value is no tuple of so many parts, which are not looked at."""
         if type(value) is not tuple:
-            return f"{value!r} where a tuple is meant"
+            return f"{value!r} where a tuple is expected"
         return self.wrong_count(len(value))
 
     @cached_property
@@ -152,7 +152,7 @@ class TupleType(Composite):
         if count == len(self.made_of):
             return None
         what = "coordinate" if self.is_vector else "part"
-        return f"{count} {what}{'' if count == 1 else 's'} where {self.noun} is meant"
+        return f"{count} {what}{'' if count == 1 else 's'} where {self.noun} is expected"
 
 
 class ListType(Composite):
@@ -190,7 +190,7 @@ class ListType(Composite):
         """As many as the bounds let pass."""
         if self.fits(count):
             return None
-        return f"{count} {self.one if count == 1 else self.several} where {self.bounds()} are meant"
+        return f"{count} {self.one if count == 1 else self.several} where {self.bounds()} are expected"
 
 
 class ArrayType(ListType):

@@ -61,7 +61,7 @@ class Fault(Struct, frozen=True):
     type: str = ""
 
     def where(self, meant: str, remedy: str = "") -> str:
-        """The sentence that says so: `meant` is what stands there otherwise, "a number is meant"."""
+        """The sentence that says so: `meant` is what stands there otherwise, "a number is expected"."""
         advice = self.remedy or remedy
         return f"{self.text} where {meant}" + (f": {advice}" if advice else "")
 
@@ -230,7 +230,7 @@ def near(value: Given) -> float:
 
 
 def collecting(type_name: str) -> str:
-    """What to do about a value of that type where a list is meant, or nothing."""
+    """What to do about a value of that type where a list is expected, or nothing."""
     if type_name in SETS:
         return "a set has no order, and list(...) gives it none; collect a list"
     return "wrap it in list(...)" if type_name in ITERATORS.split() else ""
@@ -256,7 +256,7 @@ class Tokens:
         self.words = line.split()[::-1]
         self.meant = meant
         if not self.words:
-            raise Unreadable(f"an empty line where {meant} is meant")
+            raise Unreadable(f"an empty line where {meant} is expected")
 
     @property
     def ahead(self) -> str:
@@ -273,12 +273,12 @@ class Tokens:
         """Take an integer."""
         token = self.next()
         if not _INTEGER.fullmatch(token):
-            raise Unreadable(f"{quoted(token)} where {meant} is meant: write a plain integer")
+            raise Unreadable(f"{quoted(token)} where {meant} is expected: write a plain integer")
         return int(token)
 
     def number(self, meant: str) -> Written:
         """Take a decimal."""
         read = decimal(self.next())
         if isinstance(read, Fault):
-            raise Unreadable(f"{read.text} where {meant} is meant: {read.remedy}")
+            raise Unreadable(f"{read.text} where {meant} is expected: {read.remedy}")
         return read

@@ -133,12 +133,12 @@ def test_the_report_shows_what_went_wrong_and_draws_nothing(judge, submit):
 
 # The kata, its file, what is written there instead of what, and what is told.
 SLIPS = [
-    ("divisors", "toml", "[int; 1..240]", "[int; 1..3]", "4 items where 1 to 3 are meant"),
+    ("divisors", "toml", "[int; 1..240]", "[int; 1..3]", "4 items where 1 to 3 are expected"),
     ("divisors", "py", "== 0]", "== 0] + [n / 2] * (n > 6)", "and a float is not exact"),
     ("unit-vector", "toml", "relative = 1e-9", "relative = 1e-30", "the example contradicts solve: "),
-    ("larger-fraction", "toml", "less|equal|more", "less|equal", "'more' where less or equal is meant"),
+    ("larger-fraction", "toml", "less|equal|more", "less|equal", "'more' where less or equal is expected"),
     ("root-enclosed", "py", "high - low <= width", "high - low < 0", "the example contradicts solve: "),
-    ("rises", "py", "return [0, *(", "return ['x', *(", "'x', a str, where an int is meant"),
+    ("rises", "py", "return [0, *(", "return ['x', *(", "'x', a str, where an int is expected"),
     ("lamps", "toml", "[circle; 1..6]", "[circle; 1..2]", "lamps has "),
 ]
 

@@ -64,9 +64,9 @@ def test_accepted(line, answer):
 @pytest.mark.parametrize(
     ("line", "answer", "message"),
     [
-        ("2", count(1), "1 wanted, 2 given"),
-        ("2", count(None), "none wanted, 2 given"),
-        ("1.0", count(1), '"1.0" where 0, 1, 2 or none is meant: write a plain integer'),
+        ("2", count(1), "1 expected, 2 given"),
+        ("2", count(None), "none expected, 2 given"),
+        ("1.0", count(1), '"1.0" where 0, 1, 2 or none is expected: write a plain integer'),
         ("None", count(None), "write none in lower case"),
         ("0x1", count(1), "write a plain integer"),
         ("", count(1), "an empty line"),
@@ -75,14 +75,14 @@ def test_accepted(line, answer):
         ("１", count(1), "the character '\\uff11' in the output"),
         ("1\u00a0", count(1), "the character '\\xa0' in the output"),
         ("9" * 5000, count(1), "write a plain integer"),
-        ("9007199254740993", count(1), "1 wanted, 9007199254740993 given"),
+        ("9007199254740993", count(1), "1 expected, 9007199254740993 given"),
         ("2 1 1 3", TWO, "k = 2 needs 4 coordinates, 3 given"),
         ("2 1 1 3 1 7", TWO, "k = 2 needs 4 coordinates, 5 given"),
         ("2 3 1 1 1", TWO, "the right points in the wrong order"),
-        ("3 1 1 3 1 5 1", TWO, "where 0 to 2 points are meant"),
-        ("-1", TWO, "where 0 to 2 points are meant"),
+        ("3 1 1 3 1 5 1", TWO, "where 0 to 2 points are expected"),
+        ("-1", TWO, "where 0 to 2 points are expected"),
         ("none", TWO, "no points are 0"),
-        ("2 1 1 nan 1", TWO, '"nan" where a coordinate is meant: it is not a finite number'),
+        ("2 1 1 nan 1", TWO, '"nan" where a coordinate is expected: it is not a finite number'),
         ("2 1 1 3_0 1", TWO, "it has an underscore"),
         ("2 1 1 0x1.8p1 1", TWO, "it is hexadecimal"),
         ("2 1 1 .3 1", TWO, "it is not a plain decimal number"),
@@ -92,8 +92,8 @@ def test_accepted(line, answer):
         ("2 1 1 1e99999 1", TWO, "its exponent is beyond"),
         ("2 1 1 1e5000 1", TWO, "x of point 2 is off by inf"),
         ("none", parameter(Surd(1), 1), "none given, but the ray hits: t = 1.0"),
-        ("3", parameter(None, 1), "none wanted, 3 given"),
-        ("-1", parameter(None, 1), "none wanted, -1 given"),
+        ("3", parameter(None, 1), "none expected, 3 given"),
+        ("-1", parameter(None, 1), "none expected, -1 given"),
     ],
 )
 def test_refused(line, answer, message):
@@ -169,7 +169,7 @@ def test_another_number_is_not_called_rounded(line, x):
 
 @pytest.mark.parametrize("line", ["1,41421", "-3,5", "2,5e3"])
 def test_a_decimal_comma_is_told(line):
-    assert why(line, ROOT_2) == f'"{line}" where a number is meant: it has a decimal comma; write a point'
+    assert why(line, ROOT_2) == f'"{line}" where a number is expected: it has a decimal comma; write a point'
 
 
 POINTS_TOLERANCE = Tolerance(extent=Fraction(1, 10**9), ulps=Fraction(4))
@@ -229,21 +229,24 @@ def test_a_number_that_is_off_is_named_and_measured():
 
 def test_a_tangency_given_twice_is_named():
     outcome = points_of([[3.0, 1.0], [3.0, 1.0]], ONE)
-    assert outcome.message == "1 point wanted, 2 given: the same point twice"
-    assert points_of([[3.0, 1.0], [4.0, 1.0]], ONE).message == "1 point wanted, 2 given"
-    assert points_of([[3.0, 1.0]], []).message == "no points wanted, 1 given"
+    assert outcome.message == "1 point expected, 2 given: the same point twice"
+    assert points_of([[3.0, 1.0], [4.0, 1.0]], ONE).message == "1 point expected, 2 given"
+    assert points_of([[3.0, 1.0]], []).message == "no points expected, 1 given"
 
 
 @pytest.mark.parametrize(
     ("raw", "message"),
     [
-        (2, "1 wanted, 2 given"),
-        (1.0, "the float 1.0 where an int is meant"),
-        (True, "the bool True where an int is meant"),
-        ({"type": "bool_", "text": "True"}, "the bool_ True where an int is meant"),
-        ({"int": "10000000000000000"}, "1 wanted, 18446744073709551616 given"),
-        ({"fraction": ["1", "1"]}, "the number Fraction(1, 1) where an int is meant"),
-        ({"type": "Colour", "text": "a subclass of int"}, "Colour, a subclass of int, where an int is meant"),
+        (2, "1 expected, 2 given"),
+        (1.0, "the float 1.0 where an int is expected"),
+        (True, "the bool True where an int is expected"),
+        ({"type": "bool_", "text": "True"}, "the bool_ True where an int is expected"),
+        ({"int": "10000000000000000"}, "1 expected, 18446744073709551616 given"),
+        ({"fraction": ["1", "1"]}, "the number Fraction(1, 1) where an int is expected"),
+        (
+            {"type": "Colour", "text": "a subclass of int"},
+            "Colour, a subclass of int, where an int is expected",
+        ),
     ],
 )
 def test_wrong_counts_say_why(raw, message):
@@ -251,7 +254,7 @@ def test_wrong_counts_say_why(raw, message):
     assert isinstance(outcome, Rejection)
     assert outcome.message.startswith(message)
     assert isinstance(count_of(None, None), Accepted)
-    assert count_of(0, None).message == "None wanted, 0 given"
+    assert count_of(0, None).message == "None expected, 0 given"
 
 
 def deep(levels: int) -> Any:

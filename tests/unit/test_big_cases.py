@@ -147,7 +147,7 @@ def test_a_big_case_that_fails_is_not_shown(signs):
     path = PACK / "solutions" / "signs" / "wrong" / "no-zero.py"
     result = judge_submission(signs, path.read_bytes(), path.name, groups=[many.name]).result
     assert (result.failure.group, result.failure.case, result.failure.input) == ("many", 1, None)
-    assert re.fullmatch(r"item \d+: 0 wanted, 1 given", result.failure.message)
+    assert re.fullmatch(r"item \d+: 0 expected, 1 given", result.failure.message)
     assert len(json.dumps(result.as_json())) < 3_000
 
 

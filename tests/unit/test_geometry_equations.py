@@ -8,6 +8,7 @@ import pytest
 
 from judge.data.draw import Draw, seeded
 from judge.geometry.scenes import equations, signs
+from judge.geometry.whole import enclosure
 
 
 def drawn(scene, count=80):
@@ -53,3 +54,9 @@ def test_numbers_beyond_the_squares_of_doubles():
         assert max(sizes) > 2**500
         assert min(sizes) < Fraction(1, 2**500)
         assert max(sizes) <= 2**604
+
+
+def test_an_interval_beyond_the_doubles_is_wrong_and_no_fault():
+    judged = enclosure(Fraction(3), Fraction(1))
+    for end in (10**400, 1e308):
+        assert judged.why_not((-end, end), "") == "it is inf wide, 1 is allowed"

@@ -92,11 +92,11 @@ def test_who_answers_alike_has_a_ratio(timed, source):
 @pytest.mark.parametrize(
     ("source", "deed", "verdict", "message"),
     [
-        (CALLS, "return 7", Verdict.WA, "wanted, 7 given"),
+        (CALLS, "return 7", Verdict.WA, "expected, 7 given"),
         nightly(CALLS, "raise ValueError('timed')", Verdict.RTE, "ValueError: timed"),
         (CALLS, "os._exit(0)", Verdict.RTE, "exit status 0"),
         nightly(PROGRAM, "if again: sys.exit()", Verdict.WA, "0 lines printed, 8 expected"),
-        (PROGRAM, "if again: rows.reverse()", Verdict.WA, "wanted"),
+        (PROGRAM, "if again: rows.reverse()", Verdict.WA, "expected"),
     ],
 )
 def test_who_answers_otherwise_when_timed_is_not_accepted(timed, source, deed, verdict, message):

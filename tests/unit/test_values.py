@@ -71,54 +71,59 @@ def test_right_answers_in_other_forms(text, exact, raw):
 
 
 WRONG = [
-    ("int", 3, 4, "3 wanted, 4 given"),
-    ("int", 3, {"type": "generator", "text": ""}, "a generator where an int is meant"),
-    ("int", 3, {"tuple": [3]}, "the tuple (3,) where an int is meant"),
+    ("int", 3, 4, "3 expected, 4 given"),
+    ("int", 3, {"type": "generator", "text": ""}, "a generator where an int is expected"),
+    ("int", 3, {"tuple": [3]}, "the tuple (3,) where an int is expected"),
     ("real", Real(1), 2.0, "the answer is off by 1, relative error 1 (4.5e+15 ulps)"),
-    ("real?", Real(1), None, "1.0 wanted, None given"),
+    ("real?", Real(1), None, "1.0 expected, None given"),
     ("real", Real(1), {"type": "float", "text": "nan"}, "it is not a finite number"),
-    ("word(lit|dark)", "lit", word("dark"), "'lit' wanted, 'dark' given"),
-    ("word(lit|dark)", "lit", 1, "1 where lit or dark is meant"),
+    ("word(lit|dark)", "lit", word("dark"), "'lit' expected, 'dark' given"),
+    ("word(lit|dark)", "lit", 1, "1 where lit or dark is expected"),
     ("vec2", vector((1, 2)), [1.0, 3.0], "y is off by 1, relative error 0.5 (2.25e+15 ulps)"),
-    ("vec2", vector((1, 2)), {"type": "complex", "text": "2j"}, "the complex 2j where (x, y) is meant"),
-    ("vec3", vector((1, 2, 3)), {"type": "complex", "text": "1j"}, "the complex 1j where (x, y, z) is meant"),
-    ("word(lit|dark)", "lit", word("Lit"), "'Lit' where lit or dark is meant"),
-    ("vec3", vector((1, 2, 3)), [1.0, 2.0], "the answer has 2 coordinates where (x, y, z) is meant"),
-    ("(int, real)", (1, Real(2)), [2, 2.0], "part 1: 1 wanted, 2 given"),
-    ("[int]", [1, 2], [1], "2 items wanted, 1 given"),
+    ("vec2", vector((1, 2)), {"type": "complex", "text": "2j"}, "the complex 2j where (x, y) is expected"),
+    (
+        "vec3",
+        vector((1, 2, 3)),
+        {"type": "complex", "text": "1j"},
+        "the complex 1j where (x, y, z) is expected",
+    ),
+    ("word(lit|dark)", "lit", word("Lit"), "'Lit' where lit or dark is expected"),
+    ("vec3", vector((1, 2, 3)), [1.0, 2.0], "the answer has 2 coordinates where (x, y, z) is expected"),
+    ("(int, real)", (1, Real(2)), [2, 2.0], "part 1: 1 expected, 2 given"),
+    ("[int]", [1, 2], [1], "2 items expected, 1 given"),
     ("[int]", [1, 2], [2, 1], "the right items in the wrong order"),
-    ("[int]", [1, 0, 1, 0], [1, 1, 0, 0], "item 2: 0 wanted, 1 given"),
-    ("[int]", [1, 2], [1, 3], "item 2: 2 wanted, 3 given"),
-    ("[int]", [1, 2], None, "None where a list of ints is meant: no items are []"),
-    ("[int; 2]", [1, 2], [1, 2, 3], "the answer has 3 items where 2 are meant"),
+    ("[int]", [1, 0, 1, 0], [1, 1, 0, 0], "item 2: 0 expected, 1 given"),
+    ("[int]", [1, 2], [1, 3], "item 2: 2 expected, 3 given"),
+    ("[int]", [1, 2], None, "None where a list of ints is expected: no items are []"),
+    ("[int; 2]", [1, 2], [1, 2, 3], "the answer has 3 items where 2 are expected"),
     ("[int]", [1], {"type": "set", "text": ""}, "a set has no order"),
     ("[int]", [1], {"type": "generator", "text": ""}, "wrap it in list(...)"),
-    ("[vec2]", [vector((1, 2))], [1.0, 2.0], "(1.0, 2.0) where a list of points is meant"),
+    ("[vec2]", [vector((1, 2))], [1.0, 2.0], "(1.0, 2.0) where a list of points is expected"),
     ("[(vec2, int)]", [(vector((1, 2)), 0)], [[[1.0, 9.0], 0]], "y of part 1 of item 1 is off by 7"),
-    (HITS, [HIT], [[1.0, 0, word("exit")]], "part 3 of item 1: 'enter' wanted, 'exit' given"),
-    (HITS, [HIT], [[1.0, 0]], "item 1 has 2 parts where a tuple[float, int, str] is meant"),
+    (HITS, [HIT], [[1.0, 0, word("exit")]], "part 3 of item 1: 'enter' expected, 'exit' given"),
+    (HITS, [HIT], [[1.0, 0]], "item 1 has 2 parts where a tuple[float, int, str] is expected"),
     (
         HITS,
         AnyOf([[EXIT, TOUCH], [TOUCH, EXIT]]),
         [[2.0, 0, word("exit")]] * 2,
-        "part 2 of item 2: 1 wanted, 0 given",
+        "part 2 of item 2: 1 expected, 0 given",
     ),
     (
         HITS,
         TIED,
         [[1.0, 0, word("enter")], [2.0, 1, word("touch")], [2.0, 1, word("exit")]],
-        "part 2 of item 3: 0 wanted, 1 given",
+        "part 2 of item 3: 0 expected, 1 given",
     ),
-    ("[int]", AnyOf([[1, 2, 3, 4], [2, 1, 3, 4]]), [2, 1, 3, 5], "item 4: 4 wanted, 5 given"),
+    ("[int]", AnyOf([[1, 2, 3, 4], [2, 1, 3, 4]]), [2, 1, 3, 5], "item 4: 4 expected, 5 given"),
     ("[int]", AnyOf([[1, 2, 3], [2, 1, 3]]), [3, 1, 2], "the right items in the wrong order"),
-    ("int", AnyOf([1, 2]), 3, "1 or 2 wanted, 3 given"),
-    ("(int, int?)", (7, AnyOf([1, 2])), [7, 3], "part 2: 1 or 2 wanted, 3 given"),
-    ("int?", AnyOf([1, 2]), None, "1 or 2 wanted, None given"),
+    ("int", AnyOf([1, 2]), 3, "1 or 2 expected, 3 given"),
+    ("(int, int?)", (7, AnyOf([1, 2])), [7, 3], "part 2: 1 or 2 expected, 3 given"),
+    ("int?", AnyOf([1, 2]), None, "1 or 2 expected, None given"),
     ("real", AnyOf([Real(1), Real(4)]), 3.5, "the answer is off by 0.5"),
-    ("[int]", [0, 1], sent("b", [0, 2]), "item 2: 1 wanted, 2 given"),
-    ("[int]", [0, 1], sent("d", [0, 1]), "the float 0.0 where item 1 is meant as an int"),
+    ("[int]", [0, 1], sent("b", [0, 2]), "item 2: 1 expected, 2 given"),
+    ("[int]", [0, 1], sent("d", [0, 1]), "the float 0.0 where item 1 is expected as an int"),
     ("[real]", [Real(1)], sent("d", [2.0]), "item 1 is off by 1"),
-    ("word(run|any)", "any", word("run"), "'any' wanted, 'run' given"),
+    ("word(run|any)", "any", word("run"), "'any' expected, 'run' given"),
 ]
 
 
@@ -162,21 +167,21 @@ def test_a_problem_has_its_own_words():
     order = judged("[int]", [1, 2], [2, 1], words)
     assert order.message == "the right items in the wrong order: they come upwards"
     assert reading.read_line(parse("int?", words=Words(meant="0 or 1")), "x") == (
-        '"x" where 0 or 1 is meant: write a plain integer'
+        '"x" where 0 or 1 is expected: write a plain integer'
     )
 
 
 @pytest.mark.parametrize(
     ("text", "line", "message"),
     [
-        ("int?", "1.5", '"1.5" where an int or none is meant: write a plain integer'),
-        ("real?", "None", '"None" where a number or none is meant: write none in lower case'),
+        ("int?", "1.5", '"1.5" where an int or none is expected: write a plain integer'),
+        ("real?", "None", '"None" where a number or none is expected: write none in lower case'),
         ("word(lit|dark)", "lit dark", '"dark" after the answer: one line holds lit or dark'),
-        ("[vec2; 0..2]", "3 1 1 1 1 1 1", "k = 3 where 0 to 2 points are meant"),
-        ("[vec2; 0..2]", "1 1 x", '"x" where a coordinate is meant: it is not a plain decimal number'),
+        ("[vec2; 0..2]", "3 1 1 1 1 1 1", "k = 3 where 0 to 2 points are expected"),
+        ("[vec2; 0..2]", "1 1 x", '"x" where a coordinate is expected: it is not a plain decimal number'),
         ("([int], int)", "5 1 2", "the line ends too early"),
         ("([int], int)", "1 1 2 3", '"3" after the answer'),
-        (HITS, "-1", "k = -1 where 0 or more items are meant"),
+        (HITS, "-1", "k = -1 where 0 or more items are expected"),
     ],
 )
 def test_lines_that_hold_no_answer(text, line, message):
@@ -195,14 +200,14 @@ def test_lines_of_nested_answers():
 @pytest.mark.parametrize(
     ("text", "exact", "why"),
     [
-        ("int", 1.0, "1.0, a float, where an int is meant"),
+        ("int", 1.0, "1.0, a float, where an int is expected"),
         (
             "real",
             Real(0.1, 1),
             "Real(x=0.1, unit=1) holds a float; write Fraction(x) where a double is the exact number",
         ),
-        ("[vec2; 0..2]", [vector((1, 2))] * 3, "3 points where 0 to 2 are meant"),
-        ("(int, int)", (1, 2, 3), "3 parts where a tuple[int, int] is meant"),
+        ("[vec2; 0..2]", [vector((1, 2))] * 3, "3 points where 0 to 2 are expected"),
+        ("(int, int)", (1, 2, 3), "3 parts where a tuple[int, int] is expected"),
         ("int", AnyOf([]), "AnyOf without answers"),
     ],
 )
@@ -218,7 +223,7 @@ def test_an_exact_answer_of_another_type_is_the_setters_fault(text, exact, why):
         ("complex", "'complex' is unknown", "use one of count, points"),
         ("interger", "'interger' is unknown", "did you mean 'integer'?"),
         ("[str]", "'[str]' is no type: 'str' is unknown", "did you mean 'word(a|b)'?"),
-        ("[int", "'[int' is no type: its end where ']' is meant", "[T; low..high]"),
+        ("[int", "'[int' is no type: its end where ']' is expected", "[T; low..high]"),
         ("(int)", "a tuple has two parts or more", ""),
         ("[int; 3..2]", "low is above high", ""),
         ("int??", "'?' comes after its end", ""),
@@ -263,6 +268,6 @@ def test_a_radius_is_never_negative():
     several = parse("[integer-circle]", folder)
     assert beyond(several, (inside, (1, -9, 1))) == "c has -9, outside -5 to 5"
     wrong = parameters.fault(circle, "c", (1, 2))
-    assert wrong == "c has 2 parts where a tuple[float, float, float] is meant"
+    assert wrong == "c has 2 parts where a tuple[float, float, float] is expected"
     wrong = parameters.fault(parse("integer-circle", folder), "c", (1, 2, 3.0))
-    assert wrong == "c has 3.0, a float, where an int is meant"
+    assert wrong == "c has 3.0, a float, where an int is expected"

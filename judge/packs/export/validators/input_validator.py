@@ -93,7 +93,7 @@ def validate(data: bytes) -> None:
     if not re.fullmatch("[1-9][0-9]*", first) or len(first) > MOST_CASES:
         raise Invalid("the first line is no number of cases")
     if len(lines) != int(first) + 2 or lines[-1]:
-        raise Invalid("%s cases, then each on a line of its own, are meant" % first)
+        raise Invalid("%s cases, then each on a line of its own, are expected" % first)
     for at, line in enumerate(lines[1:-1]):
         tokens = iter(line.split(" "))
         try:

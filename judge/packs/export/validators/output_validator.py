@@ -60,7 +60,7 @@ class Tokens:
         self.words = line.split()
         self.at = 0
         if not self.words:
-            raise Wrong("an empty line where an answer is meant")
+            raise Wrong("an empty line where an answer is expected")
 
     def ahead(self) -> str:
         """The next token, which stays; empty at the end."""
@@ -77,7 +77,7 @@ class Tokens:
         """The next token as a plain integer."""
         token = self.take()
         if not INTEGER.fullmatch(token):
-            raise Wrong("%r where a plain integer is meant" % token[:60])
+            raise Wrong("%r where a plain integer is expected" % token[:60])
         return int(token)
 
     def number(self) -> Tuple[int, int]:
@@ -85,7 +85,7 @@ class Tokens:
         token = self.take()
         match = DECIMAL.fullmatch(token) if len(token) <= MOST_DIGITS else None
         if match is None:
-            raise Wrong("%r where a plain decimal is meant" % token[:60])
+            raise Wrong("%r where a plain decimal is expected" % token[:60])
         minus, whole, places, power = match.groups()
         if power and (len(power) > 6 or abs(int(power)) > MOST_EXPONENT):
             raise Wrong("%r has an exponent beyond %d" % (token[:60], MOST_EXPONENT))
@@ -104,7 +104,7 @@ def taken(kind: Any, tokens: Tokens) -> Any:
     if name == "word":
         word = tokens.take()
         if len(word) > LONGEST_WORD:
-            raise Wrong("%r is no word that is meant" % word[:60])
+            raise Wrong("%r is not a word that is expected" % word[:60])
         return word
     if name == "tuple":
         return [taken(part, tokens) for part in kind[1]]
