@@ -98,6 +98,13 @@ def test_nothing_of_others_is_written_over(judge, brought):
     assert [path.name for path in Path("mine").iterdir()] == ["notes.txt"]
 
 
+def test_a_folder_that_cannot_be_made_is_told_in_one_line(judge, brought):
+    Path("file").write_text("")
+    refused = judge("site", "middle", "--out", "file/public")
+    assert (refused.status, refused.err.count("\n")) == (2, 1)
+    assert "file/public: cannot be written" in refused.err
+
+
 def test_without_mistletoe_nothing_is_fetched(judge, monkeypatch):
     monkeypatch.setitem(sys.modules, "mistletoe.block_token", None)
     monkeypatch.setattr(site, "parts", lambda *_: pytest.fail("it fetches"))

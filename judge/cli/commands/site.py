@@ -8,6 +8,7 @@ from pathlib import Path
 import click
 from msgspec import Struct
 
+from judge.cli.files import writing
 from judge.cli.options import Common, command, opt
 from judge.errors import UsageError
 from judge.files import cache_folder
@@ -37,7 +38,8 @@ def site(names: tuple[str, ...], ask: SiteAsk, common: Common) -> Iterator[SiteB
     is typed there is sent anywhere. A second build makes only what has changed.
     """
     out = ask.out or cache_folder() / "site" / "out"
-    check_folder(out)
+    with writing(out, "name another folder with --out"):
+        check_folder(out)
     markdown("")  # what it needs is missing at once, or not at all
     problems = [find_problem(name, common.problems) for name in dict.fromkeys(names)]
     if not names:
@@ -46,8 +48,9 @@ def site(names: tuple[str, ...], ask: SiteAsk, common: Common) -> Iterator[SiteB
             note(f"a kata is left out: {fault}")
     with stages("fetching") as advance:
         brought = parts(ask.pyodide, advance)
-    with stages("building") as advance:
-        yield build(out, problems, common.problems, brought, advance, opened=ask.opened)
+    with stages("building") as advance, writing(out, "name another folder with --out"):
+        built = build(out, problems, common.problems, brought, advance, opened=ask.opened)
+    yield built
     if ask.opened:
         _serve(out)
 
