@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from functools import partial
-from math import inf
+from math import inf, isfinite
 from typing import Any, NamedTuple
 
 from msgspec import Struct
@@ -22,7 +22,7 @@ from judge.values.atoms import NOTHING, ROOT, Atom, Mismatch, Place, Type, Unfit
 from judge.values.reading import read, read_line
 from judge.values.show import line, shown, wanted
 from judge.values.types import ListType, lasting
-from judge.values.wire import Raw, Unreadable, Written, quoted
+from judge.values.wire import Raw, Unreadable, Written, exactly, quoted
 
 ExactOf = Callable[[], tuple[Exact, Tolerance]]
 _REORDERED = 64  # items up to which a wrong list is held against itself in another order
@@ -186,11 +186,13 @@ def _off_any(type_: Type, value: Value, target: Target, ask: _Ask, place: Place)
 
 
 def _plain(value: Value) -> Any:
-    """A value that was read, as Python has it: digits alone are an int, another decimal is its double."""
+    """A value that was read, as Python has it: digits alone are an int, another decimal its double."""
     if isinstance(value, list | tuple):
         return type(value)([_plain(each) for each in value])
     if isinstance(value, Written):
-        return int(value.text) if value.text.lstrip("+-").isdecimal() else value.approx
+        if value.text.lstrip("+-").isdecimal():
+            return int(value.text)
+        return value.approx if isfinite(value.approx) else exactly(value)
     return value
 
 

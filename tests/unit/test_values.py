@@ -14,7 +14,7 @@ from judge.errors import ProblemError
 from judge.exact import Surd
 from judge.problem import Parameter
 from judge.values import check, parameters, reading, show
-from judge.values.answers import AnyOf, Real, Tolerance, Words, vector
+from judge.values.answers import AnyOf, Judged, Real, Tolerance, Words, vector
 from judge.values.check import Accepted, Rejection, is_right
 from judge.values.grammar import TypeFault, parse
 
@@ -271,3 +271,13 @@ def test_a_radius_is_never_negative():
     assert wrong == "c has 2 parts where a tuple[float, float, float] is expected"
     wrong = parameters.fault(parse("integer-circle", folder), "c", (1, 2, 3.0))
     assert wrong == "c has 3.0, a float, where an int is expected"
+
+
+@pytest.mark.parametrize(
+    ("line", "value"),
+    [("12", 12), ("0.5", 0.5), ("1e400", Fraction(10**400)), ("-1e400", -Fraction(10**400))],
+)
+def test_what_a_problem_decides_itself_is_finite(line, value):
+    handed = []
+    printed("real", Judged(lambda number, _group: handed.append(number), Real(1)), line)
+    assert handed == [value]
