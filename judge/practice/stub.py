@@ -55,8 +55,6 @@ def write_stub(problem: Problem, path: Path, *, over: bool = False) -> Path | No
     """
     text = make_stub(problem, language_of(path)).encode()
     try:
-        if not path.name or path.is_dir():
-            raise UsageError("this is a folder", where=str(path), remedy="name a file in it")
         if over and path.exists():
             return write_over(path, text)
         new_file(path, text)
