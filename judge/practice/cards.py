@@ -26,7 +26,15 @@ from msgspec import Struct
 from judge.errors import ProblemError, UsageError
 from judge.practice.events import Answer
 from judge.practice.review import Review, card_reviews
-from judge.practice.syllabus import USUAL, Table, read_checklist, set_files, toml_files
+from judge.practice.syllabus import (
+    USUAL,
+    Table,
+    read_checklist,
+    refuse_doubles,
+    refuse_unknown,
+    set_files,
+    toml_files,
+)
 from judge.problem.model import Name
 from judge.problem.toml import TomlFile, meant, refusal
 
@@ -230,20 +238,12 @@ def cards_of(name: str, cards: Sequence[Card], extra: Sequence[Path] = ()) -> li
 
 def _deck(file: TomlFile, name: str, rows: Sequence[str], sets: Sequence[str]) -> list[Card]:
     table = file.read(_DeckTable)
-    for place, each in enumerate(table.sets):
-        if each not in sets:
-            raise file.fault(f"no practice set is called {each!r}", meant(each, sets), "sets", place)
+    refuse_unknown(file, table.sets, sets, "no practice set is called", "sets")
     if not table.cards:
         raise file.fault("the deck has no card", "add [[cards]]")
-    ids = [card.id for card in table.cards]
+    refuse_doubles(file, [card.id for card in table.cards], "cards", "id")
     for place, card in enumerate(table.cards):
-        if card.id in ids[:place]:
-            what = f"the card {card.id!r} is there twice"
-            raise file.fault(what, "give one another id", "cards", place, "id")
-        for at, row in enumerate(card.rows):
-            if row not in rows:
-                what = f"the checklist has no row {row!r}"
-                raise file.fault(what, meant(row, rows), "cards", place, "rows", at)
+        refuse_unknown(file, card.rows, rows, "the checklist has no row", "cards", place, "rows")
     return [Card(name, card, table.sets) for card in table.cards]
 
 

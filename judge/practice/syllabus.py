@@ -116,7 +116,7 @@ def find_set(name: str, problems: Sequence[P], extra: Sequence[Path] = ()) -> Pr
     file = TomlFile(files[name])
     table = file.read(_SetTable)
     listed = table.problems or []
-    _refuse_doubles(file, listed, "problems", said="is listed twice")
+    refuse_doubles(file, listed, "problems", said="is listed twice")
     for place, each in enumerate(listed):
         try:
             find_problem(each, extra)
@@ -214,8 +214,8 @@ def read_checklist(extra: Sequence[Path] = ()) -> Checklist:
     paths = [root / name for root in problem_roots(extra) for name in ("skills.toml", "checklist.toml")]
     for file in (TomlFile(path) for path in paths if path.is_file()):
         table = file.read(Checklist)
-        _refuse_doubles(file, [skill.name for skill in table.skills], "skills", "name")
-        _refuse_doubles(file, [row.id for row in table.rows], "rows", "id")
+        refuse_doubles(file, [skill.name for skill in table.skills], "skills", "name")
+        refuse_doubles(file, [row.id for row in table.rows], "rows", "id")
         for skill in table.skills:
             skills.setdefault(skill.name, skill)
         for section in table.sections:
@@ -261,10 +261,21 @@ def unknown_names(problems: Iterable[Problem], extra: Sequence[Path] = ()) -> It
                 yield ProblemError(f"no skill is called {shown.name!r}", where=where, remedy=remedy)
 
 
-def _refuse_doubles(
+def refuse_doubles(
     file: TomlFile, names: Sequence[str], table: str, *key: str, said: str = "is there twice"
 ) -> None:
     """Raise a ProblemError for the first name of a list in the file that is there for the second time."""
     for place, name in enumerate(names):
         if name in names[:place]:
             raise file.fault(f"{name!r} {said}", "take one out", table, place, *key)
+
+
+def refuse_unknown(
+    file: TomlFile, names: Iterable[str], known: Sequence[str], said: str, *path: str | int
+) -> None:
+    """Raise a ProblemError for the first name of a list in the file that is not known."""
+    from judge.problem.toml import meant
+
+    for at, name in enumerate(names):
+        if name not in known:
+            raise file.fault(f"{said} {name!r}", meant(name, known), *path, at)

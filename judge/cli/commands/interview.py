@@ -274,13 +274,14 @@ def interview(name: str, ask: InterviewAsk, common: Common) -> Iterator[Intervie
             read_submissions([ask.file])  # whether it is there is said before the first card
         path = ask.file or file_name(f"{problem.id.replace('-', '_')}_interview")
         held = _Interview(ask, history, common, Kata(problem, Path(path).absolute()))
-        planned = plan(cards, ask.minutes, card_reviews(history.events(Answer)), today)
-        held.show(texts.opening(ask.minutes, planned, problem.id))
+        before, after = plan(cards, ask.minutes, card_reviews(history.events(Answer)), today)
+        count = len(before) + len(after)
+        held.show(texts.opening(ask.minutes, len(before), problem.id, len(after)))
         try:
             with suppress(StoppedError):
-                held.ask_all(planned.before, planned.count)
+                held.ask_all(before, count)
                 held.solve()
-                held.ask_all(planned.after, planned.count)
+                held.ask_all(after, count)
         finally:  # after Ctrl-C too
             found = held.page()
             if page.path:
