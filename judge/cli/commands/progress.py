@@ -17,35 +17,15 @@ from judge.cli.options import Common, command, opt
 from judge.cli.resolve import history_at, shown
 from judge.errors import ProblemError, UsageError, unwritable
 from judge.files import new_file
-from judge.practice import events
+from judge.practice import events, syllabus
+from judge.practice import progress as learned
 from judge.practice.cards import known_cards, read_decks
 from judge.practice.events import Answer, Hack, Help, Run
 from judge.practice.history import History
-from judge.practice.progress import (
-    SkillProgress,
-    State,
-    Tried,
-    hack_shares,
-    levels,
-    mistakes,
-    questions,
-    skills,
-    solved,
-    stars,
-    tried,
-)
+from judge.practice.progress import SkillProgress, State, Tried
 from judge.practice.review import reviews
 from judge.practice.stub import write_over
-from judge.practice.syllabus import (
-    USUAL,
-    Checklist,
-    PracticeSet,
-    find_row,
-    find_set,
-    read_checklist,
-    sound_sets,
-    unknown_names,
-)
+from judge.practice.syllabus import USUAL, Checklist, PracticeSet
 from judge.problem import Problem
 from judge.problem.find import find_problem, problem_folders, sound_problems
 from judge.report.published_progress import (
@@ -109,22 +89,22 @@ def progress(name: str, ask: ProgressAsk, common: Common) -> Struct:
     if ask.due:
         return due
     problems, broken = sound_problems(folders)
-    chosen = find_set(name, problems, folders)
-    checklist = read_checklist(folders)
+    chosen = syllabus.find_set(name, problems, folders)
+    checklist = syllabus.read_checklist(folders)
     cards, faults = read_decks(folders)
-    for fault in (*broken, *unknown_names(problems, folders), *faults):
+    for fault in (*broken, *syllabus.unknown_names(problems, folders), *faults):
         note(str(fault), bad=True)
-    own, done = tried(runs), solved(runs)
-    every = skills(problems, own, checklist.skills)
-    asked = questions(problems, done, every, checklist, cards, answers, hacks)
+    own, done = learned.tried(runs), learned.solved(runs)
+    every = learned.skills(problems, own, checklist.skills)
+    asked = learned.questions(problems, done, every, checklist, cards, answers, hacks)
     if ask.question is not None:
-        row = find_row(ask.question, checklist.rows).id
+        row = syllabus.find_row(ask.question, checklist.rows).id
         return QuestionShown(question=next(each for each in asked if each.row == row))
-    sets = sound_sets(problems, folders)[0] if name == USUAL else []
+    sets = syllabus.sound_sets(problems, folders)[0] if name == USUAL else []
     parts = {each.title for each in checklist.sections if name in (USUAL, *each.sets)}
-    shown_levels = levels(chosen.problems, own)
-    won = list(stars(shown_levels).values())
-    shown_skills = skills(chosen.problems, own, checklist.skills)
+    shown_levels = learned.levels(chosen.problems, own)
+    won = list(learned.stars(shown_levels).values())
+    shown_skills = learned.skills(chosen.problems, own, checklist.skills)
     ids = tuple(problem.id for problem in chosen.problems)
     told = ProgressShown(
         set=name,
@@ -136,17 +116,19 @@ def progress(name: str, ask: ProgressAsk, common: Common) -> Struct:
         sets=tuple(_share(each, own, checklist) for each in sets if each.problems and each.name != USUAL),
         skills=tuple(shown_skills),
         levels=tuple(shown_levels),
-        mistakes=dict(mistakes(run for name in own if name in ids for run in own[name]).most_common()),
+        mistakes=dict(
+            learned.mistakes(run for name in own if name in ids for run in own[name]).most_common()
+        ),
         rows=tuple([each for each in asked if each.section in parts] or asked),
-        hacks=tuple(hack_shares(chosen.problems, hacks)),
+        hacks=tuple(learned.hack_shares(chosen.problems, hacks)),
         next=_next(chosen.problems, own, every),
     )
     return ProgressPage(told, due, ask.whole)
 
 
 def _share(part: PracticeSet[Problem], own: Tried, checklist: Checklist) -> SetShare:
-    its = levels(part.problems, own)
-    won, shown = list(stars(its).values()), skills(part.problems, own, checklist.skills)
+    its = learned.levels(part.problems, own)
+    won, shown = list(learned.stars(its).values()), learned.skills(part.problems, own, checklist.skills)
     return SetShare(
         name=part.name,
         katas=len(part.problems),
@@ -174,7 +156,7 @@ def _due(
 ) -> DueShown:
     """What is unfinished, and what comes again when; a kata that is unfinished is not repeated yet."""
     today, here = events.now().astimezone(), {folder.name for folder in problem_folders(folders)}
-    found, own, done = reviews(runs, helps), tried(runs), solved(runs)
+    found, own, done = reviews(runs, helps), learned.tried(runs), learned.solved(runs)
     unsolved = {name: tries for name, tries in own.items() if name in here and name not in done}
     known = [each for each in found if each.name in here and each.name not in unsolved]
     cards = known_cards(answers, folders)
@@ -210,7 +192,9 @@ def _page(ask: ProgressAsk, common: Common) -> ProgressWritten:
         for fault in faults:  # its runs are shown all the same
             note(f"a kata is left out: {fault}")
         try:
-            shown_skills = skills(problems, tried(runs), read_checklist(common.problems).skills)
+            shown_skills = learned.skills(
+                problems, learned.tried(runs), syllabus.read_checklist(common.problems).skills
+            )
         except ProblemError as fault:
             note(f"the skills are left out: {fault}")
             shown_skills = []
