@@ -7,7 +7,6 @@ from typing import Any, ClassVar
 from msgspec import Struct
 
 from judge.errors import ExitCode
-from judge.practice.solutions import Approach
 from judge.problem import Group, GrowthRule, Problem
 from judge.problem.model import KataLevel, Source, Tier
 from judge.report.views import Published, copied, in_words
@@ -291,10 +290,15 @@ class HintShown(Published, frozen=True, kw_only=True):
     text: str
 
 
-class ApproachRow(Approach, frozen=True):
-    """An approach with what it takes, if measured."""
+class ApproachRow(Struct, frozen=True):
+    """An approach, by its name and by what `judge solution` calls it; what it takes, if measured."""
 
-    taken: Taken | None = None
+    name: str
+    call: str
+    file: str
+    language: str
+    about: str
+    taken: Taken | None
 
 
 class Yours(Struct, frozen=True):

@@ -220,7 +220,7 @@ def solution(name: str | None, approach: str | None, ask: SolutionAsk, common: C
     models = approaches(problem)
     model = chosen_approach(problem, models, approach, ask.language)
     yours = _admit(problem, common.db, giving_up=ask.giving_up)
-    programs = [(each.approach.file, each.solution.source) for each in models]
+    programs = [(each.file, each.solution.source) for each in models]
     if yours:
         programs.append((yours[0].submission, yours[1]))
     taken: Sequence[Taken | None] = [None] * len(programs)
@@ -228,14 +228,14 @@ def solution(name: str | None, approach: str | None, ask: SolutionAsk, common: C
         taken = _measured(problem, programs, ask.rounds or _ROUNDS, common)
     return SolutionShown(
         problem=problem.id,
-        file=model.approach.file,
-        language=model.approach.language,
+        file=model.file,
+        language=model.language,
         code=model.solution.language.id if model.solution.language else "python",
         idea=model.solution.name,
         explanation=model.solution.text,
         program=model.program,
         approaches=tuple(
-            copied(ApproachRow, each.approach, taken=its) for each, its in zip(models, taken, strict=False)
+            copied(ApproachRow, each, taken=its) for each, its in zip(models, taken, strict=False)
         ),
         yours=Yours(yours[0].id, yours[0].submission, taken[-1]) if yours else None,
     )
