@@ -33,7 +33,7 @@ from msgspec import Struct
 
 from judge.errors import ProblemError, UsageError, nearest
 from judge.problem import Problem, Tier
-from judge.problem.find import problem_folders, problem_roots, sound_problems
+from judge.problem.find import find_problem, problem_roots, sound_problems
 from judge.problem.model import Listed, group_place
 
 if TYPE_CHECKING:
@@ -117,8 +117,11 @@ def find_set(name: str, problems: Sequence[P], extra: Sequence[Path] = ()) -> Pr
     table = file.read(_SetTable)
     listed = table.problems or []
     refuse_doubles(file, listed, "problems", said="is listed twice")
-    here = [folder.name for folder in problem_folders(extra)]
-    refuse_unknown(file, listed, here, "no problem is called", "problems")
+    for place, each in enumerate(listed):
+        try:
+            find_problem(each, extra)  # a broken one says so
+        except UsageError as fault:
+            raise file.fault(fault.what, fault.remedy or "", "problems", place) from None
     found = _set_of(name, table, problems)
     if not found.problems:
         raise file.fault("the set holds no problem", f"name {name!r} in the sets of a problem.toml")
