@@ -57,15 +57,13 @@ def next_due(cards: Iterable[Card], reviews: Iterable[Review]) -> datetime | Non
 
 
 def to_practise(
-    missed: Sequence[Card], folders: Sequence[Path], more: Mapping[str, str] = {}
+    missed: Sequence[str], folders: Sequence[Path], more: Mapping[str, str] = {}
 ) -> tuple[Practise, ...]:
-    """The questions of cards that were not known, and those in `more`, each with its command.
+    """The questions of the checklist that were not known, and those in `more`, each with its command.
 
-    A card that practises several questions stands for its first one. Raises ProblemError where the
-    checklist is broken.
+    Raises ProblemError where the checklist is broken.
     """
-    asked = [card.rows[0] for card in missed if card.rows]
-    commands = {**more, **{row: f"judge quiz --question {row}" for row in asked}}
+    commands = {**more, **{row: f"judge quiz --question {row}" for row in missed}}
     here = {folder.name for folder in problem_folders(folders)}
     return tuple(
         Practise(

@@ -146,13 +146,14 @@ class StoppedError(Exception):
 
 
 class Round:
-    """Cards that are asked in turn on one screen; `answers` has each that was answered, with its rating."""
+    """Cards that are asked in turn on one screen; `missed` are the questions that were not known well."""
 
     def __init__(self, seed: int | None, history: History, common: Common) -> None:
         seed = secrets.randbits(32) if seed is None else seed
         self.sources = Sources(common.problems, seed, progress)
         self.screen = err() if common.json else out()
-        self.answers: list[tuple[Card, Rating]] = []
+        self.answers: list[Answer] = []
+        self.missed: list[str] = []
         self._history = history
 
     def ask(self, card: Card, count: int) -> None:
@@ -167,23 +168,21 @@ class Round:
             return
         self.show(texts.question(asked, f"Question {len(self.answers) + 1} of {count}", self.screen))
         given, found, rating = self._rated(asked) if asked.check is None else self._checked(asked)
-        self._history.keep(Answer(card.key, card.form, rating, asked.check is not None, given[:_KEPT]))
-        self.answers.append((card, rating))
+        answer = Answer(card.key, card.form, rating, asked.check is not None, given[:_KEPT])
+        self._history.keep(answer)
+        self.answers.append(answer)
+        if rating in (Rating.AGAIN, Rating.HARD):
+            self.missed += card.rows[:1]
         self.show(texts.reply(asked, found, rating))
 
     @property
     def known(self) -> int:
         """How many cards were remembered."""
-        return sum(rating is not Rating.AGAIN for _, rating in self.answers)
-
-    @property
-    def missed(self) -> Sequence[Card]:
-        """The cards that were not remembered well."""
-        return [card for card, rating in self.answers if rating in (Rating.AGAIN, Rating.HARD)]
+        return sum(each.known for each in self.answers)
 
     def summary(self, next_due: datetime | None = None) -> Quizzed:
         """How the cards went."""
-        answers = tuple(Answered(card.key, rating.name.lower()) for card, rating in self.answers)
+        answers = tuple(Answered(each.card, each.rating.name.lower()) for each in self.answers)
         practise = to_practise(self.missed, self.sources.folders)
         return Quizzed(len(answers), self.known, answers, practise, self.sources.seed, next_due)
 
