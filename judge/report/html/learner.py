@@ -16,7 +16,7 @@ from judge.drawing.chart import Axis, Chart, Series, chart_svg
 from judge.drawing.shapes import Role
 from judge.errors import StoreError
 from judge.practice.events import Run
-from judge.practice.progress import SkillProgress, State, levels
+from judge.practice.progress import SkillProgress, State, levels, tried
 from judge.problem import Problem, Verdict
 from judge.report.html import day, page
 from judge.report.html.case import Case, Cases
@@ -50,9 +50,7 @@ def learner_page(
     """
     zone = generated.tzinfo
     runs = [replace(run, when=run.when.astimezone(zone)) for run in runs]
-    own: dict[str, list[Run]] = {problem.id: [] for problem in problems}
-    for run in runs:
-        own.setdefault(run.problem, []).append(run)
+    own = {problem.id: list[Run]() for problem in problems} | tried(runs)
     cases = Cases({problem.id: problem for problem in problems})
     katas = [
         _kata(f"kata-{at}", tried, cases, sources.get(name, b""))
