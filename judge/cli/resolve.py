@@ -92,10 +92,10 @@ def kata_meant(word: str | None, common: Common) -> Problem:
 
 @contextmanager
 def history_at(path: Path | None, *, reading: bool = False) -> Iterator[History]:
-    """As `History.open`; afterwards a note says what was left out or set aside, each once a command."""
+    """As `History`; afterwards a note says what was left out or set aside, each once a command."""
     from judge.practice.history import History
 
-    with History.open(path, reading=reading) as history:
+    with History(path, reading=reading) as history:
         try:
             yield history
         finally:
@@ -202,7 +202,7 @@ def _places(db: Path | None) -> list[Started]:
     try:
         from judge.practice.history import History
 
-        with History.open(db, reading=True) as history:
+        with History(db, reading=True) as history:
             return history.places()
     except StoreError:
         return []

@@ -38,7 +38,7 @@ Look
   show       look       start      Show a kata: its statement, its examples and what it allows.
     judge show count
     judge show count --groups
-  history    history    privacy    Show your runs, one run, or what changed between two.
+  history    progress   privacy    Show your runs, one run, or what changed between two.
     judge history count --limit 5
     judge history 3 5
     judge history 3 --restore

@@ -107,10 +107,11 @@ class _Judging:
             if self._begun is None:
                 return
             now = time.monotonic()
-            say(now - self._begun)
             if outdated() and (self._broken_off is None or now - self._broken_off > _AGAIN):
                 self._broken_off = now
                 signal.pthread_kill(threading.main_thread().ident or 0, signal.SIGINT)
+            with suppress(OSError):  # the terminal is gone
+                say(now - self._begun)
 
 
 class _Loop:

@@ -26,10 +26,18 @@ from msgspec import Struct
 from judge.errors import ProblemError, UsageError
 from judge.practice.events import Answer
 from judge.practice.review import Review, card_reviews
-from judge.practice.syllabus import USUAL, Table, read_checklist, set_files, toml_files
+from judge.practice.syllabus import (
+    USUAL,
+    Table,
+    read_checklist,
+    refuse_doubles,
+    refuse_unknown,
+    set_files,
+    toml_files,
+)
+from judge.problem.model import Name
 from judge.problem.toml import TomlFile, meant, refusal
 
-_NAME = frozenset("abcdefghijklmnopqrstuvwxyz0123456789-")
 _LONGEST = 2_000  # characters of a text
 _QUOTED = 40  # characters of what is typed
 _NUMBER = re.compile(r"([+-]?\d{1,40}(?:\.\d{0,40})?)(?:[eE]([+-]?\d{1,3}))?(?:/(\d{1,40}))?", re.ASCII)
@@ -38,7 +46,19 @@ NONE = "none"
 NUMBER = "4, 0.5, 1e-9 or 2/3"
 
 
-class WrongOption(Table, frozen=True):
+class Said(Table, frozen=True):
+    """A table of texts, none of which may be empty that has to be there."""
+
+    def __post_init__(self) -> None:
+        for field in msgspec.structs.fields(self):
+            text = getattr(self, field.name)
+            if isinstance(text, str):
+                empty = field.required and not text.strip()
+                if empty or len(text) > _LONGEST:
+                    raise refusal(f"{field.name} is {'empty' if empty else 'too long'}", "write a sentence")
+
+
+class WrongOption(Said, frozen=True):
     """A wrong option of a choice: a mistake with its name, and why it is one."""
 
     text: str
@@ -46,23 +66,13 @@ class WrongOption(Table, frozen=True):
     why: str
 
 
-class Content(Table, tag_field="form", frozen=True, kw_only=True):
+class Content(Said, tag_field="form", frozen=True, kw_only=True):
     """What a card of any form says: `front` is asked, and `back` is told afterwards."""
 
-    id: str
+    id: Name
     front: str
     back: str
     rows: tuple[str, ...] = ()
-
-    def __post_init__(self) -> None:
-        if not self.id or set(self.id) - _NAME:
-            raise refusal(f"{self.id!r} is not an id", "write it in small letters, digits and -")
-        for field in msgspec.structs.fields(self):
-            text = getattr(self, field.name)
-            if isinstance(text, str):
-                empty = field.required and not text.strip()
-                if empty or len(text) > _LONGEST:
-                    raise refusal(f"{field.name} is {'empty' if empty else 'too long'}", "write a sentence")
 
 
 class Recall(Content, tag="recall", frozen=True):
@@ -83,9 +93,6 @@ class Choice(Content, tag="choice", frozen=True):
         for place, text in enumerate(texts):
             if text in texts[:place]:
                 raise refusal(f"two options say {text!r}", "change one of them")
-        if not all(part.strip() for each in self.wrong for part in (each.text, each.mistake, each.why)):
-            remedy = "write its text, its mistake's name, and why it is wrong"
-            raise refusal("a wrong option is empty", remedy)
 
 
 class Number(Content, tag="number", frozen=True):
@@ -231,20 +238,12 @@ def cards_of(name: str, cards: Sequence[Card], extra: Sequence[Path] = ()) -> li
 
 def _deck(file: TomlFile, name: str, rows: Sequence[str], sets: Sequence[str]) -> list[Card]:
     table = file.read(_DeckTable)
-    for place, each in enumerate(table.sets):
-        if each not in sets:
-            raise file.fault(f"no practice set is called {each!r}", meant(each, sets), "sets", place)
+    refuse_unknown(file, table.sets, sets, "no practice set is called", "sets")
     if not table.cards:
         raise file.fault("the deck has no card", "add [[cards]]")
-    ids = [card.id for card in table.cards]
+    refuse_doubles(file, [card.id for card in table.cards], "cards", "id")
     for place, card in enumerate(table.cards):
-        if card.id in ids[:place]:
-            what = f"the card {card.id!r} is there twice"
-            raise file.fault(what, "give one another id", "cards", place, "id")
-        for at, row in enumerate(card.rows):
-            if row not in rows:
-                what = f"the checklist has no row {row!r}"
-                raise file.fault(what, meant(row, rows), "cards", place, "rows", at)
+        refuse_unknown(file, card.rows, rows, "the checklist has no row", "cards", place, "rows")
     return [Card(name, card, table.sets) for card in table.cards]
 
 

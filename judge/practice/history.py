@@ -3,7 +3,7 @@
     <data folder>/history.sqlite3               the folder is the user's own; the file may be $JUDGE_DB
     <data folder>/history.sqlite3.damaged-1     one that could not be read: a new one took its place
 
-    with History.open() as history:
+    with History() as history:
         history.keep(run_of(result, source, path), source)
         history.runs("count")                        # oldest first
         history.left_out                             # the rows that are damaged
@@ -100,8 +100,15 @@ def history_path() -> Path:
 class History:
     """The history in one file; a context manager. Every method raises StoreError where the file fails."""
 
-    def __init__(self, path: Path, *, reading: bool) -> None:
-        self.path = path
+    def __init__(self, path: Path | None = None, *, reading: bool = False) -> None:
+        """Open the history at `path`; by default $JUDGE_DB or the file in the user's data folder.
+
+        With `reading`, nothing is made where there is none yet, and a folder that cannot be written will do.
+
+        Raises:
+            StoreError: it cannot be opened, is newer than this judge, or is not a history.
+        """
+        self.path = path or history_path()
         self.left_out: set[tuple[str, object]] = set()  # the rows that are damaged: table and number
         self.set_aside: Path | None = None  # where the file is now that could not be read
         self._reading = reading
@@ -109,17 +116,6 @@ class History:
             self._connect()
         except StoreError as fault:
             self._set_aside(fault)
-
-    @classmethod
-    def open(cls, path: Path | None = None, *, reading: bool = False) -> History:
-        """The history at `path`; by default $JUDGE_DB or the file in the user's data folder.
-
-        With `reading`, nothing is made where there is none yet, and a folder that cannot be written will do.
-
-        Raises:
-            StoreError: it cannot be opened, is newer than this judge, or is not a history.
-        """
-        return cls(history_path() if path is None else path, reading=reading)
 
     def __enter__(self) -> History:
         return self

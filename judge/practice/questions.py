@@ -33,6 +33,7 @@ from judge.problem.declare import Shown
 from judge.problem.find import find_problem
 from judge.problem.model import EXAMPLES
 from judge.problem.module import Module, blaming, load_module
+from judge.values.parameters import literal
 
 _FRESH = 1_000  # cases that are looked at for one of small numbers
 _PROGRAMS = 12  # wrong programs that are looked at
@@ -201,7 +202,7 @@ def _count(card: Card, content: Count, sources: Sources, draw: Draw) -> Question
         given = cards.count(typed)
         return Reply(given == many, given)
 
-    told = ", ".join(f"{name}={_plain(value)}" for name, value in values.items())
+    told = ", ".join(f"{each.name}={literal(each.type, values[each.name])}" for each in problem.parameters)
     why = content.back.strip()
     return Question(card, "a number, or none", many, check, given=(told,), picture=drawn, why=why)
 
@@ -222,12 +223,6 @@ def _groups(card: Card, content: Count, problem: Problem) -> list[Group]:
     if not able:
         _refuse(card, f"{problem.id} has no group to draw from", "name another problem")
     return [each for name, each in able.items() if name in (content.groups or able)]
-
-
-def _plain(value: Any) -> str:
-    if isinstance(value, tuple | list):
-        return f"({', '.join(map(_plain, value))})"
-    return repr(int(value) if isinstance(value, float) and value.is_integer() else value)
 
 
 def _drawn(card: Card, content: Drawn, sources: Sources, draw: Draw) -> Question:
@@ -289,11 +284,6 @@ def _spot(card: Card, content: Spot, sources: Sources, draw: Draw) -> Question:
 
 
 def _readable(source: bytes) -> bool:
-    """Whether it is short, nothing stands behind a return, and no lambda is called where it stands."""
-    for node in ast.walk(ast.parse(source)):
-        body = getattr(node, "body", None)
-        if isinstance(body, list) and any(isinstance(each, ast.Return) for each in body[:-1]):
-            return False
-        if isinstance(node, ast.Call) and isinstance(node.func, ast.Lambda):
-            return False
-    return source.count(b"\n") <= _LONGEST
+    """Whether it is short, and no lambda is called where it stands."""
+    calls = [node for node in ast.walk(ast.parse(source)) if isinstance(node, ast.Call)]
+    return source.count(b"\n") <= _LONGEST and not any(isinstance(each.func, ast.Lambda) for each in calls)

@@ -57,15 +57,13 @@ def next_due(cards: Iterable[Card], reviews: Iterable[Review]) -> datetime | Non
 
 
 def to_practise(
-    missed: Sequence[Card], folders: Sequence[Path], more: Mapping[str, str] = {}
+    missed: Sequence[str], folders: Sequence[Path], more: Mapping[str, str] = {}
 ) -> tuple[Practise, ...]:
-    """The questions of cards that were not known, and those in `more`, each with its command.
+    """The questions of the checklist that were not known, and those in `more`, each with its command.
 
-    A card that practises several questions stands for its first one. Raises ProblemError where the
-    checklist is broken.
+    Raises ProblemError where the checklist is broken.
     """
-    asked = [card.rows[0] for card in missed if card.rows]
-    commands = {**more, **{row: f"judge quiz --question {row}" for row in asked}}
+    commands = {**more, **{row: f"judge quiz --question {row}" for row in missed}}
     here = {folder.name for folder in problem_folders(folders)}
     return tuple(
         Practise(
@@ -81,20 +79,10 @@ def to_practise(
 # -- the interview -----------------------------------------------------------------------------------------
 
 
-class Plan(Struct, frozen=True):
-    """The cards before the kata and after it."""
-
-    before: tuple[Card, ...]
-    after: tuple[Card, ...]
-
-    @property
-    def count(self) -> int:
-        """How many cards it has."""
-        return len(self.before) + len(self.after)
-
-
-def plan(cards: Sequence[Card], minutes: int, answered: Sequence[Review], now: datetime) -> Plan:
-    """At least two cards before the kata and one after it, from easy to hard.
+def plan(
+    cards: Sequence[Card], minutes: int, answered: Sequence[Review], now: datetime
+) -> tuple[Sequence[Card], Sequence[Card]]:
+    """At least two cards before the kata and at least one after it, from easy to hard.
 
     They are about equally many of each set, and within a set in their order; cards of no set come last.
     """
@@ -105,7 +93,7 @@ def plan(cards: Sequence[Card], minutes: int, answered: Sequence[Review], now: d
         of_set[next((name for name in sets if name in card.sets), "")].append(card)
     in_turn = [card for turn in zip_longest(*of_set.values()) for card in turn if card][: before + after]
     found = [card for card in chain(*of_set.values()) if card in in_turn]
-    return Plan(tuple(found[:before]), tuple(found[before:]))
+    return found[:before], found[before:]
 
 
 def usual_kata(

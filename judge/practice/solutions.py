@@ -15,20 +15,17 @@ from judge.problem.solutions import Kind, Solution, parted, read_solutions, tree
 from judge.problem.toml import meant
 
 
-class Approach(Struct, frozen=True):
-    """An approach, by its name, and by what `judge solution` calls it among those of all languages."""
+class Model(Struct, frozen=True):
+    """An approach, by its name, and by what `judge solution` calls it among those of all languages.
+
+    Its `program` is without the lines that tell of it.
+    """
 
     name: str
     call: str
     file: str
     language: str
     about: str
-
-
-class Model(Struct, frozen=True):
-    """An approach, its solution, and the program without the lines that tell of it."""
-
-    approach: Approach
     solution: Solution
     program: str
 
@@ -38,7 +35,7 @@ def _model(solution: Solution, program: str) -> Model:
     suffix = next(each for each in (language.suffixes if language else (SUFFIX,)) if file.endswith(each))
     name = file.removesuffix(suffix).replace("_", "-")
     call, tongue = (file, language.name) if language else (name, NAME)
-    return Model(Approach(name, call, file, tongue, solution.sentence), solution, program)
+    return Model(name, call, file, tongue, solution.sentence, solution, program)
 
 
 def approaches(problem: Problem) -> list[Model]:
@@ -95,15 +92,15 @@ def chosen_approach(
         mine = [model for model in models if model.solution.language == tongue]
         if not mine:
             what = f"{problem.id} has no solution in {tongue.name if tongue else NAME}"
-            tongues = ", ".join(dict.fromkeys(model.approach.language for model in models))
+            tongues = ", ".join(dict.fromkeys(model.language for model in models))
             raise UsageError(what, remedy=f"there are some in {tongues}")
         models = mine
     if name is None:
         return models[0]
     wanted = name.removesuffix(SUFFIX).replace("_", "-").replace(" ", "-")
     for model in models:
-        called = (model.approach.name, model.solution.name.replace(" ", "-"))
-        if name == model.approach.file or wanted in called:
+        called = (model.name, model.solution.name.replace(" ", "-"))
+        if name == model.file or wanted in called:
             return model
-    remedy = meant(wanted, [model.approach.call for model in models])
+    remedy = meant(wanted, [model.call for model in models])
     raise UsageError(f"{problem.id} has no approach {name!r}", remedy=remedy)

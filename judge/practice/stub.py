@@ -22,6 +22,7 @@ from judge.errors import ProblemError, UsageError, unwritable
 from judge.files import new_file, read_ordinary, replace_file
 from judge.languages import file_name, language_of
 from judge.problem import Example, Problem
+from judge.problem.model import tupled
 from judge.values import parameters
 from judge.values.atoms import Type
 from judge.values.types import Composite, TupleType, lasting
@@ -55,8 +56,6 @@ def write_stub(problem: Problem, path: Path, *, over: bool = False) -> Path | No
     """
     text = make_stub(problem, language_of(path)).encode()
     try:
-        if not path.name or path.is_dir():
-            raise UsageError("this is a folder", where=str(path), remedy="name a file in it")
         if over and path.exists():
             return write_over(path, text)
         new_file(path, text)
@@ -164,7 +163,7 @@ def _native(problem: Problem, language: Language, about: Iterable[str]) -> str:
     def told(problem: Problem, example: Example) -> list[str]:
         literals = zip(problem.parameters, _literals(problem, example), strict=True)
         given = ", ".join(f"{each.name} = {literal}" for each, literal in literals)
-        return [f"{_INDENT}{draft.entry}: {given}  gives  {_shaped(problem.answer, example.wanted)!r}"]
+        return [f"{_INDENT}{draft.entry}: {given}  gives  {_wanted(problem, example)!r}"]
 
     def comments(lines: Iterable[str], indent: str = "") -> list[str]:
         return [f"{indent}{language.comment} {line}".rstrip() for line in lines]
@@ -203,7 +202,7 @@ def _doctest(problem: Problem, example: Example) -> list[str]:
 
     Where an answer of one's own looks different and is right as well, it is told instead.
     """
-    wanted, room = _shaped(problem.answer, example.wanted), _WIDTH - 2 * len(_INDENT)
+    wanted, room = _wanted(problem, example), _WIDTH - 2 * len(_INDENT)
     given = _literals(problem, example)
     literals = [each.replace(" ", "\0") if len(each) < room - 4 else each for each in given]
     call = f"{problem.entry}({', '.join(literals)})"
@@ -217,17 +216,13 @@ def _doctest(problem: Problem, example: Example) -> list[str]:
     return [*lines, repr(wanted)]
 
 
+def _wanted(problem: Problem, example: Example) -> Any:
+    return parameters.listed(problem.answer, tupled(example.wanted))  # what comes from the cache has lists
+
+
 def _literals(problem: Problem, example: Example) -> list[str]:
     values = zip(problem.parameters, example.case, strict=True)
     return [parameters.literal(each.type, value) for each, value in values]
-
-
-def _shaped(type_: Type, value: Any) -> Any:
-    """An answer with tuples for tuples: what comes from the cache has lists."""
-    inner = lasting(type_)
-    if value is None or not isinstance(inner, Composite):
-        return value
-    return inner.kind(_shaped(part, each) for part, each in zip(inner.parts(len(value)), value, strict=True))
 
 
 # -- the statement without what the stub has or cannot use ---------------------------------------------------

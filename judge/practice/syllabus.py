@@ -25,15 +25,12 @@ an order of its own. `judge.practice.progress` says when a skill is shown and wh
 
 from __future__ import annotations
 
-import os
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Generic, TypeVar
 
-import msgspec
 from msgspec import Struct
 
-from judge.cache import DISK, digest, stamp
 from judge.errors import ProblemError, UsageError, nearest
 from judge.problem import Problem, Tier
 from judge.problem.find import find_problem, problem_roots, sound_problems
@@ -87,8 +84,8 @@ class Row(Table, frozen=True):
     broken: tuple[str, ...] = ()
 
 
-class Checklist(Struct, frozen=True):
-    """All skills, sections and rows, in their order."""
+class Checklist(Table, frozen=True):
+    """Skills, sections and rows, in their order: those of a file, or of all of them."""
 
     skills: tuple[Skill, ...] = ()
     sections: tuple[Section, ...] = ()
@@ -99,12 +96,6 @@ class _SetTable(Table, frozen=True):
     title: str
     about: str
     problems: list[str] | None = None
-
-
-class _ChecklistTable(Table, frozen=True):
-    skills: list[Skill] = []
-    sections: list[Section] = []
-    rows: list[Row] = []
 
 
 # -- sets --------------------------------------------------------------------------------------------------
@@ -125,10 +116,10 @@ def find_set(name: str, problems: Sequence[P], extra: Sequence[Path] = ()) -> Pr
     file = TomlFile(files[name])
     table = file.read(_SetTable)
     listed = table.problems or []
-    _refuse_doubles(file, listed, "problems", said="is listed twice")
+    refuse_doubles(file, listed, "problems", said="is listed twice")
     for place, each in enumerate(listed):
         try:
-            find_problem(each, extra)
+            find_problem(each, extra)  # a broken one says so
         except UsageError as fault:
             raise file.fault(fault.what, fault.remedy or "", "problems", place) from None
     found = _set_of(name, table, problems)
@@ -141,28 +132,15 @@ def sound_sets(
     problems: Sequence[P], extra: Sequence[Path] = ()
 ) -> tuple[list[PracticeSet[P]], list[ProblemError]]:
     """Every set of these problems, easiest first, and the fault of each that cannot be read."""
-    tables, faults = _tables(set_files(extra))
-    return [_set_of(name, table, problems) for name, table in tables.items()], faults
+    from judge.problem.toml import TomlFile
 
-
-def _tables(files: Mapping[str, Path]) -> tuple[dict[str, _SetTable], list[ProblemError]]:
-    """What the files say, from the cache while none of them changes; and the fault of each that is broken."""
-    paths = [os.fspath(path) for path in files.values()]
-    name, key = f"sets/{digest(os.fsencode('/'.join(paths)))[:16]}", stamp(paths)
-    kept = DISK.read(name, key, dict[str, _SetTable]) if key else None
-    if kept is not None:
-        return kept, []
-    from judge.problem.toml import TomlFile  # not for who reads the cache
-
-    tables, faults = {}, []
-    for each, path in files.items():
+    sets, faults = [], []
+    for name, path in set_files(extra).items():
         try:
-            tables[each] = TomlFile(path).read(_SetTable)
+            sets.append(_set_of(name, TomlFile(path).read(_SetTable), problems))
         except ProblemError as fault:
             faults.append(fault)
-    if key and not faults:
-        DISK.write(name, key, msgspec.json.encode(tables))
-    return tables, faults
+    return sets, faults
 
 
 def _set_of(name: str, table: _SetTable, problems: Sequence[P]) -> PracticeSet[P]:
@@ -235,9 +213,9 @@ def read_checklist(extra: Sequence[Path] = ()) -> Checklist:
     rows: dict[str, Row] = {}
     paths = [root / name for root in problem_roots(extra) for name in ("skills.toml", "checklist.toml")]
     for file in (TomlFile(path) for path in paths if path.is_file()):
-        table = file.read(_ChecklistTable)
-        _refuse_doubles(file, [skill.name for skill in table.skills], "skills", "name")
-        _refuse_doubles(file, [row.id for row in table.rows], "rows", "id")
+        table = file.read(Checklist)
+        refuse_doubles(file, [skill.name for skill in table.skills], "skills", "name")
+        refuse_doubles(file, [row.id for row in table.rows], "rows", "id")
         for skill in table.skills:
             skills.setdefault(skill.name, skill)
         for section in table.sections:
@@ -283,10 +261,21 @@ def unknown_names(problems: Iterable[Problem], extra: Sequence[Path] = ()) -> It
                 yield ProblemError(f"no skill is called {shown.name!r}", where=where, remedy=remedy)
 
 
-def _refuse_doubles(
+def refuse_doubles(
     file: TomlFile, names: Sequence[str], table: str, *key: str, said: str = "is there twice"
 ) -> None:
     """Raise a ProblemError for the first name of a list in the file that is there for the second time."""
     for place, name in enumerate(names):
         if name in names[:place]:
             raise file.fault(f"{name!r} {said}", "take one out", table, place, *key)
+
+
+def refuse_unknown(
+    file: TomlFile, names: Iterable[str], known: Sequence[str], said: str, *path: str | int
+) -> None:
+    """Raise a ProblemError for the first name of a list in the file that is not known."""
+    from judge.problem.toml import meant
+
+    for at, name in enumerate(names):
+        if name not in known:
+            raise file.fault(f"{said} {name!r}", meant(name, known), *path, at)

@@ -9,11 +9,13 @@ from itertools import groupby
 from rich.console import Group, RenderableType
 from rich.text import Text
 
+from judge.errors import StoreError
 from judge.languages import file_name
-from judge.practice.events import Rating
+from judge.practice.events import Rating, Run
 from judge.practice.progress import Covered, Evidence, Kind, Question, SkillProgress, State
 from judge.practice.review import Review
-from judge.problem.model import FULL_SCORE, KataLevel
+from judge.practice.stub import usual_name
+from judge.problem.model import FULL_SCORE, KataLevel, Verdict
 from judge.report.parts import (
     BAD,
     FAINT,
@@ -36,6 +38,7 @@ from judge.report.parts import (
     table,
     text,
     under,
+    verdict_style,
 )
 from judge.report.published_progress import (
     DueShown,
@@ -43,11 +46,18 @@ from judge.report.published_progress import (
     ProgressShown,
     ProgressWritten,
     QuestionShown,
+    Restored,
+    RunList,
+    RunRow,
+    RunsCompared,
     SetShare,
 )
+from judge.report.result import Shown, result
 from judge.report.screen import Screen
-from judge.report.words import counted, day, due_words, shown_name
+from judge.report.tell import tell
+from judge.report.words import counted, day, due_words, moment, shown_name, times
 
+_DIFFERENT = {"+": GOOD, "-": BAD, "@": FAINT}  # how a line of a diff is shown, by its first character
 _STYLES = {State.OPEN: FAINT, State.SHOWN: GOOD, State.LOST: BAD}
 _MARKS = {State.OPEN: "", State.SHOWN: "✓", State.LOST: "lost"}
 _NAMED = 12  # skills that are named in a row
@@ -255,3 +265,85 @@ def _why(each: Review) -> str:
 def progress_written(found: ProgressWritten, _screen: Screen) -> RenderableType:
     """Where the page is."""
     return joined(f"Wrote {shown_name(found.out)}", faint(f"  {counted(found.runs, 'run')}"))
+
+
+# -- runs ----------------------------------------------------------------------------------------------------
+
+
+def run_list(found: RunList, _screen: Screen) -> RenderableType:
+    """One row a run, the latest last; its file only where one is not called as its kata's usually is."""
+    runs = found.runs
+    if not runs:
+        file = f"{found.problem} FILE" if found.problem else "FILE"
+        return Group(text("No runs yet."), commands([(f"judge run {file}", "adds one")]))
+    year = runs[-1].when.astimezone().year
+    usual = all(shown_name(run.submission) == usual_name(run.problem) for run in runs)
+    rows = [_run(run, year, usual=usual) for run in runs]
+    remarks = "mistake or failed group" if any(row[-1] for row in rows) else ""
+    titles = ("run", "when", "kata", "" if usual else "file", "result", remarks)
+    more = faint(f"The last {counted(len(runs), 'run')}; --limit N shows more.") if found.more else None
+    return blocks(table(rows, *titles, right=[0]), more)
+
+
+def _run(run: Run, year: int, *, usual: bool) -> tuple[Cell, ...]:
+    here = run.when.astimezone()
+    when = here.strftime("%m-%d %H:%M") if here.year == year else day(run.when)
+    came_to = text(_result(run), verdict_style(run.verdict))
+    file = "" if usual else shown_name(run.submission)
+    return strong(str(run.id)), faint(when), run.problem, file, came_to, _remark(run)
+
+
+def _result(run: Run) -> str:
+    """The verdict with the multiple of the reference's time, or with the points."""
+    if not run.whole:
+        full = run.score == FULL_SCORE and run.verdict is not Verdict.AC  # those that fail are worth none
+        return f"{run.verdict.value} {'extra fails' if full else run.score}"
+    return f"{run.verdict.value} {times(run.ratio)} ×" if run.ratio is not None else run.verdict.value
+
+
+def _remark(run: Run) -> str:
+    """The level that it passed without the other, and its mistake, first failed group, or its only groups."""
+    try:
+        passed: Sequence[str] = () if run.whole else run.levels
+    except StoreError:  # of a damaged result the other columns are still true
+        passed = ()
+    partial = run.verdict is Verdict.AC and not run.whole
+    left_out = f"only {', '.join(run.passed)}" if partial else ""
+    why = run.mistake or (run.failed[0] if run.failed else left_out)
+    return ", ".join([*(f"{level} level passed" for level in passed), *([why] if why else [])])
+
+
+def run_row(run: RunRow, screen: Screen) -> RenderableType:
+    """When it was, what it came to, and how to get its source back."""
+    return blocks(
+        head(f"run {run.id}", faint(moment(run.when))),
+        result(Shown(tell(None, run.result), run.submission, run.result.groups), screen, None),
+        commands([(f"judge history {run.id} --restore", "write its source again")]),
+    )
+
+
+def runs_compared(found: RunsCompared, _screen: Screen) -> RenderableType:
+    """The verdicts, the groups that ended otherwise, and the difference of the sources."""
+    ends = [
+        joined(text(verdict.value, verdict_style(verdict)), f" {score}")
+        for verdict, score in zip(found.verdicts, found.scores, strict=True)
+    ]
+    titles = ("group", f"run {found.before}", f"run {found.after}")
+    rows: list[tuple[Cell, ...]] = [(strong(found.problem), *ends)]
+    rows += [(each.group, _ended(each.before), _ended(each.after)) for each in found.groups]
+    lines = [text(row.expandtabs(4), _DIFFERENT.get(row[:1], "")) for row in found.diff]
+    changed = Group(*lines) if lines else text("The sources are the same.")
+    return blocks(table(rows, *titles, prose=None), indented(changed))
+
+
+def _ended(how: str | None) -> Text:
+    return text(how or "not run", {"passed": GOOD, "failed": BAD}.get(how or "", FAINT))
+
+
+def restored(found: Restored, _screen: Screen) -> RenderableType:
+    """Where a run's source is again, and where what was there is kept."""
+    said = f"the source of run {found.run}, {moment(found.time)}, {found.problem}"
+    became = "" if found.written else "It was there already."
+    if found.kept_as is not None:
+        became = f"What was there is kept as {shown_name(found.kept_as)}."
+    return Group(head(shown_name(found.file), said), *([indented(faint(became))] if became else []))

@@ -33,7 +33,7 @@ from judge.report.words import counted, due_words, shown_name
 if TYPE_CHECKING:
     from judge.practice.events import Rating
     from judge.practice.questions import Question, Reply
-    from judge.practice.quiz import Plan, Practise
+    from judge.practice.quiz import Practise
     from judge.problem import Problem
 
 RATE = "How well? 1 again, 2 hard, 3 good, 4 easy: "
@@ -120,12 +120,14 @@ def card_list(found: CardList, _screen: Screen) -> RenderableType:
     )
 
 
-def opening(minutes: int, planned: Plan, kata: str) -> RenderableType:
-    """What is to come in an interview."""
-    before, after = (counted(len(cards), "card") for cards in (planned.before, planned.after))
+def opening(minutes: int, before: int, kata: str, after: int) -> RenderableType:
+    """What is to come in an interview: so many cards before the kata, and after it."""
     return Group(
         head("Mock interview", faint(counted(minutes, "minute"))),
-        faint(f"{before}, the kata {kata}, {after}. q leaves; your answers are kept."),
+        faint(
+            f"{counted(before, 'card')}, the kata {kata}, {counted(after, 'card')}."
+            " q leaves; your answers are kept."
+        ),
         Text(),
     )
 

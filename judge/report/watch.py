@@ -117,16 +117,13 @@ def keys(
     given has that done again, after the process was stopped and goes on. Ctrl-C stays as it is.
     """
     import termios
+    import tty
 
     before = termios.tcgetattr(terminal)
     end, stop = os.pipe()
 
     def take() -> None:
-        now = [*before]
-        now[3] = now[3] & ~(termios.ICANON | termios.ECHO)
-        now[6] = [*now[6]]
-        now[6][termios.VMIN], now[6][termios.VTIME] = 1, 0
-        termios.tcsetattr(terminal, termios.TCSANOW, now)
+        tty.setcbreak(terminal, termios.TCSANOW)
 
     def give_back() -> None:
         with suppress(termios.error):  # the terminal is gone

@@ -137,7 +137,7 @@ def test_what_changed_between_two_runs(judge, three_runs, submit):
 @pytest.mark.parametrize("words", [("-q",), ("--json",), ("--group", "half"), ("-j", "2")])
 def test_every_run_is_kept(words, judge, submit, tmp_path):
     shown = judge("run", "middle", submit(MEAN), submit(FLOOR, "floor.py"), *words)
-    with History.open() as history:
+    with History() as history:
         runs = history.runs()
         assert [run.submission for run in runs] == ["mine.py", "floor.py"]
         assert [run.path for run in runs] == [str(tmp_path / "mine.py"), str(tmp_path / "floor.py")]
@@ -162,7 +162,7 @@ def test_a_file_that_is_no_history_is_left_alone(judge, submit):
 
 
 def test_a_run_of_no_file_needs_a_name(judge):
-    with History.open() as history:
+    with History() as history:
         result = Result(problem="middle", submission="/dev/fd/63", verdict=Verdict.AC)
         history.keep(run_of(result, b"x = 1\n", ""), b"x = 1\n")
     ended = judge("history", "--restore", "1")
@@ -223,7 +223,7 @@ def test_a_judge_that_is_killed_has_kept_what_it_has_shown(form, submit, tmp_pat
     for after in (1, 5):
         db = tmp_path / f"{after}.sqlite3"
         shown = killed(form, db, after)
-        with History.open(db) as history:
+        with History(db) as history:
             kept = {run.submission: history.source(run.id).decode() for run in history.runs()}
         assert {name: kept.get(name) for name in shown} == {name: TEAM[name] for name in shown}
 
@@ -235,5 +235,5 @@ def test_a_hint_that_was_shown_counts_as_seen():
     ended = subprocess.run(words, stdout=writing, stderr=subprocess.PIPE, cwd=ROOT, timeout=60, check=False)
     os.close(writing)
     assert ended.returncode == 141
-    with History.open() as history:
+    with History() as history:
         assert [each.hints for each in history.events(Help)] == [1]

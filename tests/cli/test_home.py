@@ -82,7 +82,7 @@ def test_a_file_that_is_gone_is_named(judge, tmp_path):
 def test_what_an_older_judge_took_up_without_a_file_is_not_current(judge, submit, tmp_path):
     submit(FLOOR, "middle.py")
     judge("run", "-q", "middle.py")
-    with History.open() as history:
+    with History() as history:
         history.keep(Started("diameter", str(tmp_path / "diameter.py")))
     assert judge("run").lines[0].startswith("WA  Wrong answer  middle.py")
 
@@ -99,7 +99,7 @@ def test_the_next_kata_follows_in_the_same_set(judge, submit):
 def test_a_kata_that_was_left_out_comes_back_before_the_next_set(judge, submit, tmp_path):
     submit(SIDE, "which_side.py")
     judge("run", "-q", "which_side.py")
-    with History.open() as history:
+    with History() as history:
         (run,) = history.runs()
         for kata in ("distance-squared", "diameter", "axis-foot", "crossings"):
             history.keep(solved(run, kata, tmp_path, days=0))
@@ -109,7 +109,7 @@ def test_a_kata_that_was_left_out_comes_back_before_the_next_set(judge, submit, 
 def test_what_is_due_again_and_the_cards(judge, submit, tmp_path):
     submit(SIDE, "which_side.py")
     judge("run", "-q", "which_side.py")
-    with History.open() as history:
+    with History() as history:
         (run,) = history.runs()
         history.keep(solved(run, "crossings", tmp_path, days=8))
         old = datetime.now(UTC) - timedelta(days=30)

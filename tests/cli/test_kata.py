@@ -35,7 +35,7 @@ def test_what_was_seen_of_hints_and_solutions_is_kept(judge, submit):
     assert judge("solution", "middle", "--give-up").status == 0
     assert judge("solution", "middle").status == 0  # it is known now
     assert judge("solution", "middle", "--give-up").status == 0
-    with History.open() as history:
+    with History() as history:
         assert [each.hints for each in history.events(Help, "middle")] == [1, 2, 0]
 
 

@@ -48,7 +48,7 @@ def passed(*problems, without=(), mistake=None, when=None):
     """Keep a run of each problem that passed the whole but for these groups."""
     verdict = Verdict.WA if without else Verdict.AC
     pitfall = Pitfall((mistake,), 0.9, ("",)) if mistake else None
-    with History.open() as history:
+    with History() as history:
         for problem in problems:
             groups = tuple(
                 GroupResult(

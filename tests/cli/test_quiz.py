@@ -37,7 +37,7 @@ def typing(judge, monkeypatch):
 
 
 def answers():
-    with History.open(reading=True) as history:
+    with History(reading=True) as history:
         return [(each.card, each.rating, each.judged, each.given) for each in history.events(Answer)]
 
 
@@ -102,7 +102,7 @@ def test_an_interview_keeps_its_runs_and_its_answers(typing, submit):
     submit(MEAN)
     words = ("--kata", "middle", "--file", "mine.py", "--out", "page.txt")
     assert typing(["?", "?", "?", "?"], "interview", "halves", *words).status == 0
-    with History.open(reading=True) as history:
+    with History(reading=True) as history:
         assert [run.problem for run in history.runs()] == ["middle"]
     assert len(answers()) == 2
     assert "middle: AC, 100 of 100 points after 1 run" in Path("page.txt").read_text()
@@ -165,7 +165,7 @@ def test_ctrl_c_and_ctrl_d_keep_what_was_answered(key, status):
         terminal.until("1 of 1 card known")
         assert terminal.ends() == status
         assert "Traceback" not in terminal.written
-    with History.open(reading=True) as history:
+    with History(reading=True) as history:
         assert [each.card for each in history.events(Answer)] == ["halves/half-of-seven"]
 
 

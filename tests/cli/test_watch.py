@@ -100,7 +100,7 @@ def test_every_save_is_judged_and_the_verdict_is_last(watch, submit, tmp_path):
         assert picture.startswith(HOME)
         assert "\x1b[?2026l" in picture
     assert "\x1b[2J" not in terminal.written
-    with History.open() as history:
+    with History() as history:
         assert [run.verdict.value for run in history.runs("middle")] == ["WA", "AC"]
         assert [each.path for each in history.places()] == [str(tmp_path / "mine.py")]
 
@@ -149,7 +149,7 @@ def test_the_keys(watch, submit):
     terminal.press("\n")
     terminal.sees("Smallest failing case", without=["again to skip"])
     terminal.leaves("Q")
-    with History.open() as history:
+    with History() as history:
         assert max(each.hints for each in history.events(Help, "middle")) == 2
         assert len(history.runs("middle")) == 1
 
@@ -166,7 +166,7 @@ def test_going_on_begins_the_next_kata_beside_this_one(watch, submit, pack, tmp_
     lines = terminal.sees("Created mid_twin.py. Open it in your editor.")
     assert lines[0] == "mid-twin  The middle"
     begun = tmp_path / "mid_twin.py"
-    with History.open() as history:
+    with History() as history:
         assert history.places()[0].path == str(begun)
     begun.write_text(MEAN)
     terminal.sees("AC  Accepted")
@@ -213,7 +213,7 @@ def test_a_save_gives_up_the_run_of_what_stood_there_before(watch, submit):
     terminal.sees("AC  Accepted")
     assert "TLE" not in terminal.written
     terminal.leaves()
-    with History.open() as history:
+    with History() as history:
         assert [run.verdict.value for run in history.runs("middle")] == ["AC"]
 
 
@@ -236,7 +236,7 @@ def test_a_new_kata_is_shown_before_it_is_judged_and_started_over(watch, tmp_pat
     assert mine.read_text() == stub
     assert "return 0" in (tmp_path / "which_side.py.bak").read_text()
     terminal.leaves()
-    with History.open() as history:
+    with History() as history:
         assert [run.verdict.value for run in history.runs()] == ["WA"]  # not the stub
 
 

@@ -55,7 +55,7 @@ def test_what_is_shipped_keeps_to_its_schema(path):
     [
         ("title = 3\n", "quiz/mine.toml:1: title is a whole number; give text"),
         (HEAD + "cards = []\n", "the deck has no card"),
-        (HEAD + CARD + CARD, "quiz/mine.toml:9: the card 'a' is there twice"),
+        (HEAD + CARD + CARD, "quiz/mine.toml:9: 'a' is there twice"),
         (HEAD + CARD.replace("recall", "recal"), ":5: form = 'recal' is unknown; did you mean 'recall'?"),
         (HEAD + CARD.replace('back = "B."\n', ""), ":3: the key 'back' is missing in cards; add back"),
         (HEAD + CARD + 'right = "r"\n', ":8: unknown key 'right'; the keys are id, front, back, rows"),

@@ -34,7 +34,7 @@ KINDS = (Run, Started, Help, Hack, Answer)
 
 def kept(path, runs=3):
     """A history of so many runs and one event of each other kind a run, closed; what the file then holds."""
-    with History.open(path) as history:
+    with History(path) as history:
         for number in range(runs):
             keep(history, past_result(), str(number).encode())
             history.keep(Started("segment", "/mine.py", when=START))
@@ -62,7 +62,7 @@ def damaged(path, share):
 
 
 def refusal(path, *, reading=False):
-    with pytest.raises(StoreError) as caught, History.open(path, reading=reading):
+    with pytest.raises(StoreError) as caught, History(path, reading=reading):
         pass
     assert "\n" not in str(caught.value)
     assert str(path) in str(caught.value)
@@ -99,9 +99,9 @@ def started(script, *words):
 @pytest.mark.parametrize("name", ["mine.py", os.fsdecode(b"caf\xe9 \x1b[31m\n\xff.py")])
 def test_a_run_comes_back_whole(name, own_history):
     result = past_result(passed=("grid",), failed=("tangent",), name=name, mistake="no-clamp", ratio=1.25)
-    with History.open() as history:
+    with History() as history:
         assert keep(history, result, b"\xff\x00x = 1\n", f"/home/me/{name}") == 1
-    with History.open(reading=True) as history:
+    with History(reading=True) as history:
         (run,) = history.runs("segment")
         assert history.run(1) == run
         assert history.source(1) == b"\xff\x00x = 1\n"
@@ -123,7 +123,7 @@ def test_every_other_event_comes_back_as_it_was():
         Hack("count", "no-clamp", "0 0 1 0 0 1 1", Outcome.GIVEN_UP),
         Answer("deck/card", "choice", Rating.AGAIN, judged=False, given="two\n"),
     ]
-    with History.open() as history:
+    with History() as history:
         for event in events:
             assert history.keep(event) >= 1
         assert [each for kind in KINDS for each in history.events(kind)] == events
@@ -133,7 +133,7 @@ def test_every_other_event_comes_back_as_it_was():
 
 
 def test_the_last_runs_are_listed_and_one_that_is_not_there_is_refused():
-    with History.open() as history:
+    with History() as history:
         with pytest.raises(UsageError, match="there is no run 1; 'judge run' adds the first one"):
             history.run(1)
         for problem in ("count", "segment", "count", "count"):
@@ -163,7 +163,7 @@ def test_only_a_whole_problem_is_solved_and_a_model_solution_says_nothing_of_the
 
 
 def test_it_is_where_the_settings_say_and_reading_makes_no_file(monkeypatch, tmp_path, own_history):
-    with History.open(reading=True) as history:
+    with History(reading=True) as history:
         assert (history.path, history.runs(), history.places()) == (own_history, [], [])
     assert not own_history.parent.exists()
     other = tmp_path / "a" / "b" / "other ?#%.db"
@@ -172,7 +172,7 @@ def test_it_is_where_the_settings_say_and_reading_makes_no_file(monkeypatch, tmp
     monkeypatch.delenv("JUDGE_DB")
     monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path / "data"))
     monkeypatch.setenv("HOME", str(tmp_path / "home"))
-    with History.open() as history:
+    with History() as history:
         assert history.path.name == "history.sqlite3"
         assert history.path.is_relative_to(tmp_path)
 
@@ -180,7 +180,7 @@ def test_it_is_where_the_settings_say_and_reading_makes_no_file(monkeypatch, tmp
 def test_nobody_else_can_read_it(tmp_path):
     before = os.umask(0o022)
     try:
-        with History.open(tmp_path / "shared.sqlite3") as history:
+        with History(tmp_path / "shared.sqlite3") as history:
             keep(history, past_result(), b"mine")
             files = list(tmp_path.iterdir())
             assert len(files) == 3
@@ -209,7 +209,7 @@ def test_an_older_judges_file_is_brought_up_to_date(version, own_history):
             connection.execute("INSERT INTO current (id, problem, path) VALUES (1, 'segment', x'2f612e7079')")
         connection.execute(f"PRAGMA application_id = {APPLICATION}")
         connection.execute(f"PRAGMA user_version = {version}")
-    with History.open() as history:
+    with History() as history:
         run = history.run(1)
         assert (run.when, run.passed, run.failed, run.solved) == (START, ("a", "b"), (), True)
         assert history.source(1) == b"old"
@@ -217,7 +217,7 @@ def test_an_older_judges_file_is_brought_up_to_date(version, own_history):
         assert [(each.problem, each.path) for each in history.places()] == [("segment", "/old.py"), *started]
         history.keep(Started("count", "/count.py"))
         assert counts(history) == [1, 1 + (version > 1), 0, 0, 0]
-    with History.open() as history:
+    with History() as history:
         assert history.places()[0].problem == "count"
 
 
@@ -260,20 +260,20 @@ def test_another_programs_damaged_file_a_folder_or_a_file_in_its_way(tmp_path):
     path = tmp_path / "theirs.db"
     changed(path, "CREATE TABLE theirs (id INTEGER)")
     before = damaged(path, 0.02)
-    with pytest.raises(StoreError), History.open(path) as history:
+    with pytest.raises(StoreError), History(path) as history:
         history.runs()
     assert (path.read_bytes(), list(tmp_path.iterdir())) == (before, [path])
     assert "--db" in refusal(tmp_path)
     assert "--db" in refusal(path / "history.sqlite3")
     with pytest.raises(StoreError, match="no name for a file"):
-        History.open(Path("a\0b"))
+        History(Path("a\0b"))
 
 
 READ = """
 try:
-    with History.open(Path(sys.argv[1]), reading=True) as history:
+    with History(Path(sys.argv[1]), reading=True) as history:
         print(len(history.runs()))
-    with History.open(Path(sys.argv[1])) as history:
+    with History(Path(sys.argv[1])) as history:
         keep(history, past_result())
 except Exception as fault:
     print(type(fault).__name__, fault)
@@ -332,7 +332,7 @@ DAMAGE = {
 def test_one_damaged_row_is_one_row(table, change, own_history):
     kept(own_history)
     changed(own_history, f"UPDATE {table} SET {change} WHERE id = 2")
-    with History.open(reading=True) as history:
+    with History(reading=True) as history:
         assert counts(history) == [2 if name == table else 3 for name in DAMAGE]
         assert history.left_out == {(table, 2)}
         if table == "runs":
@@ -347,7 +347,7 @@ def test_one_damaged_row_is_one_row(table, change, own_history):
 def test_a_result_that_is_damaged_costs_its_run_where_results_are_asked_for(content, own_history):
     kept(own_history)
     changed(own_history, "UPDATE runs SET result = ? WHERE id = 2", zlib.compress(content))
-    with History.open(reading=True) as history:
+    with History(reading=True) as history:
         assert len(history.runs()) == 3
         assert [run.id for run in history.with_results(history.runs())] == [1, 3]
         assert history.left_out == {("runs", 2)}
@@ -359,21 +359,21 @@ def test_a_file_that_cannot_be_read_is_set_aside(reading, share, own_history):
         kept(own_history, runs=100)
         before = damaged(own_history, share)
         aside = own_history.with_name(f"{own_history.name}.damaged-{number}")
-        with History.open(reading=reading) as history:
+        with History(reading=reading) as history:
             assert history.runs() == []
             assert history.set_aside == aside
         assert aside.read_bytes() == before
-        with History.open() as history:
+        with History() as history:
             assert keep(history, past_result(), b"new") == 1
             assert history.set_aside is None
-    with History.open() as history:
+    with History() as history:
         assert len(history.runs()) == 1
 
 
 def test_one_whose_end_was_cut_off_is_set_aside_when_it_is_written(own_history):
     kept(own_history, runs=100)
     os.truncate(own_history, own_history.stat().st_size // 2)
-    with History.open() as history:
+    with History() as history:
         assert keep(history, past_result(), b"new") == 1
         assert history.set_aside is not None
 
@@ -381,7 +381,7 @@ def test_one_whose_end_was_cut_off_is_set_aside_when_it_is_written(own_history):
 def test_two_judges_meet_a_damaged_file_and_the_new_one_stays(own_history):
     kept(own_history, runs=100)
     damaged(own_history, 0.3)
-    with History.open() as first, History.open() as second:
+    with History() as first, History() as second:
         assert keep(first, past_result(), b"new") == 1
         assert len(second.runs()) == 1
         assert keep(second, past_result(), b"newer") == 2
@@ -397,7 +397,7 @@ def test_two_judges_meet_a_damaged_file_and_the_new_one_stays(own_history):
 ADD = """
 sys.stdin.readline()
 for number in range(5):
-    with History.open() as history:
+    with History() as history:
         keep(history, past_result(name=sys.argv[1]), b"shared")
         keep(history, past_result(name=sys.argv[1]), f"{sys.argv[1]} {number}".encode())
 """
@@ -412,7 +412,7 @@ def test_several_judges_write_at_once_into_a_file_that_was_not_there():
     for judge in judges:
         judge.communicate(timeout=60)
         assert judge.returncode == 0
-    with History.open() as history:
+    with History() as history:
         runs = history.runs()
         assert [run.id for run in runs] == list(range(1, 41))
         for name in names:
@@ -422,7 +422,7 @@ def test_several_judges_write_at_once_into_a_file_that_was_not_there():
 
 
 WRITE = """
-with History.open() as history:
+with History() as history:
     for number in range(10**6):
         run = keep(history, past_result(name=f"{number}.py"), b"x = 1" * (number % 5000))
         print(run, flush=True)  # what is shown
@@ -441,7 +441,7 @@ def test_a_judge_that_is_killed_while_it_writes_loses_nothing_that_was_shown(kil
                 writer.send_signal(signal.SIGKILL)
         writer.communicate(timeout=60)
         assert writer.returncode == -signal.SIGKILL
-        with History.open(reading=True) as history:
+        with History(reading=True) as history:
             numbers = [run.id for run in history.runs()]
             assert numbers == list(range(1, len(numbers) + 1))
             assert len(numbers) in (shown, shown + 1)
@@ -456,7 +456,7 @@ def test_a_locked_history_is_waited_for_then_said(own_history, monkeypatch):
     kept(own_history)
     with contextlib.closing(sqlite3.connect(own_history, isolation_level=None)) as connection:
         connection.execute("BEGIN IMMEDIATE")
-        with History.open() as history:
+        with History() as history:
             assert counts(history) == [3, 3, 3, 3, 3]  # a reader waits for nobody
             with pytest.raises(StoreError, match="another program is writing to it; try again"):
                 keep(history, past_result())
@@ -467,7 +467,7 @@ def test_a_locked_history_is_waited_for_then_said(own_history, monkeypatch):
 def test_a_full_disk_costs_the_run_and_nothing_else(own_history):
     """The file may not grow: what SQLite says is what it says of a full disk."""
     kept(own_history)
-    with History.open() as history:
+    with History() as history:
         ((pages,),) = history._connection.execute("PRAGMA page_count").fetchall()
         history._connection.execute(f"PRAGMA max_page_count = {pages}")
         with pytest.raises(StoreError, match="the disk is full; make room"):

@@ -45,7 +45,7 @@ def outcome(problem="count", *, solved=False, mistake=None, ratio=None, name="mi
 
 def kept(path, results, source=b"print(1)\n"):
     """The runs that these results make, a day after another."""
-    with History.open(path) as history:
+    with History(path) as history:
         for number, result in enumerate(results):
             keep(history, result, source, "/home/somebody/mine.py", START + timedelta(days=number))
         return history.runs()

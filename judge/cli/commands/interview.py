@@ -8,7 +8,7 @@ from __future__ import annotations
 import secrets
 import select
 import sys
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import closing, suppress
 from datetime import datetime
 from pathlib import Path
@@ -29,16 +29,7 @@ from judge.practice.events import Answer, Help, Rating, Run
 from judge.practice.history import History
 from judge.practice.questions import Question, Reply, Sources
 from judge.practice.questions import ask as asked_of
-from judge.practice.quiz import (
-    Practise,
-    lacking,
-    left_open,
-    next_cards,
-    next_due,
-    plan,
-    to_practise,
-    usual_kata,
-)
+from judge.practice.quiz import lacking, left_open, next_cards, next_due, plan, to_practise, usual_kata
 from judge.practice.review import Review, card_reviews
 from judge.practice.stub import write_stub
 from judge.practice.syllabus import FIRST, USUAL, find_row, read_checklist
@@ -144,10 +135,9 @@ def _narrowed(cards: list[Card], question: str | None, folders: Sequence[Path]) 
 
 def _own_set(runs: Sequence[Run], folders: Sequence[Path]) -> str:
     """The set of the kata that was judged last; the first steps for a newcomer."""
-    last = next((run.problem for run in reversed(runs) if run.counts), None)
-    if last is not None:
-        with suppress(UsageError, ProblemError):
-            return next((name for name in find_problem(last, folders).sets if name != USUAL), FIRST)
+    with suppress(StopIteration, UsageError, ProblemError):
+        last = next(run.problem for run in reversed(runs) if run.counts)
+        return next(name for name in find_problem(last, folders).sets if name != USUAL)
     return FIRST
 
 
@@ -156,14 +146,15 @@ class StoppedError(Exception):
 
 
 class Round:
-    """Cards that are asked in turn on one screen; `answers` has each that was answered, with its rating."""
+    """Cards that are asked in turn on one screen; `missed` are the questions that were not known well."""
 
     def __init__(self, seed: int | None, history: History, common: Common) -> None:
         seed = secrets.randbits(32) if seed is None else seed
         self.sources = Sources(common.problems, seed, progress)
         self.screen = err() if common.json else out()
-        self.answers: list[tuple[Card, Rating]] = []
-        self._history, self._folders = history, common.problems
+        self.answers: list[Answer] = []
+        self.missed: list[str] = []
+        self._history = history
 
     def ask(self, card: Card, count: int) -> None:
         """Ask the next of `count` cards, keep the answer, and say what it came to. Raises StoppedError.
@@ -177,24 +168,23 @@ class Round:
             return
         self.show(texts.question(asked, f"Question {len(self.answers) + 1} of {count}", self.screen))
         given, found, rating = self._rated(asked) if asked.check is None else self._checked(asked)
-        self._history.keep(Answer(card.key, card.form, rating, asked.check is not None, given[:_KEPT]))
-        self.answers.append((card, rating))
+        answer = Answer(card.key, card.form, rating, asked.check is not None, given[:_KEPT])
+        self._history.keep(answer)
+        self.answers.append(answer)
+        if rating in (Rating.AGAIN, Rating.HARD):
+            self.missed += card.rows[:1]
         self.show(texts.reply(asked, found, rating))
-
-    def practise(self, more: Mapping[str, str] = {}) -> tuple[Practise, ...]:
-        """What to practise: what was not remembered well, and those questions, with a command for each."""
-        missed = [card for card, rating in self.answers if rating in (Rating.AGAIN, Rating.HARD)]
-        return to_practise(missed, self._folders, more)
 
     @property
     def known(self) -> int:
         """How many cards were remembered."""
-        return sum(rating is not Rating.AGAIN for _, rating in self.answers)
+        return sum(each.known for each in self.answers)
 
     def summary(self, next_due: datetime | None = None) -> Quizzed:
         """How the cards went."""
-        answers = tuple(Answered(card.key, rating.name.lower()) for card, rating in self.answers)
-        return Quizzed(len(answers), self.known, answers, self.practise(), self.sources.seed, next_due)
+        answers = tuple(Answered(each.card, each.rating.name.lower()) for each in self.answers)
+        practise = to_practise(self.missed, self.sources.folders)
+        return Quizzed(len(answers), self.known, answers, practise, self.sources.seed, next_due)
 
     def show(self, what: RenderableType) -> None:
         """Draw something between the questions."""
@@ -283,13 +273,14 @@ def interview(name: str, ask: InterviewAsk, common: Common) -> Iterator[Intervie
             read_submissions([ask.file])  # whether it is there is said before the first card
         path = ask.file or file_name(f"{problem.id.replace('-', '_')}_interview")
         held = _Interview(ask, history, common, Kata(problem, Path(path).absolute()))
-        planned = plan(cards, ask.minutes, card_reviews(history.events(Answer)), today)
-        held.show(texts.opening(ask.minutes, planned, problem.id))
+        before, after = plan(cards, ask.minutes, card_reviews(history.events(Answer)), today)
+        count = len(before) + len(after)
+        held.show(texts.opening(ask.minutes, len(before), problem.id, len(after)))
         try:
             with suppress(StoppedError):
-                held.ask_all(planned.before, planned.count)
+                held.ask_all(before, count)
                 held.solve()
-                held.ask_all(planned.after, planned.count)
+                held.ask_all(after, count)
         finally:  # after Ctrl-C too
             found = held.page()
             if page.path:
@@ -383,6 +374,7 @@ class _Interview(Round):
     def page(self) -> Interviewed:
         """How it went, and what to practise: what the cards and the kata's last run left open."""
         problem, last, whole = self._kata.problem, self._last, self._wanted.minutes
+        folders = self._common.problems
         taken = min(whole - int(self._left() // 60), whole)
         return Interviewed(
             minutes=max(taken, 1),
@@ -397,6 +389,6 @@ class _Interview(Round):
             score=last.score if last else None,
             mistake=last.pitfall.name if last and last.pitfall else None,
             lacking=lacking(problem, last),
-            practise=self.practise(left_open(problem, last, self._common.problems))[:_MOST],
+            practise=to_practise(self.missed, folders, left_open(problem, last, folders))[:_MOST],
             seed=self.sources.seed,
         )

@@ -11,11 +11,12 @@ from msgspec import Struct
 
 from judge.cli.options import Common, command, opt
 from judge.cli.resolve import current, history_at, this_folder
-from judge.errors import StoreError, UsageError, nearest
+from judge.errors import StoreError, UsageError
 from judge.practice.progress import levels, solved, stars, tried
 from judge.practice.syllabus import USUAL, sound_sets
 from judge.problem.find import find_problem, listed_problems
 from judge.problem.model import Listed
+from judge.problem.toml import meant
 from judge.report.published_look import KataInFull, KataList, KataRow, KataShown, SetRow
 from judge.report.screen import note
 from judge.report.views import copied
@@ -59,9 +60,7 @@ def listed(name: str | None, ask: ListAsk, common: Common) -> KataList:
         shelves.append(SetRow(_OTHERS, "Katas that are in no set.", others))
     named = {each.name: each for each in shelves}
     if name is not None and name not in named:
-        meant = nearest(name, named)
-        remedy = f"did you mean {meant}?" if meant else f"there are {', '.join(named)}"
-        raise UsageError(f"There is no set {name!r}", remedy=remedy)
+        raise UsageError(f"There is no set {name!r}", remedy=meant(name, list(named)))
     parts = tuple(each for each in shelves if name == USUAL or each.name != USUAL)
     opened = None if common.json or ask.whole else _opened(parts, at)
     shown = named[name] if name else opened

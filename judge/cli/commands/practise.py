@@ -35,8 +35,7 @@ from judge.problem import Problem
 from judge.problem.find import find_problem, id_of
 from judge.problem.model import LEVELS
 from judge.problem.texts import read_hints
-from judge.report.published_look import Begun
-from judge.report.published_practice import ApproachRow, HintShown, SolutionShown, Yours
+from judge.report.published_look import ApproachRow, Begun, HintShown, SolutionShown, Yours
 from judge.report.screen import draws, is_terminal, out
 from judge.report.views import copied
 from judge.run.result import Taken
@@ -221,7 +220,7 @@ def solution(name: str | None, approach: str | None, ask: SolutionAsk, common: C
     models = approaches(problem)
     model = chosen_approach(problem, models, approach, ask.language)
     yours = _admit(problem, common.db, giving_up=ask.giving_up)
-    programs = [(each.approach.file, each.solution.source) for each in models]
+    programs = [(each.file, each.solution.source) for each in models]
     if yours:
         programs.append((yours[0].submission, yours[1]))
     taken: Sequence[Taken | None] = [None] * len(programs)
@@ -229,14 +228,14 @@ def solution(name: str | None, approach: str | None, ask: SolutionAsk, common: C
         taken = _measured(problem, programs, ask.rounds or _ROUNDS, common)
     return SolutionShown(
         problem=problem.id,
-        file=model.approach.file,
-        language=model.approach.language,
+        file=model.file,
+        language=model.language,
         code=model.solution.language.id if model.solution.language else "python",
         idea=model.solution.name,
         explanation=model.solution.text,
         program=model.program,
         approaches=tuple(
-            copied(ApproachRow, each.approach, taken=its) for each, its in zip(models, taken, strict=False)
+            copied(ApproachRow, each, taken=its) for each, its in zip(models, taken, strict=False)
         ),
         yours=Yours(yours[0].id, yours[0].submission, taken[-1]) if yours else None,
     )

@@ -1,59 +1,53 @@
-"""`judge progress`: what your runs have shown, what is due, what comes next; on the screen or as a page."""
+"""`judge progress`: what your runs have shown, what is due, what comes next; on the screen or as a page.
+
+`judge history`: the runs so far, one of them in full, what changed between two, a source again.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from difflib import unified_diff
 from pathlib import Path
 
 import click
 from msgspec import Struct
 
-from judge.cli.files import OutFile, moment
+from judge.cli.files import OutFile, check_place, moment
 from judge.cli.options import Common, command, opt
 from judge.cli.resolve import history_at, shown
-from judge.errors import ProblemError, UsageError
-from judge.practice import events
+from judge.errors import ProblemError, UsageError, unwritable
+from judge.files import new_file
+from judge.practice import events, syllabus
+from judge.practice import progress as learned
 from judge.practice.cards import known_cards, read_decks
 from judge.practice.events import Answer, Hack, Help, Run
-from judge.practice.progress import (
-    SkillProgress,
-    State,
-    Tried,
-    hack_shares,
-    levels,
-    mistakes,
-    questions,
-    skills,
-    solved,
-    stars,
-    tried,
-)
+from judge.practice.history import History
+from judge.practice.progress import SkillProgress, State, Tried
 from judge.practice.review import reviews
-from judge.practice.syllabus import (
-    USUAL,
-    Checklist,
-    PracticeSet,
-    find_row,
-    find_set,
-    read_checklist,
-    sound_sets,
-    unknown_names,
-)
+from judge.practice.stub import write_over
+from judge.practice.syllabus import USUAL, Checklist, PracticeSet
 from judge.problem import Problem
-from judge.problem.find import problem_folders, sound_problems
+from judge.problem.find import find_problem, problem_folders, sound_problems
 from judge.report.published_progress import (
     CardsDue,
     DueShown,
+    GroupChange,
     NextKata,
     ProgressPage,
     ProgressShown,
     ProgressWritten,
     QuestionShown,
+    Restored,
+    RunList,
+    RunRow,
+    RunsCompared,
     SetShare,
     Unfinished,
 )
 from judge.report.screen import note
+from judge.report.views import copied
 
+_ON_SCREEN = 18  # runs, unless it is said how many
 _PAGE = Path("judge-report.html")
 
 
@@ -95,22 +89,22 @@ def progress(name: str, ask: ProgressAsk, common: Common) -> Struct:
     if ask.due:
         return due
     problems, broken = sound_problems(folders)
-    chosen = find_set(name, problems, folders)
-    checklist = read_checklist(folders)
+    chosen = syllabus.find_set(name, problems, folders)
+    checklist = syllabus.read_checklist(folders)
     cards, faults = read_decks(folders)
-    for fault in (*broken, *unknown_names(problems, folders), *faults):
+    for fault in (*broken, *syllabus.unknown_names(problems, folders), *faults):
         note(str(fault), bad=True)
-    own, done = tried(runs), solved(runs)
-    every = skills(problems, own, checklist.skills)
-    asked = questions(problems, done, every, checklist, cards, answers, hacks)
+    own, done = learned.tried(runs), learned.solved(runs)
+    every = learned.skills(problems, own, checklist.skills)
+    asked = learned.questions(problems, done, every, checklist, cards, answers, hacks)
     if ask.question is not None:
-        row = find_row(ask.question, checklist.rows).id
+        row = syllabus.find_row(ask.question, checklist.rows).id
         return QuestionShown(question=next(each for each in asked if each.row == row))
-    sets = sound_sets(problems, folders)[0] if name == USUAL else []
+    sets = syllabus.sound_sets(problems, folders)[0] if name == USUAL else []
     parts = {each.title for each in checklist.sections if name in (USUAL, *each.sets)}
-    shown_levels = levels(chosen.problems, own)
-    won = list(stars(shown_levels).values())
-    shown_skills = skills(chosen.problems, own, checklist.skills)
+    shown_levels = learned.levels(chosen.problems, own)
+    won = list(learned.stars(shown_levels).values())
+    shown_skills = learned.skills(chosen.problems, own, checklist.skills)
     ids = tuple(problem.id for problem in chosen.problems)
     told = ProgressShown(
         set=name,
@@ -122,17 +116,19 @@ def progress(name: str, ask: ProgressAsk, common: Common) -> Struct:
         sets=tuple(_share(each, own, checklist) for each in sets if each.problems and each.name != USUAL),
         skills=tuple(shown_skills),
         levels=tuple(shown_levels),
-        mistakes=dict(mistakes(run for name in own if name in ids for run in own[name]).most_common()),
+        mistakes=dict(
+            learned.mistakes(run for name in own if name in ids for run in own[name]).most_common()
+        ),
         rows=tuple([each for each in asked if each.section in parts] or asked),
-        hacks=tuple(hack_shares(chosen.problems, hacks)),
+        hacks=tuple(learned.hack_shares(chosen.problems, hacks)),
         next=_next(chosen.problems, own, every),
     )
     return ProgressPage(told, due, ask.whole)
 
 
 def _share(part: PracticeSet[Problem], own: Tried, checklist: Checklist) -> SetShare:
-    its = levels(part.problems, own)
-    won, shown = list(stars(its).values()), skills(part.problems, own, checklist.skills)
+    its = learned.levels(part.problems, own)
+    won, shown = list(learned.stars(its).values()), learned.skills(part.problems, own, checklist.skills)
     return SetShare(
         name=part.name,
         katas=len(part.problems),
@@ -160,7 +156,7 @@ def _due(
 ) -> DueShown:
     """What is unfinished, and what comes again when; a kata that is unfinished is not repeated yet."""
     today, here = events.now().astimezone(), {folder.name for folder in problem_folders(folders)}
-    found, own, done = reviews(runs, helps), tried(runs), solved(runs)
+    found, own, done = reviews(runs, helps), learned.tried(runs), learned.solved(runs)
     unsolved = {name: tries for name, tries in own.items() if name in here and name not in done}
     known = [each for each in found if each.name in here and each.name not in unsolved]
     cards = known_cards(answers, folders)
@@ -196,7 +192,9 @@ def _page(ask: ProgressAsk, common: Common) -> ProgressWritten:
         for fault in faults:  # its runs are shown all the same
             note(f"a kata is left out: {fault}")
         try:
-            shown_skills = skills(problems, tried(runs), read_checklist(common.problems).skills)
+            shown_skills = learned.skills(
+                problems, learned.tried(runs), syllabus.read_checklist(common.problems).skills
+            )
         except ProblemError as fault:
             note(f"the skills are left out: {fault}")
             shown_skills = []
@@ -207,3 +205,107 @@ def _page(ask: ProgressAsk, common: Common) -> ProgressWritten:
         click.launch(str(ask.out))
     names = tuple(sorted({run.problem for run in runs}))
     return ProgressWritten(out=shown(ask.out), bytes=len(page), runs=len(runs), problems=names)
+
+
+class HistoryAsk(Struct, frozen=True):
+    """What to show of the runs."""
+
+    limit: int | None = opt("--limit N", "Only the last N runs.", type=click.IntRange(1))
+    csv: bool = opt("--csv", "Write CSV, one run a line.")
+    restore: bool = opt("--restore", "Write the source of that RUN to its file again.")
+    out: Path | None = opt("--out FILE", "Restore it to this file instead.")
+
+
+@command("history", RunRow, RunsCompared, Restored, ask=HistoryAsk)
+@click.argument("words", metavar="[KATA|RUN [RUN]]", nargs=-1)
+def history(words: tuple[str, ...], ask: HistoryAsk, common: Common) -> Struct:
+    """Show your runs, one run, or what changed between two.
+
+    The latest run is last. The screen shows the last 18, JSON and CSV all of them. RUN is the number in the
+    first column.
+
+    With --restore, the source that a run judged is written to its file again. If that file has changed since,
+    it is kept as FILE.bak. A damaged run is left out, and a note says so.
+    """
+    if ask.csv and common.json:
+        raise UsageError("--json and --csv exclude each other", remedy="give one of them")
+    numbers = [int(word) for word in words if word.isdecimal()]
+    if len(words) > max(len(numbers), 1) or len(words) > 2:
+        raise UsageError("Give one kata, one run or two runs", remedy="such as judge history 3 5")
+    if ask.restore != (len(numbers) == 1 and ask.restore):
+        raise UsageError("Which run? --restore takes one", remedy="such as judge history 3 --restore")
+    if ask.out is not None and not ask.restore:
+        raise UsageError("--out goes with --restore", remedy="such as judge history 3 --restore --out old.py")
+    if numbers and (ask.csv or ask.limit is not None):
+        raise UsageError("--csv and --limit are for the list of runs", remedy="leave them out")
+    with history_at(common.db, reading=True) as found:
+        if not numbers:
+            return _listed(words[0] if words else "", ask, common, found)
+        runs = [(found.run(number), found.source(number)) for number in numbers]
+    if ask.restore:
+        return _restored(*runs[0], ask.out)
+    return _compared(*runs) if len(runs) == 2 else copied(RunRow, runs[0][0])
+
+
+def _listed(name: str, ask: HistoryAsk, common: Common, history: History) -> RunList:
+    """The last runs, of that kata if one is named, which may be gone since. Raises UsageError."""
+    on_screen = not (common.json or ask.csv)
+    short = on_screen and ask.limit is None
+    runs = history.runs(name or None, _ON_SCREEN + 1 if short else ask.limit)
+    if not on_screen:
+        runs = history.with_results(runs)
+    if not runs and name:
+        find_problem(name, common.problems)
+    kept = runs[-_ON_SCREEN:] if short else runs
+    return RunList(tuple(kept), name, more=len(kept) < len(runs), csv=ask.csv)
+
+
+def _compared(first: tuple[Run, bytes], second: tuple[Run, bytes]) -> RunsCompared:
+    """What changed between two runs of one kata. Raises UsageError."""
+    (before, old), (after, new) = first, second
+    if before.problem != after.problem:
+        what = f"run {before.id} is of {before.problem}, run {after.id} of {after.problem}"
+        raise UsageError(what, remedy="name two runs of one kata")
+    ended, now = (
+        dict.fromkeys(run.passed, "passed") | dict.fromkeys(run.failed, "failed") for run in (before, after)
+    )
+    old_lines, new_lines = (text.decode("utf-8", "backslashreplace").splitlines() for text in (old, new))
+    diff = unified_diff(old_lines, new_lines, f"run {before.id}", f"run {after.id}", lineterm="")
+    return RunsCompared(
+        problem=before.problem,
+        before=before.id,
+        after=after.id,
+        verdicts=(before.verdict, after.verdict),
+        scores=(before.score, after.score),
+        groups=tuple(
+            GroupChange(name, ended.get(name), now.get(name))
+            for name in ended | now
+            if ended.get(name) != now.get(name)
+        ),
+        diff=tuple(diff),
+    )
+
+
+def _restored(run: Run, source: bytes, target: Path | None) -> Restored:
+    """Write the source of that run to `target`, or to where it was; what is there is kept beside it."""
+    if target is None and not run.path:
+        raise UsageError(f"run {run.id} judged no ordinary file", remedy="name one with --out FILE")
+    target = target or Path(run.path)
+    check_place(target, "--out")
+    there, kept = target.exists(), None
+    try:
+        if there:
+            kept = write_over(target, source)
+        else:
+            new_file(target, source)
+    except OSError as fault:
+        raise unwritable(target, fault, "name another file with --out") from fault
+    return Restored(
+        run=run.id,
+        time=run.when,
+        problem=run.problem,
+        source=run.source_hash,
+        file=shown(target),
+        written=kept is not None or not there,
+        kept_as=shown(kept) if kept else None,
+    )

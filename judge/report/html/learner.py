@@ -16,7 +16,7 @@ from judge.drawing.chart import Axis, Chart, Series, chart_svg
 from judge.drawing.shapes import Role
 from judge.errors import StoreError
 from judge.practice.events import Run
-from judge.practice.progress import SkillProgress, State
+from judge.practice.progress import SkillProgress, State, levels, tried
 from judge.problem import Problem, Verdict
 from judge.report.html import day, page
 from judge.report.html.case import Case, Cases
@@ -50,9 +50,7 @@ def learner_page(
     """
     zone = generated.tzinfo
     runs = [replace(run, when=run.when.astimezone(zone)) for run in runs]
-    own: dict[str, list[Run]] = {problem.id: [] for problem in problems}
-    for run in runs:
-        own.setdefault(run.problem, []).append(run)
+    own = {problem.id: list[Run]() for problem in problems} | tried(runs)
     cases = Cases({problem.id: problem for problem in problems})
     katas = [
         _kata(f"kata-{at}", tried, cases, sources.get(name, b""))
@@ -118,8 +116,7 @@ def _chart(runs: Sequence[datetime], solved: Sequence[datetime], skills: Sequenc
 def _kata(anchor: str, runs: Sequence[Run], cases: Cases, source: bytes) -> dict[str, Any]:
     """A kata with runs, newest first, of which `left_out` are not shown, and the levels that one passed."""
     problem = cases.problems.get(runs[0].problem)
-    levels = problem.levels if problem else ()
-    groups = {level: {each.name for each in problem.of_level(level)} for level in levels} if problem else {}
+    passed = levels([problem], {problem.id: runs}) if problem else []
     text = source.decode("utf-8", "backslashreplace")
     if len(text) > _LONGEST_SOURCE:
         text = text[:_LONGEST_SOURCE] + "\n… (the rest is left out)"
@@ -130,7 +127,7 @@ def _kata(anchor: str, runs: Sequence[Run], cases: Cases, source: bytes) -> dict
         "summary": problem.summary if problem else "This kata is not here any more.",
         "solved": next((run.when for run in runs if run.solved), None),
         "best": max(run.score for run in runs),
-        "levels": [level.value for level in levels if any(groups[level] <= {*run.passed} for run in runs)],
+        "levels": [each.level.value for each in passed if each.level and each.since],
         "ratio": min((run.ratio for run in runs if run.solved and run.ratio is not None), default=None),
         "runs": runs[: -_MOST_RUNS - 1 : -1],
         "left_out": max(0, len(runs) - _MOST_RUNS),
