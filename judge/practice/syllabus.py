@@ -25,12 +25,15 @@ an order of its own. `judge.practice.progress` says when a skill is shown and wh
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator, Sequence
+import os
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Generic, TypeVar
 
+import msgspec
 from msgspec import Struct
 
+from judge.cache import DISK, digest, stamp
 from judge.errors import ProblemError, UsageError, nearest
 from judge.problem import Problem, Tier
 from judge.problem.find import find_problem, problem_roots, sound_problems
@@ -132,15 +135,27 @@ def sound_sets(
     problems: Sequence[P], extra: Sequence[Path] = ()
 ) -> tuple[list[PracticeSet[P]], list[ProblemError]]:
     """Every set of these problems, easiest first, and the fault of each that cannot be read."""
-    from judge.problem.toml import TomlFile
+    tables, faults = _tables(set_files(extra))
+    return [_set_of(name, table, problems) for name, table in tables.items()], faults
 
-    sets, faults = [], []
-    for name, path in set_files(extra).items():
+
+def _tables(files: Mapping[str, Path]) -> tuple[dict[str, _SetTable], list[ProblemError]]:
+    """What the files say, from the cache while none of them changes; and the fault of each that is broken."""
+    paths = [os.fspath(path) for path in files.values()]
+    place = f"sets/{digest(os.fsencode('/'.join(paths)))[:16]}", stamp(paths)
+    if place[1] and (kept := DISK.read(*place, dict[str, _SetTable])) is not None:
+        return kept, []
+    from judge.problem.toml import TomlFile  # not for who reads the cache
+
+    tables, faults = {}, []
+    for name, path in files.items():
         try:
-            sets.append(_set_of(name, TomlFile(path).read(_SetTable), problems))
+            tables[name] = TomlFile(path).read(_SetTable)
         except ProblemError as fault:
             faults.append(fault)
-    return sets, faults
+    if place[1] and not faults:
+        DISK.write(*place, msgspec.json.encode(tables))
+    return tables, faults
 
 
 def _set_of(name: str, table: _SetTable, problems: Sequence[P]) -> PracticeSet[P]:
