@@ -28,8 +28,8 @@ from judge.data.load import GroupData, Progress, reseeded
 from judge.errors import ProblemError, UsageError
 from judge.problem import Case, Example, Group, Problem, Tolerance
 from judge.problem.declare import InvalidCase
-from judge.problem.model import EXAMPLES, Parameter, group_place
-from judge.problem.module import Module, blaming
+from judge.problem.model import EXAMPLES, Parameter
+from judge.problem.module import Module, blaming, code_fault
 from judge.values import check, parameters
 from judge.values.atoms import NumberType
 
@@ -74,7 +74,7 @@ def draw_cases(problem: Problem, module: Module, group: Group) -> list[Made]:
     made: list[Made] = []
     taken: set[Case] = set()
     what = f"group {group.name!r}: its draw fails"
-    with blaming(problem, what, lambda: group_place(problem, group.name)):
+    with blaming(problem, what, problem.place_of(group)):
         for number in range(group.count):
             made.append(new_case(problem, module, group, partial(_pick, group, number), made, taken))
             taken.add(made[-1].case)
@@ -105,20 +105,15 @@ def new_case(
             vain["rejected by its draw"] += 1
             continue
         if fault := shape_fault(problem, case):
-            raise ProblemError(
-                f"group {group.name!r}: its draw gives no case: {fault}",
-                where=f"{problem.id}/problem.py",
-                remedy="correct what it returns",
-            )
+            what = f"group {group.name!r}: its draw gives no case: {fault}"
+            raise code_fault(problem, what, "correct what it returns")
         if last is not None:
             at = (turn - 1) % len(case)
             case = (*last.case[:at], case[at], *last.case[at + 1 :])
         if fault := bounds_fault(problem, case):
-            raise ProblemError(
-                f"group {group.name!r} draws a case out of bounds: {fault}",
-                where=group_place(problem, group.name),
-                remedy="draw smaller numbers, or widen the parameter's bounds",
-            )
+            what = f"group {group.name!r} draws a case out of bounds: {fault}"
+            remedy = "draw smaller numbers, or widen the parameter's bounds"
+            raise code_fault(problem, what, remedy, group.line)
         try:
             exact = _solved(module, case)
         except InvalidCase as fault:
@@ -132,12 +127,11 @@ def new_case(
         else:
             return Made(case, exact, attempt, () if group.size else tuple(draw.choices))
     reason, times = vain.most_common(1)[0]
-    raise ProblemError(
+    what = (
         f"group {group.name!r}: its draw gives no case {len(before) + 1} of {group.count} in {_ATTEMPTS} "
-        f"attempts, {times} of them {reason}{broken if reason == 'against the promise' else ''}",
-        where=group_place(problem, group.name),
-        remedy="draw more of them, or lower cases",
+        f"attempts, {times} of them {reason}{broken if reason == 'against the promise' else ''}"
     )
+    raise code_fault(problem, what, "draw more of them, or lower cases", group.line)
 
 
 def choices_of(
@@ -180,11 +174,9 @@ def _check_size(problem: Problem, data: GroupData) -> None:
     sent = len(marshal.dumps([*map(tuple, problem.calls(data.cases))]))
     most = problem.limits.input_bytes
     if sent > most:
-        raise ProblemError(
-            f"group {data.group.name!r} has {sent / 2**20:.1f} MB of cases; input_mb is {most / 2**20:g}",
-            where=group_place(problem, data.group.name),
-            remedy="raise input_mb in [limits], or make fewer or smaller cases",
-        )
+        what = f"group {data.group.name!r} has {sent / 2**20:.1f} MB of cases; input_mb is {most / 2**20:g}"
+        remedy = "raise input_mb in [limits], or make fewer or smaller cases"
+        raise code_fault(problem, what, remedy, data.group.line)
 
 
 def _solved_examples(problem: Problem, module: Module) -> list[Made]:
@@ -313,7 +305,7 @@ class Fresh(Struct, frozen=True):
     def _drawn(self, group: Group, pick: Pick) -> GroupData:
         made: list[Made] = []
         what = f"group {group.name!r}: the problem's own code fails on a fresh case"
-        with blaming(self.problem, what, lambda: group_place(self.problem, group.name)):
+        with blaming(self.problem, what, self.problem.place_of(group)):
             for _ in range(FRESH):
                 made.append(new_case(self.problem, self.module, group, lambda _: pick, made))
             return _aimed(self.problem, group, made)
