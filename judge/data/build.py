@@ -25,11 +25,11 @@ from msgspec import Struct
 
 from judge.data.draw import Draw, Pick, Rejected, quick, seeded
 from judge.data.load import GroupData, Progress, reseeded
-from judge.errors import ProblemError, UsageError
+from judge.errors import UsageError
 from judge.problem import Case, Example, Group, Problem, Tolerance
 from judge.problem.declare import InvalidCase
 from judge.problem.model import EXAMPLES, Parameter
-from judge.problem.module import Module, blaming, code_fault
+from judge.problem.module import Module, blaming
 from judge.values import check, parameters
 from judge.values.atoms import NumberType
 
@@ -74,7 +74,7 @@ def draw_cases(problem: Problem, module: Module, group: Group) -> list[Made]:
     made: list[Made] = []
     taken: set[Case] = set()
     what = f"group {group.name!r}: its draw fails"
-    with blaming(problem, what, problem.place_of(group)):
+    with blaming(problem, what, group.line):
         for number in range(group.count):
             made.append(new_case(problem, module, group, partial(_pick, group, number), made, taken))
             taken.add(made[-1].case)
@@ -106,14 +106,14 @@ def new_case(
             continue
         if fault := shape_fault(problem, case):
             what = f"group {group.name!r}: its draw gives no case: {fault}"
-            raise code_fault(problem, what, "correct what it returns")
+            raise problem.fault(what, "correct what it returns")
         if last is not None:
             at = (turn - 1) % len(case)
             case = (*last.case[:at], case[at], *last.case[at + 1 :])
         if fault := bounds_fault(problem, case):
             what = f"group {group.name!r} draws a case out of bounds: {fault}"
             remedy = "draw smaller numbers, or widen the parameter's bounds"
-            raise code_fault(problem, what, remedy, group.line)
+            raise problem.fault(what, remedy, group.line)
         try:
             exact = _solved(module, case)
         except InvalidCase as fault:
@@ -131,7 +131,7 @@ def new_case(
         f"group {group.name!r}: its draw gives no case {len(before) + 1} of {group.count} in {_ATTEMPTS} "
         f"attempts, {times} of them {reason}{broken if reason == 'against the promise' else ''}"
     )
-    raise code_fault(problem, what, "draw more of them, or lower cases", group.line)
+    raise problem.fault(what, "draw more of them, or lower cases", group.line)
 
 
 def choices_of(
@@ -176,7 +176,7 @@ def _check_size(problem: Problem, data: GroupData) -> None:
     if sent > most:
         what = f"group {data.group.name!r} has {sent / 2**20:.1f} MB of cases; input_mb is {most / 2**20:g}"
         remedy = "raise input_mb in [limits], or make fewer or smaller cases"
-        raise code_fault(problem, what, remedy, data.group.line)
+        raise problem.fault(what, remedy, data.group.line)
 
 
 def _solved_examples(problem: Problem, module: Module) -> list[Made]:
@@ -187,15 +187,14 @@ def _solved_examples(problem: Problem, module: Module) -> list[Made]:
     group = next((each for each in problem.groups if each.name == EXAMPLES), problem.groups[0])
     made = []
     for example in problem.examples:
-        where = f"{problem.id}/statement.md:{example.line}"
         try:
             exact = validate(problem, module, example.case)
         except InvalidCase as fault:
-            what = f"the example is invalid: {fault}"
-            raise ProblemError(what, where=where, remedy="correct the example") from None
+            what, remedy = f"the example is invalid: {fault}", "correct the example"
+            raise problem.fault(what, remedy, example.line, "statement.md") from None
         if wrong := _contradicted(problem, example, exact, group.tolerance):
-            what = f"the example contradicts solve: {wrong}"
-            raise ProblemError(what, where=where, remedy="correct the example's answer, or solve")
+            what, remedy = f"the example contradicts solve: {wrong}", "correct the example's answer, or solve"
+            raise problem.fault(what, remedy, example.line, "statement.md")
         made.append(Made(example.case, exact))
     return made
 
@@ -305,7 +304,7 @@ class Fresh(Struct, frozen=True):
     def _drawn(self, group: Group, pick: Pick) -> GroupData:
         made: list[Made] = []
         what = f"group {group.name!r}: the problem's own code fails on a fresh case"
-        with blaming(self.problem, what, self.problem.place_of(group)):
+        with blaming(self.problem, what, group.line):
             for _ in range(FRESH):
                 made.append(new_case(self.problem, self.module, group, lambda _: pick, made))
             return _aimed(self.problem, group, made)

@@ -17,7 +17,6 @@ from pathlib import Path
 from typing import Any
 
 from judge.data.load import GroupData
-from judge.errors import ProblemError
 from judge.files import read_ordinary, replace_file
 from judge.problem import Problem
 
@@ -48,7 +47,7 @@ def read_pins(problem: Problem) -> dict[str, Any] | None:
         what, remedy = f"cannot be read: {error.strerror}", "make it readable"
     except ValueError as error:
         what = f"no JSON: {error}"
-    raise ProblemError(what, where=f"{problem.id}/pins.json", remedy=remedy)
+    raise problem.fault(what, remedy, file="pins.json")
 
 
 def pins_of(groups: Sequence[GroupData], kills: Kills) -> dict[str, Any]:
@@ -70,7 +69,7 @@ def write_pins(problem: Problem, pins: Mapping[str, Any]) -> None:
         replace_file(pins_file(problem), f"{{\n{rows}\n}}\n".encode())
     except OSError as error:
         what, remedy = f"cannot be written: {error.strerror}", f"make {problem.folder} writable"
-        raise ProblemError(what, where=f"{problem.id}/pins.json", remedy=remedy) from None
+        raise problem.fault(what, remedy, file="pins.json") from None
 
 
 def differences(pins: Mapping[str, Any], found: Mapping[str, Any]) -> list[str]:

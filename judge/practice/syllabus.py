@@ -270,8 +270,7 @@ def unknown_names(problems: Iterable[Problem], extra: Sequence[Path] = ()) -> It
                 near = nearest(shown.name, skills)
                 remedy = f"did you mean {near!r}?" if near else "explain it in skills.toml"
                 shown_by = next(each for each in problem.groups if shown.name in each.skills)
-                where = problem.place_of(shown_by)
-                yield ProblemError(f"no skill is called {shown.name!r}", where=where, remedy=remedy)
+                yield problem.fault(f"no skill is called {shown.name!r}", remedy, shown_by.line)
 
 
 def _refuse_doubles(

@@ -12,7 +12,7 @@ from typing import Annotated, Any, Self
 
 from msgspec import Meta, Struct
 
-from judge.errors import UsageError
+from judge.errors import ProblemError, UsageError
 from judge.values.answers import Tolerance
 from judge.values.atoms import Type
 
@@ -315,9 +315,10 @@ class Problem(Listed, frozen=True, kw_only=True):
         """The group of that name, or None."""
         return next((group for group in self.groups if group.name == name), None)
 
-    def place_of(self, group: Group) -> str:
-        """Where the group is declared, as `id/problem.py:12`."""
-        return f"{self.id}/problem.py:{group.line}"
+    def fault(self, what: str, remedy: str | None, line: int = 0, file: str = "problem.py") -> ProblemError:
+        """The fault of what stands on that line of one of its files; without a line, of the whole file."""
+        where = f"{self.id}/{file}" + f":{line}" * (line > 0)
+        return ProblemError(what, where=where, remedy=remedy)
 
 
 def chosen_groups(problem: Problem, names: Sequence[str], level: str | None = None) -> tuple[Group, ...]:

@@ -57,38 +57,31 @@ def load_module(problem: Problem) -> Module:
     hooks = getattr(module, "HOOKS", Hooks())
     if not isinstance(hooks, Hooks):
         what = f"HOOKS is {hooks!r}, which is no Hooks"
-        raise code_fault(problem, what, "make it of judge.problem.declare.Hooks, or remove it")
+        raise problem.fault(what, "make it of judge.problem.declare.Hooks, or remove it")
     rows = tuple(_rows(module, problem))
     return Module(_solver(module, problem), {str(row.row["name"]): row.draw for _, row in rows}, hooks, rows)
 
 
 @contextmanager
-def blaming(problem: Problem, what: str, place: str = "") -> Iterator[None]:
+def blaming(problem: Problem, what: str, line: int = 0) -> Iterator[None]:
     """Turn whatever the setter's code raises into a ProblemError that names its own line.
 
-    `place` is where to look when the error's own message is all there is to know (a draw's own check).
+    `line` is where to look when the error's own message is all there is to know (a draw's own check).
     """
     try:
         yield
     except JudgeError as error:
         if error.where is not None:
             raise
-        where = place or _place(error, problem)
+        where = f"{problem.id}/problem.py:{line}" if line else _place(error, problem)
         raise ProblemError(f"{what}: {error.what}", where=where, remedy=error.remedy) from error
     except SyntaxError as error:
-        what = f"syntax error: {error.msg}"
-        raise code_fault(problem, what, "repair this line", error.lineno or 1) from error
+        raise problem.fault(f"syntax error: {error.msg}", "repair this line", error.lineno or 1) from error
     except (Exception, SystemExit, GeneratorExit) as error:
         # Trusted, but anybody's: the person gets its line, --debug the traceback; an exit() in it would else
         # be the judge's, and its status that of an accepted submission.
         said = ": ".join(filter(None, (what, type(error).__name__, str(error))))
         raise ProblemError(said, where=_place(error, problem), remedy="repair it there") from error
-
-
-def code_fault(problem: Problem, what: str, remedy: str, line: int = 0) -> ProblemError:
-    """The fault of what stands on that line of problem.py; without one, of the whole file."""
-    where = f"{problem.id}/problem.py" + f":{line}" * (line > 0)
-    return ProblemError(what, where=where, remedy=remedy)
 
 
 def _place(error: BaseException, problem: Problem) -> str:
@@ -113,7 +106,7 @@ def _solver(module: ModuleType, problem: Problem) -> Callable[..., Exact]:
     except TypeError:
         what = "there is no function 'solve' of the parameters of problem.toml"
         remedy = f"define solve({', '.join(each.name for each in problem.parameters)})"
-        raise code_fault(problem, what, remedy, line) from None
+        raise problem.fault(what, remedy, line) from None
 
     def solve(*case: Any) -> Exact:
         try:
@@ -125,7 +118,7 @@ def _solver(module: ModuleType, problem: Problem) -> Callable[..., Exact]:
                 raise
         if isinstance(answer, float) or (isinstance(answer, tuple | list) and float in map(type, answer)):
             what = f"solve{_shortened(case)} returns {answer!r}, and a float is not exact"
-            raise code_fault(problem, what, "return ints, Fractions or Real(x, unit)", line)
+            raise problem.fault(what, "return ints, Fractions or Real(x, unit)", line)
         return answer
 
     return solve
@@ -137,12 +130,12 @@ def _rows(module: ModuleType, problem: Problem) -> Iterator[tuple[KataLevel | No
     there = [name for name in (*lists, "GROUPS") if hasattr(module, name)]
     if there not in ([*lists], ["GROUPS"]):
         remedy = "define INTERVIEW = [group(…), …] and PRODUCTION = […], or GROUPS alone"
-        raise code_fault(problem, "problem.py declares no test groups", remedy)
+        raise problem.fault("problem.py declares no test groups", remedy)
     for name in there:
         rows = getattr(module, name)
         if not isinstance(rows, list | tuple) or not all(isinstance(row, Declared) for row in rows):
             remedy = f"define {name} = [group(name, about, draw), …]"
-            raise code_fault(problem, f"{name} is no list of group(…)", remedy)
+            raise problem.fault(f"{name} is no list of group(…)", remedy)
         yield from ((lists.get(name), row) for row in rows)
 
 

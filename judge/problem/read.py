@@ -36,7 +36,7 @@ from judge.problem.model import (
     Tier,
     TimeRule,
 )
-from judge.problem.module import code_fault, load_module
+from judge.problem.module import load_module
 from judge.problem.texts import read_statement
 from judge.problem.toml import TomlFile, meant, refusal, told
 from judge.values.answers import Tolerance, Words
@@ -103,7 +103,7 @@ def read_problem(folder: Path, solutions: Path) -> Problem:
         sized = sorted((each for each in groups if each.size), key=lambda each: each.size or 0)
         if len({each.size for each in sized}) < 2:
             what = "growth needs groups of two different sizes"
-            raise code_fault(problem, what, "add a group with size = …")
+            raise problem.fault(what, "add a group with size = …")
         growth = GrowthRule(tuple(each.name for each in sized), head.growth)
     return replace(problem, groups=groups, growth=growth)
 
@@ -180,10 +180,10 @@ def _groups(problem: Problem, usual: Tolerance | None) -> tuple[Group, ...]:
     levels = list(dict.fromkeys(level for level, _ in rows)) or [None]
     if len(levels) == 1 and levels[0] is not None:
         remedy = "declare groups of both, or all of them in GROUPS"
-        raise code_fault(problem, f"every group is in {levels[0].name}", remedy, rows[0][1].line)
+        raise problem.fault(f"every group is in {levels[0].name}", remedy, rows[0][1].line)
     if not problem.examples:
         remedy = f"add a line >>> {problem.entry}(…) and the answer below it"
-        raise ProblemError("there are no worked examples", where=f"{problem.id}/statement.md", remedy=remedy)
+        raise problem.fault("there are no worked examples", remedy, file="statement.md")
     about = "The worked examples of the statement."
     examples = replace(group(EXAMPLES, about, tuple, cases=len(problem.examples)), line=0)
     first = usual or next((row.row["tolerance"] for _, row in rows), None) or Tolerance()
@@ -192,12 +192,12 @@ def _groups(problem: Problem, usual: Tolerance | None) -> tuple[Group, ...]:
         made = _group(problem, row, level, usual)
         if made.name in groups:
             remedy = "the examples come by themselves" if made.name == EXAMPLES else "rename or remove one"
-            raise code_fault(problem, f"there are two groups {made.name!r}", remedy, made.line)
+            raise problem.fault(f"there are two groups {made.name!r}", remedy, made.line)
         groups[made.name] = made
     left = FULL_SCORE - sum(each.points for each in groups.values())
     if left < 0:
         remedy = f"make them sum to {FULL_SCORE} at most: what is left is shared"
-        raise code_fault(problem, f"the groups' points sum to {FULL_SCORE - left}", remedy)
+        raise problem.fault(f"the groups' points sum to {FULL_SCORE - left}", remedy)
     free = [EXAMPLES, *(row.row["name"] for _, row in rows if row.row["points"] is None)]
     share, rest = divmod(left, len(free))
     for at, name in enumerate(free):
@@ -218,7 +218,7 @@ def _group(problem: Problem, declared: Declared, level: KataLevel | None, usual:
     what = f"group {raw['name']!r}"
 
     def fault(what: str, remedy: str) -> ProblemError:
-        return code_fault(problem, what, remedy, declared.line)
+        return problem.fault(what, remedy, declared.line)
 
     try:
         made = msgspec.convert(raw, Group, dec_hook=lambda kind, value: _exact(kind, value, problem.folder))

@@ -301,7 +301,7 @@ def _in_vain(data: ProblemData) -> Iterator[Fault]:
         group, vain = each.group, sum(each.attempts)
         if not group.neighbours and vain > group.count:
             what = f"group {group.name!r}: {vain} of {vain + group.count} draws are in vain"
-            yield Fault(what, data.problem.place_of(group), "draw what can be used")
+            yield Fault(what, f"{data.problem.id}/problem.py:{group.line}", "draw what can be used")
 
 
 def _on_other_seeds(
