@@ -30,6 +30,8 @@ import sys
 from collections.abc import Callable, Iterable, Sequence
 from contextlib import suppress
 from functools import cache, partial
+from itertools import groupby
+from operator import attrgetter
 from pathlib import Path, PurePath
 from typing import TypeVar
 
@@ -44,7 +46,6 @@ _PACKAGE = Path(__file__).resolve().parent.parent
 _VARIABLE = "JUDGE_PROBLEMS"
 _ENTRY_POINTS = "judge.problems"
 _MARKS = ("problem.toml", "problem.py", "statement.md")  # a problem's folder holds at least one
-_FEW = 8  # problems that a message may name
 _READ = 2**20  # characters of a file that are looked at
 _MOST_NAMES = 200  # of functions, one of which may be meant
 _DOCSTRING = r"(?:#[^\n]*\n\s*)*[rR]?(?:\"\"\"|''')"
@@ -63,10 +64,7 @@ def find_problem(name: str, extra: Sequence[Path] = ()) -> Problem:
         if name in found:
             return load_problem(found[name])
     meant = nearest(name, found)
-    known = f"there are {', '.join(found) or 'none at all'}"
-    if len(found) > _FEW:
-        known = f"'judge list' shows all {len(found)}"
-    remedy = f"did you mean {meant!r}?" if meant else known
+    remedy = f"did you mean {meant!r}?" if meant else f"'judge list' shows all {len(found)}"
     raise UsageError(f"no problem is called {name!r}", remedy=remedy)
 
 
@@ -81,14 +79,13 @@ def sound_problems(extra: Sequence[Path] = ()) -> tuple[list[Problem], list[Prob
 def listed_problems(extra: Sequence[Path], kind: type[P]) -> tuple[list[P], list[ProblemError]]:
     """The same, as much of each problem as `kind` has."""
     problems, faults = [], []
-    shelves: dict[Path, Shelf] = {}
-    for folder in problem_folders(extra):
-        shelf = shelves[folder.parent] = shelves.get(folder.parent) or Shelf(folder.parent)
-        try:
-            problems.append(shelf.problem(folder, kind))
-        except ProblemError as fault:
-            faults.append(fault)
-    for shelf in shelves.values():
+    for root, folders in groupby(problem_folders(extra), attrgetter("parent")):
+        shelf = Shelf(root)
+        for folder in folders:
+            try:
+                problems.append(shelf.problem(folder, kind))
+            except ProblemError as fault:
+                faults.append(fault)
         shelf.keep()
     tiers = list(Tier)
     return sorted(problems, key=lambda each: (tiers.index(each.tier), each.place, each.id)), faults
@@ -177,7 +174,7 @@ def _installed_roots() -> list[Path]:
 
 @cache
 def _may_be_installed(places: tuple[str, ...]) -> bool:
-    """Whether a distribution in one of these places speaks of packs; importlib.metadata, which knows, is slow."""
+    """Whether a distribution there speaks of packs; seen without importlib.metadata, which is slow."""
     for place in dict.fromkeys(places):
         with suppress(OSError):
             for name in os.listdir(place or "."):  # noqa: PTH208 - of hundreds
@@ -244,9 +241,8 @@ def fitting_problems(found: Signs, extra: Sequence[Path] = ()) -> list[Problem]:
 
 def meant_problem(found: Signs, extra: Sequence[Path] = ()) -> tuple[str, str, str] | None:
     """The function of the file that may be meant as an entry, the entry, and its problem; or None."""
-    names = {
-        entry: folder.name for folder, entry in _entries(problem_folders(extra, installed=False)).items()
-    }
+    entries = _entries(problem_folders(extra, installed=False))
+    names = {entry: folder.name for folder, entry in entries.items()}
     for name in sorted(found.defined | found.nested)[:_MOST_NAMES]:
         entry = nearest(name, names)
         if entry:
