@@ -56,7 +56,7 @@ def build(
     problem: Problem, module: Module, seed: int | None = None, progress: Progress | None = None
 ) -> list[GroupData]:
     """Every group's data. Raises ProblemError, also where a worked example contradicts `solve`."""
-    examples = _solved_examples(problem, module)
+    examples = [_solved_example(problem, module, each) for each in problem.examples]
     total = sum(group.count for group in problem.groups)
     built: list[GroupData] = []
     for declared in problem.groups:
@@ -115,7 +115,7 @@ def new_case(
             remedy = "draw smaller numbers, or widen the parameter's bounds"
             raise problem.fault(what, remedy, group.line)
         try:
-            exact = _solved(module, case)
+            exact = module.solve(*case)
         except InvalidCase as fault:
             vain["against the promise"] += 1
             broken = f" ({fault})"
@@ -179,31 +179,20 @@ def _check_size(problem: Problem, data: GroupData) -> None:
         raise problem.fault(what, remedy, data.group.line)
 
 
-def _solved_examples(problem: Problem, module: Module) -> list[Made]:
-    """The worked examples; each shows a right answer. Raises ProblemError.
-
-    They are looked at whether or not a group judges by them.
-    """
-    group = next((each for each in problem.groups if each.name == EXAMPLES), problem.groups[0])
-    made = []
-    for example in problem.examples:
-        try:
-            exact = validate(problem, module, example.case)
-        except InvalidCase as fault:
-            what, remedy = f"the example is invalid: {fault}", "correct the example"
-            raise problem.fault(what, remedy, example.line, "statement.md") from None
-        if wrong := _contradicted(problem, example, exact, group.tolerance):
-            what, remedy = f"the example contradicts solve: {wrong}", "correct the example's answer, or solve"
-            raise problem.fault(what, remedy, example.line, "statement.md")
-        made.append(Made(example.case, exact))
-    return made
-
-
-def _contradicted(problem: Problem, example: Example, exact: Exact, tolerance: Tolerance) -> str | None:
-    """Why the answer that the example shows is wrong, or None."""
+def _solved_example(problem: Problem, module: Module, example: Example) -> Made:
+    """The worked example, which shows a right answer. Raises ProblemError."""
+    tolerance = problem.groups[0].tolerance  # that of the examples, where there is a group of them
+    try:
+        exact = validate(problem, module, example.case)
+    except InvalidCase as fault:
+        what, remedy = f"the example is invalid: {fault}", "correct the example"
+        raise problem.fault(what, remedy, example.line, "statement.md") from None
     target = target_of(problem, exact, tolerance)
     outcome = check.check(problem.answer, _as_json(example.wanted), target, lambda: (exact, tolerance))
-    return outcome.message if isinstance(outcome, check.Rejection) else None
+    if isinstance(outcome, check.Rejection):
+        what = f"the example contradicts solve: {outcome.message}"
+        raise problem.fault(what, "correct the example's answer, or solve", example.line, "statement.md")
+    return Made(example.case, exact)
 
 
 def _as_json(value: Any) -> Any:
@@ -223,7 +212,7 @@ def validate(problem: Problem, module: Module, case: Any) -> Exact:
     """
     if fault := shape_fault(problem, case) or bounds_fault(problem, case):
         raise InvalidCase(fault)
-    return _solved(module, case)
+    return module.solve(*case)
 
 
 def shape_fault(problem: Problem, case: Any) -> str | None:
@@ -248,13 +237,6 @@ def bounds_fault(problem: Problem, case: Case) -> str | None:
             if atom.measured and 0 < abs(number) < smallest:
                 return f"{parameter.name} has {number!r}, nearer to 0 than {smallest:g} but not 0"
     return None
-
-
-def _solved(module: Module, case: Case) -> Exact:
-    try:
-        return module.solve(*case)
-    except InvalidCase as broken:
-        raise InvalidCase(str(broken).removesuffix(".")) from None
 
 
 @cache
@@ -290,10 +272,8 @@ class Fresh(Struct, frozen=True):
     def __post_init__(self) -> None:
         if not any(map(_is_fresh, self.groups)):
             names = ", ".join(group.name for group in self.problem.groups if _is_fresh(group))
-            raise UsageError(
-                "these groups have no fresh cases: the examples are no builder's, big cases take too long",
-                remedy=f"name one of {names}",
-            )
+            what = "these groups have no fresh cases: the examples are no builder's, big cases take too long"
+            raise UsageError(what, remedy=f"name one of {names}")
 
     def series(self) -> Iterator[GroupData]:
         """Some cases of every group in turn, for ever. Raises ProblemError where the problem's code fails."""

@@ -79,8 +79,8 @@ def reseeded(group: Group, seed: int | None) -> Group:
         return group
     import hashlib  # only for who builds other cases
 
-    digest = hashlib.sha256(f"{seed}/{group.name}".encode()).digest()
-    return replace(group, seed=int.from_bytes(digest[:8], "big"))
+    own = hashlib.sha256(f"{seed}/{group.name}".encode()).hexdigest()[:16]
+    return replace(group, seed=int(own, 16))
 
 
 def _form() -> Any:

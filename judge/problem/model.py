@@ -234,17 +234,22 @@ class Example(Struct, frozen=True):
     line: int  # in statement.md, from 1
 
 
-class Listed(Struct, frozen=True, kw_only=True, omit_defaults=True):
-    """What a list of problems says of one: as much as is read of each from the cache."""
+class Titled(Struct, frozen=True, kw_only=True, omit_defaults=True):
+    """What problem.toml says of a problem and a list shows."""
 
-    id: str
     title: str
     tier: Tier
     summary: str
-    entry: str
-    groups: tuple[ListedGroup, ...]
-    sets: tuple[str, ...] = ()  # the practice sets that it is in
+    entry: PythonName
+    sets: tuple[Name, ...] = ()  # the practice sets that it is in
     place: int = 1_000_000  # in its tier's order
+
+
+class Listed(Titled, frozen=True, kw_only=True, omit_defaults=True):
+    """What a list of problems says of one: as much as is read of each from the cache."""
+
+    id: str
+    groups: tuple[ListedGroup, ...]
 
     @property
     def levels(self) -> tuple[KataLevel, ...]:

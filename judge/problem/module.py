@@ -111,8 +111,8 @@ def _solver(module: ModuleType, problem: Problem) -> Callable[..., Exact]:
     def solve(*case: Any) -> Exact:
         try:
             answer = function(*case)
-        except InvalidCase:
-            raise
+        except InvalidCase as broken:
+            raise InvalidCase(str(broken).removesuffix(".")) from None
         except (Exception, SystemExit, GeneratorExit):
             with blaming(problem, f"solve{_shortened(case)} fails"):
                 raise

@@ -28,13 +28,11 @@ from judge.problem.model import (
     GroupLimits,
     GrowthRule,
     KataLevel,
-    Name,
     Parameter,
     Problem,
-    PythonName,
     Source,
-    Tier,
     TimeRule,
+    Titled,
 )
 from judge.problem.module import load_module
 from judge.problem.texts import read_statement
@@ -48,13 +46,9 @@ _MOST_DIGITS = 4_000  # of a number's exponent: Python reads and writes no integ
 _REFERENCED = "add a [time] table that names one"
 
 
-class Head(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+class Head(Titled, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """A problem.toml, whole."""
 
-    title: str
-    tier: Tier
-    summary: str
-    entry: PythonName
     answer: Type
     parameters: dict[str, Any]  # a Parameter without its name each, in the order of the call
     tolerance: Tolerance | None = None
@@ -62,8 +56,6 @@ class Head(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     time: TimeRule | None = None
     growth: Annotated[float, Meta(gt=0, le=3)] | None = None  # an exponent's excess over the reference's
     words: Words = Words()
-    sets: tuple[Name, ...] = ()
-    place: int = 1_000_000
     source: Source = Source()
 
 
@@ -93,7 +85,7 @@ def read_problem(folder: Path, solutions: Path) -> Problem:
         groups=(),
         answer=parsed_type(head.answer.text, types, head.words),
         parameters=tuple(parameters),
-        **{key: getattr(head, key) for key in _SHARED},
+        **{key: getattr(head, key) for key in (*Titled.__struct_fields__, "limits", "time", "source")},
     )
     statement, examples = read_statement(problem, file.raw)
     problem = replace(problem, statement=statement, examples=examples)
@@ -106,9 +98,6 @@ def read_problem(folder: Path, solutions: Path) -> Problem:
             raise problem.fault(what, "add a group with size = …")
         growth = GrowthRule(tuple(each.name for each in sized), head.growth)
     return replace(problem, groups=groups, growth=growth)
-
-
-_SHARED = ("title", "tier", "summary", "entry", "limits", "time", "sets", "place", "source")
 
 
 def _exact(wanted: Any, value: Any, types: Path) -> Any:
