@@ -309,10 +309,8 @@ def from_seeds(plain: dict[str, Any], problem: Problem, module: Module, group: G
     draw fails.
     """
     with blaming(problem, f"group {group.name!r}: the builder fails"):
-        cases = [
-            module.draws[group.name](Draw(_pick(group, number, attempt)))
-            for number, attempt in enumerate(plain["attempts"])
-        ]
+        picks = (_pick(group, number, attempt) for number, attempt in enumerate(plain["attempts"]))
+        cases = [module.draws[group.name](Draw(pick)) for pick in picks]
     if _hash(cases) != plain["inputs"]:
         raise ValueError("the builder makes other cases")
     return cases
