@@ -117,8 +117,7 @@ def _folders(roots: Sequence[Path]) -> list[Path]:
                 if any(os.path.isfile(f"{root}/{name}/{mark}") for mark in _MARKS):  # noqa: PTH113
                     found.setdefault(name, root / name)
         except OSError as error:
-            what = f"the folder cannot be read: {error.strerror}"
-            remedy = "make it readable, or name another"
+            what, remedy = f"the folder cannot be read: {error.strerror}", "make it readable, or name another"
             raise UsageError(what, where=str(root), remedy=remedy) from None
     return list(found.values())
 
@@ -128,8 +127,8 @@ def problem_roots(extra: Sequence[Path] = (), *, installed: bool = True) -> list
     roots = [_root(folder, "--problems") for folder in extra]
     parts = os.environ.get(_VARIABLE, "").split(os.pathsep)
     roots += [_root(Path(part), f"${_VARIABLE}") for part in parts if part]
-    own = shipped_problems()
-    return [*roots, *([own] if own else []), *(_installed_roots() if installed else [])]
+    roots += filter(None, [shipped_problems()])
+    return roots + _installed_roots() if installed else roots
 
 
 def _root(folder: Path, source: str) -> Path:
@@ -137,8 +136,8 @@ def _root(folder: Path, source: str) -> Path:
     with suppress(OSError, ValueError):  # no name at all: too long, with a NUL; or the current folder is gone
         if folder.is_dir():
             return folder.resolve()
-    remedy = "name a folder that holds problems' folders"
-    raise UsageError(f"{folder} is not a folder", where=source, remedy=remedy)
+    what = f"{folder} is not a folder"
+    raise UsageError(what, where=source, remedy="name a folder that holds problems' folders")
 
 
 def shipped_problems() -> Path | None:
@@ -244,8 +243,7 @@ def meant_problem(found: Signs, extra: Sequence[Path] = ()) -> tuple[str, str, s
     entries = _entries(problem_folders(extra, installed=False))
     names = {entry: folder.name for folder, entry in entries.items()}
     for name in sorted(found.defined | found.nested)[:_MOST_NAMES]:
-        entry = nearest(name, names)
-        if entry:
+        if entry := nearest(name, names):
             return name, entry, names[entry]
     return None
 

@@ -56,8 +56,8 @@ def load_module(problem: Problem) -> Module:
         exec(code, module.__dict__)
     hooks = getattr(module, "HOOKS", Hooks())
     if not isinstance(hooks, Hooks):
-        what = f"HOOKS is {hooks!r}, which is no Hooks"
-        raise problem.fault(what, "make it of judge.problem.declare.Hooks, or remove it")
+        remedy = "make it of judge.problem.declare.Hooks, or remove it"
+        raise problem.fault(f"HOOKS is {hooks!r}, which is no Hooks", remedy)
     rows = tuple(_rows(module, problem))
     return Module(_solver(module, problem), {str(row.row["name"]): row.draw for _, row in rows}, hooks, rows)
 
