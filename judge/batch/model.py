@@ -123,4 +123,4 @@ class Row(Struct, frozen=True, dict=True):
     @property
     def accepted(self) -> bool:
         """Whether the verdict is AC."""
-        return self.verdict == Verdict.AC.value
+        return self.verdict == Verdict.AC.name

@@ -25,10 +25,10 @@ from msgspec import Struct
 
 from judge.data.draw import Draw, Pick, Rejected, quick, seeded
 from judge.data.load import GroupData, Progress, reseeded
-from judge.errors import ProblemError, UsageError
+from judge.errors import UsageError
 from judge.problem import Case, Example, Group, Problem, Tolerance
 from judge.problem.declare import InvalidCase
-from judge.problem.model import EXAMPLES, Parameter, group_place
+from judge.problem.model import EXAMPLES, Parameter
 from judge.problem.module import Module, blaming
 from judge.values import check, parameters
 from judge.values.atoms import NumberType
@@ -56,7 +56,7 @@ def build(
     problem: Problem, module: Module, seed: int | None = None, progress: Progress | None = None
 ) -> list[GroupData]:
     """Every group's data. Raises ProblemError, also where a worked example contradicts `solve`."""
-    examples = _solved_examples(problem, module)
+    examples = [_solved_example(problem, module, each) for each in problem.examples]
     total = sum(group.count for group in problem.groups)
     built: list[GroupData] = []
     for declared in problem.groups:
@@ -74,7 +74,7 @@ def draw_cases(problem: Problem, module: Module, group: Group) -> list[Made]:
     made: list[Made] = []
     taken: set[Case] = set()
     what = f"group {group.name!r}: its draw fails"
-    with blaming(problem, what, lambda: group_place(problem, group.name)):
+    with blaming(problem, what, group.line):
         for number in range(group.count):
             made.append(new_case(problem, module, group, partial(_pick, group, number), made, taken))
             taken.add(made[-1].case)
@@ -105,22 +105,17 @@ def new_case(
             vain["rejected by its draw"] += 1
             continue
         if fault := shape_fault(problem, case):
-            raise ProblemError(
-                f"group {group.name!r}: its draw gives no case: {fault}",
-                where=f"{problem.id}/problem.py",
-                remedy="correct what it returns",
-            )
+            what = f"group {group.name!r}: its draw gives no case: {fault}"
+            raise problem.fault(what, "correct what it returns")
         if last is not None:
             at = (turn - 1) % len(case)
             case = (*last.case[:at], case[at], *last.case[at + 1 :])
         if fault := bounds_fault(problem, case):
-            raise ProblemError(
-                f"group {group.name!r} draws a case out of bounds: {fault}",
-                where=group_place(problem, group.name),
-                remedy="draw smaller numbers, or widen the parameter's bounds",
-            )
+            what = f"group {group.name!r} draws a case out of bounds: {fault}"
+            remedy = "draw smaller numbers, or widen the parameter's bounds"
+            raise problem.fault(what, remedy, group.line)
         try:
-            exact = _solved(module, case)
+            exact = module.solve(*case)
         except InvalidCase as fault:
             vain["against the promise"] += 1
             broken = f" ({fault})"
@@ -132,12 +127,11 @@ def new_case(
         else:
             return Made(case, exact, attempt, () if group.size else tuple(draw.choices))
     reason, times = vain.most_common(1)[0]
-    raise ProblemError(
+    what = (
         f"group {group.name!r}: its draw gives no case {len(before) + 1} of {group.count} in {_ATTEMPTS} "
-        f"attempts, {times} of them {reason}{broken if reason == 'against the promise' else ''}",
-        where=group_place(problem, group.name),
-        remedy="draw more of them, or lower cases",
+        f"attempts, {times} of them {reason}{broken if reason == 'against the promise' else ''}"
     )
+    raise problem.fault(what, "draw more of them, or lower cases", group.line)
 
 
 def choices_of(
@@ -180,39 +174,25 @@ def _check_size(problem: Problem, data: GroupData) -> None:
     sent = len(marshal.dumps([*map(tuple, problem.calls(data.cases))]))
     most = problem.limits.input_bytes
     if sent > most:
-        raise ProblemError(
-            f"group {data.group.name!r} has {sent / 2**20:.1f} MB of cases; input_mb is {most / 2**20:g}",
-            where=group_place(problem, data.group.name),
-            remedy="raise input_mb in [limits], or make fewer or smaller cases",
-        )
+        what = f"group {data.group.name!r} has {sent / 2**20:.1f} MB of cases; input_mb is {most / 2**20:g}"
+        remedy = "raise input_mb in [limits], or make fewer or smaller cases"
+        raise problem.fault(what, remedy, data.group.line)
 
 
-def _solved_examples(problem: Problem, module: Module) -> list[Made]:
-    """The worked examples; each shows a right answer. Raises ProblemError.
-
-    They are looked at whether or not a group judges by them.
-    """
-    group = next((each for each in problem.groups if each.name == EXAMPLES), problem.groups[0])
-    made = []
-    for example in problem.examples:
-        where = f"{problem.id}/statement.md:{example.line}"
-        try:
-            exact = validate(problem, module, example.case)
-        except InvalidCase as fault:
-            what = f"the example is invalid: {fault}"
-            raise ProblemError(what, where=where, remedy="correct the example") from None
-        if wrong := _contradicted(problem, example, exact, group.tolerance):
-            what = f"the example contradicts solve: {wrong}"
-            raise ProblemError(what, where=where, remedy="correct the example's answer, or solve")
-        made.append(Made(example.case, exact))
-    return made
-
-
-def _contradicted(problem: Problem, example: Example, exact: Exact, tolerance: Tolerance) -> str | None:
-    """Why the answer that the example shows is wrong, or None."""
+def _solved_example(problem: Problem, module: Module, example: Example) -> Made:
+    """The worked example, which shows a right answer. Raises ProblemError."""
+    tolerance = problem.groups[0].tolerance  # that of the examples, where there is a group of them
+    try:
+        exact = validate(problem, module, example.case)
+    except InvalidCase as fault:
+        what, remedy = f"the example is invalid: {fault}", "correct the example"
+        raise problem.fault(what, remedy, example.line, "statement.md") from None
     target = target_of(problem, exact, tolerance)
     outcome = check.check(problem.answer, _as_json(example.wanted), target, lambda: (exact, tolerance))
-    return outcome.message if isinstance(outcome, check.Rejection) else None
+    if isinstance(outcome, check.Rejection):
+        what = f"the example contradicts solve: {outcome.message}"
+        raise problem.fault(what, "correct the example's answer, or solve", example.line, "statement.md")
+    return Made(example.case, exact)
 
 
 def _as_json(value: Any) -> Any:
@@ -232,7 +212,7 @@ def validate(problem: Problem, module: Module, case: Any) -> Exact:
     """
     if fault := shape_fault(problem, case) or bounds_fault(problem, case):
         raise InvalidCase(fault)
-    return _solved(module, case)
+    return module.solve(*case)
 
 
 def shape_fault(problem: Problem, case: Any) -> str | None:
@@ -257,13 +237,6 @@ def bounds_fault(problem: Problem, case: Case) -> str | None:
             if atom.measured and 0 < abs(number) < smallest:
                 return f"{parameter.name} has {number!r}, nearer to 0 than {smallest:g} but not 0"
     return None
-
-
-def _solved(module: Module, case: Case) -> Exact:
-    try:
-        return module.solve(*case)
-    except InvalidCase as broken:
-        raise InvalidCase(str(broken).removesuffix(".")) from None
 
 
 @cache
@@ -299,10 +272,8 @@ class Fresh(Struct, frozen=True):
     def __post_init__(self) -> None:
         if not any(map(_is_fresh, self.groups)):
             names = ", ".join(group.name for group in self.problem.groups if _is_fresh(group))
-            raise UsageError(
-                "these groups have no fresh cases: the examples are no builder's, big cases take too long",
-                remedy=f"name one of {names}",
-            )
+            what = "these groups have no fresh cases: the examples are no builder's, big cases take too long"
+            raise UsageError(what, remedy=f"name one of {names}")
 
     def series(self) -> Iterator[GroupData]:
         """Some cases of every group in turn, for ever. Raises ProblemError where the problem's code fails."""
@@ -313,7 +284,7 @@ class Fresh(Struct, frozen=True):
     def _drawn(self, group: Group, pick: Pick) -> GroupData:
         made: list[Made] = []
         what = f"group {group.name!r}: the problem's own code fails on a fresh case"
-        with blaming(self.problem, what, lambda: group_place(self.problem, group.name)):
+        with blaming(self.problem, what, group.line):
             for _ in range(FRESH):
                 made.append(new_case(self.problem, self.module, group, lambda _: pick, made))
             return _aimed(self.problem, group, made)
@@ -338,10 +309,8 @@ def from_seeds(plain: dict[str, Any], problem: Problem, module: Module, group: G
     draw fails.
     """
     with blaming(problem, f"group {group.name!r}: the builder fails"):
-        cases = [
-            module.draws[group.name](Draw(_pick(group, number, attempt)))
-            for number, attempt in enumerate(plain["attempts"])
-        ]
+        picks = (_pick(group, number, attempt) for number, attempt in enumerate(plain["attempts"]))
+        cases = [module.draws[group.name](Draw(pick)) for pick in picks]
     if _hash(cases) != plain["inputs"]:
         raise ValueError("the builder makes other cases")
     return cases

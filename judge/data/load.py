@@ -28,7 +28,6 @@ if TYPE_CHECKING:
 
 Progress = Callable[[int, int], None]  # cases done, cases in all
 FORMAT = 4  # raise it when the form of the file changes
-_DEEPEST = 12  # lists in lists that are read as tuples
 
 
 class GroupData(Struct, frozen=True):
@@ -79,19 +78,14 @@ def reseeded(group: Group, seed: int | None) -> Group:
         return group
     import hashlib  # only for who builds other cases
 
-    digest = hashlib.sha256(f"{seed}/{group.name}".encode()).digest()
-    return replace(group, seed=int.from_bytes(digest[:8], "big"))
+    own = hashlib.sha256(f"{seed}/{group.name}".encode()).hexdigest()[:16]
+    return replace(group, seed=int(own, 16))
 
 
-def _form() -> Any:
-    """The type of the file, with tuples for the lists that cases and targets are made of."""
-    value: Any = None | bool | int | float | str
-    for _ in range(_DEEPEST):
-        value = Union[None, bool, int, float, str, tuple[value, ...]]  # noqa: UP007
-    return dict[str, tuple[list[tuple[value, ...]], list[value]] | dict[str, Any]]
-
-
-_FORM = _form()
+_value: Any = None | bool | int | float | str
+for _ in range(12):  # lists in lists, which are read as the tuples that cases and targets are made of
+    _value = Union[None, bool, int, float, str, tuple[_value, ...]]  # noqa: UP007
+_FORM: Any = dict[str, tuple[list[tuple[_value, ...]], list[_value]] | dict[str, Any]]
 
 
 def load_data(
@@ -114,18 +108,16 @@ def load_data(
         return kept
     # Only now: a warm start needs neither the exact numbers nor the builders.
     from judge.data.build import as_seeds, build
-    from judge.problem.module import load_module
 
-    module = load_module(problem)
-    groups = tuple(build(problem, module, seed, progress))
-    note = None
+    data = ProblemData(problem, ())
+    data.groups = tuple(build(problem, data.module, seed, progress))
     if store and problem.key and problem_key(problem.folder) == problem.key:  # its files are still these
         plain = {
-            data.group.name: [data.cases, data.targets] if data.group.size is None else as_seeds(data)
-            for data in groups
+            each.group.name: [each.cases, each.targets] if each.group.size is None else as_seeds(each)
+            for each in data.groups
         }
-        note = store.write(*place, plain)
-    return ProblemData(problem, groups, (note,) if note else (), module)
+        data.notes = tuple(filter(None, [store.write(*place, plain)]))
+    return data
 
 
 def is_kept(problem: Problem, seed: int | None) -> bool:
@@ -145,8 +137,7 @@ def kept_place(folder: str, problem: Problem, seed: int | None) -> tuple[str, st
 
 def _data(plain: Any, problem: Problem, seed: int | None) -> ProblemData | None:
     """The data that were written, or None if this is anything else."""
-    module = None
-    groups = []
+    data = ProblemData(problem, ())
     try:
         for each in problem.groups:
             group, kept = reseeded(each, seed), plain[each.name]
@@ -154,13 +145,14 @@ def _data(plain: Any, problem: Problem, seed: int | None) -> ProblemData | None:
                 cases, targets = kept
             else:  # big cases are built again
                 from judge.data.build import from_seeds
-                from judge.problem.module import load_module
 
-                module = module or load_module(problem)
-                cases, targets = from_seeds(kept, problem, module, group), list(map(tupled, kept["targets"]))
+                cases, targets = (
+                    from_seeds(kept, problem, data.module, group),
+                    list(map(tupled, kept["targets"])),
+                )
             if len(cases) != group.count or len(targets) != group.count:
                 return None
-            groups.append(GroupData(group, list(cases), list(targets)))
+            data.groups += (GroupData(group, list(cases), list(targets)),)
     except (KeyError, TypeError, ValueError, IndexError, AttributeError, ProblemError):
         return None  # whatever a foreign file can hold
-    return ProblemData(problem, tuple(groups), loaded=module)
+    return data

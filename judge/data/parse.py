@@ -42,9 +42,8 @@ def read_case(problem: Problem, text: str) -> Case:
     Raises UsageError where it is written in no such way; it says what is wrong and how a case is written.
     """
     if not problem.parameters and "(" not in text:
-        remedy = f"'judge run {problem.id} FILE' judges it"
         what = f"{problem.entry}() of {problem.id} takes nothing, so there is no case"
-        raise UsageError(what, remedy=remedy)
+        raise UsageError(what, remedy=f"'judge run {problem.id} FILE' judges it")
     text = text.strip()
     if not text:
         raise UsageError(f'Give a case: judge try {problem.id} "{example_of(problem)}"')
@@ -105,8 +104,8 @@ def _python(problem: Problem, text: str) -> Case:
     keywords = [(each.arg or "**", each.value) for each in call.keywords]
     for name, node in [*zip(names, call.args, strict=False), *keywords]:
         if name not in names:
-            meant = nearest(name, names)
-            hint = f"; did you mean {meant}?" if meant else ""
+            near = nearest(name, names)
+            hint = f"; did you mean {near}?" if near else ""
             raise _unreadable(problem, f"there is no parameter {name}{hint}")
         if name in found:
             raise _unreadable(problem, f"{name} is given twice")

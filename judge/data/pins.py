@@ -16,8 +16,9 @@ from collections.abc import Collection, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+import msgspec
+
 from judge.data.load import GroupData
-from judge.errors import ProblemError
 from judge.files import read_ordinary, replace_file
 from judge.problem import Problem
 
@@ -37,18 +38,15 @@ def pins_file(problem: Problem) -> Path:
 
 def read_pins(problem: Problem) -> dict[str, Any] | None:
     """What is pinned of each group, or None if there is no such file. Raises ProblemError."""
-    what, remedy = "not the form of pins", f"write it with: judge verify {problem.id} --pin"
     try:
-        content = json.loads(read_ordinary(pins_file(problem)))
-        if isinstance(content, dict):
-            return content
+        return msgspec.json.decode(read_ordinary(pins_file(problem)), type=dict[str, Any])
     except FileNotFoundError:
         return None
     except OSError as error:
         what, remedy = f"cannot be read: {error.strerror}", "make it readable"
-    except ValueError as error:
-        what = f"no JSON: {error}"
-    raise ProblemError(what, where=f"{problem.id}/pins.json", remedy=remedy)
+    except (ValueError, RecursionError) as error:
+        what, remedy = f"not the form of pins: {error}", f"write it with: judge verify {problem.id} --pin"
+    raise problem.fault(what, remedy, file="pins.json")
 
 
 def pins_of(groups: Sequence[GroupData], kills: Kills) -> dict[str, Any]:
@@ -70,7 +68,7 @@ def write_pins(problem: Problem, pins: Mapping[str, Any]) -> None:
         replace_file(pins_file(problem), f"{{\n{rows}\n}}\n".encode())
     except OSError as error:
         what, remedy = f"cannot be written: {error.strerror}", f"make {problem.folder} writable"
-        raise ProblemError(what, where=f"{problem.id}/pins.json", remedy=remedy) from None
+        raise problem.fault(what, remedy, file="pins.json") from None
 
 
 def differences(pins: Mapping[str, Any], found: Mapping[str, Any]) -> list[str]:

@@ -37,7 +37,7 @@ from judge.cache import DISK, digest, stamp
 from judge.errors import ProblemError, UsageError, nearest
 from judge.problem import Problem, Tier
 from judge.problem.find import find_problem, problem_roots, sound_problems
-from judge.problem.model import Listed, group_place
+from judge.problem.model import Listed
 
 if TYPE_CHECKING:
     from judge.problem.toml import TomlFile
@@ -272,8 +272,8 @@ def unknown_names(problems: Iterable[Problem], extra: Sequence[Path] = ()) -> It
             if shown.name not in skills:
                 near = nearest(shown.name, skills)
                 remedy = f"did you mean {near!r}?" if near else "explain it in skills.toml"
-                where = group_place(problem, shown.groups[0])
-                yield ProblemError(f"no skill is called {shown.name!r}", where=where, remedy=remedy)
+                shown_by = next(each for each in problem.groups if shown.name in each.skills)
+                yield problem.fault(f"no skill is called {shown.name!r}", remedy, shown_by.line)
 
 
 def refuse_doubles(

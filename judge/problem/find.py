@@ -29,7 +29,9 @@ import re
 import sys
 from collections.abc import Callable, Iterable, Sequence
 from contextlib import suppress
-from functools import partial
+from functools import cache, partial
+from itertools import groupby
+from operator import attrgetter
 from pathlib import Path, PurePath
 from typing import TypeVar
 
@@ -44,7 +46,6 @@ _PACKAGE = Path(__file__).resolve().parent.parent
 _VARIABLE = "JUDGE_PROBLEMS"
 _ENTRY_POINTS = "judge.problems"
 _MARKS = ("problem.toml", "problem.py", "statement.md")  # a problem's folder holds at least one
-_FEW = 8  # problems that a message may name
 _READ = 2**20  # characters of a file that are looked at
 _MOST_NAMES = 200  # of functions, one of which may be meant
 _DOCSTRING = r"(?:#[^\n]*\n\s*)*[rR]?(?:\"\"\"|''')"
@@ -63,10 +64,7 @@ def find_problem(name: str, extra: Sequence[Path] = ()) -> Problem:
         if name in found:
             return load_problem(found[name])
     meant = nearest(name, found)
-    known = f"there are {', '.join(found) or 'none at all'}"
-    if len(found) > _FEW:
-        known = f"'judge list' shows all {len(found)}"
-    remedy = f"did you mean {meant!r}?" if meant else known
+    remedy = f"did you mean {meant!r}?" if meant else f"'judge list' shows all {len(found)}"
     raise UsageError(f"no problem is called {name!r}", remedy=remedy)
 
 
@@ -81,14 +79,13 @@ def sound_problems(extra: Sequence[Path] = ()) -> tuple[list[Problem], list[Prob
 def listed_problems(extra: Sequence[Path], kind: type[P]) -> tuple[list[P], list[ProblemError]]:
     """The same, as much of each problem as `kind` has."""
     problems, faults = [], []
-    shelves: dict[Path, Shelf] = {}
-    for folder in problem_folders(extra):
-        shelf = shelves[folder.parent] = shelves.get(folder.parent) or Shelf(folder.parent)
-        try:
-            problems.append(shelf.problem(folder, kind))
-        except ProblemError as fault:
-            faults.append(fault)
-    for shelf in shelves.values():
+    for root, folders in groupby(problem_folders(extra), attrgetter("parent")):
+        shelf = Shelf(root)
+        for folder in folders:
+            try:
+                problems.append(shelf.problem(folder, kind))
+            except ProblemError as fault:
+                faults.append(fault)
         shelf.keep()
     tiers = list(Tier)
     return sorted(problems, key=lambda each: (tiers.index(each.tier), each.place, each.id)), faults
@@ -120,8 +117,7 @@ def _folders(roots: Sequence[Path]) -> list[Path]:
                 if any(os.path.isfile(f"{root}/{name}/{mark}") for mark in _MARKS):  # noqa: PTH113
                     found.setdefault(name, root / name)
         except OSError as error:
-            what = f"the folder cannot be read: {error.strerror}"
-            remedy = "make it readable, or name another"
+            what, remedy = f"the folder cannot be read: {error.strerror}", "make it readable, or name another"
             raise UsageError(what, where=str(root), remedy=remedy) from None
     return list(found.values())
 
@@ -131,8 +127,8 @@ def problem_roots(extra: Sequence[Path] = (), *, installed: bool = True) -> list
     roots = [_root(folder, "--problems") for folder in extra]
     parts = os.environ.get(_VARIABLE, "").split(os.pathsep)
     roots += [_root(Path(part), f"${_VARIABLE}") for part in parts if part]
-    own = shipped_problems()
-    return [*roots, *([own] if own else []), *(_installed_roots() if installed else [])]
+    roots += filter(None, [shipped_problems()])
+    return roots + _installed_roots() if installed else roots
 
 
 def _root(folder: Path, source: str) -> Path:
@@ -140,8 +136,8 @@ def _root(folder: Path, source: str) -> Path:
     with suppress(OSError, ValueError):  # no name at all: too long, with a NUL; or the current folder is gone
         if folder.is_dir():
             return folder.resolve()
-    remedy = "name a folder that holds problems' folders"
-    raise UsageError(f"{folder} is not a folder", where=source, remedy=remedy)
+    what = f"{folder} is not a folder"
+    raise UsageError(what, where=source, remedy="name a folder that holds problems' folders")
 
 
 def shipped_problems() -> Path | None:
@@ -156,7 +152,7 @@ def _installed_roots() -> list[Path]:
 
     An entry point names a package whose folder holds the problems' folders, or a path to such a folder.
     """
-    if not _may_be_installed():
+    if not _may_be_installed(tuple(sys.path)):
         return []
     from importlib.metadata import entry_points  # slow to import, and seldom wanted
 
@@ -175,15 +171,16 @@ def _installed_roots() -> list[Path]:
     return roots
 
 
-def _may_be_installed() -> bool:
-    """Whether an installed distribution speaks of packs; seen without importlib.metadata, which is slow."""
-    from glob import iglob
-
-    for place in dict.fromkeys(sys.path):
-        for told in iglob("*-info/entry_points.txt", root_dir=place or "."):  # noqa: PTH207 - pathlib takes twice as long
-            with suppress(OSError):
-                if _ENTRY_POINTS.encode() in Path(place, told).read_bytes():
-                    return True
+@cache
+def _may_be_installed(places: tuple[str, ...]) -> bool:
+    """Whether a distribution there speaks of packs; seen without importlib.metadata, which is slow."""
+    for place in dict.fromkeys(places):
+        with suppress(OSError):
+            for name in os.listdir(place or "."):  # noqa: PTH208 - of hundreds
+                with suppress(OSError):
+                    told = f"{place or '.'}/{name}/entry_points.txt"
+                    if name.endswith("-info") and _ENTRY_POINTS.encode() in Path(told).read_bytes():
+                        return True
     return False
 
 
@@ -243,12 +240,10 @@ def fitting_problems(found: Signs, extra: Sequence[Path] = ()) -> list[Problem]:
 
 def meant_problem(found: Signs, extra: Sequence[Path] = ()) -> tuple[str, str, str] | None:
     """The function of the file that may be meant as an entry, the entry, and its problem; or None."""
-    names = {
-        entry: folder.name for folder, entry in _entries(problem_folders(extra, installed=False)).items()
-    }
+    entries = _entries(problem_folders(extra, installed=False))
+    names = {entry: folder.name for folder, entry in entries.items()}
     for name in sorted(found.defined | found.nested)[:_MOST_NAMES]:
-        entry = nearest(name, names)
-        if entry:
+        if entry := nearest(name, names):
             return name, entry, names[entry]
     return None
 

@@ -8,11 +8,11 @@ from collections.abc import Mapping, Sequence
 from enum import Enum
 from fractions import Fraction
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated, Any, Self
 
 from msgspec import Meta, Struct
 
-from judge.errors import UsageError
+from judge.errors import ProblemError, UsageError
 from judge.values.answers import Tolerance
 from judge.values.atoms import Type
 
@@ -64,51 +64,43 @@ def tupled(value: Any) -> Any:
     return tuple(map(tupled, value)) if isinstance(value, tuple | list) else value
 
 
-class KataLevel(Enum):
-    """What a test group belongs to, the easier first; the value is its name in JSON."""
+class _Explained(Enum):
+    """Members with a name, which is the value and stands in JSON, and what they mean."""
 
-    INTERVIEW = "interview"
-    PRODUCTION = "production"
+    _value_: str
+    meaning: str
 
-    @property
-    def meaning(self) -> str:
-        """What its test groups ask of a program."""
-        if self is KataLevel.INTERVIEW:
-            return "the kinds of cases there are, at sizes that a textbook has"
-        return "sizes from tiny to huge, places far from the origin, near touches, last digits, growth"
+    def __new__(cls, name: str, meaning: str = "") -> Self:
+        """A member."""
+        made = object.__new__(cls)
+        made._value_, made.meaning = name, meaning
+        return made
+
+
+class KataLevel(_Explained):
+    """What a test group belongs to, the easier first; the meaning is what its groups ask of a program."""
+
+    INTERVIEW = "interview", "the kinds of cases there are, at sizes that a textbook has"
+    PRODUCTION = (
+        "production",
+        "sizes from tiny to huge, places far from the origin, near touches, last digits, growth",
+    )
 
 
 LEVELS = tuple(level.value for level in KataLevel)
 
 
-class Verdict(Enum):
-    """The outcome of a test group or of a whole submission; the value is its name in JSON."""
+class Verdict(_Explained):
+    """The outcome of a test group or of a whole submission."""
 
-    AC = "AC"
-    WA = "WA"
-    TLE = "TLE"
-    MLE = "MLE"
-    OLE = "OLE"
-    RTE = "RTE"
-    CE = "CE"
-    JE = "JE"
-
-    @property
-    def meaning(self) -> str:
-        """The verdict in words."""
-        return _MEANING[self.value]
-
-
-_MEANING = {
-    "AC": "accepted",
-    "WA": "wrong answer",
-    "TLE": "time limit exceeded",
-    "MLE": "memory limit exceeded",
-    "OLE": "output limit exceeded",
-    "RTE": "run-time error",
-    "CE": "does not compile",
-    "JE": "could not be judged",
-}
+    AC = "AC", "accepted"
+    WA = "WA", "wrong answer"
+    TLE = "TLE", "time limit exceeded"
+    MLE = "MLE", "memory limit exceeded"
+    OLE = "OLE", "output limit exceeded"
+    RTE = "RTE", "run-time error"
+    CE = "CE", "does not compile"
+    JE = "JE", "could not be judged"
 
 
 class Mode(Enum):
@@ -242,17 +234,22 @@ class Example(Struct, frozen=True):
     line: int  # in statement.md, from 1
 
 
-class Listed(Struct, frozen=True, kw_only=True, omit_defaults=True):
-    """What a list of problems says of one: as much as is read of each from the cache."""
+class Titled(Struct, frozen=True, kw_only=True, omit_defaults=True):
+    """What problem.toml says of a problem and a list shows."""
 
-    id: str
     title: str
     tier: Tier
     summary: str
-    entry: str
-    groups: tuple[ListedGroup, ...]
-    sets: tuple[str, ...] = ()  # the practice sets that it is in
+    entry: PythonName
+    sets: tuple[Name, ...] = ()  # the practice sets that it is in
     place: int = 1_000_000  # in its tier's order
+
+
+class Listed(Titled, frozen=True, kw_only=True, omit_defaults=True):
+    """What a list of problems says of one: as much as is read of each from the cache."""
+
+    id: str
+    groups: tuple[ListedGroup, ...]
 
     @property
     def levels(self) -> tuple[KataLevel, ...]:
@@ -279,7 +276,7 @@ class Problem(Listed, frozen=True, kw_only=True):
     time: TimeRule | None = None  # where there is none, only `limits` bound the time
     examples: tuple[Example, ...] = ()
     statement: str = ""  # with its placeholders filled in
-    slope: float | None = None  # of growth
+    growth: GrowthRule | None = None
     source: Source = Source()
     key: str = ""
 
@@ -291,14 +288,6 @@ class Problem(Listed, frozen=True, kw_only=True):
             ShownSkill(name, tuple(group.name for group in self.groups if name in group.skills))
             for name in names
         )
-
-    @property
-    def growth(self) -> GrowthRule | None:
-        """How CPU time may grow over the groups whose cases are big."""
-        if self.slope is None:
-            return None
-        sizes = {group.name: group.size for group in self.groups if group.size}
-        return GrowthRule(tuple(sorted(sizes, key=sizes.__getitem__)), self.slope)
 
     @property
     def has_hints(self) -> bool:
@@ -331,10 +320,10 @@ class Problem(Listed, frozen=True, kw_only=True):
         """The group of that name, or None."""
         return next((group for group in self.groups if group.name == name), None)
 
-
-def group_place(problem: Problem, group: str) -> str:
-    """Where a group is declared, as `id/problem.py:12`, for faults that only building shows."""
-    return f"{problem.id}/problem.py:{next(each.line for each in problem.groups if each.name == group)}"
+    def fault(self, what: str, remedy: str | None, line: int = 0, file: str = "problem.py") -> ProblemError:
+        """The fault of what stands on that line of one of its files; without a line, of the whole file."""
+        where = f"{self.id}/{file}" + f":{line}" * (line > 0)
+        return ProblemError(what, where=where, remedy=remedy)
 
 
 def chosen_groups(problem: Problem, names: Sequence[str], level: str | None = None) -> tuple[Group, ...]:

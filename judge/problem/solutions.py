@@ -117,18 +117,12 @@ def read_solutions(problem: Problem, *kinds: Kind) -> Solutions:
                 remedy = f"begin it with the name of its {'mistake' if kind is Kind.WRONG else 'idea'}"
                 what = "it has no docstring" if found.language is None else "no comment begins it"
                 faults.append(_fault(path, what, remedy))
-    if not kinds:  # what lies beside their folders and looks as if somebody thought that it was judged
-        names = [kind.value for kind in Kind]
-        remedy = f"move it to {', '.join(names[:-1])} or {names[-1]}"
-        for path in _visible(problem.solutions, faults):
-            if path.name not in (*names, MISTAKES) and (path.is_dir() or is_program(path)):
-                faults.append(_fault(path, "nobody judges this", remedy, 2))
+    # What lies beside their folders and looks as if somebody thought that it was judged.
+    for path in () if kinds else _visible(problem.solutions, faults):
+        judged = path.name in (*(kind.value for kind in Kind), MISTAKES)
+        if not judged and (path.is_dir() or is_program(path)):
+            faults.append(_fault(path, "nobody judges this", "move it to accepted, wrong or slow", 2))
     return Solutions(tuple(programs), tuple(faults))
-
-
-def known_mistakes(problem: Problem) -> list[Solution]:
-    """Every wrong program that says its name, the usual one of each mistake before its variants."""
-    return usual_first(read_solutions(problem, Kind.WRONG).programs)
 
 
 def usual_first(programs: Iterable[Solution]) -> list[Solution]:
@@ -149,11 +143,10 @@ def _visible(folder: Path, faults: list[ProblemError]) -> list[Path]:
     """What a folder holds, in order, without what is hidden; `faults` gets one where it cannot be read."""
     try:
         return sorted(path for path in folder.iterdir() if not path.name.startswith((".", "__")))
-    except FileNotFoundError:
-        pass
     except OSError as fault:
-        faults.append(_fault(folder, f"cannot be read: {fault.strerror}", "make it a readable folder", 2))
-    return []
+        if not isinstance(fault, FileNotFoundError):
+            faults.append(_fault(folder, f"cannot be read: {fault.strerror}", "make it a readable folder", 2))
+        return []
 
 
 def _read(kind: Kind, path: Path) -> Solution:

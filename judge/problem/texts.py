@@ -17,20 +17,19 @@ from __future__ import annotations
 
 import ast
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from decimal import Decimal
 from typing import Any
 
 from msgspec import Struct, to_builtins
 
-from judge.errors import ProblemError, nearest
+from judge.errors import nearest
 from judge.problem.model import Case, Example, GroupLimits, Problem, tupled
 from judge.problem.toml import TomlFile, read_text
 from judge.values import parameters
 from judge.values.answers import Tolerance
-from judge.values.atoms import Type
 
-HINTS = "hints.md"
+_STEP = "begin each step with a line '## Its title', and write its text below"
 _BRIEF = 80  # characters of what is wrong: a message is one line, whatever stands in the file
 # What reading a text as Python raises: MemoryError if nested deeply, TypeError for {[]} and its like.
 _UNREADABLE = (SyntaxError, ValueError, TypeError, RecursionError, MemoryError)
@@ -43,33 +42,26 @@ def read_statement(problem: Problem, raw: Mapping[str, Any]) -> tuple[str, tuple
 
     `raw` are the tables of problem.toml, with Decimals.
     """
-    text = "\n".join([*_filled(problem, "statement.md", _words(raw)), ""])
-    examples = [
-        Example(
-            _call(call, problem, where := f"{problem.id}/statement.md:{line}"),
-            _wanted(wanted.strip(), problem.answer, where),
-            line,
-        )
-        for line, call, wanted in _prompts(text)
-    ]
+    text = "\n".join([*_filled(problem, "statement.md", raw), ""])
+    examples = []
+    for found in re.finditer(_PROMPT, text):
+        line = text.count("\n", 0, found.start()) + 1
+        case = _case(re.sub(r"\n[ \t]*\.\.\.", "", found[1]).strip(), problem, line)
+        wanted = _wanted(re.sub(r"\s*\n\s*", " ", found[2]).strip(), problem, line)
+        examples.append(Example(case, wanted, line))
     return text, tuple(examples)
 
 
-def _filled(problem: Problem, file: str, words: Mapping[str, str]) -> list[str]:
-    """The file's lines with their placeholders replaced. Raises ProblemError."""
-
-    def word(found: re.Match[str]) -> str:
-        name = found[1]
-        if name not in words:
-            near = nearest(name, words)
-            remedy = f"did you mean {{{{{near}}}}}?" if near else f"use one of {', '.join(words)}"
-            where = f"{problem.id}/{file}:{len(lines) + 1}"
-            raise ProblemError(f"unknown placeholder {found[0]}", where=where, remedy=remedy)
-        return words[name]
-
-    lines: list[str] = []
-    for line in read_text(problem.folder / file).splitlines():
-        lines.append(_PLACEHOLDER.sub(word, line))
+def _filled(problem: Problem, file: str, raw: Mapping[str, Any]) -> list[str]:
+    """The file's lines, their placeholders replaced by what `raw` says. Raises ProblemError."""
+    words, lines = _words(raw), []
+    for number, line in enumerate(read_text(problem.folder / file).splitlines(), 1):
+        for found in _PLACEHOLDER.finditer(line):
+            if found[1] not in words:
+                near = nearest(found[1], words)
+                remedy = f"did you mean {{{{{near}}}}}?" if near else f"use one of {', '.join(words)}"
+                raise problem.fault(f"unknown placeholder {found[0]}", remedy, number, file)
+        lines.append(_PLACEHOLDER.sub(lambda found: words[found[1]], line))
     return lines
 
 
@@ -91,18 +83,7 @@ def _written(number: Any) -> str:
     return (f"{number:e}" if small else str(number)).replace("E", "e").replace("e+", "e")
 
 
-def _prompts(text: str) -> Iterator[tuple[int, str, str]]:
-    """Each example: the line it starts on, its call and the answer below it, as text."""
-    for found in re.finditer(_PROMPT, text):
-        call = re.sub(r"\n[ \t]*\.\.\.", "", found[1])
-        yield (
-            text.count("\n", 0, found.start()) + 1,
-            call.strip(),
-            " ".join(map(str.strip, found[2].split("\n"))),
-        )
-
-
-def _call(text: str, problem: Problem, where: str) -> Case:
+def _case(text: str, problem: Problem, line: int) -> Case:
     """The arguments of an example's call."""
     taken = problem.parameters
     try:
@@ -114,30 +95,30 @@ def _call(text: str, problem: Problem, where: str) -> Case:
     except _UNREADABLE:
         what = f"the example {_brief(text)!r} is no call of {problem.entry} with plain values"
         remedy = f"write {problem.entry}({', '.join(each.name for each in taken)})"
-        raise ProblemError(what, where=where, remedy=remedy) from None
+        raise problem.fault(what, remedy, line, "statement.md") from None
     for parameter, value in zip(taken, case, strict=True):
         if fault := parameters.fault(parameter.type, parameter.name, value):
-            raise ProblemError(f"the example is invalid: {fault}", where=where, remedy="correct the example")
+            what = f"the example is invalid: {fault}"
+            raise problem.fault(what, "correct the example", line, "statement.md")
     return case
 
 
-def _wanted(text: str, kind: Type, where: str) -> Any:
+def _wanted(text: str, problem: Problem, line: int) -> Any:
     """The answer that an example shows."""
-    what, remedy = "the example shows no answer", "write it on the next line (None as None)"
-    if text:
+    try:
+        answer = tupled(ast.literal_eval(text))
+    except _UNREADABLE:
         what = f"the example's answer {_brief(text)!r} is no plain value"
         remedy = "write numbers, words, tuples, lists or None"
-        try:
-            answer = ast.literal_eval(text)
-        except _UNREADABLE:
-            pass
-        else:
-            fault = parameters.fault(kind, "it", tupled(answer))
-            if not fault:
-                return parameters.listed(kind, tupled(answer))
-            what = f"the example's answer {_brief(text)!r} is none: {fault}"
-            remedy = "correct it, or the answer that problem.toml declares"
-    raise ProblemError(what, where=where, remedy=remedy)
+        if not text:
+            what, remedy = "the example shows no answer", "write it on the next line (None as None)"
+    else:
+        fault = parameters.fault(problem.answer, "it", answer)
+        if not fault:
+            return parameters.listed(problem.answer, answer)
+        what = f"the example's answer {_brief(text)!r} is none: {fault}"
+        remedy = "correct it, or the answer that problem.toml declares"
+    raise problem.fault(what, remedy, line, "statement.md")
 
 
 def _brief(text: str) -> str:
@@ -157,31 +138,26 @@ class Hint(Struct, frozen=True):
 
 def read_hints(problem: Problem) -> tuple[Hint, ...]:
     """The steps of a problem; none where there is no hints.md. Raises ProblemError where it is wrong."""
-    if not (problem.folder / HINTS).exists():
+    if not problem.has_hints:
         return ()
     raw = TomlFile(problem.folder / "problem.toml", exact=True).raw
-    lines = _filled(problem, HINTS, _words(raw))
-
-    def fault(what: str, line: int = 0) -> ProblemError:
-        remedy = "begin each step with a line '## Its title', and write its text below"
-        return ProblemError(what, where=f"{problem.id}/{HINTS}" + f":{line}" * (line > 0), remedy=remedy)
-
-    hints: list[Hint] = []
     steps: list[tuple[int, str, list[str]]] = []
     fenced = False  # in a code block, where a comment begins no step
-    for number, line in enumerate(lines, 1):
+    for line_number, line in enumerate(_filled(problem, "hints.md", raw), 1):
         fenced ^= line.startswith("```")
         if not fenced and f"{line} ".startswith("## "):
-            steps.append((number, line[3:].strip(), []))
+            steps.append((line_number, line[3:].strip(), []))
         elif steps:
             steps[-1][2].append(line)
         elif line.strip() and not line.startswith("# "):
-            raise fault("this text belongs to no step", number)
-    for number, title, body in steps:
-        text = "\n".join(body).strip("\n")
+            raise problem.fault("this text belongs to no step", _STEP, line_number, "hints.md")
+    if not steps:
+        raise problem.fault("it has no step", _STEP, file="hints.md")
+    hints = []
+    for number, (line_number, title, lines) in enumerate(steps, 1):
+        text = "\n".join(lines).strip("\n")
         if not title or not text.strip():
-            raise fault(f"the step {title!r} has no title or says nothing", number)
-        hints.append(Hint(len(hints) + 1, title, text))
-    if not hints:
-        raise fault("it has no step")
+            what = f"the step {title!r} has no title or says nothing"
+            raise problem.fault(what, _STEP, line_number, "hints.md")
+        hints.append(Hint(number, title, text))
     return tuple(hints)

@@ -55,21 +55,21 @@ def parse_toml(text: str, name: str, *, exact: bool = False) -> dict[str, Any]:
     """
     import tomllib  # not for who reads the cache
 
-    line = 0
-    if endless := re.search(_ENDLESS, text):
-        what, line = "a key of more than 100 parts", text.count("\n", 0, endless.end()) + 1
-    else:
-        try:
-            return tomllib.loads(text, parse_float=Decimal if exact else float)
-        except tomllib.TOMLDecodeError as error:
-            what, _, at = str(error).partition(" (at ")
-            found = re.match(r"line (\d+)", at)
-            what, line = what[:1].lower() + what[1:], int(found[1]) if found else text.count("\n") + 1
-        except ValueError:  # longer than Python reads
-            what = "an integer has too many digits"
-        except RecursionError:
-            what = "its lists or tables are nested too deeply"
-    where, remedy = (f"{name}:{line}", "repair this line") if line else (name, "repair it")
+    where, remedy = name, "repair it"
+    try:
+        if endless := re.search(_ENDLESS, text):
+            line_number = text.count("\n", 0, endless.end()) + 1
+            raise tomllib.TOMLDecodeError(f"a key of more than 100 parts (at line {line_number})")
+        return tomllib.loads(text, parse_float=Decimal if exact else float)
+    except tomllib.TOMLDecodeError as error:
+        what, _, at = str(error).partition(" (at ")
+        found = re.match(r"line (\d+)", at)
+        line = found[1] if found else text.count("\n") + 1
+        what, where, remedy = what[:1].lower() + what[1:], f"{name}:{line}", "repair this line"
+    except ValueError:  # longer than Python reads
+        what = "an integer has too many digits"
+    except RecursionError:
+        what = "its lists or tables are nested too deeply"
     raise ProblemError(f"no TOML: {what}", where=where, remedy=remedy)
 
 
@@ -116,12 +116,12 @@ def line_of(text: str, path: KeyPath) -> int:
     text = re.sub(_TEXTS, lambda found: "\n" * found[0].count("\n"), text)
     at, key = 0, ""
     for part in path:
+        nth, end = 0, r"[=.\]]"
         if isinstance(part, str):
             key = rf"""(?m)^[ \t]*+\[*+(?:[^=\n\]]*\.)?[ \t]*["']?{re.escape(part)}["']?[ \t]*"""
-            places = re.compile(f"{key}[=.\\]]").finditer(text, at)
         else:
-            places = islice(re.compile(f"{key}\\]\\]").finditer(text, at), part, None)
-        found = next(places, None)
+            nth, end = part, r"\]\]"
+        found = next(islice(re.compile(key + end).finditer(text, at), nth, None), None)
         if found is None:
             break
         at = found.start()

@@ -12,7 +12,8 @@ from rich.console import Group as Together
 from rich.console import RenderableType
 from rich.text import Text
 
-from judge.problem import Group, GrowthRule, Parameter, Problem, Tolerance
+from judge.problem import Group, Parameter, Problem, Tolerance
+from judge.problem.model import GrowthRule
 from judge.report.parts import (
     STRONG,
     Cell,

@@ -7,8 +7,8 @@ from typing import Any, ClassVar
 from msgspec import Struct
 
 from judge.errors import ExitCode
-from judge.problem import Group, GrowthRule, Problem
-from judge.problem.model import KataLevel, Source, Tier
+from judge.problem import Group, Problem
+from judge.problem.model import GrowthRule, KataLevel, Source, Tier
 from judge.report.views import Published, copied, in_words
 from judge.run.result import Taken
 

@@ -27,7 +27,6 @@ from judge.languages.boxes import AnyBoxes
 from judge.languages.model import Language
 from judge.languages.signature import signature_of
 from judge.problem import Problem, Verdict
-from judge.problem.model import group_place
 from judge.problem.solutions import Kind, Solution, read_solutions
 from judge.problem.toml import KeyPath, key_place, meant
 from judge.run.execute import judge_submission
@@ -282,7 +281,7 @@ def _in_vain(data: ProblemData) -> Iterator[Fault]:
         group, vain = each.group, sum(each.attempts)
         if not group.neighbours and vain > group.count:
             what = f"group {group.name!r}: {vain} of {vain + group.count} draws are in vain"
-            yield Fault(what, group_place(data.problem, group.name), "draw what can be used")
+            yield Fault(what, f"{data.problem.id}/problem.py:{group.line}", "draw what can be used")
 
 
 def _on_other_seeds(

@@ -6,7 +6,7 @@ from fractions import Fraction
 from pathlib import Path
 
 from judge.data.load import GroupData, ProblemData
-from judge.problem import Group, GroupLimits, Parameter, Problem, Tier
+from judge.problem.model import Group, GroupLimits, Parameter, Problem, Tier
 from judge.run import judge_submission
 from judge.values.answers import Words
 from judge.values.grammar import parse

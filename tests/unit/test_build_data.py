@@ -122,7 +122,7 @@ def test_a_valid_case_has_no_fault():
 def test_an_invalid_case_is_named(case, fault):
     def solve(*case):
         assert case[1] == 3  # it never sees what is out of bounds
-        raise InvalidCase("There are three.")
+        raise InvalidCase("There are three")
 
     with pytest.raises(InvalidCase) as refused:
         validate(Problem, Module(solve), case)

@@ -44,7 +44,7 @@ def never(*_):
 def test_a_warm_start_reads_the_index_alone(kata, monkeypatch):
     whole = load_problem(kata)
     monkeypatch.setattr(loading, "problem_key", never)
-    monkeypatch.setattr(loading, "_read", never)
+    monkeypatch.setattr("judge.problem.read.read_problem", never)
     assert load_problem(kata) == whole
     listed = loading.Shelf(kata.parent).problem(kata, Listed)
     assert (type(listed), listed.id, listed.title) == (Listed, "root-count", whole.title)
@@ -54,7 +54,7 @@ def test_a_warm_start_reads_the_index_alone(kata, monkeypatch):
 def test_what_is_touched_is_looked_into_and_not_run(kata, monkeypatch):
     before, text = load_problem(kata), index(kata).read_bytes()
     os.utime(kata / "problem.py")
-    monkeypatch.setattr(loading, "_read", never)
+    monkeypatch.setattr("judge.problem.read.read_problem", never)
     assert load_problem(kata) == before
     assert index(kata).read_bytes() != text
 

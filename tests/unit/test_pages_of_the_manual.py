@@ -11,8 +11,8 @@ from pathlib import Path
 import msgspec
 
 from judge.problem.declare import Hooks, group
-from judge.problem.load import Head
 from judge.problem.model import GroupLimits, KataLevel, Parameter, Source, TimeRule
+from judge.problem.read import Head
 from judge.sandbox.attacks import ATTACKS
 from judge.values.answers import Tolerance, Words
 from judge.values.grammar import NAMES
