@@ -1,8 +1,8 @@
-"""What start, list, show, hint, solution and help say: frozen structs, whose field names are JSON's keys."""
+"""What `judge`, list, show and help say: frozen structs, whose field names are JSON's keys."""
 
 from __future__ import annotations
 
-from typing import Any, ClassVar
+from typing import Any
 
 from msgspec import Struct
 
@@ -10,7 +10,6 @@ from judge.errors import ExitCode
 from judge.problem import Group, Problem
 from judge.problem.model import GrowthRule, KataLevel, Source, Tier
 from judge.report.views import Published, copied, in_words
-from judge.run.result import Taken
 
 
 class KataRow(Published, frozen=True):
@@ -264,61 +263,3 @@ class Home(Published, frozen=True):
     again: Again | None
     next: Next | None
     cards_due: int
-
-
-class Begun(Published, frozen=True):
-    """A kata that was started: its file, and whether that was created now, or started over.
-
-    `entry` is the function to write. `kept` is the file that keeps the text of before, or "".
-    """
-
-    problem: str
-    title: str
-    entry: str
-    file: str
-    created: bool
-    kept: str
-
-
-class HintShown(Published, frozen=True, kw_only=True):
-    """Hint `step` of a kata's `steps`, from 1; the text is Markdown."""
-
-    problem: str
-    step: int
-    steps: int
-    title: str
-    text: str
-
-
-class ApproachRow(Struct, frozen=True):
-    """An approach, by its name and by what `judge solution` calls it; what it takes, if measured."""
-
-    name: str
-    call: str
-    file: str
-    language: str
-    about: str
-    taken: Taken | None
-
-
-class Yours(Struct, frozen=True):
-    """The latest run of the person's own that solved the kata, and what it takes."""
-
-    run: int
-    file: str
-    taken: Taken | None
-
-
-class SolutionShown(Published, frozen=True, kw_only=True):
-    """A model solution and all approaches; `code` is the id of its language."""
-
-    problem: str
-    file: str
-    language: str
-    code: str
-    idea: str
-    explanation: str
-    program: str
-    approaches: tuple[ApproachRow, ...]
-    yours: Yours | None
-    paged: ClassVar[bool] = True  # longer than most terminals

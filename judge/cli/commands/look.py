@@ -16,7 +16,6 @@ from judge.practice.progress import levels, solved, stars, tried
 from judge.practice.syllabus import USUAL, sound_sets
 from judge.problem.find import find_problem, listed_problems
 from judge.problem.model import Listed
-from judge.problem.toml import meant
 from judge.report.published_look import KataInFull, KataList, KataRow, KataShown, SetRow
 from judge.report.screen import note
 from judge.report.views import copied
@@ -60,6 +59,8 @@ def listed(name: str | None, ask: ListAsk, common: Common) -> KataList:
         shelves.append(SetRow(_OTHERS, "Katas that are in no set.", others))
     named = {each.name: each for each in shelves}
     if name is not None and name not in named:
+        from judge.problem.toml import meant  # hardly ever
+
         raise UsageError(f"There is no set {name!r}", remedy=meant(name, list(named)))
     parts = tuple(each for each in shelves if name == USUAL or each.name != USUAL)
     opened = None if common.json or ask.whole else _opened(parts, at)

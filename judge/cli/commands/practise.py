@@ -35,7 +35,7 @@ from judge.problem import Problem
 from judge.problem.find import find_problem, id_of
 from judge.problem.model import LEVELS
 from judge.problem.texts import read_hints
-from judge.report.published_look import ApproachRow, Begun, HintShown, SolutionShown, Yours
+from judge.report.published_practise import ApproachRow, Begun, HintShown, SolutionShown, Yours
 from judge.report.screen import draws, is_terminal, out
 from judge.report.views import copied
 from judge.run.result import Taken
