@@ -23,7 +23,6 @@ from msgspec.structs import fields
 
 from judge.cli.emit import emit
 from judge.errors import UsageError
-from judge.sandbox.boundary import LEVELS as ISOLATION
 
 _DURATION = re.compile(r"([0-9]{1,9}(?:\.[0-9]{1,9})?)(ms|s|m|h)?", re.ASCII)
 _SECONDS = {"ms": 0.001, "s": 1.0, "m": 60.0, "h": 3600.0}
@@ -69,6 +68,15 @@ def _options(struct: type[Struct]) -> Iterable[click.Option]:
         yield click.Option([*option.names, each.name], **settings)
 
 
+def _checked(level: str | None) -> str | None:
+    """A level of isolation. Raises UsageError where there is none of that name."""
+    if level is not None:
+        from judge.sandbox.factory import check_level  # only for the one who demands one
+
+        check_level(level)
+    return level
+
+
 class Common(Struct, frozen=True):
     """The options of every command; its help leaves them out, since `judge help options` has them."""
 
@@ -80,7 +88,7 @@ class Common(Struct, frozen=True):
     isolation: str | None = opt(
         "--isolation LEVEL",
         "Demand full, strong or limits; the best there is without it. See judge doctor.",
-        choices=ISOLATION,
+        callback=lambda _context, _option, level: _checked(level),
         hidden=True,
     )
 

@@ -18,6 +18,14 @@ if TYPE_CHECKING:
 _DOCTOR = "let 'judge doctor' look again"
 
 
+def check_level(level: str) -> None:
+    """Raise UsageError where no level of isolation has that name."""
+    if level not in LEVELS:
+        near = nearest(level, LEVELS)
+        remedy = f"did you mean {near}?" if near else f"levels are {', '.join(LEVELS)}"
+        raise UsageError(f"there is no isolation level {level}", remedy=remedy)
+
+
 class Boxes:
     """A `BoxFactory` at the best isolation level there is, or at the one demanded.
 
@@ -44,10 +52,8 @@ class Boxes:
             had: a level that this command has had before.
             share: the threads each submission may have; counted for one at a time where it is None.
         """
-        if level is not None and level not in LEVELS:
-            near = nearest(level, LEVELS)
-            remedy = f"did you mean {near}?" if near else f"levels are {', '.join(LEVELS)}"
-            raise UsageError(f"there is no isolation level {level}", remedy=remedy)
+        if level is not None:
+            check_level(level)
         self.refused: dict[str, str] = {}
         self._demanded = level
         self._least = least
