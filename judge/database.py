@@ -37,7 +37,7 @@ _REMEDIES = {  # SQLite's names of faults begin with these; {noun} and {elsewher
     "SQLITE_FULL": ("the disk is full", "make room: the {noun} is as it was before"),
     "SQLITE_BUSY": _BUSY,
     "SQLITE_LOCKED": _BUSY,
-    "SQLITE_NOTADB": ("this is no {noun} of the judge", "{elsewhere}"),
+    "SQLITE_NOTADB": ("this is not a {noun} of the judge", "{elsewhere}"),
     "SQLITE_CORRUPT": ("the {noun} is damaged", _MOVE_AWAY),
     "SQLITE_IOERR": (
         "the {noun} cannot be written or read (disk full or failing?)",
@@ -170,7 +170,7 @@ def _look_at(kind: Kind, path: Path) -> None:
     except FileNotFoundError:
         return
     if head and not head.startswith(_MAGIC):
-        raise StoreError(f"this is no {kind.noun} of the judge", where=str(path), remedy=kind.elsewhere)
+        raise StoreError(f"this is not a {kind.noun} of the judge", where=str(path), remedy=kind.elsewhere)
     # What is not ours says nothing by its version; SQLite says whether it is a database at all.
     if int.from_bytes(head[68:72], "big") == kind.application:
         kind.check_version(int.from_bytes(head[60:64], "big"), path)

@@ -44,7 +44,7 @@ def read_ordinary(path: Path, most: int = -1, owners: Container[int] | None = No
     """The first `most` bytes of an ordinary file, all of them without it.
 
     Raises:
-        OSError: it cannot be read, or is not of one of the `owners`; of what is no ordinary file its text
+        OSError: it cannot be read, or is not of one of the `owners`; of what is not an ordinary file its text
             says that.
         ValueError: there is a NUL in the name.
     """
@@ -108,7 +108,7 @@ def _check_ordinary(found: os.stat_result) -> None:
     if stat.S_ISDIR(found.st_mode):
         raise IsADirectoryError(errno.EISDIR, "it is a folder")
     if not stat.S_ISREG(found.st_mode):
-        raise OSError(errno.EINVAL, "it is no ordinary file")
+        raise OSError(errno.EINVAL, "it is not an ordinary file")
 
 
 def read_pipe(path: Path, most: int, silence: float) -> bytes:

@@ -200,7 +200,7 @@ class _Reader:
                 return b"", "it is a folder"
             if not place.is_file():
                 place.stat()
-                return b"", "it is no ordinary file"
+                return b"", "it is not an ordinary file"
             return self._read_own(path, student)
         except LedOutError:
             return b"", f"it is a link out of the folder, {_NOT_FOLLOWED}"

@@ -101,7 +101,7 @@ def _rows(text: str, path: Path) -> Iterator[tuple[int, list[str]]]:
         except StopIteration:
             return
         except csv.Error as fault:
-            raise _bad(path, number, f"this is no line of a CSV file ({fault})") from fault
+            raise _bad(path, number, f"this is not a line of a CSV file ({fault})") from fault
         if told and _SEPARATOR.fullmatch(sign.join(row)):
             continue
         if any(cell.strip() for cell in row):

@@ -157,7 +157,7 @@ def _read(name: str, folder: str) -> bytes:
         if stat.S_ISFIFO(mode):
             source = _piped(name)
         elif not stat.S_ISREG(mode):
-            raise UsageError("this is no ordinary file", where=name, remedy=f"name a {NAME} file")
+            raise UsageError("this is not an ordinary file", where=name, remedy=f"name a {NAME} file")
         elif folder:
             root = str(Path(folder).resolve())
             real = real_within(root, os.path.relpath(name, folder))
@@ -227,7 +227,7 @@ class OutFile(Struct, frozen=True):
         with writing(self.path, _another(self.option)):
             start = read_ordinary(self.path, _LOOKED_AT) if self.path.exists() else b""
         if start.strip() and not self.ours(start):
-            what = f"it is there already and is no {self.kind}"
+            what = f"it is there already, and it is not {self.kind}"
             raise UsageError(what, where=str(self.path), remedy=_another(self.option))
 
     def write(self, content: bytes) -> None:
@@ -239,7 +239,7 @@ class OutFile(Struct, frozen=True):
 
 def svg_target(path: Path | None) -> OutFile:
     """The file that `--svg` names. Raises UsageError."""
-    return OutFile(path, "--svg", "SVG", lambda start: b"<svg" in start)
+    return OutFile(path, "--svg", "an SVG", lambda start: b"<svg" in start)
 
 
 def check_place(path: Path, option: str) -> None:
@@ -257,7 +257,7 @@ def check_place(path: Path, option: str) -> None:
             if stat.S_ISDIR(mode):
                 raise UsageError("it is a folder", where=where, remedy=f"name a file with {option}")
             if not stat.S_ISREG(mode):  # a pipe would be waited for
-                raise UsageError("it is no ordinary file", where=where, remedy=_another(option))
+                raise UsageError("it is not an ordinary file", where=where, remedy=_another(option))
         if not os.access(path.resolve().parent, os.W_OK | os.X_OK):
             raise PermissionError(EACCES, os.strerror(EACCES))
 
@@ -282,4 +282,4 @@ def moment() -> datetime:
         return datetime.fromtimestamp(int(given), UTC) if given else datetime.now(UTC)
     except (ValueError, OverflowError, OSError):
         remedy = "set it to seconds since 1970, or unset it"
-        raise UsageError(f"{given!r} is no time", where=f"${_EPOCH}", remedy=remedy) from None
+        raise UsageError(f"{given!r} is not a time", where=f"${_EPOCH}", remedy=remedy) from None

@@ -68,13 +68,18 @@ def _options(struct: type[Struct]) -> Iterable[click.Option]:
         yield click.Option([*option.names, each.name], **settings)
 
 
-def _checked(level: str | None) -> str | None:
-    """A level of isolation. Raises UsageError where there is none of that name."""
+def _known_level(_context: click.Context, _option: click.Parameter, level: str | None) -> str | None:
     if level is not None:
         from judge.sandbox.factory import check_level  # only for the one who demands one
 
         check_level(level)
     return level
+
+
+def _levels(_context: click.Context, _option: click.Parameter, incomplete: str) -> list[str]:
+    from judge.sandbox.boundary import LEVELS
+
+    return [level for level in LEVELS if level.startswith(incomplete)]
 
 
 class Common(Struct, frozen=True):
@@ -88,7 +93,8 @@ class Common(Struct, frozen=True):
     isolation: str | None = opt(
         "--isolation LEVEL",
         "Demand full, strong or limits; the best there is without it. See judge doctor.",
-        callback=lambda _context, _option, level: _checked(level),
+        callback=_known_level,
+        shell_complete=_levels,
         hidden=True,
     )
 

@@ -68,7 +68,7 @@ def decode(replay: str, problem: Problem, module: Module) -> Decoded:
         return Decoded(group, case, validate(problem, module, case))
     except InvalidCase as fault:
         remedy = "other versions have other ids"
-        raise _fault(f"its case is none of the problem's: {fault}", remedy) from None
+        raise _fault(f"its case is not one of this kata's: {fault}", remedy) from None
 
 
 def _parts(replay: str) -> tuple[str, str, str, str, str]:

@@ -22,7 +22,7 @@ def check_pattern(key: str, pattern: str, most: int = MOST_STEPS) -> None:
     try:
         re.compile(pattern)
     except re.error as fault:
-        raise ValueError(f"{key} is no pattern: {fault}") from None
+        raise ValueError(f"{key} is not a pattern: {fault}") from None
     if _cost(import_module("re._parser").parse(pattern)).steps > most:
         remedy = "write a*+ for a*, a++ for a+, (?>(?:ab){0,9}) for (?:ab)*"
         raise ValueError(f"{key} may try a text in too many ways: {remedy}")

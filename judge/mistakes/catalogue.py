@@ -75,12 +75,12 @@ def read_catalogue(problem: Problem) -> Catalogue:
 def _words(name: str, table: Any, problem: str, where: str) -> Words:
     if not isinstance(table, dict):
         remedy = f"begin a table: [{name}]"
-        raise ProblemError(f"{name} is no table", where=where, remedy=remedy)
+        raise ProblemError(f"{name} is not a table", where=where, remedy=remedy)
     own = table.get("in", {})
     special = own.get(problem, {}) if isinstance(own, dict) else None
     if not isinstance(special, dict):
         remedy = f"write [{name}.in.{problem}]"
-        raise ProblemError(f"{name}.in is no table of problems", where=where, remedy=remedy)
+        raise ProblemError(f"{name}.in is not a table of katas", where=where, remedy=remedy)
     merged = {**table, **special}
     merged.pop("in", None)
     unknown = set(merged) - set(Words.__struct_fields__)

@@ -51,7 +51,7 @@ class Jury:
             try:
                 validate(self._problem, self._module, case)
             except InvalidCase as fault:
-                return f"case {place} is no case of {self._problem.id}: {fault}"
+                return f"case {place} is not a case of {self._problem.id}: {fault}"
         wanted = self._families.get(family, ())
         killed = self.killed(tupled_cases)
         living = [name for name in wanted if name not in killed]

@@ -98,7 +98,7 @@ def read_routes(text: str, where: str) -> Routes:
         tree = ast.parse(text)
     except SyntaxError as fault:
         place = f"{where}:{fault.lineno or 1}"
-        raise ProblemError(f"no Python: {fault.msg}", where=place, remedy="repair this line") from None
+        raise ProblemError(f"not Python: {fault.msg}", where=place, remedy="repair this line") from None
     if not tree.body:
         remedy = f'write a function with the docstring "{RIGHT}", or remove the file'
         raise ProblemError("there is no code in it", where=where, remedy=remedy)

@@ -131,7 +131,7 @@ def _of_pack(problem: Problem, catalogue: Catalogue) -> Iterator[Transform]:
                 nodes = list(ast.walk(ast.parse(line)))
             except SyntaxError as fault:
                 where = f"{problem.solutions.parent.name}/{FILE}"
-                what = f"the edit {line!r} of [{name}] is no Python: {fault.msg}"
+                what = f"the edit {line!r} of [{name}] is not Python: {fault.msg}"
                 raise ProblemError(what, where=where, remedy="repair this line") from None
             assigned = {
                 node.id for node in nodes if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)

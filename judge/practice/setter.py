@@ -87,7 +87,7 @@ def begin_kata(folder: Path, name: str | None = None) -> Begun:
 def _folder_of_problems(folder: Path) -> Path:
     """Where the kata goes: the folder `problems` in `folder`, or `folder` itself. Raises UsageError."""
     if folder.exists() and not folder.is_dir():
-        raise UsageError("this is no folder", where=str(folder), remedy="name a folder for the new kata")
+        raise UsageError("this is not a folder", where=str(folder), remedy="name a folder for the new kata")
     within = folder / "problems"
     if folder.is_dir() and not within.is_dir():
         holds_problems = any((path / "problem.toml").is_file() for path in folder.iterdir())

@@ -127,7 +127,7 @@ def find_set(name: str, problems: Sequence[P], extra: Sequence[Path] = ()) -> Pr
             raise file.fault(fault.what, fault.remedy or "", "problems", place) from None
     found = _set_of(name, table, problems)
     if not found.problems:
-        raise file.fault("the set holds no problem", f"name {name!r} in the sets of a problem.toml")
+        raise file.fault("the set has no kata", f"name {name!r} in the sets of a problem.toml")
     return found
 
 

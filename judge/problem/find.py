@@ -65,7 +65,7 @@ def find_problem(name: str, extra: Sequence[Path] = ()) -> Problem:
             return load_problem(found[name])
     meant = nearest(name, found)
     remedy = f"did you mean {meant!r}?" if meant else f"'judge list' shows all {len(found)}"
-    raise UsageError(f"no problem is called {name!r}", remedy=remedy)
+    raise UsageError(f"no kata is called {name!r}", remedy=remedy)
 
 
 def sound_problems(extra: Sequence[Path] = ()) -> tuple[list[Problem], list[ProblemError]]:

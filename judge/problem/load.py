@@ -56,7 +56,7 @@ class Shelf:
         """The problem of a folder in it, as much of it as `kind` has. Raises ProblemError."""
         name = folder.name
         if not is_name(name):
-            what, remedy = f"{name!r} is no name for a problem", f"use {FORMS[NAME]}"
+            what, remedy = f"{name!r} is not a name for a kata", f"use {FORMS[NAME]}"
             raise ProblemError(what, where=str(folder), remedy=remedy)
         was, key, head = self._heads.get(name, ("", "", None))
         stamps = [*self._shared, stamp(_files(folder, _OWN))]

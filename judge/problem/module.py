@@ -135,7 +135,7 @@ def _rows(module: ModuleType, problem: Problem) -> Iterator[tuple[KataLevel | No
         rows = getattr(module, name)
         if not isinstance(rows, list | tuple) or not all(isinstance(row, Declared) for row in rows):
             remedy = f"define {name} = [group(name, about, draw), …]"
-            raise problem.fault(f"{name} is no list of group(…)", remedy)
+            raise problem.fault(f"{name} is not a list of group(…)", remedy)
         yield from ((lists.get(name), row) for row in rows)
 
 

@@ -153,14 +153,14 @@ def _read(kind: Kind, path: Path) -> Solution:
     language = language_of(path)
     if language is None and path.suffix != SUFFIX:
         remedy = f"end its name as a language does ({SUFFIX}) if it is one, or move it elsewhere"
-        raise _fault(path, "this is no program", remedy)
+        raise _fault(path, "this is not a program", remedy)
     try:
         source = read_ordinary(path)
         head = (ast.get_docstring(tree_of(source)) or "") if language is None else parted(source, language)[0]
     except OSError as fault:
         raise _fault(path, f"cannot be read: {fault.strerror}", "make it readable") from None
     except SyntaxError as fault:
-        raise _fault(path, f"no Python: {fault.msg}", "repair it", line=fault.lineno) from None
+        raise _fault(path, f"not Python: {fault.msg}", "repair it", line=fault.lineno) from None
     name, _, text = head.partition("\n")
     return Solution(kind, path, source, name.strip().rstrip("."), text.strip("\n"), language)
 

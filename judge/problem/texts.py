@@ -93,7 +93,7 @@ def _case(text: str, problem: Problem, line: int) -> Case:
             case _:
                 raise ValueError
     except _UNREADABLE:
-        what = f"the example {_brief(text)!r} is no call of {problem.entry} with plain values"
+        what = f"the example {_brief(text)!r} is not a call of {problem.entry} with plain values"
         remedy = f"write {problem.entry}({', '.join(each.name for each in taken)})"
         raise problem.fault(what, remedy, line, "statement.md") from None
     for parameter, value in zip(taken, case, strict=True):
@@ -108,7 +108,7 @@ def _wanted(text: str, problem: Problem, line: int) -> Any:
     try:
         answer = tupled(ast.literal_eval(text))
     except _UNREADABLE:
-        what = f"the example's answer {_brief(text)!r} is no plain value"
+        what = f"the example's answer {_brief(text)!r} is not a plain value"
         remedy = "write numbers, words, tuples, lists or None"
         if not text:
             what, remedy = "the example shows no answer", "write it on the next line (None as None)"

@@ -70,7 +70,7 @@ def parse_toml(text: str, name: str, *, exact: bool = False) -> dict[str, Any]:
         what = "an integer has too many digits"
     except RecursionError:
         what = "its lists or tables are nested too deeply"
-    raise ProblemError(f"no TOML: {what}", where=where, remedy=remedy)
+    raise ProblemError(f"not TOML: {what}", where=where, remedy=remedy)
 
 
 class TomlFile:

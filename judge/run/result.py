@@ -320,7 +320,7 @@ def read_result(plain: Mapping[str, Any]) -> Result:
         found = plain if plain["schema"] == SCHEMA else _from_schema_1(plain)
         return msgspec.convert(found, Result)
     except (msgspec.ValidationError, TypeError, KeyError, AttributeError) as fault:
-        raise ValueError(f"this is no result: {fault}") from fault
+        raise ValueError(f"this is not a result: {fault}") from fault
 
 
 def _from_schema_1(plain: Mapping[str, Any]) -> dict[str, Any]:

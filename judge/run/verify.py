@@ -239,7 +239,7 @@ def _time_faults(problem: Problem, solutions: Iterable[Solution]) -> list[Fault]
         named |= {("time", "references", key): name for key, name in rule.references.items()}
     missing = [
         Fault(
-            f"[time] names {name!r}, which is no accepted solution",
+            f"[time] names {name!r}, which is not an accepted solution",
             key_place(problem, path),
             meant(name, accepted, "name one of"),
         )

@@ -73,7 +73,7 @@ def check_folder(out: Path) -> None:
     """Raise UsageError where `out` is something else than a site or an empty folder."""
     index, what = out / "index.html", ""
     if out.exists() and not out.is_dir():
-        what = "this is no folder"
+        what = "this is not a folder"
     elif out.is_dir() and any(out.iterdir()) and not (index.is_file() and MARK in index.read_bytes()):
         what = "this folder holds something else"
     if what:

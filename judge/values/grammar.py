@@ -59,7 +59,7 @@ _ELSEWHERE = {
 
 
 class TypeFault(ValueError):  # noqa: N818 - a fault of the text
-    """A text that is no type: what is wrong, and what to do about it."""
+    """A text that is not a type: what is wrong, and what to do about it."""
 
     def __init__(self, what: str, remedy: str = "write it as a name, (T, T), [T; low..high] or T?") -> None:
         super().__init__(what)
@@ -70,7 +70,7 @@ class TypeFault(ValueError):  # noqa: N818 - a fault of the text
 def parse(text: str, folder: Path | None = None, words: Words = NO_WORDS) -> Type:
     """The type that a text stands for; `folder` holds a pack's own types. Raises TypeFault."""
     if len(text) > _MOST_TEXT:
-        raise TypeFault(f"a text of {len(text):,} characters is no type", "write a shorter one")
+        raise TypeFault(f"a text of {len(text):,} characters is not a type", "write a shorter one")
     found = _Parser(text, folder).whole()
     found.text = text.strip()
     found.folder, found.words = folder, words
@@ -97,7 +97,7 @@ class _Parser:
         except TypeFault:
             raise
         except ValueError as why:
-            raise TypeFault(f"{self._text!r} is no type: {why}") from None
+            raise TypeFault(f"{self._text!r} is not a type: {why}") from None
         return found
 
     def _next(self, wanted: str = "") -> str:
@@ -149,7 +149,7 @@ class _Parser:
     def _length(self) -> int:
         token = self._next()
         if not _LENGTH.fullmatch(token):
-            raise ValueError(f"{token!r} is no length of a list")
+            raise ValueError(f"{token!r} is not a length of a list")
         return int(token)
 
     def _named(self, name: str, arguments: list[str]) -> Type:
@@ -174,7 +174,7 @@ class _Parser:
         meant = next(elsewhere, None) or nearest(name, own)
         remedy = f"did you mean {meant!r}?" if meant else f"use one of {', '.join(own)}"
         what = f"{name!r} is unknown"
-        return TypeFault(what if self._text == name else f"{self._text!r} is no type: {what}", remedy)
+        return TypeFault(what if self._text == name else f"{self._text!r} is not a type: {what}", remedy)
 
 
 def _found(name: str, folder: Path | None) -> Any:

@@ -200,7 +200,7 @@ class ArrayType(ListType):
         if code != "f64":
             raise ValueError("an array holds f64")
         if most and not (most.isdecimal() and len(most) < 10):
-            raise ValueError(f"{most} is no length of an array")
+            raise ValueError(f"{most} is not a length of an array")
         super().__init__(DoubleType(), 0, int(most or 10_000_000))
         self.text = f"array({code}; {most})" if most else f"array({code})"
         self.noun, self.plural, self.annotation = "an array of numbers", "arrays", "array[float]"

@@ -166,7 +166,7 @@ def fault(raw: Raw) -> Fault:
         return Fault("an array" if "array" in raw else f"the tuple {show(raw)}")
     if kind is dict and set(raw) == {"type", "text"} and set(map(type, raw.values())) == {str}:
         return _typed(_clean(raw["type"]), _clean(raw["text"]))
-    return Fault("something that is no answer")
+    return Fault("something that is not an answer")
 
 
 def _typed(name: str, text: str) -> Fault:

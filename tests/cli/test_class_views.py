@@ -66,7 +66,7 @@ def test_everything_after_the_table(judge, homework, monkeypatch):
     assert not re.findall(r"<img|<script", "".join(pages.values()))
     Path("pages/bob.html").write_text("precious", encoding="utf-8")
     ended = judge("class", homework, "--feedback", "pages")
-    assert "pages/bob.html: it is there already and is no feedback page" in ended.err
+    assert "pages/bob.html: it is there already, and it is not a feedback page" in ended.err
     assert Path("pages/bob.html").read_text(encoding="utf-8") == "precious"
     assert judge("class", homework, "--students", "list.csv", *files[2:4]).status == 1
     assert Path("class.html").read_text(encoding="utf-8") == html

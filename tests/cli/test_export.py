@@ -83,7 +83,7 @@ def test_a_package_of_the_problem_is_replaced_whole_and_nothing_else(judge):
     refused = judge(*BARE)
     assert refused.status == 2
     assert refused.err == (
-        f"judge: {NEW}: it is no package of this problem; name another folder with --out, or move it away\n"
+        f"judge: {NEW}: it is not a package of this kata; name another folder with --out, or move it away\n"
     )
     assert (NEW / "problem.yaml").read_text() == "uuid: another\n"
 

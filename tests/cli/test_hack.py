@@ -69,8 +69,8 @@ ON_AN_END = (0, 0, 5, (3, 4), (9, 12))
         ([INSIDE, ON_AN_END], "ends", None),
         ([INSIDE], "ends", "1 of 2 wrong programs found out, 2 needed; not "),
         ([INSIDE, ON_AN_END], "one", "0 of 1 wrong programs found out, 1 needed; not zero-radius"),
-        ([(0, 0, -1, (0, 0), (9, 1))], "no family", "case 1 is no case of segment: r has -1"),
-        ([INSIDE, (0, 0, 1, (-2, 1 + 1e-9), (2, 1 + 1e-9))], "ends", "case 2 is no case of segment: "),
+        ([(0, 0, -1, (0, 0), (9, 1))], "no family", "case 1 is not a case of segment: r has -1"),
+        ([INSIDE, (0, 0, 1, (-2, 1 + 1e-9), (2, 1 + 1e-9))], "ends", "case 2 is not a case of segment: "),
     ],
 )
 def test_what_the_jury_says(jury, cases, family, why):

@@ -1,4 +1,4 @@
-"""What is no ordinary file is told in a line, and nothing waits for what may never come."""
+"""What is not an ordinary file is told in a line, and nothing waits for what may never come."""
 
 from __future__ import annotations
 
@@ -87,14 +87,14 @@ def test_devices_and_sockets_are_refused(name, judge, submit):
     submit(MEAN)
     with socket.socket(socket.AF_UNIX) as listener:
         listener.bind("socket.py")
-        refused(judge("run", "middle", name), name, "no ordinary file; name a Python file")
+        refused(judge("run", "middle", name), name, "not an ordinary file; name a Python file")
 
 
 def test_a_history_that_is_a_pipe(judge, named_pipe):
     for words in ("history", "run middle mine.py -q", "hint middle"):
         ended = judge(*words.split(), "--db", "pipe.py")
         assert ended.status == (0 if words.startswith("run") else 3)
-        assert "pipe.py: the history cannot be opened (it is no ordinary file)" in ended.err
+        assert "pipe.py: the history cannot be opened (it is not an ordinary file)" in ended.err
 
 
 @pytest.mark.parametrize("file", ["problem.toml", "problem.py", nightly("pins.json")])
@@ -105,7 +105,7 @@ def test_a_problems_file_that_is_a_pipe(file, judge, tmp_path):
     os.mkfifo(pipe)
     ended = judge("verify", "middle", "--problems", tmp_path / "pack" / "problems")
     assert ended.status == 3
-    assert f"middle/{file}: cannot be read: it is no ordinary file" in ended.out
+    assert f"middle/{file}: cannot be read: it is not an ordinary file" in ended.out
 
 
 @pytest.mark.parametrize("folder", ["accepted", nightly("wrong")])

@@ -162,7 +162,7 @@ def test_it_writes_the_page_and_says_where(judge, monkeypatch):
     assert judge("report", "--name", "Ada").status == 0  # as it was called; the same page once more
     assert PAGE.read_text(encoding="utf-8") == page
     monkeypatch.setenv("SOURCE_DATE_EPOCH", "soon")
-    assert "$SOURCE_DATE_EPOCH: 'soon' is no time" in judge("progress", "--html").err
+    assert "$SOURCE_DATE_EPOCH: 'soon' is not a time" in judge("progress", "--html").err
 
 
 def test_what_is_no_such_page_is_not_overwritten(judge):

@@ -64,7 +64,7 @@ def test_a_failure_is_that_of_its_group(library):
     [
         (
             "@pytest.mark.judge_problem('middel')",
-            "judge_problem: no problem is called 'middel'; did you mean*",
+            "judge_problem: no kata is called 'middel'; did you mean*",
         ),
         (
             "@pytest.mark.judge_problem('middle', ['hlaf'])",

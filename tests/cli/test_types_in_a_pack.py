@@ -164,4 +164,4 @@ def test_a_type_that_cannot_be_loaded_is_the_setters_fault(folder, judge, tmp_pa
     assert "types/truth.py cannot be loaded: ZeroDivisionError" in judge("verify", "oddness").out
     truth.unlink()
     missing = judge("verify", "oddness").out
-    assert "oddness/problem.toml:5: answer = '[truth]' is no type: 'truth' is unknown" in missing
+    assert "oddness/problem.toml:5: answer = '[truth]' is not a type: 'truth' is unknown" in missing

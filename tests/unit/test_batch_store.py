@@ -73,7 +73,7 @@ def foreign(path):
 @pytest.mark.parametrize(
     ("make", "told"),
     [
-        (lambda path: path.write_text("a diary"), "this is no file of results of the judge"),
+        (lambda path: path.write_text("a diary"), "this is not a file of results of the judge"),
         (foreign, "this is another program's database; move it away, or copy the folder"),
         (lambda path: path.mkdir(), "the file of results cannot be "),
         (lambda path: path.write_bytes(b"SQLite format 3\0" + b"\xff" * 4000), "file of results"),

@@ -119,7 +119,7 @@ def test_an_odd_file_costs_its_own_row(place, tmp_path):
         "out": "it is a link out of the folder, which is not followed: put the file itself there",
         "dangling": "it is a link to a file that is not there",
         "loop": "it is a link to a file that is not there",
-        "fifo": "it is no ordinary file",
+        "fifo": "it is not an ordinary file",
         "folder": "it is a folder",
     }
     assert all(each.source == b"" for each in found(place).handins if each.why)

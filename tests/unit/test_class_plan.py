@@ -58,11 +58,11 @@ def test_what_is_there_is_kept_and_equals_get_copies_later_too():
 
 
 def test_a_file_or_a_problem_that_cannot_be_judged_is_a_row_and_a_fault_is_tried_again():
-    odd = Handin("ada", "p", "ada/p.py", why="it is no ordinary file")
+    odd = Handin("ada", "p", "ada/p.py", why="it is not an ordinary file")
     broken = Handin("ada", "broken", "ada/broken.py", b"x")
     plan = planned([odd, broken], [], GROUND)
     assert [(row.verdict, row.result.failure.message) for row in plan.rows] == [
-        ("JE", "it is no ordinary file"),
+        ("JE", "it is not an ordinary file"),
         ("JE", "problem.toml: misspelt"),
     ]
     assert plan.work == ()

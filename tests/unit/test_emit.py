@@ -80,7 +80,8 @@ def test_the_schema_is_made_of_the_type():
 SHOWN = {
     "cases": "CaseTried HackTurn PageWritten",
     "klass": "Cohort",
-    "look": "Begun Document HintShown Home KataList KataShown Mentions PageShown SolutionShown Topics",
+    "look": "Document Home KataList KataShown Mentions PageShown Topics",
+    "practise": "Begun HintShown SolutionShown",
     "progress": "DueShown ProgressPage ProgressWritten QuestionShown Restored RunList RunRow RunsCompared",
     "quiz": "CardList Interviewed Quizzed",
     "result": "Judged Several",

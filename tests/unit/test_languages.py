@@ -103,7 +103,7 @@ def with_line(line):
     ("text", "told"),
     [
         ('name = "Ada"\n', ".*suffixes"),
-        (with_line("defines = '('"), "defines is no pattern"),
+        (with_line("defines = '('"), "defines is not a pattern"),
         (
             with_line("complaint = 'line (?P<line>[0-9]+)'"),
             "complaint needs the groups message, file and line",

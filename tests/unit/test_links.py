@@ -120,7 +120,7 @@ def test_what_is_no_ordinary_file_is_not_even_opened(tmp_path, monkeypatch):
     """Opening some devices does something."""
     os.mkfifo(tmp_path / "pipe.py")
     monkeypatch.setattr("judge.files.os.open", lambda *_, **__: pytest.fail("it was opened"))
-    with pytest.raises(OSError, match="it is no ordinary file"):
+    with pytest.raises(OSError, match="it is not an ordinary file"):
         read_ordinary(tmp_path / "pipe.py")
 
 

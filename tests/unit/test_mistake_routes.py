@@ -87,7 +87,7 @@ def test_a_change_is_made(name, answers):
 @pytest.mark.parametrize(
     ("text", "line", "what"),
     [
-        ("def f(:\n", 1, "no Python"),
+        ("def f(:\n", 1, "not Python"),
         ("", None, "there is no code in it"),
         ('def f(a):\n    """wrong-way"""\n    return a\n', None, "no right way"),
         ('def f(a):\n    "right"\n    # : alone\n    return a\n', 3, "belongs to no change"),

@@ -144,7 +144,7 @@ def test_what_older_judges_wrote_is_read():
 
 @pytest.mark.parametrize("damaged", [{}, {"schema": 1}, [], {"schema": 2, "verdict": "??"}])
 def test_what_is_no_result_is_told(damaged):
-    with pytest.raises(ValueError, match="this is no result"):
+    with pytest.raises(ValueError, match="this is not a result"):
         read_result(damaged)
 
 

@@ -187,7 +187,7 @@ def test_an_edit_of_the_pack_is_a_mistake_of_each_problem_with_its_parameters(ka
     assert len(wrong["large"].wrong) == sum(x != 0 for (x,) in data.groups[2].cases)
     words.write_text(words.read_text() + '"x = (" = ""\n')
     (fault,) = read_makers(problem).faults
-    assert fault.what.startswith("the edit 'x = (' of [wrong-sign] is no Python")
+    assert fault.what.startswith("the edit 'x = (' of [wrong-sign] is not Python")
 
 
 def test_answers_kept_under_too_few_arguments_are_a_mistake_of_every_problem(kata):
@@ -269,7 +269,7 @@ FAULTS = {
     "a tolerance": ("points=40", "tolerance={'relative': 1e-9}", 22, "without real numbers"),
     "a time limit": ("points=40", "time_limit=3", 22, "timed beside a reference solution"),
     "one level": ("PRODUCTION", "OTHERS", None, "define INTERVIEW = [group(…), …] and PRODUCTION"),
-    "no rows": ("INTERVIEW = [", "INTERVIEW = [3,", None, "INTERVIEW is no list of group(…)"),
+    "no rows": ("INTERVIEW = [", "INTERVIEW = [3,", None, "INTERVIEW is not a list of group(…)"),
     "hooks": ("INTERVIEW =", "HOOKS = 3\nINTERVIEW =", None, "HOOKS is 3, which is no Hooks"),
     "an exit": ("INTERVIEW =", "exit()\nINTERVIEW =", 18, "SystemExit"),
     "a float": ("return 2 if", "return 2.0 if", 4, "returns 2.0, and a float is not exact"),

@@ -52,7 +52,7 @@ def changed(tmp_path):
 @pytest.mark.parametrize("name", ["Root", "root--count", "rööt"])
 def test_a_folder_must_have_a_plain_name(tmp_path, name):
     shutil.copytree(SOUND, tmp_path / name)
-    with pytest.raises(ProblemError, match="no name for a problem; use small letters"):
+    with pytest.raises(ProblemError, match="not a name for a kata; use small letters"):
         load_problem(tmp_path / name)
 
 
@@ -62,8 +62,8 @@ LIMITS = ("cpu_seconds", "wall_seconds", "memory_mb", "output_mb")
 @pytest.mark.parametrize(
     ("key", "value", "said"),
     [
-        ("high", "9" * 5000, "^other/problem.toml: no TOML: an integer has too many digits; rep"),
-        ("high", "[" * 3000 + "]" * 3000, "problem.toml: no TOML: its lists or tables are nested"),
+        ("high", "9" * 5000, "^other/problem.toml: not TOML: an integer has too many digits; rep"),
+        ("high", "[" * 3000 + "]" * 3000, "problem.toml: not TOML: its lists or tables are nested"),
         *(
             (key, number, rf"other/problem.toml:\d+: limits.{key} = .*; give a number [<>]= ")
             for key, number in zip(LIMITS, ("1e400", "1e-400", "1000001", "0.0009"), strict=True)
@@ -86,7 +86,7 @@ def test_a_key_that_would_keep_the_parser_busy_is_a_fault_with_its_line(tmp_path
         file.write(f"\n[{'a.' * 10_000}a]\n")
     lines = (folder / "problem.toml").read_text().count("\n")
     with pytest.raises(
-        ProblemError, match=rf"^other/problem.toml:{lines}: no TOML: a key of more than 100 parts; "
+        ProblemError, match=rf"^other/problem.toml:{lines}: not TOML: a key of more than 100 parts; "
     ):
         load_problem(folder)
 
@@ -133,21 +133,21 @@ EXAMPLE = r"^root-count/statement.md:1: the example"
 
 @pytest.mark.parametrize("call", ["root_count(__import__('os').getcwd())", "root_count(2 ** 3)"])
 def test_an_example_is_never_run(stating, call):
-    with pytest.raises(ProblemError, match="is no call of root_count with plain values"):
+    with pytest.raises(ProblemError, match="is not a call of root_count with plain values"):
         stating(f">>> {call}\n2\n")
 
 
 @pytest.mark.parametrize("value", ["{[]}", "-" * 600 + "1", "[" * 5000])
 def test_an_argument_or_an_answer_that_is_no_value_is_a_fault(stating, value):
-    with pytest.raises(ProblemError, match=f"{EXAMPLE} .* is no call of root_count"):
+    with pytest.raises(ProblemError, match=f"{EXAMPLE} .* is not a call of root_count"):
         stating(f">>> root_count({value})\n2\n")
-    with pytest.raises(ProblemError, match=f"{EXAMPLE}'s answer .* no plain value"):
+    with pytest.raises(ProblemError, match=f"{EXAMPLE}'s answer .* not a plain value"):
         stating(f">>> root_count(4)\n{value}\n")
 
 
 @pytest.mark.parametrize("call", ["(" * 400 + "4" + ")" * 400, "root_count(\x00)", ""])
 def test_an_example_that_cannot_be_parsed_is_a_fault(stating, call):
-    with pytest.raises(ProblemError, match=f"{EXAMPLE} .* is no "):
+    with pytest.raises(ProblemError, match=f"{EXAMPLE} .* is not a "):
         stating(f">>> {call}\n2\n")
 
 

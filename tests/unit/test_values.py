@@ -222,8 +222,8 @@ def test_an_exact_answer_of_another_type_is_the_setters_fault(text, exact, why):
     [
         ("complex", "'complex' is unknown", "use one of count, points"),
         ("interger", "'interger' is unknown", "did you mean 'integer'?"),
-        ("[str]", "'[str]' is no type: 'str' is unknown", "did you mean 'word(a|b)'?"),
-        ("[int", "'[int' is no type: its end where ']' is expected", "[T; low..high]"),
+        ("[str]", "'[str]' is not a type: 'str' is unknown", "did you mean 'word(a|b)'?"),
+        ("[int", "'[int' is not a type: its end where ']' is expected", "[T; low..high]"),
         ("(int)", "a tuple has two parts or more", ""),
         ("[int; 3..2]", "low is above high", ""),
         ("int??", "'?' comes after its end", ""),

@@ -74,9 +74,9 @@ def try_(words: tuple[str, ...], ask: TryAsk, common: Common) -> Iterator[Struct
     problem, case, group, file = _meant(_arguments(words), common)
     page = ask.page or (_PAGE if ask.opened else None)
     wanted: list[tuple[OutFile, Callable[[Path, Problem, CaseTried | None], str]]] = [
-        (OutFile(page, "--out", "page of judge try", lambda start: _PAGE_MARK in start), _page),
+        (OutFile(page, "--out", "a page of judge try", lambda start: _PAGE_MARK in start), _page),
         (svg_target(ask.svg), _svg),
-        (OutFile(ask.test, "--pytest", "file of such tests", lambda start: start.startswith(MARK)), _test),
+        (OutFile(ask.test, "--pytest", "a file of such tests", lambda start: start.startswith(MARK)), _test),
     ]
     found = None
     if case is not None:

@@ -66,8 +66,8 @@ def judge_class(
     root_of(folder)  # before a file is made beside it
     for each in katas:
         find_problem(each, common.problems)
-    csv = OutFile(ask.csv, "--csv", "gradebook", is_gradebook)
-    html = OutFile(ask.html, "--html", "page of a class", partial(_is_page, "CLASS"))
+    csv = OutFile(ask.csv, "--csv", "a gradebook", is_gradebook)
+    html = OutFile(ask.html, "--html", "a page of a class", partial(_is_page, "CLASS"))
     if ask.html or ask.feedback:
         moment()  # what cannot be written is said before anything is judged
     if ask.feedback:
@@ -118,7 +118,7 @@ def _write_pages(
         html.write(pages.whole())
     if feedback:
         for name, content in pages.students():
-            page = OutFile(feedback / name, "--feedback", "feedback page", partial(_is_page, "FEEDBACK"))
+            page = OutFile(feedback / name, "--feedback", "a feedback page", partial(_is_page, "FEEDBACK"))
             page.write(content)
 
 

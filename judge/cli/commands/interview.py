@@ -262,7 +262,9 @@ def interview(name: str, ask: InterviewAsk, common: Common) -> Iterator[Intervie
     Answers may also come from a pipe, one a line. With --json the questions go to standard error.
     """
     cards, folders = shown_cards(name, common.problems), common.problems
-    page = OutFile(ask.out, "--out", "page of an interview", lambda start: start.startswith(_TITLE.encode()))
+    page = OutFile(
+        ask.out, "--out", "a page of an interview", lambda start: start.startswith(_TITLE.encode())
+    )
     with history_at(common.db) as history:
         today = events.now().astimezone()
         if ask.kata:

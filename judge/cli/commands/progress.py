@@ -181,7 +181,7 @@ def _page(ask: ProgressAsk, common: Common) -> ProgressWritten:
     from judge.report.html import is_page
     from judge.report.html.learner import MARK, learner_page
 
-    target = OutFile(ask.out, "--out", "page of judge progress", lambda start: is_page(start, MARK))
+    target = OutFile(ask.out, "--out", "a page of judge progress", lambda start: is_page(start, MARK))
     with history_at(common.db, reading=True) as history:
         runs = [run for run in history.runs() if run.counts]
         if not runs:

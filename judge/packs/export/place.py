@@ -35,7 +35,7 @@ def check_folder(place: Path, uuid: str) -> None:
     if not os.path.lexists(place):
         return
     if place.is_symlink() or not place.is_dir() or not _says(place / "problem.yaml", uuid):
-        raise UsageError("it is no package of this problem", where=str(place), remedy=_REMEDY)
+        raise UsageError("it is not a package of this kata", where=str(place), remedy=_REMEDY)
 
 
 def check_archive(place: Path, uuid: str) -> None:
@@ -43,7 +43,7 @@ def check_archive(place: Path, uuid: str) -> None:
     if not os.path.lexists(place):
         return
     if place.is_symlink() or not place.is_file() or not _archive_says(place, uuid):
-        raise UsageError("it is no package of this problem", where=str(place), remedy=_REMEDY)
+        raise UsageError("it is not a package of this kata", where=str(place), remedy=_REMEDY)
 
 
 def write_folder(place: Path, files: Files) -> None:

@@ -1,4 +1,4 @@
-"""The server of what is no Python: it starts compilers and what they make.
+"""The server of what is not Python: it starts compilers and what they make.
 
 It watches them as the fork server watches its children: trusted code only, alone in its container with them.
 

@@ -48,7 +48,7 @@ READY = b"ready"
 FAILED = b"failed"  # the reason is in the region's note
 
 INSPECT, PREPARE, CALLS, PROGRAM = b"I", b"M", b"F", b"P"
-EXECUTE, COLLECT = b"X", b"C"  # of what is no Python: see exec.py
+EXECUTE, COLLECT = b"X", b"C"  # of what is not Python: see exec.py
 
 MOST_DESCRIPTORS = 64
 

@@ -39,7 +39,7 @@ def number(kind: Any, token: str) -> None:
     elif name == "real" and FLOAT.fullmatch(token) and repr(float(token)) == token:
         value = Fraction(float(token))
     else:
-        raise Invalid("%r is no number as Python writes it" % token[:60])
+        raise Invalid("%r is not a number as Python writes it" % token[:60])
     if not Fraction(*low) <= value <= Fraction(*high):
         raise Invalid("%s is out of bounds" % token)
     if value and abs(value) < Fraction(*smallest):
@@ -55,7 +55,7 @@ def parameter(kind: Any, tokens: Iterator[str]) -> None:
     elif name == "list":
         count = next(tokens)
         if not INTEGER.fullmatch(count) or len(count) > MOST_CASES or not kind[2] <= int(count):
-            raise Invalid("%r is no length" % count[:60])
+            raise Invalid("%r is not a length" % count[:60])
         if kind[3] is not None and int(count) > kind[3]:
             raise Invalid("%s items are too many" % count)
         for _ in range(int(count)):
@@ -91,7 +91,7 @@ def validate(data: bytes) -> None:
         raise Invalid("a byte that is not ASCII") from None
     first = lines[0]
     if not re.fullmatch("[1-9][0-9]*", first) or len(first) > MOST_CASES:
-        raise Invalid("the first line is no number of cases")
+        raise Invalid("the first line is not a number of cases")
     if len(lines) != int(first) + 2 or lines[-1]:
         raise Invalid("%s cases, then each on a line of its own, are expected" % first)
     for at, line in enumerate(lines[1:-1]):

@@ -211,7 +211,7 @@ def main() -> int:
     with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), TABLE)) as file:
         table = json.load(file)
     if key not in table["files"]:
-        sys.stderr.write("%s is no input of this package: export the package again\n" % sys.argv[1])
+        sys.stderr.write("%s is not an input of this package: export the package again\n" % sys.argv[1])
         return 1
     try:
         decide(table["answer"], table["files"][key], sys.stdin.buffer.read())
