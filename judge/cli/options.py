@@ -85,7 +85,7 @@ def _levels(_context: click.Context, _option: click.Parameter, incomplete: str) 
 class Common(Struct, frozen=True):
     """The options of every command; its help leaves them out, since `judge help options` has them."""
 
-    json: bool = opt("--json", "Write JSON, one object a line, and nothing else.", hidden=True)
+    json: bool = opt("--json", "Write JSON, one object on each line, and nothing else.", hidden=True)
     problems: tuple[Path, ...] = opt(
         "--problems DIR", "Look for katas in this folder first.", default=(), hidden=True
     )

@@ -122,12 +122,11 @@ def card_list(found: CardList, _screen: Screen) -> RenderableType:
 
 def opening(minutes: int, before: int, kata: str, after: int) -> RenderableType:
     """What is to come in an interview: so many cards before the kata, and after it."""
+    cards = [counted(count, "card") if count else "" for count in (before, after)]
+    parts = filter(None, (cards[0], f"the kata {kata}", cards[1]))
     return Group(
         head("Mock interview", faint(counted(minutes, "minute"))),
-        faint(
-            f"{counted(before, 'card')}, the kata {kata}, {counted(after, 'card')}."
-            " q leaves; your answers are kept."
-        ),
+        faint(f"{', then '.join(parts)}. q leaves; your answers are kept."),
         Text(),
     )
 

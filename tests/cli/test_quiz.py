@@ -177,7 +177,7 @@ def test_the_kata_of_an_interview_is_judged_when_its_file_is_saved():
             terminal.press("?\n")
         terminal.until("q goes on:")
         terminal.press("what\n")
-        terminal.until("An empty line has the file judged")
+        terminal.until("Press Enter to judge the file")
         terminal.until("q goes on:")
         Path("middle_interview.py").write_text(MEAN)
         terminal.until("all 52 cases pass")

@@ -1,6 +1,6 @@
 """`judge quiz` and `judge interview`: cards, asked again before they are forgotten; with a kata between them.
 
-Answers come from a terminal or from a pipe, one a line.
+Answers come from a terminal or from a pipe, one on each line.
 """
 
 from __future__ import annotations
@@ -60,7 +60,7 @@ _TITLE, _PAGE_WIDTH = "\nThe interview", 80
 class QuizAsk(Struct, frozen=True):
     """Which cards to ask."""
 
-    cards: int = opt("--cards N", "How many cards; 10.", type=click.IntRange(1, 1000), default=10)
+    cards: int = opt("--cards N", "How many cards; 10 without it.", type=click.IntRange(1, 1000), default=10)
     question: str | None = opt(
         "--question ID", "Only this question of the checklist, or this card; due or not."
     )
@@ -77,7 +77,7 @@ def quiz(name: str | None, ask: QuizAsk, common: Common) -> Iterator[Struct]:
     You type one line; ? means "I do not know". What you say in your own words you compare with a model
     answer, and rate. q, Ctrl-D and Ctrl-C stop. Your answers are kept, and decide when a card comes again.
 
-    Answers may also come from a pipe, one a line. With --json the questions go to standard error.
+    Answers may also come from a pipe, one on each line. With --json the questions go to standard error.
     """
     cards = _narrowed(shown_cards(name or USUAL, common.problems), ask.question, common.problems)
     with history_at(common.db, reading=ask.listed) as history:
@@ -240,7 +240,9 @@ class Round:
 class InterviewAsk(Struct, frozen=True):
     """How to hold it."""
 
-    minutes: int = opt("--minutes N", "How long it takes; 30.", type=click.IntRange(1, 600), default=30)
+    minutes: int = opt(
+        "--minutes N", "How long it takes; 30 without it.", type=click.IntRange(1, 600), default=30
+    )
     kata: str | None = opt("--kata KATA", "The kata to solve.")
     file: str | None = opt(
         "--file FILE", "Your file for it, instead of a new one.", type=click.Path(dir_okay=False)
@@ -259,7 +261,7 @@ def interview(name: str, ask: InterviewAsk, common: Common) -> Iterator[Intervie
     or when you press Enter. q goes on to the last questions, and a second q ends the interview. What you did
     is kept.
 
-    Answers may also come from a pipe, one a line. With --json the questions go to standard error.
+    Answers may also come from a pipe, one on each line. With --json the questions go to standard error.
     """
     cards, folders = shown_cards(name, common.problems), common.problems
     page = OutFile(
@@ -349,7 +351,7 @@ class _Interview(Round):
                 if not self.line():
                     watched.saved()
                     return True
-                self.show(texts.mistyped("An empty line has the file judged, q goes on"))
+                self.show(texts.mistyped("Press Enter to judge the file, q to go on"))
                 self.screen.write(prompt)
             elif watched.saved():
                 break

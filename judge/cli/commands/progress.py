@@ -211,7 +211,7 @@ class HistoryAsk(Struct, frozen=True):
     """What to show of the runs."""
 
     limit: int | None = opt("--limit N", "Only the last N runs.", type=click.IntRange(1))
-    csv: bool = opt("--csv", "Write CSV, one run a line.")
+    csv: bool = opt("--csv", "Write CSV, one run on each line.")
     restore: bool = opt("--restore", "Write the source of that RUN to its file again.")
     out: Path | None = opt("--out FILE", "Restore it to this file instead.")
 
