@@ -12,7 +12,7 @@ from contextlib import closing, contextmanager, redirect_stderr, suppress
 from io import StringIO
 from queue import Empty, SimpleQueue
 from types import FrameType
-from typing import TYPE_CHECKING, NoReturn
+from typing import TYPE_CHECKING, Any, NoReturn
 
 from rich.console import Group, RenderableType
 from rich.text import Text
@@ -34,7 +34,7 @@ from judge.report.parts import faint, good, prose, warning
 from judge.report.picture import has_room
 from judge.report.result import Shown, accepted, magnified, result, verdict_line
 from judge.report.screen import Screen, drawn, out
-from judge.report.tell import Told, tell
+from judge.report.tell import Told, shown_failure, tell
 from judge.report.views import view
 from judge.report.watch import GONE, begun, keys, keys_line, place, redraw, reprompt, waiting_line
 
@@ -258,12 +258,16 @@ class _Loop:
         note_seen(hint, self._common.db)
         self._show(lambda screen: view(hint, screen))
 
+    def _case(self) -> dict[str, Any] | None:
+        """The arguments of the case that is shown; None where no case failed."""
+        failure = shown_failure(self._found.result) if self._found else None
+        return failure.input if failure else None
+
     def _browse(self) -> None:
         """Open the failing case in the browser, on a page where it can be dragged."""
         problem, page = self._kata.problem, None
         if self._found and (explore := self._found.data.module.hooks.explore):
-            failures = (self._found.result.counterexample, self._found.result.failure)
-            page = explore(problem, next((each.input for each in failures if each and each.input), None))
+            page = explore(problem, self._case())
         if page is None:
             self._say(warning(f"There is no page for {problem.id} yet."))
             return
@@ -325,8 +329,7 @@ class _Loop:
         if self._view != self._report and (end := self._end()):
             apart = () if text.endswith("\n\n") else ("",)
             text += drawn(Group(*apart, end), screen)
-        failed = self._found is not None and self._found.result.failure is not None
-        redraw(screen, f"{text}\n", keys_line(screen, failed=failed))
+        redraw(screen, f"{text}\n", keys_line(screen, failed=bool(self._case())))
 
 
 def _told(found: Drawing) -> Told:

@@ -116,6 +116,7 @@ def test_a_file_is_replaced_deleted_and_written_in_pieces(watch, submit, tmp_pat
     assert last(terminal.sees("is gone")) == "mine.py is gone; it is judged again when it is back"
     mine.write_text("def middle(a, b):\n    return (a +")
     assert last(terminal.sees("Does not compile")).startswith("CE  nothing was run")
+    assert "picture" not in terminal.frame  # of no case
     mine.write_text("")
     terminal.sees("is empty; it is judged when there is something in it")
     with mine.open("a") as file:
