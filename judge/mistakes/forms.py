@@ -74,11 +74,11 @@ def of_form(
             return Form(Pitfall((name,), 1.0, (advice,)))
     if _bare(does, data) >= _ALL * len(given):
         item = getattr(problem.answer, "one", "item")
-        advice = f"A single {item} is returned as it is. Return a list, also where it has one {item} only."
+        advice = f"A single {item} is returned as it is. Return a list, even if it has only one {item}."
         return Form(Pitfall((f"{item.replace(' ', '-')}-not-in-a-list",), 1.0, (advice,)))
     constant = _constant(does, rights, forms)
     if constant:
-        advice = f"{constant} is the answer to every case. Nothing of the input decides it."
+        advice = f"{constant} is the answer to every case, whatever the input is."
         return Form(Pitfall(("one-answer",), 1.0, (advice,)))
     right = {_kind(form) for outlines in rights.values() for form, _ in outlines}
     odd = sum(count for form, count in forms.items() if _is_odd(form) and _kind(form) not in right)
