@@ -83,11 +83,7 @@ def ask(session: Session, tried: Tried, source: bytes, name: str) -> Said:
         failure = runner.explained(Failure(message_of(message, got, printed)))
         group = GroupResult(name=tried.group.name, verdict=verdict, cases=1, passed=0)
         result = Result(
-            problem=tried.problem.id,
-            submission=name,
-            verdict=verdict,
-            groups=(group,),
-            failure=failure,
+            problem=tried.problem.id, submission=name, verdict=verdict, groups=(group,), failure=failure
         )
         hurdle = hurdle_of(result, runner, box.inspect(), source)
         return replace(said, message=failure.message, hurdle=hurdle)
