@@ -107,7 +107,7 @@ def test_these_commands_only_read_it(judge, practised, mark):
 
 @pytest.mark.parametrize("command", daily(RUN_IT, BY_DAY))
 def test_these_commands_run_it(command, judge, practised, mark, monkeypatch):
-    monkeypatch.setattr(sys, "stdin", io.StringIO("?\n" * 3))
+    monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO(b"?\n" * 3)))
     ended = judge(*RUN_IT[command].format(id=practised).split())
     assert ended.status in ((0, 1, 3) if command == "verify" else (0, 1)), ended
     assert mark.exists()
