@@ -53,7 +53,7 @@ def counted(cx, cy, r, A, B):
         # ? zero-or-two: hits = 0 if d > radius else 2
         # : There are two answers only, by d > r. A touch is 1.
         # ? boolean-array: hits = d <= radius + near
-        # @ An array of truth values is no answer
+        # @ An array of booleans is not an answer
         # ? boolean-array: hits = int(d <= radius + near)
         # : The comparison's truths are returned, 0 or 1, where a circle that is cut has two points.
         # ? nan-compare: hits = 0 if d > radius else (2 if 2 * sqrt(radius * radius - d * d) > 0 else 1)

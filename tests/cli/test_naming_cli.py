@@ -79,7 +79,7 @@ def verdicts(outcome):
 
 @pytest.mark.nightly
 def test_a_class_with_such_files_ends_and_all_others_are_judged(judge, handed_in):
-    found = verdicts(judge("class", "homework", "--json", "--no-name"))
+    found = verdicts(judge("class", "homework", "--json"))
     assert set(found) == {*WITNESSES, "ann/middle.py", "zoe/middle.py"} - {"two/other.cpp"}
     assert found["ann/middle.py"] == "AC"
     assert found["zoe/middle.py"] == found["nine/middle.py"] == "WA"
