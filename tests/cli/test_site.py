@@ -185,6 +185,22 @@ def test_how_a_call_ends(source):
     assert (found.replies[0].stop, found.replies[0].detail) == CALLS[source]
 
 
+PROGRAMS = {
+    "print('\\ud800')": (Stop.EXCEPTION, b"", "UnicodeEncodeError"),
+    "import sys; sys.stdout.buffer.write(b'x\\n'); sys.stdout.close()": (Stop.ANSWERED, b"x\n", ""),
+    "exit('no answer')": (Stop.EXITED, b"", "exit status 1"),
+    "raise KeyboardInterrupt": (Stop.EXCEPTION, b"", "KeyboardInterrupt (line 1)"),
+}
+
+
+@pytest.mark.parametrize("source", PROGRAMS)
+def test_what_a_program_does_to_its_streams_is_its_own(source):
+    stop, printed, detail = PROGRAMS[source]
+    done = TabBox(source.encode(), "mine.py").run_program(b"", LIMITS)
+    assert (done.stop, done.stdout) == (stop, printed)
+    assert done.detail.startswith(detail)
+
+
 @pytest.mark.skipif(sys.version_info < (3, 12), reason="before Python 3.12 jumps cannot be counted")
 def test_a_loop_ends_with_its_line():
     box = TabBox(b"def f(x):\n    while True: pass\n", "mine.py")
