@@ -192,7 +192,7 @@ def test_the_same_command_goes_on_after_any_end(judge, submit, how):
         assert f"0 of {len(kept)} accepted, 6 students, 1 kata" in printed
         assert "Traceback" not in said
     ended = judge("class", "homework")
-    assert f"{len(kept)} result" in ended.err
+    assert f"{len(kept)} result{'s' * (len(kept) != 1)} kept from before" in ended.err
     final = stored()
     assert len(final) == len({row.key for row in final}) == 6
     assert {row.key: row.at for row in kept}.items() <= {row.key: row.at for row in final}.items()

@@ -167,6 +167,13 @@ def test_a_program_on_standard_input_and_one_that_does_not_compile(tab):
     assert (broken["verdict"], broken["source"][0]) == ("CE", "1 | def line_count(:")
 
 
+LIAR = """class Liar(type):
+    @property
+    def __name__(cls): raise SystemExit(0)
+class Mine(Exception, metaclass=Liar): pass
+def f(x):
+    raise Mine("x")
+"""
 CALLS = {
     "def f(x):\n    return 1 / x\n": (Stop.EXCEPTION, "ZeroDivisionError: division by zero (line 2)"),
     "def f(x):\n    raise SystemExit(3)\n": (Stop.EXCEPTION, "SystemExit: 3 (line 2)"),
@@ -174,6 +181,7 @@ CALLS = {
         Stop.EXCEPTION,
         "ModuleNotFoundError: No module named 'nothing_of_that_name' (line 1), while the module was imported",
     ),
+    LIAR: (Stop.EXCEPTION, "Mine: x (line 6)"),
     "def f(x):\n    print('a' * 2000)\n": (Stop.OUTPUT, "printed more than 0 MB"),
     "def f(x):\n    raise MemoryError\n": (Stop.MEMORY, "MemoryError (line 2)"),
 }

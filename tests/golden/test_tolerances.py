@@ -15,11 +15,8 @@ from judge.run import Settings, judge_submission
 
 SOLUTIONS = Path(__file__).parents[2] / "solutions"
 COMPARED = re.compile(r"\b1e-[89] \* ")  # the usual tolerance, or the widest that there is
-KATAS = sorted(
-    path.parents[1].name
-    for path in SOLUTIONS.glob("*/accepted/tolerant.py")
-    if COMPARED.search(path.read_text(encoding="utf-8"))
-)
+# The tolerance of `shadow` is how far off the surface a second ray starts, which may not be so small.
+KATAS = sorted({path.parents[1].name for path in SOLUTIONS.glob("*/accepted/tolerant.py")} - {"shadow"})
 
 pytestmark = pytest.mark.slow
 
@@ -28,6 +25,7 @@ pytestmark = pytest.mark.slow
 def test_every_tolerance_that_the_promise_allows_is_right(kata):
     problem = find_problem(kata)
     source = (SOLUTIONS / kata / "accepted" / "tolerant.py").read_text(encoding="utf-8")
+    assert COMPARED.search(source)
     for seed in (None, 31):
         data = load_data(problem, seed=seed)
         for tolerance in ("1e-12", "1e-8", "5e-8", "1e-5"):

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 MOST_NAMES = 10_000
 TEXT_LENGTH = 500
 
+_NAME_OF: Any = type.__dict__["__name__"].__get__  # whatever a class of its own says of itself
 _HOLDING_STATEMENTS = ("body", "orelse", "finalbody", "handlers", "cases")
 _OWN_SCOPE = (_ast.Lambda, _ast.ListComp, _ast.SetComp, _ast.DictComp, _ast.GeneratorExp)
 
@@ -147,7 +148,8 @@ def described(error: BaseException, name: str) -> str:
         text = " ".join(str(error)[: 4 * TEXT_LENGTH].split())[:TEXT_LENGTH]
     except BaseException:
         text = "(its text cannot be shown)"
-    what = f"{type(error).__name__}: {text}" if text else type(error).__name__
+    kind = _NAME_OF(type(error))
+    what = f"{kind}: {text}" if text else kind
     line = own_line(error.__traceback__, name)
     return f"{what} (line {line})" if line else what
 
