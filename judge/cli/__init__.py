@@ -7,8 +7,7 @@
     commands/       the commands
     resolve.py      what words mean; the history, and the current kata of a folder
     files.py        the files to judge, and those that options write
-    judging.py      what `judge run` and `judge start` ask of `judge.judging`
-    drawings.py     results as they are kept, shown and drawn
+    judging.py      what `judge run` and `judge start` ask of `judge.judging`, each result kept
     home.py         `judge` alone: where a person stands, and the next kata
     watching.py     a file under watch; watch_screen.py: the loop of `judge start`
 

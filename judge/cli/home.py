@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from judge.cli.resolve import current, history_at, this_folder
 from judge.practice import events
 from judge.practice.events import Answer, Help
-from judge.practice.progress import levels, solved, stars, tried
+from judge.practice.progress import levels_passed, solved, tried
 from judge.practice.syllabus import Course, read_course
 from judge.report.published_look import Again, Home, Next, Now, Standing
 
@@ -24,7 +24,7 @@ def home(common: Common) -> Home:
         here, places = current(this_folder(), history), history.places()
     course, own = read_course(solved(runs), common.problems), tried(runs)
     today = events.now().astimezone()
-    won = list(stars(levels(course.problems, own)).values())
+    won = [len(levels_passed(each, own.get(each.id, ()))) for each in course.problems]
     at = here or next((each for each in places if os.path.isfile(each.path)), None)  # noqa: PTH113
     now = again = None
     if at and at.problem not in solved(runs):

@@ -7,21 +7,24 @@ from __future__ import annotations
 
 import atexit
 from collections.abc import Generator, Iterator, Sequence
+from contextlib import AbstractContextManager, suppress
 from functools import cache, partial
+from importlib import import_module
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
 from judge.cli.files import Submission
+from judge.cli.resolve import history_at
+from judge.errors import StoreError, told
 from judge.judging.api import RunOptions
 from judge.judging.session import Session
 from judge.problem import Problem
 from judge.problem.load import load_problem
+from judge.report.published_result import Judged
+from judge.report.screen import Notes, note
+from judge.report.wait import Advance, progress
 from judge.run.result import Result, judge_fault
-
-if TYPE_CHECKING:
-    from judge.cli.drawings import Drawing
 
 
 class Wish(Struct, frozen=True):
@@ -35,20 +38,46 @@ class Wish(Struct, frozen=True):
     before: int = 0  # those among them that were judged already
 
 
-def judged(problem: Problem, submissions: Sequence[Submission], wish: Wish) -> Generator[Drawing, None, None]:
+def judged(problem: Problem, submissions: Sequence[Submission], wish: Wish) -> Generator[Judged, None, None]:
     """Judge them; each result is in the history before it is handed out, so that none is shown and then lost.
 
     Close it, so that what was started for the rest ends. Raises JudgeError.
     """
     with Session(problem, wish.options) as session:
-        if min(wish.jobs, len(submissions)) == 1:
-            session.boot(submissions[0].source, submissions[0].name)
-        from judge.cli.drawings import drawings  # while it boots
-
-        yield from drawings(session, submissions, wish)
+        yield from judged_by(session, submissions, wish)
 
 
-def judged_at_once(
+def judged_by(
+    session: Session, submissions: Sequence[Submission], wish: Wish
+) -> Generator[Judged, None, None]:
+    """As `judged`, by a session that is open."""
+
+    def numbered(label: str) -> AbstractContextManager[Advance | None]:
+        return progress(f"{done + 1} of {wish.total}: {label}")
+
+    done, said, jobs = wish.before, Notes(), min(wish.jobs, len(submissions))
+    session.bars = numbered if wish.total > 1 else progress
+    if jobs == 1:
+        session.boot(submissions[0].source, submissions[0].name)
+    if keeps := wish.kept:
+        with suppress(StoreError):  # which is said with the first result
+            import_module("judge.practice.history")  # while the box boots
+    if jobs > 1:
+        results, short = _at_once(session.problem, submissions, session.options, jobs)
+        said.say(short)
+    else:
+        session.prepare()
+        results = (session.judge(each.source, each.name) for each in submissions)
+    said.say(session.data.notes)
+    for submission, result in zip(submissions, results, strict=True):
+        # Before it is shown: whoever has seen it finds it there, even if the judge is killed at that moment.
+        keeps = keeps and _kept(result, submission, wish.db)
+        said.say(result.notes)
+        done += 1
+        yield Judged(result, submission.source, session.data)
+
+
+def _at_once(
     problem: Problem, submissions: Sequence[Submission], options: RunOptions, jobs: int
 ) -> tuple[Iterator[Result], Sequence[str]]:
     """The results, in order, of several processes; and what to say of them. Judging raises JudgeError."""
@@ -72,3 +101,28 @@ def _session(folder: Path, solutions: Path, options: RunOptions, jobs: int) -> S
     session = Session(load_problem(folder, solutions), options, jobs=jobs)
     atexit.register(session.close)
     return session
+
+
+def _kept(result: Result, submission: Submission, db: Path | None) -> bool:
+    """Keep the result in the history; where that fails it is said, and exit status and verdicts stay.
+
+    A commit hands it to the system, which outlives the judge (see `judge.database`).
+    """
+    try:
+        from judge.practice.history import run_of
+
+        with history_at(db) as history:
+            history.keep(run_of(result, submission.source, _absolute(submission.name)), submission.source)
+    except Exception as fault:
+        note(f"not kept in the history: {told(fault)}")
+        return False
+    return True
+
+
+def _absolute(name: str) -> str:
+    """The file from the root, or nothing where there will be no such file tomorrow: a pipe."""
+    path = Path(name)
+    try:
+        return str(path.absolute()) if path.is_file() else ""
+    except OSError:  # the current folder is gone
+        return ""

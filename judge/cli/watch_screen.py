@@ -12,13 +12,13 @@ from contextlib import closing, contextmanager, redirect_stderr, suppress
 from io import StringIO
 from queue import Empty, SimpleQueue
 from types import FrameType
-from typing import TYPE_CHECKING, Any, NoReturn
+from typing import Any, NoReturn
 
+from msgspec.structs import replace
 from rich.console import Group, RenderableType
 from rich.text import Text
 
 from judge.cli.commands.practise import HintAsk, hints, note_seen
-from judge.cli.drawings import Drawing
 from judge.cli.home import standing
 from judge.cli.judging import Wish
 from judge.cli.options import Common
@@ -32,14 +32,12 @@ from judge.practice.stub import make_stub, usual_name, write_stub
 from judge.practice.syllabus import Course, read_course
 from judge.report.parts import faint, good, prose, warning
 from judge.report.picture import has_room
-from judge.report.result import Shown, accepted, magnified, result, verdict_line
+from judge.report.published_result import Judged
+from judge.report.result import drawing_of, magnified, screenful, told_of, verdict_line
 from judge.report.screen import Screen, drawn, out
-from judge.report.tell import Told, shown_failure, tell
+from judge.report.tell import shown_failure
 from judge.report.views import view
 from judge.report.watch import GONE, begun, keys, keys_line, place, redraw, reprompt, waiting_line
-
-if TYPE_CHECKING:
-    from judge.report.published_look import Standing
 
 _RESIZED = "resized"
 _END = ("q", "\x04", GONE)
@@ -124,10 +122,9 @@ class _Loop:
         self._stub = make_stub(kata.problem, language_of(kata.path)).encode()
         self._events: SimpleQueue[str] = SimpleQueue()
         self._judging = _Judging()
-        self._found: Drawing | None = None
+        self._found: Judged | None = None
         self._text = ""  # why there is no result
         self._notes = ""
-        self._standing: Standing | None = None
         self._view: View = self._report
         self._views: dict[str, View] = {
             "s": self._statement,
@@ -193,18 +190,22 @@ class _Loop:
         if not (self._found or self._text):
             redraw(screen, drawn(self._place(screen), screen), Text())
         notes = StringIO()
-        found: Drawing | str | None = None
+        found: Judged | str | None = None
         with self._judging, redirect_stderr(notes):  # a bar would be drawn over
             if not self._leaving:
                 found = self._file.judge()
         if found is None:  # what was judged is out of date: what is there now comes next
             return
-        self._found, self._text = (None, found) if isinstance(found, str) else (found, "")
-        self._notes, self._asked, self._standing = notes.getvalue(), "", None
+        self._found, self._text = None, ""
+        if isinstance(found, str):
+            self._text = found
+        else:
+            self._found = replace(found, commands=False, key="n")
+        self._notes, self._asked = notes.getvalue(), ""
         self._show(self._report)
-        if self._solved:  # the verdict stands there already, and is worth more
+        if self._found and self._solved:  # the verdict stands there already, and is worth more
             with suppress(JudgeError):
-                self._standing = standing(self._kata.problem.id, self._common)
+                self._found = replace(self._found, standing=standing(self._kata.problem.id, self._common))
                 self._draw()
 
     def _begun(self, screen: Screen) -> RenderableType:
@@ -266,7 +267,7 @@ class _Loop:
     def _browse(self) -> None:
         """Open the failing case in the browser, on a page where it can be dragged."""
         problem, page = self._kata.problem, None
-        if self._found and (explore := self._found.data.module.hooks.explore):
+        if self._found and self._found.data and (explore := self._found.data.module.hooks.explore):
             page = explore(problem, self._case())
         if page is None:
             self._say(warning(f"There is no page for {problem.id} yet."))
@@ -290,25 +291,20 @@ class _Loop:
         """The failing case, drawn below its arguments."""
         if self._found and not has_room(screen):
             return warning("A picture needs a terminal of 60 columns that knows braille.")
-        drawing = self._found.rows(screen) if self._found else None
+        drawing = drawing_of(self._found, screen) if self._found else None
         if self._found is None or drawing is None:
             return warning("There is no failing case to draw.")
-        return magnified(_told(self._found), drawing, screen.height - _BELOW - 2, screen.width)
+        return magnified(told_of(self._found), drawing, screen.height - _BELOW - 2, screen.width)
 
     def _report(self, screen: Screen) -> RenderableType:
         if self._found is None:
             return warning(self._text)
-        after = None
-        if self._solved:
-            after = accepted(self._kata.problem.id, self._standing, screen.width, key="n")
-        told, name, rows = _told(self._found), self._found.result.submission, self._found.rows(screen)
-        shown = Shown(told, name, drawing=rows, after=after, commands=False)
-        return result(shown, screen, screen.height - _BELOW - self._notes.count("\n"))
+        return screenful(self._found, screen, screen.height - _BELOW - self._notes.count("\n"))
 
     def _end(self) -> RenderableType | None:
         """The last line, whatever else is shown: the verdict."""
         if self._found is not None:
-            return verdict_line(_told(self._found), self._kata.name)
+            return verdict_line(told_of(self._found), self._kata.name)
         return warning(self._text) if self._text else None
 
     @property
@@ -330,11 +326,6 @@ class _Loop:
             apart = () if text.endswith("\n\n") else ("",)
             text += drawn(Group(*apart, end), screen)
         redraw(screen, f"{text}\n", keys_line(screen, failed=bool(self._case())))
-
-
-def _told(found: Drawing) -> Told:
-    """The result in words."""
-    return tell(found.problem, found.result, found.source)
 
 
 _ASKED = {  # what is done when the key is pressed again

@@ -9,19 +9,15 @@ from __future__ import annotations
 import time
 from contextlib import suppress
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from judge.cli.files import Submission, read_submissions
-from judge.cli.judging import Wish
+from judge.cli.judging import Wish, judged_by
 from judge.cli.resolve import Kata
 from judge.errors import JudgeError, UsageError
 from judge.judging.session import Session
 from judge.problem import Verdict
 from judge.problem.load import load_problem, own_files
-
-if TYPE_CHECKING:
-    from judge.cli.drawings import Drawing
-
+from judge.report.published_result import Judged
 
 _PAUSE = 0.05  # seconds in which a file that is written on would change
 _PAUSES = 20  # of them at most
@@ -78,7 +74,7 @@ class WatchedFile:
         before, self._seen = self._seen, settled(self._kata.path)
         return self._seen != before
 
-    def judge(self) -> Drawing | str:
+    def judge(self) -> Judged | str:
         """Judge the file as it is now, as `judge run` does; a sentence where that cannot be done.
 
         Raises:
@@ -100,7 +96,7 @@ class WatchedFile:
         except JudgeError as fault:
             return str(fault)
 
-    def _judged(self, submission: Submission) -> Drawing:
+    def _judged(self, submission: Submission) -> Judged:
         """Judge it; whatever is raised, and a verdict that says nothing of it, ends what was kept.
 
         So does a change of the problem, at which a setter may be at work.
@@ -116,17 +112,14 @@ class WatchedFile:
         try:
             if self._session is None:
                 self._session = Session(problem, self._wish.options, had=self._had)
-            self._session.boot(submission.source, submission.name)
-            from judge.cli.drawings import drawings  # while it boots
-
-            (drawn,) = drawings(self._session, [submission], self._wish)
-            if drawn.result.verdict is not Verdict.JE:  # that one was held nowhere
-                self._had = drawn.result.isolation or self._had
+            (judged,) = judged_by(self._session, [submission], self._wish)
+            if judged.result.verdict is not Verdict.JE:  # that one was held nowhere
+                self._had = judged.result.isolation or self._had
                 clean = True
         finally:
             if not clean:
                 self.close()
-        return drawn
+        return judged
 
     def close(self) -> None:
         """End what was kept; judging goes on without."""

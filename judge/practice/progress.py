@@ -20,7 +20,7 @@ from __future__ import annotations
 
 import contextlib
 from collections import Counter, defaultdict
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from datetime import datetime
 from enum import Enum
 from typing import TYPE_CHECKING
@@ -48,42 +48,28 @@ class State(Enum):
     LOST = "lost"
 
 
-class Covered(Struct, frozen=True):
-    """Test groups of one problem: the most that one run passed, and when one first passed all of them.
-
-    `failing` are those that the latest run to try them fails. `attempts` are the runs that tried them, up to
-    the first that passed all; `mistakes` are those of the groups that were made, and how often.
-    """
+class Need(Struct, frozen=True):
+    """The groups of one problem that show a skill: since when, and which of them the latest run fails."""
 
     problem: str
     groups: tuple[str, ...]
-    level: KataLevel | None = None
-    best: int = 0
     since: datetime | None = None
     failing: tuple[str, ...] = ()
-    attempts: int = 0
-    mistakes: dict[str, int] = {}
 
     @property
     def lost(self) -> bool:
-        """Whether all were passed once, and no longer are."""
+        """Whether it was met once, and no longer is."""
         return self.since is not None and bool(self.failing)
 
 
 class SkillProgress(Struct, frozen=True):
-    """One skill: since when it is shown, and how each of its needs stands.
-
-    `attempts` are the runs that it took on the problem where it was first shown, or has taken so far on all;
-    `mistakes` are those that stood in its way, and how often.
-    """
+    """One skill: since when it is shown, and how each of its needs stands."""
 
     name: str
     about: str
     state: State
     since: datetime | None
-    attempts: int
-    mistakes: dict[str, int]
-    needs: tuple[Covered, ...]
+    needs: tuple[Need, ...]
 
     @property
     def met(self) -> int:
@@ -155,89 +141,46 @@ def mistakes(runs: Iterable[Run]) -> Counter[str]:
     return Counter(name for run in runs if run.mistake for name in run.mistake.split(" + "))
 
 
-def levels(problems: Iterable[Listed], own: Tried) -> list[Covered]:
-    """How each level of these problems stands after a person's `own` runs."""
-    found = []
-    for problem in problems:
-        runs = own.get(problem.id, ())
-        recorded = [_recorded(run, problem) for run in runs]
-        for level in problem.levels:
-            groups = tuple(group.name for group in problem.of_level(level))
-            whole = zip(runs, [level.value in each for each in recorded], strict=True)
-            found.append(_covered(problem.id, groups, whole, level=level))
-    return found
+def levels_passed(problem: Listed, runs: Iterable[Run]) -> list[KataLevel]:
+    """The levels of a problem that one of its runs passed whole; its stars are their number."""
+    return [level for level in problem.levels if any(_is_passed(problem, level, run) for run in runs)]
 
 
-def stars(levels: Iterable[Covered]) -> Counter[str]:
-    """Of each problem: 1 once its interview level is passed, 2 with production."""
-    return Counter(level.problem for level in levels if level.since)
+def _is_passed(problem: Listed, level: KataLevel, run: Run) -> bool:
+    if run.solved:
+        return True
+    if not {group.name for group in problem.groups}.issuperset(run.passed + run.failed):
+        with contextlib.suppress(StoreError):  # the groups were others then
+            return level.value in run.levels
+    return {group.name for group in problem.of_level(level)}.issubset(run.passed)
 
 
 def skills(problems: Iterable[Problem], own: Tried, named: Iterable[Skill]) -> list[SkillProgress]:
     """How each of these skills that the problems show stands after a person's `own` runs."""
-    needs: defaultdict[str, list[Covered]] = defaultdict(list)
+    needs: defaultdict[str, list[Need]] = defaultdict(list)
     for problem in problems:
-        runs = [(run, False) for run in own.get(problem.id, ())]
         for shown in problem.skills:
-            kills = {name for group in problem.groups if group.name in shown.groups for name in group.kills}
-            needs[shown.name].append(_covered(problem.id, shown.groups, runs, kills))
+            needs[shown.name].append(_need(problem.id, shown.groups, own.get(problem.id, ())))
     return [_skill(each, needs[each.name]) for each in named if each.name in needs]
 
 
-def _recorded(run: Run, problem: Listed) -> Collection[str]:
-    """The levels that a run passed whole, whatever groups the problem has today."""
-    if run.solved:
-        return [level.value for level in problem.levels]
-    if not {group.name for group in problem.groups}.issuperset(run.passed + run.failed):
-        with contextlib.suppress(StoreError):
-            return run.levels
-    return ()
-
-
-def _covered(
-    problem: str,
-    groups: tuple[str, ...],
-    runs: Iterable[tuple[Run, bool]],
-    kills: Collection[str] = (),
-    level: KataLevel | None = None,
-) -> Covered:
-    """How the groups stand after the problem's runs, each with whether it is known to have passed them all.
-
-    `kills` are the mistakes that the groups reject.
-    """
-    since: datetime | None = None
-    wanted, failing = frozenset(groups), frozenset[str]()
-    best = attempts = 0
-    made: Counter[str] = Counter()
-    for run, whole in runs:
-        passes = wanted if whole else wanted.intersection(run.passed)
-        fails = frozenset[str]() if whole else wanted.intersection(run.failed)
-        if not passes and not fails:  # it was judged on other groups only
-            continue
-        attempts += since is None
-        best = max(best, len(passes))
-        if run.passed:  # a file that is begun anew passes nothing yet, and takes nothing away
-            failing = fails
-        if since is None and passes == wanted:
+def _need(problem: str, groups: tuple[str, ...], runs: Iterable[Run]) -> Need:
+    """How the groups stand after the problem's runs; one that was judged on others only says nothing."""
+    wanted, failing, since = frozenset(groups), frozenset[str](), None
+    for run in runs:
+        fails = wanted.intersection(run.failed)
+        if since is None and wanted.issubset(run.passed):
             since = run.when
-        if fails:
-            made.update({name: times for name, times in mistakes([run]).items() if name in kills})
-    lost = tuple(group for group in groups if group in failing)
-    return Covered(problem, groups, level, best, since, lost, attempts, made)
+        # a file that is begun anew passes nothing yet, and takes nothing away
+        if run.passed and (fails or not wanted.isdisjoint(run.passed)):
+            failing = fails
+    return Need(problem, groups, since, tuple(group for group in groups if group in failing))
 
 
-def _skill(skill: Skill, needs: Sequence[Covered]) -> SkillProgress:
-    since, attempts = min(((need.since, need.attempts) for need in needs if need.since), default=(None, 0))
-    made = sum((Counter(need.mistakes) for need in needs), Counter[str]())
-    return SkillProgress(
-        skill.name,
-        skill.about,
-        State.LOST if any(need.lost for need in needs) else State.SHOWN if since else State.OPEN,
-        since,
-        attempts or sum(need.attempts for need in needs),
-        dict(made.most_common()),
-        tuple(needs),
-    )
+def _skill(skill: Skill, needs: Sequence[Need]) -> SkillProgress:
+    since = min((need.since for need in needs if need.since), default=None)
+    state = State.LOST if any(need.lost for need in needs) else State.SHOWN if since else State.OPEN
+    return SkillProgress(skill.name, skill.about, state, since, tuple(needs))
 
 
 # -- questions ---------------------------------------------------------------------------------------------
@@ -313,14 +256,6 @@ class HackState(Enum):
     GIVEN_UP = "given-up"
 
 
-class HackShare(Struct, frozen=True):
-    """Of a problem's `programs` wrong ones, those that were broken: by mistake, when it was done first."""
-
-    problem: str
-    programs: int
-    broken: Mapping[str, datetime]
-
-
 def broken(hacks: Iterable[Hack]) -> dict[str, datetime]:
     """The programs that were broken, as "problem/mistake", and when first; the attempts are in order."""
     found: dict[str, datetime] = {}
@@ -346,19 +281,3 @@ def hack_states(mistakes: Iterable[str], hacks: Sequence[Hack]) -> dict[str, Hac
     states = {hack.mistake: HackState.GIVEN_UP for hack in hacks if hack.outcome is Outcome.GIVEN_UP}
     states |= {name.partition("/")[2]: HackState.BROKEN for name in broken(hacks)}
     return {name: states.get(name, HackState.OPEN) for name in mistakes}
-
-
-def hack_shares(problems: Iterable[Problem], hacks: Sequence[Hack]) -> list[HackShare]:
-    """The share of each of these problems that was tried; the mistakes of no other are read.
-
-    Raises ProblemError where the files that tell of a problem's mistakes are broken.
-    """
-    from judge.mistakes.puzzles import read_puzzles  # most people's history has no attempt
-
-    named, won, found = {hack.problem for hack in hacks}, broken(hacks), []
-    for problem in problems:
-        if problem.id in named:
-            known = {f"{problem.id}/{puzzle.mistake}": puzzle.mistake for puzzle in read_puzzles(problem)}
-            own = {known[name]: when for name, when in won.items() if name in known}
-            found.append(HackShare(problem.id, len(known), own))
-    return found

@@ -14,6 +14,7 @@ from rich.text import Text
 
 from judge.problem import Group, Parameter, Problem, Tolerance
 from judge.problem.model import GrowthRule
+from judge.report import published_look as published
 from judge.report.parts import (
     STRONG,
     Cell,
@@ -32,17 +33,6 @@ from judge.report.parts import (
     strong,
     table,
     text,
-)
-from judge.report.published_look import (
-    Document,
-    Home,
-    KataList,
-    KataRow,
-    KataShown,
-    Mentions,
-    Now,
-    PageShown,
-    Topics,
 )
 from judge.report.screen import Screen
 from judge.report.words import counted, shown_command, shown_name
@@ -63,12 +53,12 @@ _LOOK = (
 _HITS = 8  # sections of the manual that are shown
 
 
-def home(found: Home, screen: Screen) -> RenderableType:
+def home(found: published.Home, screen: Screen) -> RenderableType:
     """A page for a newcomer; for somebody who returns a bar, and what is now, again and next."""
     return _returning(found, screen) if found.begun else _newcomer(found)
 
 
-def _newcomer(found: Home) -> RenderableType:
+def _newcomer(found: published.Home) -> RenderableType:
     title = found.next.title if found.next else "There is no kata here"
     return blocks(
         f"judge: practise circle and line geometry. {counted(found.katas, 'kata')}, offline.",
@@ -78,7 +68,7 @@ def _newcomer(found: Home) -> RenderableType:
     )
 
 
-def _returning(found: Home, screen: Screen) -> RenderableType:
+def _returning(found: published.Home, screen: Screen) -> RenderableType:
     rows: list[tuple[str, str, str]] = []
     if found.now:
         rows += [("Now", found.now.problem, _last(found.now)), _go_on(found.now)]
@@ -99,13 +89,13 @@ def _returning(found: Home, screen: Screen) -> RenderableType:
     return blocks(done, _rows(rows, STRONG), indented(more))
 
 
-def _last(now: Now) -> str:
+def _last(now: published.Now) -> str:
     if now.points is None:
         return "not judged yet"
     return f"{now.points} of 100 points" + (f", likely mistake: {now.mistake}" if now.mistake else "")
 
 
-def _go_on(now: Now) -> tuple[str, str, str]:
+def _go_on(now: published.Now) -> tuple[str, str, str]:
     file = shown_name(now.file)
     if not now.folder:
         return "", "judge start", f"goes on with {file} in this folder"
@@ -120,7 +110,7 @@ def _rows(rows: Iterable[tuple[str, str, str]], style: str = "") -> RenderableTy
     return indented(table(laid))
 
 
-def kata_list(found: KataList, screen: Screen) -> RenderableType:
+def kata_list(found: published.KataList, screen: Screen) -> RenderableType:
     """How many are solved, each set in a row, and the katas of one set; all of them where that is asked."""
     stars = Counter(row.stars for row in found.katas)
     done = solved_bar(_solved(found.katas), len(found.katas), (stars[1], stars[2]), screen.width)
@@ -141,11 +131,13 @@ def kata_list(found: KataList, screen: Screen) -> RenderableType:
     )
 
 
-def _solved(rows: Sequence[KataRow]) -> int:
+def _solved(rows: Sequence[published.KataRow]) -> int:
     return sum(row.solved for row in rows)
 
 
-def _katas(found: KataList, rows: tuple[KataRow, ...], room: int | None) -> Iterator[RenderableType]:
+def _katas(
+    found: published.KataList, rows: tuple[published.KataRow, ...], room: int | None
+) -> Iterator[RenderableType]:
     """Those katas with their marks, as many as there is room for."""
     there = found.wanted(rows)
     kept = there if room is None or len(there) <= room else there[: max(room - 1, 1)]
@@ -157,12 +149,12 @@ def _katas(found: KataList, rows: tuple[KataRow, ...], room: int | None) -> Iter
         yield faint(f"  … and {len(there) - len(kept)} more: add --all")
 
 
-def _kata(row: KataRow, *, current: bool) -> tuple[Cell, ...]:
+def _kata(row: published.KataRow, *, current: bool) -> tuple[Cell, ...]:
     mark = "★" * row.stars or ("✓" if row.solved else "")
     return ">" if current else "", good(mark), text(row.problem, STRONG if current else ""), row.title
 
 
-def kata_shown(found: KataShown, screen: Screen) -> RenderableType:
+def kata_shown(found: published.KataShown, screen: Screen) -> RenderableType:
     """The statement, the parameters and what is allowed; or the test groups."""
     problem, source = found.problem, found.problem.source
     if found.groups:
@@ -290,7 +282,7 @@ def _whole(value: int) -> str:
     return f"{sign}{number:,}" if number.adjusted() < 15 else f"{sign}{number}"
 
 
-def topics(found: Topics, _screen: Screen) -> RenderableType:
+def topics(found: published.Topics, _screen: Screen) -> RenderableType:
     """Every topic with its title, and how to read one."""
     rows = [(strong(each.topic), each.title) for each in found.published]
     rows.append((strong("options"), "Options of every command"))
@@ -298,12 +290,12 @@ def topics(found: Topics, _screen: Screen) -> RenderableType:
     return blocks(table(rows), commands(below))
 
 
-def page_shown(found: PageShown, screen: Screen) -> RenderableType:
+def page_shown(found: published.PageShown, screen: Screen) -> RenderableType:
     """A page, drawn for a person and as it is in a pipe."""
     return prose(found.published[0].text, screen)
 
 
-def mentions(found: Mentions, _screen: Screen) -> RenderableType:
+def mentions(found: published.Mentions, _screen: Screen) -> RenderableType:
     """The sections that have the words, each below the name of its page."""
     if not found.published:
         remedy = f"Did you mean judge help {found.near}?" if found.near else "judge help lists the topics."
@@ -316,6 +308,6 @@ def mentions(found: Mentions, _screen: Screen) -> RenderableType:
     return Together(*parts)
 
 
-def document(found: Document, _screen: Screen) -> RenderableType:
+def document(found: published.Document, _screen: Screen) -> RenderableType:
     """A text, line by line."""
     return Together(*(Text(row) for row in found.text.rstrip("\n").split("\n")))

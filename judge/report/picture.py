@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from rich.text import Text
 
     from judge.problem.module import Module
+    from judge.report.published_result import Judged
 
 _COLOURS: dict[Role | None, str] = {
     Role.WANTED: "green",
@@ -77,6 +78,22 @@ def drawing(
         note(f"{what} is not drawn: {told(fault)}")
         return None
     return partial(picture_rows, picture) if picture else None
+
+
+def result_picture(found: Judged) -> Picture | Chart | None:
+    """The smallest case found that fails, or else the first one; None where there is nothing to draw.
+
+    Where no small case failed and the time has grown with n, how it has is drawn instead.
+    """
+    failure, small, growth = found.result.failure, found.result.counterexample, found.result.time.growth
+    if growth is not None and (failure is None or failure.input is None):
+        return growth_chart(growth)
+    if failure is None or found.data is None:
+        return None
+    shown, heading = failure, f"{failure.group}, case {failure.case}"
+    if small is not None and small.input:
+        shown, heading = small, "counterexample"
+    return case_picture(found.data.problem, found.data.module, shown, failure.group, heading)
 
 
 FIGURE = "figure.svg"

@@ -12,10 +12,11 @@ from rich.text import Text
 from judge.errors import StoreError
 from judge.languages import file_name
 from judge.practice.events import Rating, Run
-from judge.practice.progress import Covered, Evidence, Kind, Question, SkillProgress, State
+from judge.practice.progress import Evidence, Kind, Question, SkillProgress, State
 from judge.practice.review import Review
 from judge.practice.stub import usual_name
-from judge.problem.model import FULL_SCORE, KataLevel, Verdict
+from judge.problem.model import FULL_SCORE, Verdict
+from judge.report import published_progress as published
 from judge.report.parts import (
     BAD,
     FAINT,
@@ -40,21 +41,9 @@ from judge.report.parts import (
     under,
     verdict_style,
 )
-from judge.report.published_progress import (
-    DueShown,
-    ProgressPage,
-    ProgressShown,
-    ProgressWritten,
-    QuestionShown,
-    Restored,
-    RunList,
-    RunRow,
-    RunsCompared,
-    SetShare,
-)
-from judge.report.result import Shown, result
+from judge.report.published_result import Judged
+from judge.report.result import judged
 from judge.report.screen import Screen
-from judge.report.tell import tell
 from judge.report.words import counted, day, due_words, moment, shown_name, times
 
 _DIFFERENT = {"+": GOOD, "-": BAD, "@": FAINT}  # how a line of a diff is shown, by its first character
@@ -65,14 +54,14 @@ _NARROW = 64  # columns that the table of sets needs
 _LISTED = 3  # katas that are listed under Now and Again
 
 
-def progress_page(found: ProgressPage, screen: Screen) -> RenderableType:
+def progress_page(found: published.ProgressPage, screen: Screen) -> RenderableType:
     """How many katas are solved, a bar for each set or the skills of one, what to do now, what was made."""
     told, sets = found.shown, None
     solved = solved_bar(len(told.solved), len(told.katas), (told.one_star, told.two_stars), screen.width)
     top = solved if told.sets else Group(strong(told.title), solved)
     if found.whole:
         return blocks(top, *_all(told))
-    below = [(f"judge progress {told.set} --all", "each skill, kata and question")]
+    below = [(f"judge progress {told.set} --all", "each skill and question")]
     if told.sets:
         narrow = screen.width is not None and screen.width < _NARROW
         rows = [_set(each)[: 2 if narrow else None] for each in told.sets]
@@ -82,7 +71,7 @@ def progress_page(found: ProgressPage, screen: Screen) -> RenderableType:
     return blocks(top, sets, indented(facts(said)), commands(below))
 
 
-def _set(part: SetShare) -> tuple[Cell, ...]:
+def _set(part: published.SetShare) -> tuple[Cell, ...]:
     stars = [f"★ {part.one_star}", f"★★ {part.two_stars}"] if part.levelled else ["", ""]
     skills = f"{part.shown} of {counted(part.skills, 'skill')}" if part.skills else ""
     share = bar(part.solved, part.katas, f"{part.solved} of {part.katas}", 0)
@@ -90,7 +79,7 @@ def _set(part: SetShare) -> tuple[Cell, ...]:
     return name, share, *stars, faint(skills)
 
 
-def _skills(told: ProgressShown) -> Iterator[tuple[Cell, Cell]]:
+def _skills(told: published.ProgressShown) -> Iterator[tuple[Cell, Cell]]:
     for state, label in ((State.SHOWN, "shown"), (State.OPEN, "open")):
         names = [each.name for each in told.skills if each.state is state]
         more = f"; {len(names) - _NAMED} more" if len(names) > _NAMED else ""
@@ -100,7 +89,7 @@ def _skills(told: ProgressShown) -> Iterator[tuple[Cell, Cell]]:
         yield "solved", ", ".join(told.solved)
 
 
-def _now(found: ProgressPage) -> Iterator[tuple[Cell, Cell]]:
+def _now(found: published.ProgressPage) -> Iterator[tuple[Cell, Cell]]:
     """What is unfinished, what comes again today, and the next kata."""
     due = found.due
     now = [joined(each.problem, "  ", faint(_points(each.best))) for each in due.now[-_LISTED:]]
@@ -110,19 +99,18 @@ def _now(found: ProgressPage) -> Iterator[tuple[Cell, Cell]]:
     ]
     yield from under(strong("now"), now)
     yield from under(strong("again"), again)
-    if cards := len(due.cards.due):
+    if cards := due.cards_due:
         yield strong("cards"), f"{counted(cards, 'card')} due: judge quiz"
     if following := found.shown.next:
-        skill = f"; new: {following.skill}" if following.skill else ""
-        yield strong("next"), joined(f"judge start {following.problem}", faint(f"  {following.title}{skill}"))
+        yield strong("next"), joined(f"judge start {following.problem}", faint(f"  {following.title}"))
 
 
 def _points(best: int) -> str:
     return f"{best} of {FULL_SCORE} points"
 
 
-def _made(told: ProgressShown) -> Iterator[tuple[Cell, Cell]]:
-    """The skills that were lost, the mistakes made, how many questions are ticked and programs broken."""
+def _made(told: published.ProgressShown) -> Iterator[tuple[Cell, Cell]]:
+    """The skills that were lost, the mistakes made, and how many questions are ticked."""
     if told.skills:
         yield "skills", _ticked(told.skills)
     for skill in told.skills:
@@ -136,21 +124,11 @@ def _made(told: ProgressShown) -> Iterator[tuple[Cell, Cell]]:
         own = [each for each in told.rows if each.section == first]
         more = f", {_ticked(told.rows)} in all" if len(own) < len(told.rows) else ""
         yield "questions", f"{first} {_ticked(own)}{more}"
-    if told.hacks:
-        shares = ", ".join(f"{each.problem} {len(each.broken)} of {each.programs}" for each in told.hacks)
-        yield "broken", f"wrong programs of {shares}"
 
 
-def _all(told: ProgressShown) -> Iterator[RenderableType]:
-    """A row for each skill, for each kata that has levels, and for each question."""
-    yield table(map(_skill, told.skills), "skill", "", "since", "runs", "what it asks", right=[3])
-    if told.levels:
-        its = {(each.problem, each.level): each for each in told.levels}
-        rows: list[list[Cell]] = [
-            [kata, *(_level(its.get((kata, level))) for level in KataLevel)]
-            for kata in dict.fromkeys(each.problem for each in told.levels)
-        ]
-        yield table(rows, "kata", *(f"{level.value} level" for level in KataLevel), prose=None)
+def _all(told: published.ProgressShown) -> Iterator[RenderableType]:
+    """A row for each skill, and for each question."""
+    yield table(map(_skill, told.skills), "skill", "", "since", "what it asks")
     for section, grouped in groupby(told.rows, lambda each: each.section):
         questions = list(grouped)
         below = table(map(_question, questions), "id", "", "practise with", "question")
@@ -167,7 +145,6 @@ def _skill(skill: SkillProgress) -> tuple[Cell, ...]:
         text(skill.name, FAINT if skill.state is State.OPEN else ""),
         good(f"✓ {skill.met} of {len(skill.needs)}") if some else _mark(skill.state),
         faint(day(skill.since)),
-        faint(str(skill.attempts or "")),
         faint(f"Fails {_failing(skill)}." if skill.state is State.LOST else skill.about),
     )
 
@@ -175,14 +152,6 @@ def _skill(skill: SkillProgress) -> tuple[Cell, ...]:
 def _failing(skill: SkillProgress) -> str:
     """The groups that were passed and no longer are, with their kata."""
     return ", ".join(f"{need.problem} {group}" for need in skill.needs if need.lost for group in need.failing)
-
-
-def _level(each: Covered | None) -> Text:
-    if each is None:
-        return Text()
-    if each.since is not None:
-        return good(f"✓ {day(each.since)}")
-    return faint(f"{each.best} of {counted(len(each.groups), 'group')}" if each.best else "")
 
 
 def _question(each: Question) -> tuple[Cell, ...]:
@@ -193,7 +162,7 @@ def _ticked(rows: Sequence[Question | SkillProgress]) -> str:
     return f"{sum(each.state is State.SHOWN for each in rows)} of {len(rows)}"
 
 
-def question_shown(found: QuestionShown, _screen: Screen) -> RenderableType:
+def question_shown(found: published.QuestionShown, _screen: Screen) -> RenderableType:
     """One question with all that may tick it, and every command that practises it."""
     asked = found.question
     said = "lost" if asked.state is State.LOST else "not yet"
@@ -211,13 +180,12 @@ def _evidence(each: Evidence) -> tuple[Cell, ...]:
     return faint(kind), _mark(state), faint(day(each.since)), each.name
 
 
-def due_shown(found: DueShown, _screen: Screen) -> RenderableType:
+def due_shown(found: published.DueShown, _screen: Screen) -> RenderableType:
     """The katas that are unfinished, those that are due, the longest overdue first, and the others."""
     now, later, parts = found.time, found.later, list[RenderableType]()
     if found.now:
         rows = [
-            (strong(each.problem), _points(each.best), f"last run {day(each.last)}" if each.last else "")
-            for each in found.now
+            (strong(each.problem), _points(each.best), f"last run {day(each.last)}") for each in found.now
         ]
         parts.append(heading("Now: not solved yet", table(rows)))
     if found.due:
@@ -232,13 +200,9 @@ def due_shown(found: DueShown, _screen: Screen) -> RenderableType:
     if later:
         nothing = joined(good("Nothing is due today."), " Next:")
         parts.append(Group(strong("Later") if found.due else nothing, indented(_reviews(later, now))))
-    cards = (*found.cards.due, *found.cards.later)
-    if cards:
-        coming = min(cards, key=lambda each: each.due)
-        when = "judge quiz" if found.cards.due else f"the next one {due_words(coming.due, now)}"
-        parts.append(text(f"Cards: {len(found.cards.due)} due of {len(cards)} answered; {when}"))
-    if found.elsewhere:
-        parts.append(faint(f"Not found from here: {', '.join(found.elsewhere)}; see --problems."))
+    if cards := found.cards:
+        when = "judge quiz" if found.cards_due else f"the next one {due_words(cards[0].due, now)}"
+        parts.append(text(f"Cards: {found.cards_due} due of {len(cards)} answered; {when}"))
     return blocks(*parts)
 
 
@@ -262,7 +226,7 @@ def _why(each: Review) -> str:
     return f"{how}, so again after {counted(each.days, 'day')}"
 
 
-def progress_written(found: ProgressWritten, _screen: Screen) -> RenderableType:
+def progress_written(found: published.ProgressWritten, _screen: Screen) -> RenderableType:
     """Where the page is."""
     return joined(f"Wrote {shown_name(found.out)}", faint(f"  {counted(found.runs, 'run')}"))
 
@@ -270,7 +234,7 @@ def progress_written(found: ProgressWritten, _screen: Screen) -> RenderableType:
 # -- runs ----------------------------------------------------------------------------------------------------
 
 
-def run_list(found: RunList, _screen: Screen) -> RenderableType:
+def run_list(found: published.RunList, _screen: Screen) -> RenderableType:
     """One row a run, the latest last; its file only where one is not called as its kata's usually is."""
     runs = found.runs
     if not runs:
@@ -313,16 +277,16 @@ def _remark(run: Run) -> str:
     return ", ".join([*(f"{level} level passed" for level in passed), *([why] if why else [])])
 
 
-def run_row(run: RunRow, screen: Screen) -> RenderableType:
+def run_row(run: published.RunRow, screen: Screen) -> RenderableType:
     """When it was, what it came to, and how to get its source back."""
     return blocks(
         head(f"run {run.id}", faint(moment(run.when))),
-        result(Shown(tell(None, run.result), run.submission, run.result.groups), screen, None),
+        judged(Judged(run.result, whole=True, commands=False), screen),
         commands([(f"judge history {run.id} --restore", "write its source again")]),
     )
 
 
-def runs_compared(found: RunsCompared, _screen: Screen) -> RenderableType:
+def runs_compared(found: published.RunsCompared, _screen: Screen) -> RenderableType:
     """The verdicts, the groups that ended otherwise, and the difference of the sources."""
     ends = [
         joined(text(verdict.value, verdict_style(verdict)), f" {score}")
@@ -340,7 +304,7 @@ def _ended(how: str | None) -> Text:
     return text(how or "not run", {"passed": GOOD, "failed": BAD}.get(how or "", FAINT))
 
 
-def restored(found: Restored, _screen: Screen) -> RenderableType:
+def restored(found: published.Restored, _screen: Screen) -> RenderableType:
     """Where a run's source is again, and where what was there is kept."""
     said = f"the source of run {found.run}, {moment(found.time)}, {found.problem}"
     became = "" if found.written else "It was there already."

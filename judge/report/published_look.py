@@ -7,8 +7,8 @@ from typing import Any
 from msgspec import Struct
 
 from judge.errors import ExitCode
-from judge.problem import Group, Problem
-from judge.problem.model import GrowthRule, KataLevel, Source, Tier
+from judge.problem import Problem
+from judge.problem.model import GroupLimits, GrowthRule, KataLevel, Source, Tier
 from judge.report.views import Published, copied, in_words
 
 
@@ -62,15 +62,6 @@ class KataList(Struct, frozen=True):
         return ExitCode.FAULT if self.faults else ExitCode.ACCEPTED
 
 
-class Allowed(Struct, frozen=True):
-    """The limits of a test group, in seconds and bytes."""
-
-    cpu_seconds: float
-    wall_seconds: float
-    memory_bytes: int
-    output_bytes: int
-
-
 class ParameterRow(Struct, frozen=True):
     """A parameter; the bounds are exact, `n` or `n/d` as text."""
 
@@ -103,7 +94,7 @@ class GroupRow(Struct, frozen=True):
     kills: tuple[str, ...]
     level: KataLevel | None
     size: int | None
-    limits: Allowed | None
+    limits: GroupLimits | None
     time_limit: float | None
 
 
@@ -115,7 +106,7 @@ class ExampleRow(Struct, frozen=True):
 
 
 class KataInFull(Published, frozen=True):
-    """A kata, whole."""
+    """A kata, whole; limits are in seconds and MB."""
 
     problem: str
     title: str
@@ -124,7 +115,7 @@ class KataInFull(Published, frozen=True):
     entry: str
     answer: str
     parameters: tuple[ParameterRow, ...]
-    limits: Allowed
+    limits: GroupLimits
     growth: GrowthRule | None
     groups: tuple[GroupRow, ...]
     examples: tuple[ExampleRow, ...]
@@ -148,17 +139,13 @@ class KataShown(Struct, frozen=True):
             problem=problem.id,
             answer=str(problem.answer),
             parameters=tuple(in_words(ParameterRow, each) for each in problem.parameters),
-            limits=copied(Allowed, problem.limits),
-            groups=tuple(map(_group, problem.groups)),
+            groups=tuple(
+                copied(GroupRow, each, cases=each.count, tolerance=in_words(Accuracy, each.tolerance))
+                for each in problem.groups
+            ),
             examples=tuple(ExampleRow(problem.named(each.case), each.wanted) for each in problem.examples),
         )
         return (full,)
-
-
-def _group(each: Group) -> GroupRow:
-    limits = copied(Allowed, each.limits) if each.limits else None
-    tolerance = in_words(Accuracy, each.tolerance)
-    return copied(GroupRow, each, cases=each.count, limits=limits, tolerance=tolerance)
 
 
 class PageText(Published, frozen=True):

@@ -7,10 +7,11 @@ from datetime import datetime
 from msgspec import Struct, to_builtins
 
 from judge.practice.events import Run
-from judge.practice.progress import Covered, HackShare, Question, SkillProgress
+from judge.practice.progress import Question, SkillProgress
 from judge.practice.review import Review
 from judge.problem import Verdict
 from judge.problem.model import Mode
+from judge.report.published_look import Next
 from judge.report.views import Published, copied
 from judge.run.result import Result
 
@@ -36,33 +37,22 @@ class Unfinished(Struct, frozen=True, kw_only=True):
 
     problem: str
     best: int
-    last: datetime | None
-
-
-class NextKata(Struct, frozen=True, kw_only=True):
-    """The first kata of the set that was not tried, and a skill that it shows ("" for none)."""
-
-    problem: str
-    title: str
-    skill: str
-
-
-class CardsDue(Struct, frozen=True):
-    """The cards that were answered before."""
-
-    due: tuple[Review, ...]
-    later: tuple[Review, ...]
+    last: datetime
 
 
 class DueShown(Published, frozen=True, kw_only=True):
-    """What is unfinished `now`, what to do again, and what cannot be found from here (`elsewhere`)."""
+    """What is unfinished `now`, what to do again, and the cards that were answered, the first due first."""
 
     time: datetime
     now: tuple[Unfinished, ...]
     due: tuple[Review, ...]
     later: tuple[Review, ...]
-    elsewhere: tuple[str, ...]
-    cards: CardsDue
+    cards: tuple[Review, ...]
+
+    @property
+    def cards_due(self) -> int:
+        """How many cards are due."""
+        return sum(card.is_due(self.time) for card in self.cards)
 
 
 class ProgressShown(Published, frozen=True, kw_only=True):
@@ -79,15 +69,13 @@ class ProgressShown(Published, frozen=True, kw_only=True):
     two_stars: int
     sets: tuple[SetShare, ...]
     skills: tuple[SkillProgress, ...]
-    levels: tuple[Covered, ...]
     mistakes: dict[str, int]
     rows: tuple[Question, ...]
-    hacks: tuple[HackShare, ...]
-    next: NextKata | None
+    next: Next | None
 
 
 class ProgressPage(Struct, frozen=True):
-    """The same with what is due; `whole` asks for each skill, kata and question."""
+    """The same with what is due; `whole` asks for each skill and question."""
 
     shown: ProgressShown
     due: DueShown

@@ -2,37 +2,35 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
 from judge.errors import ExitCode
-from judge.problem import Problem
 from judge.run.result import Result, exit_code
 
 if TYPE_CHECKING:
+    from judge.data.load import ProblemData
     from judge.report.published_look import Standing
-    from judge.report.result import Drawing
-    from judge.report.screen import Screen
 
 
 class Judged(Struct, frozen=True):
-    """One result with all that its screen shows.
+    """One result with all that its screen shows; it is explained and drawn from `source` and `data`.
 
     `quiet` shows the verdict alone; one of `several` is a line, with its kata where these are of more than
-    one. `whole` shows every group, `commands` those that go on. `standing` says what an accepted one took,
-    `fresh` what a run on fresh cases did. `plain` are lines for another program, written instead.
+    one. `whole` shows every group, `commands` those that go on, `key` the one that does in a loop. `standing`
+    says what an accepted one took, `fresh` what a run on fresh cases did. `plain` are lines for another
+    program, written instead.
     """
 
     result: Result
     source: bytes = b""
-    problem: Problem | None = None
-    drawing: Callable[[Screen], Drawing | None] | None = None  # what draws the failing case there
+    data: ProblemData | None = None
     quiet: bool = False
     several: int = 0  # katas that the submissions are of, 0 for a single one
     whole: bool = False
     commands: bool = True
+    key: str = ""
     standing: Standing | None = None
     fresh: str = ""
     plain: str = ""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from functools import partial
 
 from msgspec import Struct
 from rich.console import Group, RenderableType
@@ -27,7 +28,6 @@ from judge.report.parts import (
     text,
     verdict_style,
 )
-from judge.report.published_look import Standing
 from judge.report.published_result import Judged, Several
 from judge.report.screen import Screen, drawn
 from judge.report.tell import Told, place_of, tell
@@ -41,21 +41,6 @@ _ROWS = 60  # of a result, on whatever screen
 _GAP = 3  # columns between the case and its picture
 
 
-class Shown(Struct, frozen=True):
-    """What there is to show of one result.
-
-    `told` is in words, `name` the file's. `groups` are shown in full where there are any. `drawing` draws the
-    failing case; `after` is what follows: where to go from an accepted one, the keys that a loop takes.
-    """
-
-    told: Told
-    name: str
-    groups: tuple[GroupResult, ...] = ()
-    drawing: Drawing | None = None
-    after: RenderableType | None = None
-    commands: bool = True  # whether those that go on from a failure are shown
-
-
 class _Cut(Struct, frozen=True):
     """How much is left out: a picture of so many rows (0: none), so many rows of each value and advice."""
 
@@ -65,8 +50,10 @@ class _Cut(Struct, frozen=True):
     fails: bool = True
 
 
+_PICTURES = _MOST - _LEAST + 1  # that come first
 _CUTS = (
     *(_Cut(picture=rows) for rows in range(_MOST, _LEAST - 1, -1)),
+    _Cut(),
     _Cut(values=6),
     _Cut(values=3, advice=4),
     _Cut(values=2, advice=2, fails=False),
@@ -77,33 +64,42 @@ _CUTS = (
 
 def judged(found: Judged, screen: Screen) -> RenderableType:
     """The screen of one result, or its line."""
-    told = tell(found.problem, found.result, found.source)
     if found.several and not found.whole:
-        return _line(found.result, told, kata=found.several > 1)
+        return _line(found.result, told_of(found), kata=found.several > 1)
     if found.quiet:
-        return verdict_line(told, found.result.submission)
-    after: RenderableType | None = None
-    if found.fresh:
-        after = indented(facts([("fresh", found.fresh)]))
-    elif found.result.solved and found.commands:
-        after = accepted(found.result.problem, found.standing, screen.width)
-    groups = found.result.groups if found.whole else ()
-    drawing = found.drawing(screen) if found.drawing else None
-    rows = None if found.whole else min(screen.height - 1, _ROWS)
-    return result(Shown(told, found.result.submission, groups, drawing, after, found.commands), screen, rows)
+        return verdict_line(told_of(found), found.result.submission)
+    return screenful(found, screen, None if found.whole else min(screen.height - 1, _ROWS))
 
 
-def result(shown: Shown, screen: Screen, rows: int | None) -> RenderableType:
+def told_of(found: Judged) -> Told:
+    """The result in words."""
+    return tell(found.data.problem if found.data else None, found.result, found.source)
+
+
+def drawing_of(found: Judged, screen: Screen) -> Drawing | None:
+    """What draws the result; None where there is nothing to draw, or no room."""
+    result = found.result
+    if result.hurdle or (result.failure is None and result.time.growth is None):
+        return None
+    from judge.report.picture import drawing, result_picture  # only where something failed
+
+    return drawing(partial(result_picture, found), screen, "the failing case")
+
+
+def screenful(found: Judged, screen: Screen, rows: int | None) -> RenderableType:
     """One result in at most so many rows, if that can be; all there is where they are None."""
-    width = screen.width
-    if rows is None:
-        return _laid(shown, _Cut(picture=_MOST), width)
+    told, drawing, width = told_of(found), drawing_of(found, screen), screen.width
+    top = joined(
+        label(told.verdict),
+        f"  {told.meaning}  ",
+        strong(shown_name(found.result.submission)),
+        f"  {told.stars}" if told.stars else "",
+        faint(f"  {told.how}" if told.how else ""),
+    )
     laid: RenderableType = Text()
-    for cut in _CUTS:
-        if cut.picture and shown.drawing is None:
-            continue
-        laid = _laid(shown, cut, width)
-        if drawn(laid, screen).count("\n") <= rows:
+    for cut in _CUTS if drawing else _CUTS[_PICTURES:]:
+        laid = blocks(top, *_parts(found, told, drawing, cut, width), verdict_line(told))
+        if rows is None or drawn(laid, screen).count("\n") <= rows:
             break
     return laid
 
@@ -117,40 +113,32 @@ def verdict_line(told: Told, name: str = "") -> Text:
     return joined(label(told.verdict), "  ", strong(shown_name(name)), f"  {meaning}{last}")
 
 
-def _laid(shown: Shown, cut: _Cut, width: int | None) -> RenderableType:
-    told = shown.told
-    top = joined(
-        label(told.verdict),
-        f"  {told.meaning}  ",
-        strong(shown_name(shown.name)),
-        f"  {told.stars}" if told.stars else "",
-        faint(f"  {told.how}" if told.how else ""),
-    )
-    return blocks(top, *_parts(shown, cut, width), verdict_line(told))
-
-
-def _parts(shown: Shown, cut: _Cut, width: int | None) -> Iterator[RenderableType]:
-    told = shown.told
+def _parts(
+    found: Judged, told: Told, drawing: Drawing | None, cut: _Cut, width: int | None
+) -> Iterator[RenderableType]:
     if told.happened:
         source = [indented(text(each), 4) for each in told.source]
         yield Group(indented(text(_cut(told.happened, cut.values, width))), *source)
     if told.case:
-        yield indented(_with_picture(_case(told, cut, width), shown.drawing, cut, width))
-    elif cut.picture and shown.drawing is not None:
-        yield indented(Group(*shown.drawing(cut.picture)))
+        yield indented(_with_picture(_case(told, cut, width), drawing, cut, width))
+    elif cut.picture and drawing is not None:
+        yield indented(Group(*drawing(cut.picture)))
     if told.mistake:
         advice = [text(_cut(each, cut.advice, width)) for each in told.advice if cut.advice != 0]
         yield Group(indented(strong(told.mistake)), *(indented(each, 4) for each in advice))
     if told.time:
         yield indented(text(told.time))
-    if shown.groups:
-        yield indented(table(map(_row, shown.groups), "group", "verdict", "passed", "points", right=[2, 3]))
+    if found.whole and found.result.groups:
+        rows = map(_row, found.result.groups)
+        yield indented(table(rows, "group", "verdict", "passed", "points", right=[2, 3]))
     elif told.fails and cut.fails:
         more = f", {told.more} more" if told.more else ""
         yield indented(facts([("fails", ", ".join(told.fails) + more)]))
-    if shown.after is not None:
-        yield shown.after
-    elif told.commands and shown.commands:
+    if found.fresh:
+        yield indented(facts([("fresh", found.fresh)]))
+    elif found.result.solved and (found.commands or found.key):
+        yield _accepted(found, width)
+    elif told.commands and found.commands:
         yield indented(commands(told.commands))
 
 
@@ -232,15 +220,12 @@ def several(found: Several, _screen: Screen) -> Text:
     return (good if accepted == every else bad)(said)
 
 
-def accepted(problem: str, standing: Standing | None, width: int | None, key: str = "") -> RenderableType:
-    """What follows an accepted result: what it took, how to go on, and how many katas are solved.
-
-    `key` is the one that goes on, where a loop takes keys and no commands.
-    """
-    onward = [] if key else [(f"judge solution {problem}", "the model solution")]
-    go_on = key or "judge start"
+def _accepted(found: Judged, width: int | None) -> RenderableType:
+    """What follows an accepted result: what it took, how to go on, and how many katas are solved."""
+    standing, go_on = found.standing, found.key or "judge start"
+    onward = [] if found.key else [(f"judge solution {found.result.problem}", "the model solution")]
     if standing is None:
-        return blocks(indented(commands([*onward, (go_on, "the next kata")])))
+        return indented(commands([*onward, (go_on, "the next kata")]))
     hints = f", {counted(standing.hints, 'hint')}" if standing.hints else ""
     if following := standing.next:
         title = f"{following.title[:1].lower()}{following.title[1:]}"

@@ -74,7 +74,7 @@ def test_on_day_one_there_is_a_bar_for_each_set_and_the_next_skill(judge):
     shown = judge("progress")
     bars = [row.split()[0] for row in shown.lines if "[.........." in row]
     assert bars[1:] == ["first-steps", "junior", "middle", "senior", "professional"]
-    following = "judge start distance-squared  The distance squared; new: distance squared"
+    following = "judge start distance-squared  The distance squared"
     assert f"  next    {following}" in shown.lines
     assert len(shown.lines) < 24
     assert "Ready?" not in shown.out
@@ -98,8 +98,8 @@ def test_what_was_learned(judge, own_pack):
     assert "  solved    middle" in shown.lines
     assert "  mistakes  floor-division" in shown.lines
     (skill,) = json.loads(judge("progress", "means", "--json").out)["skills"]
-    assert (skill["state"], skill["attempts"], skill["since"]) == ("shown", 2, "2026-03-02T09:00:00Z")
-    assert (skill["mistakes"], skill["needs"][0]["groups"]) == ({"floor-division": 1}, ["half"])
+    assert (skill["state"], skill["since"]) == ("shown", "2026-03-02T09:00:00Z")
+    assert skill["needs"][0]["groups"] == ["half"]
     passed("middle", without=("half",))
     assert "no floor: fails middle half" in judge("progress", "means").out
     assert "Fails middle half." in judge("progress", "means", "--all").out

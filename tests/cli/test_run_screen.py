@@ -15,9 +15,9 @@ from sampling import nightly
 from terminals import on_a_terminal
 
 from judge.problem import Verdict
-from judge.report.result import Shown, result
+from judge.report.published_result import Judged
+from judge.report.result import screenful
 from judge.report.screen import Screen, drawn
-from judge.report.tell import tell
 from judge.run.result import Failure, GroupResult, Pitfall, Result, earned
 
 ESCAPE = "\x1b"
@@ -86,7 +86,7 @@ def big(digits, advice=""):
 
 def screen_of(found, width):
     screen = Screen(io.StringIO(), False, width)
-    return drawn(result(Shown(tell(None, found), found.submission), screen, 23), screen)
+    return drawn(screenful(Judged(found), screen, 23), screen)
 
 
 @pytest.mark.parametrize("digits", [1, 200, 4000])

@@ -14,7 +14,7 @@ from judge.errors import ProblemError
 from judge.practice.cards import AnyForm, Card
 from judge.practice.events import Answer, Hack, Help, Outcome, Rating
 from judge.practice.history import run_of
-from judge.practice.progress import State, levels, questions, skills, solved, tried
+from judge.practice.progress import State, levels_passed, questions, skills, solved, tried
 from judge.practice.quiz import next_cards, next_due
 from judge.practice.review import LADDER, card_reviews, reviews
 from judge.practice.syllabus import Checklist, Row, Section, find_set, read_checklist
@@ -144,38 +144,37 @@ FAILED = past_result(passed=GROUPS[1:], failed=GROUPS[:1])
 def test_a_skill_is_shown_by_one_run_that_passes_all_its_groups():
     halves = [past_result(passed=GROUPS[:1], failed=GROUPS[1:]), FAILED]
     parts = skill(CLAMP, *halves)
-    assert (parts.state, parts.attempts, parts.since) == (State.OPEN, 2, None)
+    assert (parts.state, parts.since) == (State.OPEN, None)
     whole = skill(CLAMP, *halves, ALL, past_result(passed=GROUPS[:1]))
-    assert (whole.state, whole.attempts, whole.since) == (State.SHOWN, 3, days(2))
+    assert (whole.state, whole.since) == (State.SHOWN, days(2))
     others = skills(KATAS[1:], tried(runs_of([ALL])), read_checklist().skills)
     assert [skill for skill in others if skill.met] == []
 
 
 def test_a_skill_is_lost_by_the_latest_run_and_keeps_its_date():
     lost = skill(CLAMP, ALL, FAILED, past_result(passed=("examples",)))  # the last says nothing of it
-    assert (lost.state, lost.since, lost.attempts) == (State.LOST, START, 1)
+    assert (lost.state, lost.since) == (State.LOST, START)
     assert lost.needs[0].failing == GROUPS[:1]
     begun_anew = skill(CLAMP, ALL, past_result(passed=(), failed=GROUPS))
     assert (begun_anew.state, begun_anew.since) == (State.SHOWN, START)
 
 
 def levels_of(*results):
-    found = levels(KATAS[:1], tried(runs_of(results)))
-    return [(each.level, each.best, each.since) for each in found]
+    return levels_passed(KATAS[0], runs_of(results))
 
 
 def test_levels_are_counted_in_todays_groups_and_an_earlier_run_keeps_what_it_recorded():
     interview, production = KataLevel
     names = [group.name for group in find_problem("segment").of_level(interview)]
     rest = [group.name for group in find_problem("segment").of_level(production)]
-    found = levels_of(past_result(passed=names, failed=rest[:1]))
-    assert found == [(interview, len(names), START), (production, 0, None)]
+    assert levels_of(past_result(passed=names, failed=rest[:1])) == [interview]
+    assert levels_of(past_result(passed=names[1:], failed=names[:1])) == []
     earlier = replace(
         past_result(passed=("old",), failed=("older",)), levels=(LevelResult(interview, True, 1, 1, 1),)
     )
-    assert levels_of(earlier) == [(interview, len(names), START), (production, 0, None)]
+    assert levels_of(earlier) == [interview]
     accepted = past_result(passed=("old", "older"))
-    assert [since for _, _, since in levels_of(earlier, accepted)] == [START, days(1)]
+    assert levels_of(earlier, accepted) == [interview, production]
     assert solved(runs_of([earlier, accepted, accepted])) == {"segment": days(1)}
 
 

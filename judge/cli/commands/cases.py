@@ -33,14 +33,7 @@ from judge.problem import Case, Problem, Verdict
 from judge.problem.find import find_problem
 from judge.problem.model import Mode, case_of
 from judge.problem.module import load_module
-from judge.report.published_cases import (
-    CaseLine,
-    CaseTried,
-    HackLine,
-    HackList,
-    HackTurn,
-    PageWritten,
-)
+from judge.report import published_cases as published
 from judge.report.screen import Notes, is_terminal, note
 from judge.report.tell import shown_failure
 
@@ -60,7 +53,7 @@ class TryAsk(Struct, frozen=True):
     test: Path | None = opt("--pytest FILE", "Add the case as a pytest test of your file.")
 
 
-@command("try", CaseLine, PageWritten, numbers=True, ask=TryAsk)
+@command("try", published.CaseLine, published.PageWritten, numbers=True, ask=TryAsk)
 @click.argument("words", metavar="[KATA] [CASE|ID] [FILE]", nargs=-1, type=click.UNPROCESSED)
 def try_(words: tuple[str, ...], ask: TryAsk, common: Common) -> Iterator[Struct]:
     """See the exact answer to one case, and what your file answers.
@@ -73,7 +66,7 @@ def try_(words: tuple[str, ...], ask: TryAsk, common: Common) -> Iterator[Struct
     """
     problem, case, group, file = _meant(_arguments(words), common)
     page = ask.page or (_PAGE if ask.opened else None)
-    wanted: list[tuple[OutFile, Callable[[Path, Problem, CaseTried | None], str]]] = [
+    wanted: list[tuple[OutFile, Callable[[Path, Problem, published.CaseTried | None], str]]] = [
         (OutFile(page, "--out", "a page of judge try", lambda start: _PAGE_MARK in start), _page),
         (svg_target(ask.svg), _svg),
         (OutFile(ask.test, "--pytest", "a file of such tests", lambda start: start.startswith(MARK)), _test),
@@ -81,7 +74,7 @@ def try_(words: tuple[str, ...], ask: TryAsk, common: Common) -> Iterator[Struct
     found = None
     if case is not None:
         tried = try_case(problem, case, group)
-        found = CaseTried(tried, _said(tried, file, common) if file else None)
+        found = published.CaseTried(tried, _said(tried, file, common) if file else None)
     elif not page or ask.svg or ask.test:
         raise UsageError(f'Give a case: judge try {problem.id} "{example_of(problem)}"')
     written = [
@@ -91,7 +84,7 @@ def try_(words: tuple[str, ...], ask: TryAsk, common: Common) -> Iterator[Struct
         yield found
     for target, path, text in written:
         target.write(text.encode())
-        yield PageWritten(problem=problem.id, file=str(path))
+        yield published.PageWritten(problem=problem.id, file=str(path))
     if ask.opened and page:
         import webbrowser  # hardly ever
 
@@ -163,7 +156,7 @@ def _said(tried: Tried, file: str, common: Common) -> Said:
     return said
 
 
-def _page(_path: Path, problem: Problem, found: CaseTried | None) -> str:
+def _page(_path: Path, problem: Problem, found: published.CaseTried | None) -> str:
     explore = load_module(problem).hooks.explore
     page = explore(problem, problem.named(found.tried.case) if found else None) if explore else None
     if page is None:
@@ -171,7 +164,7 @@ def _page(_path: Path, problem: Problem, found: CaseTried | None) -> str:
     return page
 
 
-def _svg(_path: Path, _problem: Problem, found: CaseTried | None) -> str:
+def _svg(_path: Path, _problem: Problem, found: published.CaseTried | None) -> str:
     from judge.drawing.svg import to_svg
     from judge.report.cases import picture_of
 
@@ -181,7 +174,7 @@ def _svg(_path: Path, _problem: Problem, found: CaseTried | None) -> str:
     return to_svg(picture)
 
 
-def _test(path: Path, _problem: Problem, found: CaseTried | None) -> str:
+def _test(path: Path, _problem: Problem, found: published.CaseTried | None) -> str:
     said = found.said if found else None
     if not found or not said or said.mode is not Mode.FUNCTION or not Path(said.name).is_file():
         raise UsageError("--pytest tests a function", remedy="name a file that defines it")
@@ -199,7 +192,7 @@ class HackAsk(Struct, frozen=True):
     give_up: bool = opt("--give-up", "Name the mistake, and show a smallest case.")
 
 
-@command("hack", HackLine, HackList, numbers=True, ask=HackAsk)
+@command("hack", published.HackLine, published.HackList, numbers=True, ask=HackAsk)
 @click.argument("name", metavar="KATA")
 @click.argument("words", metavar="[N] [CASE]", nargs=-1, type=click.UNPROCESSED)
 def hack(name: str, words: tuple[str, ...], ask: HackAsk, common: Common) -> Iterator[Struct]:
@@ -268,7 +261,7 @@ class _Hacking(Struct, frozen=True):
     puzzles: tuple[Puzzle, ...]
     common: Common
 
-    def attempted(self, puzzle: Puzzle, text: str) -> HackTurn:
+    def attempted(self, puzzle: Puzzle, text: str) -> published.HackTurn:
         """What the program answers to the case, and whether that breaks it."""
         found = attack(self.problem, puzzle, read_case(self.problem, text), self.common.isolation)
         why = found.why
@@ -280,7 +273,7 @@ class _Hacking(Struct, frozen=True):
         Notes().say(found.notes)
         return self.turn(puzzle, "lost" if why else "won", why, found.tried, found.said)
 
-    def given_up(self, puzzle: Puzzle) -> HackTurn:
+    def given_up(self, puzzle: Puzzle) -> published.HackTurn:
         """The mistake, and a smallest case."""
         from judge.report.wait import progress
 
@@ -288,10 +281,10 @@ class _Hacking(Struct, frozen=True):
         self._keep(puzzle, line_of(self.problem, tried.case) if tried else "", Outcome.GIVEN_UP)
         return self.turn(puzzle, "given-up", "", tried, said)
 
-    def turn(self, puzzle: Puzzle, outcome: str, *found: Any) -> HackTurn:
+    def turn(self, puzzle: Puzzle, outcome: str, *found: Any) -> published.HackTurn:
         """What is shown of the program, as all of them stand now; `found` is the rest of a HackTurn."""
         states = hack_states([each.mistake for each in self.puzzles], self._hacks())
-        return HackTurn(self.problem, self.puzzles, states, puzzle, outcome, *found)
+        return published.HackTurn(self.problem, self.puzzles, states, puzzle, outcome, *found)
 
     def _keep(self, puzzle: Puzzle, case: str, outcome: Outcome) -> None:
         keep(Hack(self.problem.id, puzzle.mistake, case, outcome), self.common.db)

@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING
 
 import click
 from msgspec import Struct
+from msgspec.structs import replace
 
 from judge.cli.files import OutFile, read_submissions
 from judge.cli.options import Common, command, opt
@@ -359,15 +360,13 @@ class _Interview(Round):
         return self._left(_LAST) > 0
 
     def _judge(self, watched: WatchedFile) -> None:
-        from judge.report.published_result import Judged
         from judge.report.result import judged
 
         found = watched.judge()
         if isinstance(found, str):
             note(found)
             return
-        shown = Judged(found.result, found.source, found.problem, found.rows, commands=False)
-        self.show(judged(shown, self.screen))
+        self.show(judged(replace(found, commands=False), self.screen))
         self.screen.write("\n")
         self._runs, self._last = self._runs + 1, found.result
 

@@ -12,7 +12,7 @@ from msgspec import Struct
 from judge.cli.options import Common, command, opt
 from judge.cli.resolve import current, history_at, this_folder
 from judge.errors import StoreError, UsageError
-from judge.practice.progress import levels, solved, stars, tried
+from judge.practice.progress import levels_passed, solved, tried
 from judge.practice.syllabus import USUAL, sound_sets
 from judge.problem.find import find_problem, listed_problems
 from judge.problem.model import Listed
@@ -76,7 +76,7 @@ def _rows(problems: Sequence[Listed], db: Path | None) -> tuple[dict[str, KataRo
     except StoreError as fault:
         note(str(fault))
         runs, taken_up = [], None
-    done, won = solved(runs), stars(levels(problems, tried(runs)))
+    done, own = solved(runs), tried(runs)
     rows = {
         each.id: copied(
             KataRow,
@@ -86,7 +86,7 @@ def _rows(problems: Sequence[Listed], db: Path | None) -> tuple[dict[str, KataRo
             cases=sum(group.count for group in each.groups),
             points=sum(group.points for group in each.groups),
             solved=each.id in done,
-            stars=won[each.id],
+            stars=len(levels_passed(each, own.get(each.id, ()))),
         )
         for each in problems
     }

@@ -5,7 +5,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from difflib import unified_diff
 from pathlib import Path
 
@@ -22,28 +22,14 @@ from judge.practice import progress as learned
 from judge.practice.cards import known_cards, read_decks
 from judge.practice.events import Answer, Hack, Help, Run
 from judge.practice.history import History
-from judge.practice.progress import SkillProgress, State, Tried
+from judge.practice.progress import State, Tried
 from judge.practice.review import reviews
 from judge.practice.stub import write_over
 from judge.practice.syllabus import USUAL, Checklist, PracticeSet
 from judge.problem import Problem
 from judge.problem.find import find_problem, problem_folders, sound_problems
-from judge.report.published_progress import (
-    CardsDue,
-    DueShown,
-    GroupChange,
-    NextKata,
-    ProgressPage,
-    ProgressShown,
-    ProgressWritten,
-    QuestionShown,
-    Restored,
-    RunList,
-    RunRow,
-    RunsCompared,
-    SetShare,
-    Unfinished,
-)
+from judge.report import published_progress as published
+from judge.report.published_look import Next
 from judge.report.screen import note
 from judge.report.views import copied
 
@@ -54,7 +40,7 @@ _PAGE = Path("judge-report.html")
 class ProgressAsk(Struct, frozen=True):
     """What to show of the progress."""
 
-    whole: bool = opt("--all", "List each skill, kata and question.")
+    whole: bool = opt("--all", "List each skill and question.")
     due: bool = opt("--due", "What to repeat today, and when the rest comes again.")
     question: str | None = opt("--question ID", "One interview question, and what ticks it.")
     html: bool = opt("--html", "Write a page that you can send and print.")
@@ -63,7 +49,14 @@ class ProgressAsk(Struct, frozen=True):
     opened: bool = opt("--open", "Open the page in the browser.")
 
 
-@command("progress", ProgressShown, DueShown, QuestionShown, ProgressWritten, ask=ProgressAsk)
+@command(
+    "progress",
+    published.ProgressShown,
+    published.DueShown,
+    published.QuestionShown,
+    published.ProgressWritten,
+    ask=ProgressAsk,
+)
 @click.argument("name", metavar="[SET]", default=USUAL)
 def progress(name: str, ask: ProgressAsk, common: Common) -> Struct:
     """Show what you can do, what is due, and what comes next.
@@ -99,14 +92,13 @@ def progress(name: str, ask: ProgressAsk, common: Common) -> Struct:
     asked = learned.questions(problems, done, every, checklist, cards, answers, hacks)
     if ask.question is not None:
         row = syllabus.find_row(ask.question, checklist.rows).id
-        return QuestionShown(question=next(each for each in asked if each.row == row))
+        return published.QuestionShown(question=next(each for each in asked if each.row == row))
     sets = syllabus.sound_sets(problems, folders)[0] if name == USUAL else []
     parts = {each.title for each in checklist.sections if name in (USUAL, *each.sets)}
-    shown_levels = learned.levels(chosen.problems, own)
-    won = list(learned.stars(shown_levels).values())
-    shown_skills = learned.skills(chosen.problems, own, checklist.skills)
+    won = _stars(chosen.problems, own)
     ids = tuple(problem.id for problem in chosen.problems)
-    told = ProgressShown(
+    following = next((each for each in chosen.problems if each.id not in own), None)
+    told = published.ProgressShown(
         set=name,
         title=chosen.title,
         katas=ids,
@@ -114,26 +106,23 @@ def progress(name: str, ask: ProgressAsk, common: Common) -> Struct:
         one_star=won.count(1),
         two_stars=won.count(2),
         sets=tuple(_share(each, own, checklist) for each in sets if each.problems and each.name != USUAL),
-        skills=tuple(shown_skills),
-        levels=tuple(shown_levels),
+        skills=tuple(learned.skills(chosen.problems, own, checklist.skills)),
         mistakes=dict(
             learned.mistakes(run for name in own if name in ids for run in own[name]).most_common()
         ),
         rows=tuple([each for each in asked if each.section in parts] or asked),
-        hacks=tuple(learned.hack_shares(chosen.problems, hacks)),
-        next=_next(chosen.problems, own, every),
+        next=Next(following.id, following.title, following.summary) if following else None,
     )
-    return ProgressPage(told, due, ask.whole)
+    return published.ProgressPage(told, due, ask.whole)
 
 
-def _share(part: PracticeSet[Problem], own: Tried, checklist: Checklist) -> SetShare:
-    its = learned.levels(part.problems, own)
-    won, shown = list(learned.stars(its).values()), learned.skills(part.problems, own, checklist.skills)
-    return SetShare(
+def _share(part: PracticeSet[Problem], own: Tried, checklist: Checklist) -> published.SetShare:
+    won, shown = _stars(part.problems, own), learned.skills(part.problems, own, checklist.skills)
+    return published.SetShare(
         name=part.name,
         katas=len(part.problems),
         solved=sum(any(run.solved for run in own.get(each.id, ())) for each in part.problems),
-        levelled=len({level.problem for level in its}),
+        levelled=sum(bool(each.levels) for each in part.problems),
         one_star=won.count(1),
         two_stars=won.count(2),
         skills=len(shown),
@@ -141,42 +130,32 @@ def _share(part: PracticeSet[Problem], own: Tried, checklist: Checklist) -> SetS
     )
 
 
-def _next(problems: Sequence[Problem], own: Tried, shown: Sequence[SkillProgress]) -> NextKata | None:
-    """The first that was not tried; None where all were."""
-    for problem in problems:
-        if problem.id not in own:
-            named = {skill.name for skill in problem.skills}
-            new = (each.name for each in shown if each.state is not State.SHOWN and each.name in named)
-            return NextKata(problem=problem.id, title=problem.title, skill=next(new, ""))
-    return None
+def _stars(problems: Iterable[Problem], own: Tried) -> list[int]:
+    """How many levels of each of these katas were passed."""
+    return [len(learned.levels_passed(each, own.get(each.id, ()))) for each in problems]
 
 
 def _due(
     runs: Sequence[Run], helps: Sequence[Help], answers: Sequence[Answer], folders: Sequence[Path]
-) -> DueShown:
+) -> published.DueShown:
     """What is unfinished, and what comes again when; a kata that is unfinished is not repeated yet."""
     today, here = events.now().astimezone(), {folder.name for folder in problem_folders(folders)}
-    found, own, done = reviews(runs, helps), learned.tried(runs), learned.solved(runs)
+    own, done = learned.tried(runs), learned.solved(runs)
     unsolved = {name: tries for name, tries in own.items() if name in here and name not in done}
-    known = [each for each in found if each.name in here and each.name not in unsolved]
-    cards = known_cards(answers, folders)
-    return DueShown(
+    known = [each for each in reviews(runs, helps) if each.name in here and each.name not in unsolved]
+    return published.DueShown(
         time=today,
         now=tuple(
-            Unfinished(problem=name, best=max(run.score for run in tries), last=tries[-1].when)
+            published.Unfinished(problem=name, best=max(run.score for run in tries), last=tries[-1].when)
             for name, tries in unsolved.items()
         ),
         due=tuple(each for each in known if each.is_due(today)),
         later=tuple(each for each in known if not each.is_due(today)),
-        elsewhere=tuple(sorted({each.name for each in found} - here)),
-        cards=CardsDue(
-            tuple(each for each in cards if each.is_due(today)),
-            tuple(each for each in cards if not each.is_due(today)),
-        ),
+        cards=tuple(known_cards(answers, folders)),
     )
 
 
-def _page(ask: ProgressAsk, common: Common) -> ProgressWritten:
+def _page(ask: ProgressAsk, common: Common) -> published.ProgressWritten:
     """Write the page. Raises UsageError where there is nothing to write, or something else is there."""
     from judge.report.html import is_page
     from judge.report.html.learner import MARK, learner_page
@@ -204,7 +183,7 @@ def _page(ask: ProgressAsk, common: Common) -> ProgressWritten:
     if ask.opened:
         click.launch(str(ask.out))
     names = tuple(sorted({run.problem for run in runs}))
-    return ProgressWritten(out=shown(ask.out), bytes=len(page), runs=len(runs), problems=names)
+    return published.ProgressWritten(out=shown(ask.out), bytes=len(page), runs=len(runs), problems=names)
 
 
 class HistoryAsk(Struct, frozen=True):
@@ -216,7 +195,7 @@ class HistoryAsk(Struct, frozen=True):
     out: Path | None = opt("--out FILE", "Restore it to this file instead.")
 
 
-@command("history", RunRow, RunsCompared, Restored, ask=HistoryAsk)
+@command("history", published.RunRow, published.RunsCompared, published.Restored, ask=HistoryAsk)
 @click.argument("words", metavar="[KATA|RUN [RUN]]", nargs=-1)
 def history(words: tuple[str, ...], ask: HistoryAsk, common: Common) -> Struct:
     """Show your runs, one run, or what changed between two.
@@ -244,10 +223,10 @@ def history(words: tuple[str, ...], ask: HistoryAsk, common: Common) -> Struct:
         runs = [(found.run(number), found.source(number)) for number in numbers]
     if ask.restore:
         return _restored(*runs[0], ask.out)
-    return _compared(*runs) if len(runs) == 2 else copied(RunRow, runs[0][0])
+    return _compared(*runs) if len(runs) == 2 else copied(published.RunRow, runs[0][0])
 
 
-def _listed(name: str, ask: HistoryAsk, common: Common, history: History) -> RunList:
+def _listed(name: str, ask: HistoryAsk, common: Common, history: History) -> published.RunList:
     """The last runs, of that kata if one is named, which may be gone since. Raises UsageError."""
     on_screen = not (common.json or ask.csv)
     short = on_screen and ask.limit is None
@@ -257,10 +236,10 @@ def _listed(name: str, ask: HistoryAsk, common: Common, history: History) -> Run
     if not runs and name:
         find_problem(name, common.problems)
     kept = runs[-_ON_SCREEN:] if short else runs
-    return RunList(tuple(kept), name, more=len(kept) < len(runs), csv=ask.csv)
+    return published.RunList(tuple(kept), name, more=len(kept) < len(runs), csv=ask.csv)
 
 
-def _compared(first: tuple[Run, bytes], second: tuple[Run, bytes]) -> RunsCompared:
+def _compared(first: tuple[Run, bytes], second: tuple[Run, bytes]) -> published.RunsCompared:
     """What changed between two runs of one kata. Raises UsageError."""
     (before, old), (after, new) = first, second
     if before.problem != after.problem:
@@ -271,14 +250,14 @@ def _compared(first: tuple[Run, bytes], second: tuple[Run, bytes]) -> RunsCompar
     )
     old_lines, new_lines = (text.decode("utf-8", "backslashreplace").splitlines() for text in (old, new))
     diff = unified_diff(old_lines, new_lines, f"run {before.id}", f"run {after.id}", lineterm="")
-    return RunsCompared(
+    return published.RunsCompared(
         problem=before.problem,
         before=before.id,
         after=after.id,
         verdicts=(before.verdict, after.verdict),
         scores=(before.score, after.score),
         groups=tuple(
-            GroupChange(name, ended.get(name), now.get(name))
+            published.GroupChange(name, ended.get(name), now.get(name))
             for name in ended | now
             if ended.get(name) != now.get(name)
         ),
@@ -286,7 +265,7 @@ def _compared(first: tuple[Run, bytes], second: tuple[Run, bytes]) -> RunsCompar
     )
 
 
-def _restored(run: Run, source: bytes, target: Path | None) -> Restored:
+def _restored(run: Run, source: bytes, target: Path | None) -> published.Restored:
     """Write the source of that run to `target`, or to where it was; what is there is kept beside it."""
     if target is None and not run.path:
         raise UsageError(f"run {run.id} judged no ordinary file", remedy="name one with --out FILE")
@@ -300,7 +279,7 @@ def _restored(run: Run, source: bytes, target: Path | None) -> Restored:
             new_file(target, source)
     except OSError as fault:
         raise unwritable(target, fault, "name another file with --out") from fault
-    return Restored(
+    return published.Restored(
         run=run.id,
         time=run.when,
         problem=run.problem,

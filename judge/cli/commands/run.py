@@ -9,7 +9,6 @@ import sys
 from collections.abc import Generator, Iterator, Sequence
 from contextlib import closing, nullcontext, suppress
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import click
 from msgspec import Struct
@@ -24,9 +23,6 @@ from judge.problem import Problem
 from judge.problem.model import LEVELS, chosen_groups
 from judge.report.published_result import Judged, Several
 from judge.run.result import Result, judge_fault
-
-if TYPE_CHECKING:
-    from judge.cli.drawings import Drawing
 
 _SEEDS = 10**9  # a fresh seed is below it: short enough to be typed again
 TEXT, GITHUB, EDITOR = FORMATS = ("text", "github", "editor")
@@ -129,7 +125,7 @@ def _lines(judged: Judged, form: str) -> str:
     """The result as another program reads it."""
     from judge.report.formats import annotation, editor_lines
 
-    asked = judged.result, judged.source, judged.problem.entry if judged.problem else ""
+    asked = judged.result, judged.source, judged.data.problem.entry if judged.data else ""
     lines = editor_lines(*asked) if form == EDITOR else (annotation(*asked, os.environ),)
     return "".join(f"{line}\n" for line in lines)
 
@@ -165,16 +161,16 @@ def _judged(
                 end = done + len(submissions)
                 try:
                     with closing(judged(problem, submissions, replace(wish, before=done))) as drawn:
-                        for each in drawn:
+                        for found in drawn:
                             done += 1
                             if advance:
                                 advance(done, total)
-                            row = replace(_shown(each, ask), several=several)
+                            row = replace(found, several=several, quiet=ask.quiet, whole=ask.whole)
                             alone = total == 1 and not (ask.quiet or common.json)
                             yield _with_standing(row, ask, common) if alone else row
-                            each.save(svg)
+                            _draw(row, svg)
                             if not (common.isolation or brief) and plain:
-                                _say_that_full_is_missing(each.result)
+                                _say_that_full_is_missing(row.result)
                 except JudgeError as fault:
                     if isinstance(fault, UsageError) or len(tasks) == 1:
                         raise
@@ -185,12 +181,6 @@ def _judged(
         raise
     for entry in unjudged:
         yield Judged(judge_fault(entry.problem, entry.name, entry.why), several=several)
-
-
-def _shown(drawing: Drawing, ask: RunAsk) -> Judged:
-    """What is shown of a result."""
-    found = drawing.result
-    return Judged(found, drawing.source, drawing.problem, drawing.rows, quiet=ask.quiet, whole=ask.whole)
 
 
 def _with_standing(found: Judged, ask: RunAsk, common: Common) -> Judged:
@@ -209,7 +199,6 @@ def _fresh(
     problem: Problem, submissions: list[Submission], svg: OutFile, ask: RunAsk, common: Common
 ) -> Iterator[Judged]:
     """One submission on new cases for so long. Raises KeyboardInterrupt if that ended it and none failed."""
-    from judge.cli.drawings import Drawing
     from judge.data.load import ProblemData
     from judge.judging.cases import judge_fresh
     from judge.judging.session import Session
@@ -234,11 +223,32 @@ def _fresh(
     result = stressed.result
     again = f"{stressed.cases:,} fresh cases in {stressed.seconds:.0f} s; the same again: --seed {seed}"
     Notes().say(result.notes)
-    drawing = Drawing(problem, ProblemData(problem, ()), result.noting(again), submission.source)
-    drawing.save(svg)
-    yield replace(_shown(drawing, ask), fresh=again)
+    data = ProblemData(problem, ())
+    found = Judged(
+        result.noting(again), submission.source, data, quiet=ask.quiet, whole=ask.whole, fresh=again
+    )
+    _draw(found, svg)
+    yield found
     if stressed.interrupted and result.failure is None:
         raise KeyboardInterrupt
+
+
+def _draw(found: Judged, target: OutFile) -> None:
+    """Write the SVG, if one was asked for. Raises UsageError where that cannot be done."""
+    if target.path is None:
+        return
+    from judge.drawing import Picture
+    from judge.drawing.chart import chart_svg
+    from judge.drawing.svg import to_svg
+    from judge.report.picture import result_picture
+    from judge.report.screen import note
+
+    picture = result_picture(found)
+    if picture is None:
+        note(f"nothing to draw, {target.path} is not written: no case failed that can be drawn")
+        return
+    drawn = to_svg(picture) if isinstance(picture, Picture) else chart_svg(picture, alone=True)
+    target.write(drawn.encode())
 
 
 def _say_that_full_is_missing(result: Result) -> None:

@@ -29,14 +29,7 @@ from judge.practice.setter import begin_kata, deck_faults, kata_faults
 from judge.problem import Problem
 from judge.problem.find import find_problem, folders_within, problem_folders
 from judge.problem.model import chosen_groups
-from judge.report.published_setter import (
-    DecksVerified,
-    Exported,
-    FilesWritten,
-    NewKata,
-    Verified,
-    VerifySummary,
-)
+from judge.report import published_setter as published
 from judge.report.screen import note
 from judge.report.views import copied
 from judge.report.wait import progress, stages
@@ -49,10 +42,10 @@ _BOTH = "both"
 _REMEDY = "name another folder with --out"
 
 
-@command("new", NewKata)
+@command("new", published.NewKata)
 @click.argument("folder", metavar="DIR", type=click.Path(path_type=Path))
 @click.argument("name", metavar="[NAME]", required=False)
-def new(folder: Path, name: str | None, common: Common) -> NewKata:  # noqa: ARG001 - every command has them
+def new(folder: Path, name: str | None, common: Common) -> published.NewKata:  # noqa: ARG001 - every command has them
     """Write a kata of your own to begin with.
 
     It goes into DIR/problems/NAME and DIR/solutions/NAME. If DIR is itself a folder of problems, it goes
@@ -63,7 +56,7 @@ def new(folder: Path, name: str | None, common: Common) -> NewKata:  # noqa: ARG
     """
     begun = begin_kata(folder, name)
     files = tuple(map(str, begun.files))
-    return NewKata(begun.problem.id, begun.problem.title, str(begun.problems), files)
+    return published.NewKata(begun.problem.id, begun.problem.title, str(begun.problems), files)
 
 
 class VerifyAsk(Struct, frozen=True):
@@ -80,7 +73,7 @@ class VerifyAsk(Struct, frozen=True):
     jobs: int = opt("-j --jobs N", "Check N katas at once.", type=click.IntRange(1, 64), default=1)
 
 
-@command("verify", Verified, DecksVerified, ask=VerifyAsk)
+@command("verify", published.Verified, published.DecksVerified, ask=VerifyAsk)
 @click.argument("names", metavar="[KATA]...", nargs=-1)
 def verify(names: tuple[str, ...], ask: VerifyAsk, common: Common) -> Iterator[Struct]:
     """Check katas from the setter's side.
@@ -103,7 +96,7 @@ def verify(names: tuple[str, ...], ask: VerifyAsk, common: Common) -> Iterator[S
     mine = folders_within(common.problems) if common.problems else problem_folders()
     chosen = tuple(dict.fromkeys(names or sorted(folder.name for folder in mine)))
     check, faults = partial(_verify, ask, common.problems), 0
-    checked: Iterator[Verified] = map(check, chosen)
+    checked: Iterator[published.Verified] = map(check, chosen)
     if ask.jobs > 1 and len(chosen) > 1:
         from judge.judging.pool import Processes, in_order
 
@@ -118,20 +111,20 @@ def verify(names: tuple[str, ...], ask: VerifyAsk, common: Common) -> Iterator[S
         faults += len(found.faults)
         yield found
     if not narrow:
-        decks = DecksVerified(*deck_faults(common.problems, names))
+        decks = published.DecksVerified(*deck_faults(common.problems, names))
         faults += len(decks.faults)
         if decks.cards or decks.faults:
             yield decks
     if len(chosen) > 1:
-        yield VerifySummary(len(chosen), faults)
+        yield published.VerifySummary(len(chosen), faults)
 
 
-def _unread(name: str, what: str, where: str = "", remedy: str = "") -> Verified:
+def _unread(name: str, what: str, where: str = "", remedy: str = "") -> published.Verified:
     """A kata that could not be looked at, which is its only fault."""
-    return Verified(name, 0, 0, "differing", (), (Fault(what, where or name, remedy),), ok=False)
+    return published.Verified(name, 0, 0, "differing", (), (Fault(what, where or name, remedy),), ok=False)
 
 
-def _verify(ask: VerifyAsk, folders: Sequence[Path], name: str) -> Verified:
+def _verify(ask: VerifyAsk, folders: Sequence[Path], name: str) -> published.Verified:
     """What was found of one kata."""
     try:
         problem = find_problem(name, folders)
@@ -159,7 +152,7 @@ def _verify(ask: VerifyAsk, folders: Sequence[Path], name: str) -> Verified:
         )
     faults = tuple(dict.fromkeys((*report.faults, *found.faults, *kata_faults(problem, folders))))
     return copied(
-        Verified,
+        published.Verified,
         report,
         ok=not faults,
         faults=faults,
@@ -192,7 +185,7 @@ class ExportAsk(Struct, frozen=True):
     force: bool = opt("--force", "Write over files that are there already.")
 
 
-@command("export", Exported, FilesWritten, ask=ExportAsk)
+@command("export", published.Exported, published.FilesWritten, ask=ExportAsk)
 @click.argument("names", metavar="KATA...", nargs=-1, required=True)
 def write(names: tuple[str, ...], ask: ExportAsk, common: Common) -> Iterator[Struct]:
     """Write katas as packages or files that other judges read.
@@ -214,7 +207,7 @@ def write(names: tuple[str, ...], ask: ExportAsk, common: Common) -> Iterator[St
     return map(partial(_write_files, ask), problems)
 
 
-def _packages(problems: Sequence[Problem], ask: ExportAsk) -> Iterator[Exported]:
+def _packages(problems: Sequence[Problem], ask: ExportAsk) -> Iterator[published.Exported]:
     """The packages of each; of several, one whose folder is broken costs itself only."""
     versions = tuple(Version) if ask.version == _BOTH else (Version(ask.version),)
     order = Order(ask.out, versions, ask.archives, not ask.bare, ask.wrong)
@@ -235,7 +228,7 @@ def _packages(problems: Sequence[Problem], ask: ExportAsk) -> Iterator[Exported]
             except ProblemError as fault:
                 broken, found = fault, replace(found, left_out=str(fault))
         if broken is None or len(problems) > 1:
-            yield copied(Exported, found)
+            yield copied(published.Exported, found)
     if broken is not None:
         raise broken
     if not wanted:
@@ -257,7 +250,7 @@ def _make_room(target: Path, names: Sequence[str], *, force: bool) -> None:
         raise UsageError(what, where=str(target), remedy="name an empty folder or add --force")
 
 
-def _write_files(ask: ExportAsk, problem: Problem) -> FilesWritten:
+def _write_files(ask: ExportAsk, problem: Problem) -> published.FilesWritten:
     """The data of one kata, three files a group."""
     target, cases = ask.out / problem.id, 0
     with progress(f"building {problem.id}") as advance:
@@ -269,4 +262,4 @@ def _write_files(ask: ExportAsk, problem: Problem) -> FilesWritten:
         for name, content in group_files(data, group):
             with writing(target / name, _REMEDY):
                 replace_file(target / name, content.encode())
-    return FilesWritten(problem.id, str(target), cases, _names(problem))
+    return published.FilesWritten(problem.id, str(target), cases, _names(problem))

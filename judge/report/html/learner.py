@@ -16,7 +16,7 @@ from judge.drawing.chart import Axis, Chart, Series, chart_svg
 from judge.drawing.shapes import Role
 from judge.errors import StoreError
 from judge.practice.events import Run
-from judge.practice.progress import SkillProgress, State, levels, tried
+from judge.practice.progress import SkillProgress, State, levels_passed, tried
 from judge.problem import Problem, Verdict
 from judge.report.html import day, page
 from judge.report.html.case import Case, Cases
@@ -116,7 +116,6 @@ def _chart(runs: Sequence[datetime], solved: Sequence[datetime], skills: Sequenc
 def _kata(anchor: str, runs: Sequence[Run], cases: Cases, source: bytes) -> dict[str, Any]:
     """A kata with runs, newest first, of which `left_out` are not shown, and the levels that one passed."""
     problem = cases.problems.get(runs[0].problem)
-    passed = levels([problem], {problem.id: runs}) if problem else []
     text = source.decode("utf-8", "backslashreplace")
     if len(text) > _LONGEST_SOURCE:
         text = text[:_LONGEST_SOURCE] + "\n… (the rest is left out)"
@@ -127,7 +126,7 @@ def _kata(anchor: str, runs: Sequence[Run], cases: Cases, source: bytes) -> dict
         "summary": problem.summary if problem else "This kata is not here any more.",
         "solved": next((run.when for run in runs if run.solved), None),
         "best": max(run.score for run in runs),
-        "levels": [each.level.value for each in passed if each.level and each.since],
+        "levels": [each.value for each in levels_passed(problem, runs)] if problem else [],
         "ratio": min((run.ratio for run in runs if run.solved and run.ratio is not None), default=None),
         "runs": runs[: -_MOST_RUNS - 1 : -1],
         "left_out": max(0, len(runs) - _MOST_RUNS),
