@@ -30,8 +30,8 @@ from judge.languages import language_of
 from judge.practice.progress import solved
 from judge.practice.stub import make_stub, usual_name, write_stub
 from judge.practice.syllabus import Course, read_course
-from judge.report.parts import faint, good, prose, warning
-from judge.report.picture import has_room
+from judge.report.parts import faint, good, warning
+from judge.report.picture import has_room, statement
 from judge.report.published_result import Judged
 from judge.report.result import drawing_of, magnified, screenful, told_of, verdict_line
 from judge.report.screen import Screen, drawn, out
@@ -280,7 +280,7 @@ class _Loop:
         self._say(faint(f"Opened {file.name}"))
 
     def _statement(self, screen: Screen) -> RenderableType:
-        return prose(self._kata.problem.statement, screen)
+        return statement(self._kata.problem, screen)
 
     def _list(self, screen: Screen) -> RenderableType:
         from judge.cli.commands.look import ListAsk, listed

@@ -11,6 +11,7 @@ from rich.console import Group, RenderableType
 
 from judge.data.parse import call_of, line_of
 from judge.drawing import Picture
+from judge.drawing.braille import LEAST_ROWS
 from judge.practice.progress import HackState
 from judge.problem import Verdict
 from judge.report.parts import (
@@ -29,7 +30,7 @@ from judge.report.parts import (
     text,
     under,
 )
-from judge.report.picture import LEAST_ROWS, case_picture, drawing
+from judge.report.picture import case_picture, drawing
 from judge.report.published_cases import CaseTried, HackTurn, PageWritten
 from judge.report.screen import Screen, drawn
 from judge.report.tell import obstacle_text

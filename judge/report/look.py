@@ -34,6 +34,7 @@ from judge.report.parts import (
     table,
     text,
 )
+from judge.report.picture import statement
 from judge.report.screen import Screen
 from judge.report.words import counted, shown_command, shown_name
 from judge.values.answers import Words
@@ -161,7 +162,7 @@ def kata_shown(found: published.KataShown, screen: Screen) -> RenderableType:
         return blocks(*_levels(problem))
     said = (("authors", ", ".join(source.authors)), ("license", source.license), ("origin", source.origin))
     return blocks(
-        prose(problem.statement, screen),
+        statement(problem, screen),
         heading("Parameters", _parameters(problem.parameters)),
         heading("Tests", facts([*_allowed(problem), *(each for each in said if each[1])])),
     )

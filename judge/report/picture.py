@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import partial
 from typing import TYPE_CHECKING
 
 from judge.drawing import Picture
 from judge.drawing.braille import COLUMNS, ROWS, to_braille
-from judge.drawing.braille import LEAST_ROWS as LEAST_ROWS
 from judge.drawing.chart import Axis, Chart, Series, chart_braille
 from judge.drawing.shapes import Role
 from judge.errors import JudgeError, told
@@ -22,6 +21,7 @@ from judge.run.result import Failure, Growth
 from judge.values.answers import within
 
 if TYPE_CHECKING:
+    from rich.console import RenderableType
     from rich.text import Text
 
     from judge.problem.module import Module
@@ -65,7 +65,10 @@ def picture_rows(picture: Picture | Chart, rows: int = ROWS, *, answered: bool =
         drawn = chart_braille(picture, rows)
     else:
         drawn = to_braille(picture, rows, answered=answered)
-    return [Text.assemble(*((each.text, _COLOURS.get(each.role, "")) for each in row)) for row in drawn]
+    found = [Text.assemble(*((each.text, _COLOURS.get(each.role, "")) for each in row)) for row in drawn]
+    while found and not found[-1].plain.strip():
+        found.pop()
+    return found
 
 
 def drawing(
@@ -96,12 +99,19 @@ def result_picture(found: Judged) -> Picture | Chart | None:
     return case_picture(found.data.problem, found.data.module, shown, failure.group, heading)
 
 
-FIGURE = "figure.svg"
+GAP = 3  # columns between a drawing and what stands beside it
 
 
 def figure(problem: Problem) -> str | None:
-    """The SVG; None where the problem draws none of its examples."""
+    """The SVG of a statement; None where the problem draws none of its examples."""
     from judge.drawing.svg import panel_svg
+
+    found = example_picture(problem)
+    return panel_svg(found.whole, "figure", found.description, alone=True) + "\n" if found else None
+
+
+def example_picture(problem: Problem) -> Picture | None:
+    """The first example that the problem draws, with its answer; None where it draws none."""
     from judge.problem.module import load_module
     from judge.values import show
 
@@ -111,8 +121,36 @@ def figure(problem: Problem) -> str | None:
         case = Failure("", input=problem.named(example.case), expected=wanted)
         picture = case_picture(problem, module, case, EXAMPLES, "example")
         if picture is not None:
-            return panel_svg(picture.whole, "figure", picture.description, alone=True) + "\n"
+            return picture
     return None
+
+
+def statement(problem: Problem, screen: Screen) -> RenderableType:
+    """The statement, on a terminal with its figure."""
+    from rich.console import Group
+
+    from judge.report.parts import FIGURE, blocks, indented, prose
+
+    before, *after = FIGURE.split(problem.statement, 1)
+    rows = drawing(partial(example_picture, problem), screen, "the figure") if after else None
+    if rows is None:
+        return prose(problem.statement, screen)
+    return blocks(prose(before, screen), indented(Group(*rows(ROWS))), prose(after[0], screen))
+
+
+def beside(left: RenderableType, rows: Sequence[Text], width: int | None) -> RenderableType | None:
+    """A drawing to the right of what belongs to it; None where it would take more than half of the width."""
+    from rich.console import Group
+    from rich.table import Table
+
+    wide = max((row.cell_len for row in rows), default=0)
+    if width is None or width - wide - GAP < width // 2:
+        return None
+    both = Table.grid(expand=True, padding=(0, 0, 0, GAP))
+    both.add_column(ratio=1)
+    both.add_column(width=wide + GAP, no_wrap=True)
+    both.add_row(left, Group(*rows))
+    return both
 
 
 def case_picture(

@@ -51,7 +51,8 @@ def question(asked: Question, place: str, screen: Screen) -> RenderableType:
     if asked.options:
         parts.append(indented(table([(strong(letter), said) for letter, said in asked.options])))
     if asked.picture is not None:
-        from judge.report.picture import LEAST_ROWS, has_room, picture_rows
+        from judge.drawing.braille import LEAST_ROWS
+        from judge.report.picture import has_room, picture_rows
 
         if has_room(screen, _PANEL):
             room = screen.height - drawn(Group(*parts), screen).count("\n") - _AROUND

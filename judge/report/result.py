@@ -7,7 +7,6 @@ from functools import partial
 
 from msgspec import Struct
 from rich.console import Group, RenderableType
-from rich.table import Table
 from rich.text import Text
 
 from judge.problem import Verdict
@@ -38,7 +37,6 @@ Drawing = Callable[[int], Sequence[Text]]  # the picture of the failing case in 
 _LABELS = {"got": bad, "expected": good}
 _LEAST, _MOST = 9, 14  # rows of a picture
 _ROWS = 60  # of a result, on whatever screen
-_GAP = 3  # columns between the case and its picture
 
 
 class _Cut(Struct, frozen=True):
@@ -163,15 +161,10 @@ def _with_picture(
     """The picture beside the case where both have room, or else below it."""
     if drawing is None or not cut.picture:
         return case
+    from judge.report.picture import beside
+
     rows = drawing(cut.picture)
-    wide = max((row.cell_len for row in rows), default=0)
-    if width is not None and width - 4 - _GAP - wide >= width // 2:
-        both = Table.grid(expand=True, padding=(0, 0, 0, _GAP))
-        both.add_column(ratio=1)
-        both.add_column(width=wide + _GAP, no_wrap=True)
-        both.add_row(case, Group(*rows))
-        return both
-    return Group(case, Text(), *rows)
+    return beside(case, rows, width and width - 4) or Group(case, Text(), *rows)
 
 
 def _cut(said: str, rows: int | None, width: int | None) -> str:

@@ -103,11 +103,11 @@ def verify(names: tuple[str, ...], ask: VerifyAsk, common: Common) -> Iterator[S
         checked = in_order(Processes(ask.jobs), check, chosen, _unread)
     for found in checked:
         if ask.figures and found.ok:
-            from judge.report.picture import FIGURE, figure
+            from judge.report.picture import figure
 
             problem = find_problem(found.problem, common.problems)
             if (drawn := figure(problem)) is not None:
-                replace_file(problem.folder / FIGURE, drawn.encode())
+                replace_file(problem.folder / "figure.svg", drawn.encode())
         faults += len(found.faults)
         yield found
     if not narrow:
