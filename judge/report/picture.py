@@ -14,7 +14,7 @@ from judge.errors import JudgeError, told
 from judge.problem import Problem
 from judge.problem.declare import InvalidCase, Shown
 from judge.problem.model import EXAMPLES, case_of
-from judge.report.screen import Screen, is_terminal, note
+from judge.report.screen import Screen, drawn, is_terminal, note
 from judge.report.tell import grows
 from judge.report.words import seconds
 from judge.run.result import Failure, Growth
@@ -62,10 +62,10 @@ def picture_rows(picture: Picture | Chart, rows: int = ROWS, *, answered: bool =
     from rich.text import Text
 
     if isinstance(picture, Chart):
-        drawn = chart_braille(picture, rows)
+        pieces = chart_braille(picture, rows)
     else:
-        drawn = to_braille(picture, rows, answered=answered)
-    found = [Text.assemble(*((each.text, _COLOURS.get(each.role, "")) for each in row)) for row in drawn]
+        pieces = to_braille(picture, rows, answered=answered)
+    found = [Text.assemble(*((each.text, _COLOURS.get(each.role, "")) for each in row)) for row in pieces]
     while found and not found[-1].plain.strip():
         found.pop()
     return found
@@ -128,6 +128,7 @@ def example_picture(problem: Problem) -> Picture | None:
 def statement(problem: Problem, screen: Screen) -> RenderableType:
     """The statement, on a terminal with its figure."""
     from rich.console import Group
+    from rich.text import Text
 
     from judge.report.parts import FIGURE, blocks, indented, prose
 
@@ -135,7 +136,10 @@ def statement(problem: Problem, screen: Screen) -> RenderableType:
     rows = drawing(partial(example_picture, problem), screen, "the figure") if after else None
     if rows is None:
         return prose(problem.statement, screen)
-    return blocks(prose(before, screen), indented(Group(*rows(ROWS))), prose(after[0], screen))
+    rest = Text.from_ansi(
+        drawn(prose(after[0], screen), screen).strip("\n")
+    )  # a list begins with a blank row
+    return blocks(prose(before, screen), indented(Group(*rows(ROWS))), rest)
 
 
 def beside(left: RenderableType, rows: Sequence[Text], width: int | None) -> RenderableType | None:

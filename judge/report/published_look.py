@@ -226,9 +226,10 @@ class Again(Struct, frozen=True):
 
 
 class Standing(Struct, frozen=True):
-    """What a kata took a person, the kata that comes next, and how many of all are solved."""
+    """What a kata took a person, the skills that are new, the next kata, and how many of all are solved."""
 
     runs: int
+    new: tuple[str, ...]
     hints: int
     next: Next | None
     solved: int

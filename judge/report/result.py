@@ -36,6 +36,7 @@ from judge.run.result import GroupResult, Result
 Drawing = Callable[[int], Sequence[Text]]  # the picture of the failing case in about so many rows
 _LABELS = {"got": bad, "expected": good}
 _LEAST, _MOST = 9, 14  # rows of a picture
+_SKILLS = 2  # that are named
 _ROWS = 60  # of a result, on whatever screen
 
 
@@ -223,8 +224,12 @@ def _accepted(found: Judged, width: int | None) -> RenderableType:
     if following := standing.next:
         title = f"{following.title[:1].lower()}{following.title[1:]}"
         onward.append((go_on, f"next: {following.problem}, {title}"))
+    named = "   ".join(f"✓ {name}" for name in standing.new[:_SKILLS])
+    more = f", {len(standing.new) - _SKILLS} more" if len(standing.new) > _SKILLS else ""
+    new = [("shown", joined(good(named), more))]
+    you: list[tuple[Cell, Cell]] = [("you", counted(standing.runs, "run") + hints)]
     return blocks(
-        indented(facts([("you", counted(standing.runs, "run") + hints)])),
+        indented(facts([*(new if standing.new else []), *you])),
         indented(commands(onward)) if onward else None,
         solved_bar(standing.solved, standing.katas, (), width),
     )
