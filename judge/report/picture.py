@@ -75,12 +75,17 @@ def drawing(
     make: Callable[[], Picture | Chart | None], screen: Screen, what: str
 ) -> Callable[[int], list[Text]] | None:
     """What draws a picture in about so many rows; None where there is none, or no room on the screen."""
+    picture = made(make, what) if has_room(screen) else None
+    return partial(picture_rows, picture) if picture else None
+
+
+def made(make: Callable[[], Picture | Chart | None], what: str) -> Picture | Chart | None:
+    """The picture; None where there is none, or a fault is in it, of which a note is made."""
     try:
-        picture = make() if has_room(screen) else None
+        return make()
     except Exception as fault:  # what is known without it is worth more
         note(f"{what} is not drawn: {told(fault)}")
         return None
-    return partial(picture_rows, picture) if picture else None
 
 
 def result_picture(found: Judged) -> Picture | Chart | None:

@@ -29,7 +29,7 @@ from judge.report.parts import (
 )
 from judge.report.published_result import Judged, Several
 from judge.report.screen import Screen, drawn
-from judge.report.tell import Told, place_of, tell
+from judge.report.tell import Told, place_of, tell, with_why
 from judge.report.words import counted, shown_name, times
 from judge.run.result import GroupResult, Result
 
@@ -75,19 +75,23 @@ def told_of(found: Judged) -> Told:
     return tell(found.data.problem if found.data else None, found.result, found.source)
 
 
-def drawing_of(found: Judged, screen: Screen) -> Drawing | None:
-    """What draws the result; None where there is nothing to draw, or no room."""
-    result = found.result
+def explained(found: Judged, screen: Screen) -> tuple[Told, Drawing | None]:
+    """The result in words, and what draws it: None where there is nothing to draw, or no room."""
+    told, result = told_of(found), found.result
     if result.hurdle or (result.failure is None and result.time.growth is None):
-        return None
-    from judge.report.picture import drawing, result_picture  # only where something failed
+        return told, None
+    from judge.report import picture as pictures  # only where something failed
 
-    return drawing(partial(result_picture, found), screen, "the failing case")
+    picture = pictures.made(partial(pictures.result_picture, found), "the failing case")
+    told = with_why(told, getattr(picture, "why", ""))
+    if picture is None or not pictures.has_room(screen):
+        return told, None
+    return told, partial(pictures.picture_rows, picture)
 
 
 def screenful(found: Judged, screen: Screen, rows: int | None) -> RenderableType:
     """One result in at most so many rows, if that can be; all there is where they are None."""
-    told, drawing, width = told_of(found), drawing_of(found, screen), screen.width
+    (told, drawing), width = explained(found, screen), screen.width
     top = joined(
         label(told.verdict),
         f"  {told.meaning}  ",
