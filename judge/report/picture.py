@@ -98,10 +98,8 @@ def result_picture(found: Judged) -> Picture | Chart | None:
         return growth_chart(growth)
     if failure is None or found.data is None:
         return None
-    shown, heading = failure, f"{failure.group}, case {failure.case}"
-    if small is not None and small.input:
-        shown, heading = small, "counterexample"
-    return case_picture(found.data.problem, found.data.module, shown, failure.group, heading)
+    shown = small if small is not None and small.input else failure
+    return case_picture(found.data.problem, found.data.module, shown, failure.group)
 
 
 GAP = 3  # columns between a drawing and what stands beside it
