@@ -31,7 +31,6 @@ from judge.report.parts import (
     table,
     text,
 )
-from judge.report.picture import statement
 from judge.report.screen import Screen
 from judge.report.words import counted, shown_command, shown_name
 from judge.values.answers import Words
@@ -157,6 +156,12 @@ def kata_shown(found: published.KataShown, screen: Screen) -> RenderableType:
     problem, source, limits = found.problem, found.problem.source, found.problem.limits
     if found.groups:
         return blocks(*_levels(problem))
+    if screen.rows is None:  # nobody looks
+        task = prose(problem.statement, screen)
+    else:
+        from judge.report.picture import statement  # others do without
+
+        task = statement(problem, screen)
     said = (
         ("tests", f"{_totals(problem.groups)}: judge show {problem.id} --groups"),
         ("answer", f"{problem.answer}, {_tolerance(_usual(problem), problem.answer.words)}"),
@@ -165,7 +170,7 @@ def kata_shown(found: published.KataShown, screen: Screen) -> RenderableType:
         ("license", source.license),
         ("origin", source.origin),
     )
-    return blocks(statement(problem, screen), facts(each for each in said if each[1]))
+    return blocks(task, facts(each for each in said if each[1]))
 
 
 def _levels(problem: Problem) -> Iterator[RenderableType]:
