@@ -131,10 +131,13 @@ def _said(view: View, found: list[Contact], window: Frame) -> tuple[str, str]:
     exact = [each for each in found if not each.gap]
     near = [each for each in found if each.gap][:1]
     close = near if near and abs(near[0].gap) < _CLOSE * window.along else []
-    turns = list(dict.fromkeys(each.words.said(each.gap / e) for each in (exact + close or near)))[:3]
-    parts += turns
+
+    def words(contacts: list[Contact]) -> list[str]:
+        return list(dict.fromkeys(each.words.said(each.gap / e) for each in contacts))[:3]
+
+    parts += words(exact + close or near)
     said = "; ".join([*([", ".join(parts)] if parts else []), f"e = {figures(Fraction(view.size), 3)}"])
-    return said, ", ".join(turns) if exact or close else ""
+    return said, ", ".join(words([each for each in exact + near if abs(each.gap) < _CLOSE * e]))
 
 
 # -- the panels --------------------------------------------------------------------------------------------
