@@ -22,6 +22,8 @@ from judge.judging.api import RunOptions
 from judge.problem import Problem
 from judge.problem.model import LEVELS, chosen_groups
 from judge.report.published_result import Judged, Several
+from judge.report.screen import Notes, is_terminal, note
+from judge.report.wait import progress, stages
 from judge.run.result import Result, judge_fault
 
 _SEEDS = 10**9  # a fresh seed is below it: short enough to be typed again
@@ -135,7 +137,6 @@ def _judged(
     result of each submission that is left, for whoever reads the results as data.
     """
     from judge.cli.judging import Wish, judged
-    from judge.report.wait import progress
 
     waiting = [(problem.id, each) for problem, submissions in tasks for each in submissions]
     total, done = len(waiting) + len(unjudged), 0
@@ -180,8 +181,6 @@ def _judged(
 
 def _with_standing(found: Judged, ask: RunAsk, common: Common) -> Judged:
     """A terminal also shows what an accepted one took."""
-    from judge.report.screen import is_terminal
-
     if found.result.solved and is_terminal(sys.stdout) and not ask.unrecorded:
         from judge.cli.home import standing
 
@@ -195,8 +194,6 @@ def _fresh(problem: Problem, submissions: list[Submission], ask: RunAsk, common:
     from judge.data.load import ProblemData
     from judge.judging.cases import judge_fresh
     from judge.judging.session import Session
-    from judge.report.screen import Notes
-    from judge.report.wait import progress, stages
 
     (submission,) = submissions
     lasting = seconds_of(ask.fresh or "", "--fresh")
@@ -225,7 +222,6 @@ def _fresh(problem: Problem, submissions: list[Submission], ask: RunAsk, common:
 def _say_that_full_is_missing(result: Result) -> None:
     """Once a day, to a person who has not been told so by `judge doctor`."""
     from judge.judging.containment import first_today, kept_level
-    from judge.report.screen import is_terminal, note
 
     if result.isolation == "strong" and is_terminal(sys.stderr) and kept_level() is None and first_today():
         note("Sandbox: strong, not full. Why: judge doctor")
