@@ -38,7 +38,7 @@ def test_a_case_is_drawn_while_it_is_one_of_its_kata():
     case = Failure("", input=values, expected="1", got="2")
     drawn = case_picture(problem, module, case, "examples", "a case")
     assert drawn is not None
-    assert "Wanted 1, got 2" in drawn.description
+    assert "Expected 1, got 2" in drawn.description
     for other in ({**values, "r": -1}, {**values, "r": "x"}, {"cx": 0}, {}):
         assert case_picture(problem, module, replace(case, input=other), "examples") is None
     assert case_picture(problem, module, case, "gone") is None
