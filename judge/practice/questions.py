@@ -165,6 +165,11 @@ def _shuffled(parts: Sequence[Any], draw: Draw) -> list[Any]:
     return found
 
 
+def _exactly(wanted: str, read: Callable[[str], str], typed: str) -> Reply:
+    given = read(typed)
+    return Reply(given == wanted, given)
+
+
 def _nearly(content: Number, typed: str) -> Reply:
     typed = typed.strip().removesuffix(content.unit)
     found, wanted = cards.number(typed), cards.number(content.answer)
@@ -197,13 +202,9 @@ def _count(card: Card, content: Count, sources: Sources, draw: Draw) -> Question
         what = f"the answer of {card.problem} counts nothing"
         _refuse(card, what, "name a problem that answers a count or a list")
     many = NONE if found is None else str(found)
-
-    def check(typed: str) -> Reply:
-        given = cards.count(typed)
-        return Reply(given == many, given)
-
     told = ", ".join(f"{each.name}={literal(each.type, values[each.name])}" for each in problem.parameters)
     why = content.back.strip()
+    check = partial(_exactly, many, cards.count)
     return Question(card, "a number, or none", many, check, given=(told,), picture=drawn, why=why)
 
 
@@ -235,11 +236,7 @@ def _drawn(card: Card, content: Drawn, sources: Sources, draw: Draw) -> Question
     words = [f"{word} ({meaning})" if meaning else word for word, meaning in figure.words.items()]
     expects = listed(words, "or") if figure.one else f"{listed(words, 'and')} in order"
     answer = " ".join(figure.answer) or NONE
-
-    def check(typed: str) -> Reply:
-        found = " ".join(cards.sequence(typed, figure.words)) or NONE
-        return Reply(found == answer, found)
-
+    check = partial(_exactly, answer, partial(cards.sequence, words=figure.words))
     why = f"{figure.why} {content.back}".strip()
     return Question(
         card, f"{expects}, or {NONE}", answer, check, given=figure.given, picture=figure.picture, why=why
