@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from collections import Counter
 from collections.abc import Sequence
 
 from msgspec.structs import replace
@@ -14,7 +13,7 @@ from judge.errors import UsageError
 from judge.judging.api import RunOptions
 from judge.judging.session import NAMED, Bars, Session
 from judge.languages import file_name
-from judge.mistakes.puzzles import Puzzle
+from judge.mistakes.puzzles import Puzzle, usual_group
 from judge.problem import Case, Group, Problem, Verdict
 from judge.problem.declare import InvalidCase
 from judge.problem.model import case_of
@@ -51,14 +50,8 @@ def try_case(problem: Problem, case: Case, group: str = "") -> Tried:
     except InvalidCase as fault:
         what = re.sub("^The ", "the ", str(fault))
         raise UsageError(f"Not a valid input: {what}", remedy=f"see judge show {problem.id}") from None
-    judged_by = problem.group(group) or _usual(problem)
+    judged_by = problem.group(group) or usual_group(problem)
     return Tried(problem, case, judged_by, exact, target_of(problem, exact, judged_by.tolerance), module)
-
-
-def _usual(problem: Problem) -> Group:
-    """A group that has the tolerance of most."""
-    usual = Counter(group.tolerance for group in problem.groups).most_common(1)[0][0]
-    return next(group for group in problem.groups if group.tolerance == usual)
 
 
 def ask(session: Session, tried: Tried, source: bytes, name: str) -> Said:

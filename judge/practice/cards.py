@@ -153,6 +153,11 @@ class Card(Struct, frozen=True):
         return self.content.front.strip()
 
     @property
+    def back(self) -> str:
+        """What is told afterwards."""
+        return self.content.back.strip()
+
+    @property
     def rows(self) -> tuple[str, ...]:
         """The questions of the checklist that it practises."""
         return self.content.rows

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from functools import partial
 from itertools import islice
 from typing import Any
@@ -129,13 +129,10 @@ def _plain(exact: Any) -> str:
         most = 1 if deep else _ANSWERS
         return " or ".join([*map(_plain, answers[:most]), *["…"] * (len(answers) > most)])
     if isinstance(exact, list):
-        point = 2 <= len(exact) <= 3 and all(isinstance(each, str) for each in exact)
-        return f"({_listed(exact)})" if point else f"[{_listed(exact)}]"
+        listed = ", ".join(map(_plain, exact))
+        is_point = 2 <= len(exact) <= 3 and all(isinstance(each, str) for each in exact)
+        return f"({listed})" if is_point else f"[{listed}]"
     return str(exact)
-
-
-def _listed(parts: Iterable[Any]) -> str:
-    return ", ".join(map(_plain, parts))
 
 
 def picture_of(tried: Tried) -> Picture | None:

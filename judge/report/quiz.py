@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
 
 from rich.console import Group, RenderableType
 from rich.text import Text
 
+from judge.practice.events import Rating
+from judge.practice.questions import Question, Reply
+from judge.practice.quiz import Practise
 from judge.report.parts import (
     BAD,
     GOOD,
@@ -29,11 +31,6 @@ from judge.report.parts import (
 from judge.report.published_quiz import CardList, Interviewed, Quizzed
 from judge.report.screen import Screen, drawn
 from judge.report.words import counted, due_words
-
-if TYPE_CHECKING:
-    from judge.practice.events import Rating
-    from judge.practice.questions import Question, Reply
-    from judge.practice.quiz import Practise
 
 RATE = "How well? 1 again, 2 hard, 3 good, 4 easy: "
 SAVE = "Save the file. Enter judges it, q goes on: "

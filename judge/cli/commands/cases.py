@@ -6,7 +6,6 @@ import sys
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import click
 from msgspec import Struct
@@ -36,9 +35,7 @@ from judge.problem.module import load_module
 from judge.report import published_cases as published
 from judge.report.screen import Notes, is_terminal, note
 from judge.report.tell import shown_failure
-
-if TYPE_CHECKING:
-    from judge.run.tried import Tried
+from judge.run.tried import Tried
 
 _PAGE = Path("judge-try.html")
 _PAGE_MARK = b'name="generator" content="judge try"'

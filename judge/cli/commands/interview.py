@@ -19,6 +19,7 @@ from typing import TYPE_CHECKING, TypeVar
 import click
 from msgspec import Struct
 from msgspec.structs import replace
+from rich.console import RenderableType
 
 from judge.cli.files import OutFile, read_submissions
 from judge.cli.options import Common, command, opt
@@ -43,12 +44,10 @@ from judge.report.screen import Screen, drawn, err, is_terminal, note, out, show
 from judge.report.views import copied
 from judge.report.wait import progress
 from judge.report.words import shown_name
+from judge.run.result import Result
 
 if TYPE_CHECKING:
-    from rich.console import RenderableType
-
     from judge.cli.watching import WatchedFile
-    from judge.run.result import Result
 
 _T = TypeVar("_T")
 _STOP = ("q", "quit")
