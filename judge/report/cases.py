@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from functools import partial
 from itertools import islice
 from typing import Any
@@ -36,7 +36,7 @@ from judge.report.screen import Screen, drawn
 from judge.report.tell import obstacle_text
 from judge.report.words import arguments, counted, shown_name
 from judge.run.result import Failure, Obstacle
-from judge.run.tried import Said, Tried
+from judge.run.tried import Tried
 from judge.values import show
 from judge.values.answers import Target
 from judge.values.atoms import Type
@@ -50,13 +50,14 @@ _STATES = {HackState.BROKEN: good("broken"), HackState.GIVEN_UP: faint("given up
 
 def case_tried(found: CaseTried, screen: Screen) -> RenderableType:
     """The case in both forms and its answer, the picture, and the verdict on the file's answer."""
-    tried, said = found.tried, found.said
+    tried, said = found.tried, found.tried.said
     if said is None:
-        return _fitted(tried, said, head(tried.problem.id, tried.problem.title), None, screen)
-    ended = "passes" if said.verdict is Verdict.AC else "fails"
-    last = joined(label(said.verdict), f"  this case {ended}")
-    above = joined(label(said.verdict), f"  {said.verdict.meaning.capitalize()}  {shown_name(said.name)}")
-    return _fitted(tried, said, above, last, screen)
+        return _fitted(tried, head(tried.problem.id, tried.problem.title), None, screen)
+    above = joined(
+        label(said.verdict), f"  {said.verdict.meaning.capitalize()}  {shown_name(said.submission)}"
+    )
+    last = joined(label(said.verdict), f"  this case {'fails' if tried.failed else 'passes'}")
+    return _fitted(tried, above, last, screen)
 
 
 def page_written(found: PageWritten, _screen: Screen) -> RenderableType:
@@ -65,17 +66,13 @@ def page_written(found: PageWritten, _screen: Screen) -> RenderableType:
 
 
 def _fitted(
-    tried: Tried,
-    said: Said | None,
-    above: RenderableType | None,
-    below: RenderableType | None,
-    screen: Screen,
+    tried: Tried, above: RenderableType | None, below: RenderableType | None, screen: Screen
 ) -> RenderableType:
     """The case between what is above and below it, with its picture; on a low screen less is said of it."""
-    picture = drawing(partial(picture_of, tried, said), screen, "the case")
+    picture = drawing(partial(picture_of, tried), screen, "the case")
     fit: list[RenderableType] = []
     for brief in (False, True):
-        middle = indented(facts(_facts(tried, said, brief)))
+        middle = indented(facts(_facts(tried, brief)))
         laid = blocks(above, middle, below)
         rows = (screen.rows or 0) - drawn(laid, screen).count("\n")
         if picture is not None and rows - 2 >= LEAST_ROWS:  # an empty one, the prompt
@@ -84,26 +81,25 @@ def _fitted(
     return fit[0] if fit else laid
 
 
-def _facts(tried: Tried, said: Said | None, brief: bool) -> Iterator[tuple[Cell, Cell]]:
+def _facts(tried: Tried, brief: bool) -> Iterator[tuple[Cell, Cell]]:
     """What is known of the case; `brief` leaves out its other forms and what is accepted."""
-    problem = tried.problem
-    exact = show.exact_text(tried.exact)
-    ends = list(islice(_intervals(problem.answer, tried.target), _MOST + 1))
+    problem, said = tried.problem, tried.said
     if tried.case:
         yield "case", arguments(problem.named(tried.case))
     if tried.case and not brief:
         yield "as program input", line_of(problem, tried.case)
-    yield "exact answer", good(_plain(exact))
+    yield "exact answer", good(_plain(show.exact_text(tried.exact)))
+    ends = list(islice(_intervals(problem.answer, tried.target), _MOST + 1))
     if ends and not brief:
         yield "in doubles", good(tried.expected)
         more = ["and so on for the other numbers"] if len(ends) > _MOST else []
         yield from under("accepted", ends[:_MOST] + more)
     if said is None:
         return
-    yield "got", (text if said.verdict is Verdict.AC else bad)(said.got)
+    yield "got", (bad if tried.failed else text)(said.got)
     if said.hurdle is not None:
         line = said.hurdle.line if said.hurdle.kind is not Obstacle.STUB else 0  # whose sentence has it
-        why = obstacle_text(said.hurdle, problem, said.name, said.message)
+        why = obstacle_text(said.hurdle, problem, said.submission, said.message)
         yield "why", f"{f'line {line}: ' if line else ''}{why}"
     elif said.message:
         yield "why", said.message
@@ -134,31 +130,28 @@ def _plain(exact: Any) -> str:
         most = 1 if deep else _ANSWERS
         return " or ".join([*map(_plain, answers[:most]), *["…"] * (len(answers) > most)])
     if isinstance(exact, list):
-        point = 2 <= len(exact) <= 3 and all(isinstance(each, str) for each in exact)
-        return f"({_listed(exact)})" if point else f"[{_listed(exact)}]"
+        listed = ", ".join(map(_plain, exact))
+        is_point = 2 <= len(exact) <= 3 and all(isinstance(each, str) for each in exact)
+        return f"({listed})" if is_point else f"[{listed}]"
     return str(exact)
 
 
-def _listed(parts: Iterable[Any]) -> str:
-    return ", ".join(map(_plain, parts))
-
-
-def picture_of(tried: Tried, said: Said | None) -> Picture | None:
+def picture_of(tried: Tried) -> Picture | None:
     """The case drawn with its answer and, where that is rejected, the file's; None where nothing can be."""
-    wrong = said if said is not None and said.verdict is not Verdict.AC else None
-    got, given = (wrong.got, wrong.given) if wrong else (None, None)
+    got, given = (tried.failed.got, tried.failed.given) if tried.failed else (None, None)
     values = tried.problem.named(tried.case)
     case = Failure("", input=values, expected=tried.expected, got=got, given=given)
-    return case_picture(tried.problem, tried.data.module, case, tried.group.name, "your case")
+    return case_picture(tried.problem, tried.module, case, tried.group.name, "your case")
 
 
 def hack_turn(found: HackTurn, screen: Screen) -> RenderableType:
     """The program and what is asked, or how all of them stand; or whether a case breaks it."""
-    if found.outcome in ("shown", "listed"):
-        return _program(found) if found.outcome == "shown" else _standing(found)
-    if found.tried is None:
-        return _ended(found)
-    return _fitted(found.tried, found.said, None, _ended(found), screen)
+    if found.outcome == "shown":
+        return _program(found)
+    if found.outcome == "listed":
+        return _standing(found)
+    ended = _ended(found)
+    return _fitted(found.tried, None, ended, screen) if found.tried else ended
 
 
 def _program(found: HackTurn) -> RenderableType:
@@ -189,14 +182,14 @@ def _ended(found: HackTurn) -> RenderableType:
 
 def _standing(found: HackTurn) -> RenderableType:
     """A row for each program that was broken or given up, with its mistake; how many others there are."""
-    states = [(each, found.states[each.mistake]) for each in found.puzzles]
-    left = [each.number for each, state in states if state is HackState.OPEN]
-    rows = [
-        (str(each.number), _STATES[state], faint(each.mistake)) for each, state in states if state in _STATES
-    ]
-    name, still = found.problem.id, counted(len(left), "program")
+    lines, name = found.published, found.problem.id
+    rows = [(str(each.number), _STATES[each.state], faint(each.mistake)) for each in lines if each.mistake]
+    left = [each.number for each in lines if not each.mistake]
+    still = (
+        [("open", counted(len(left), "program")), ("next", f"judge hack {name} {left[0]}")] if left else []
+    )
     return blocks(
-        head(name, f"{found.done} of {len(states)} wrong programs broken"),
+        head(name, f"{found.done} of {len(lines)} wrong programs broken"),
         indented(table(rows, "program", "state", "mistake", right=[0])) if rows else None,
-        indented(facts([("open", still), ("next", f"judge hack {name} {left[0]}")])) if left else None,
+        indented(facts(still)) if left else None,
     )
