@@ -18,8 +18,6 @@ from pathlib import Path
 from shlex import quote
 from tempfile import TemporaryDirectory
 
-from msgspec import Struct
-
 from judge.data.load import load_data
 from judge.data.pins import pins_file, pins_of, write_pins
 from judge.errors import JudgeError, ProblemError, UsageError, unwritable
@@ -32,6 +30,7 @@ from judge.problem.find import problem_folders, problem_roots
 from judge.problem.load import load_problem
 from judge.problem.model import EXAMPLES, is_name
 from judge.problem.texts import read_hints
+from judge.published import Published
 from judge.run.verify import Fault
 
 _TEMPLATE = Path(__file__).resolve().parent.parent / "manual" / "new-kata.md"
@@ -41,15 +40,16 @@ _MISTAKES = ["sum-of-legs"]  # of the template, which its groups reject whatever
 _LETTERS = "small letters, digits and single hyphens"
 
 
-class Begun(Struct, frozen=True):
-    """A new kata: the folder of problems that it is in, and the files that were written."""
+class NewKata(Published, frozen=True):
+    """A kata that was written: the folder of problems that it is in, and its files."""
 
-    problem: Problem
+    problem: str
+    title: str
     problems: Path
     files: tuple[Path, ...]
 
 
-def begin_kata(folder: Path, name: str | None = None) -> Begun:
+def begin_kata(folder: Path, name: str | None = None) -> NewKata:
     """Write a kata of that name, and pin its data; without a name it is called as `folder` is.
 
     A `folder` that is itself a folder of problems is taken as that: the solutions go beside it. Where not all
@@ -81,7 +81,8 @@ def begin_kata(folder: Path, name: str | None = None) -> Begun:
                 Path(scratch, kind, name).rename(home)
     except OSError as fault:
         raise unwritable(folder, fault, "name another folder") from None
-    return Begun(problem, problems, (*files, homes["problems"] / pins_file(problem).name))
+    files.append(homes["problems"] / pins_file(problem).name)
+    return NewKata(problem.id, problem.title, problems, tuple(files))
 
 
 def _folder_of_problems(folder: Path) -> Path:

@@ -14,7 +14,8 @@ from judge.mistakes.puzzles import Puzzle
 from judge.practice.progress import HackState
 from judge.problem import Problem, Verdict
 from judge.problem.model import Mode
-from judge.report.views import Published, copied
+from judge.published import Published
+from judge.report.views import copied
 from judge.run.tried import Said, Tried
 from judge.values import show
 

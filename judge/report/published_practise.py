@@ -6,7 +6,7 @@ from typing import ClassVar
 
 from msgspec import Struct
 
-from judge.report.views import Published
+from judge.published import Published
 from judge.run.result import Taken
 
 

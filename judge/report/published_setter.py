@@ -7,20 +7,11 @@ from msgspec import Struct
 from judge.errors import ExitCode
 from judge.languages.find import Found
 from judge.packs.export.job import Export
-from judge.report.views import Published
+from judge.published import Published
 from judge.run.edges import Edge
 from judge.run.verify import Fault, MistakeReport, VerifyReport
 from judge.sandbox.attacks import Attacked
 from judge.sandbox.probe import Level
-
-
-class NewKata(Published, frozen=True):
-    """A kata that was written: its folder of problems, and its files."""
-
-    problem: str
-    title: str
-    problems: str
-    files: tuple[str, ...]
 
 
 class Verified(VerifyReport, frozen=True, kw_only=True):

@@ -9,6 +9,7 @@ from shlex import quote
 from rich.console import Group, RenderableType
 from rich.text import Text
 
+from judge.practice.setter import NewKata
 from judge.report import published_setter as published
 from judge.report.parts import (
     bad,
@@ -32,15 +33,15 @@ from judge.run.verify import Fault
 _NAMED = 3  # files that are named beside a reason
 
 
-def new_kata(found: published.NewKata, _screen: Screen) -> RenderableType:
+def new_kata(found: NewKata, _screen: Screen) -> RenderableType:
     """What was written, and the commands that go on with it."""
-    chosen = f"--problems {quote(found.problems)} {found.problem}"
+    chosen = f"--problems {quote(str(found.problems))} {found.problem}"
     below = [
         (f"judge verify {chosen}", "check it"),
         (f"judge verify {chosen} --pin", "pin its data, once you have changed them"),
         (f"judge show {chosen}", "see it as others will"),
     ]
-    files = [text(f"  {shown_name(each)}") for each in found.files]
+    files = [text(f"  {shown_name(str(each))}") for each in found.files]
     return blocks(Group(head(found.problem, found.title), *files), commands(below))
 
 

@@ -25,7 +25,7 @@ from judge.packs.export.forms import why_left_out
 from judge.packs.export.job import Export, Order, check_places, export
 from judge.packs.export.metadata import Version, short_name, short_names
 from judge.packs.export.statement import latex
-from judge.practice.setter import begin_kata, deck_faults, kata_faults
+from judge.practice.setter import NewKata, begin_kata, deck_faults, kata_faults
 from judge.problem import Problem
 from judge.problem.find import find_problem, folders_within, problem_folders
 from judge.problem.model import chosen_groups
@@ -42,10 +42,10 @@ _BOTH = "both"
 _REMEDY = "name another folder with --out"
 
 
-@command("new", published.NewKata)
+@command("new", NewKata)
 @click.argument("folder", metavar="DIR", type=click.Path(path_type=Path))
 @click.argument("name", metavar="[NAME]", required=False)
-def new(folder: Path, name: str | None, common: Common) -> published.NewKata:  # noqa: ARG001 - every command has them
+def new(folder: Path, name: str | None, common: Common) -> NewKata:  # noqa: ARG001 - every command has them
     """Write a kata of your own to begin with.
 
     It goes into DIR/problems/NAME and DIR/solutions/NAME. If DIR is itself a folder of problems, it goes
@@ -54,9 +54,7 @@ def new(folder: Path, name: str | None, common: Common) -> published.NewKata:  #
 
     Exit status: 0 written, 2 usage.
     """
-    begun = begin_kata(folder, name)
-    files = tuple(map(str, begun.files))
-    return published.NewKata(begun.problem.id, begun.problem.title, str(begun.problems), files)
+    return begin_kata(folder, name)
 
 
 class VerifyAsk(Struct, frozen=True):
