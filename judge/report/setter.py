@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from shlex import quote
 
 from rich.console import Group, RenderableType
@@ -28,7 +28,7 @@ from judge.report.parts import (
 )
 from judge.report.screen import Screen
 from judge.report.words import counted, shown_name
-from judge.run.verify import Fault
+from judge.run.verify import Verified
 
 _NAMED = 3  # files that are named beside a reason
 
@@ -49,16 +49,14 @@ def _sound(faults: int) -> Text:
     return bad(counted(faults, "fault")) if faults else good("sound")
 
 
-def _faults(found: Sequence[Fault], warnings: Sequence[Fault] = ()) -> list[RenderableType]:
-    rows = [(bad("fault"), str(each)) for each in found]
-    rows += [(warning("warning"), str(each)) for each in warnings]
-    return [indented(table(rows))] if rows else []
-
-
-def verified(found: published.Verified, _screen: Screen) -> RenderableType:
+def verified(found: Verified, _screen: Screen) -> RenderableType:
     """What is wrong, the verdict of each solution, and how well each mistake is found."""
-    said = f"{counted(found.groups, 'group')}, {counted(found.cases, 'case')}, pins {found.pins}"
-    top = head(found.problem, _sound(len(found.faults)), said if found.cases else "")
+    said = counted(found.cards, "card") if found.cards else ""
+    if found.cases:
+        said = f"{counted(found.groups, 'group')}, {counted(found.cases, 'case')}, pins {found.pins}"
+    top = head(found.problem, _sound(len(found.faults)), said)
+    faults = [(bad("fault"), str(each)) for each in found.faults]
+    faults += [(warning("warning"), str(each)) for each in found.warnings]
     solutions = [
         (
             each.file,
@@ -75,13 +73,7 @@ def verified(found: published.Verified, _screen: Screen) -> RenderableType:
         (("cases", "edge"), edges, (0,)),
     )
     below = (indented(table(rows, *titles, right=right)) for titles, rows, right in tables if rows)
-    return blocks(Group(top, *_faults(found.faults, found.warnings)), *below)
-
-
-def decks_verified(found: published.DecksVerified, _screen: Screen) -> RenderableType:
-    """What is wrong with the cards."""
-    top = head("quiz", _sound(len(found.faults)), counted(found.cards, "card"))
-    return Group(top, *_faults(found.faults))
+    return blocks(Group(top, indented(table(faults))) if faults else top, *below)
 
 
 def verify_summary(found: published.VerifySummary, _screen: Screen) -> RenderableType:

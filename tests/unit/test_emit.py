@@ -85,7 +85,7 @@ SHOWN = {
     "progress": "DueShown ProgressPage ProgressWritten QuestionShown Restored RunList RunRow RunsCompared",
     "quiz": "CardList Interviewed Quizzed",
     "result": "Judged Several",
-    "setter": "DecksVerified Doctor Exported FilesWritten NewKata Verified VerifySummary",
+    "setter": "Doctor Exported FilesWritten NewKata Verified VerifySummary",
 }
 
 
