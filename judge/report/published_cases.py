@@ -14,7 +14,7 @@ from judge.mistakes.puzzles import Puzzle
 from judge.practice.events import Hack
 from judge.practice.progress import HackState, hack_states
 from judge.problem import Problem
-from judge.report.views import Published
+from judge.published import Published
 from judge.run.tried import Said, Tried
 from judge.values import show
 

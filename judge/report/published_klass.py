@@ -13,8 +13,9 @@ from msgspec import Struct
 
 from judge.errors import ExitCode
 from judge.problem.model import Verdict
+from judge.published import Published
 from judge.report.formats import csv_text
-from judge.report.views import Published, copied
+from judge.report.views import copied
 
 BOM = "\ufeff"
 _HEAD = ("student", "name", "group")

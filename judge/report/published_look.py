@@ -9,7 +9,8 @@ from msgspec import Struct
 from judge.errors import ExitCode
 from judge.problem import Problem
 from judge.problem.model import GroupLimits, GrowthRule, KataLevel, Source, Tier
-from judge.report.views import Published, copied, in_words
+from judge.published import Published
+from judge.report.views import copied, in_words
 
 
 class KataRow(Published, frozen=True):

@@ -9,7 +9,7 @@ from msgspec import Struct
 from judge.practice.events import Answer, Rating
 from judge.practice.quiz import Practise
 from judge.problem import Verdict
-from judge.report.views import Published
+from judge.published import Published
 
 
 class CardRow(Published, frozen=True):
