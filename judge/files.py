@@ -63,19 +63,19 @@ def read_ordinary_text(path: Path) -> str:
     return read_ordinary(path).decode().replace("\r\n", "\n").replace("\r", "\n")
 
 
-class LedOutError(OSError):
-    """A path that links lead out of the folder that it begins in."""
+class RefusedError(OSError):
+    """Of a file that is there and is not to be read; its text says why."""
 
 
 def real_within(root: str, path: str) -> str:
     """Where the links of a path lead that begins in the folder `root`, itself real: a path from there on.
 
-    Raises LedOutError where it leads out of the folder, OSError where there is nothing.
+    Raises RefusedError where it leads out of the folder, OSError where there is nothing.
     """
     real = os.path.realpath(os.path.join(root, path), strict=True)  # noqa: PTH118 - of any name
     inside = os.path.relpath(real, root)
     if inside == os.pardir or inside.startswith(os.pardir + os.sep):
-        raise LedOutError(errno.EXDEV, "it leads out of the folder")
+        raise RefusedError(errno.EXDEV, f"it is a link out of the folder, {NOT_FOLLOWED}")
     return inside
 
 
@@ -106,15 +106,15 @@ def _read(descriptor: int, most: int) -> tuple[bytes, os.stat_result]:
 
 def _check_ordinary(found: os.stat_result) -> None:
     if stat.S_ISDIR(found.st_mode):
-        raise IsADirectoryError(errno.EISDIR, "it is a folder")
+        raise RefusedError(errno.EISDIR, "it is a folder")
     if not stat.S_ISREG(found.st_mode):
-        raise OSError(errno.EINVAL, "it is not an ordinary file")
+        raise RefusedError(errno.EINVAL, "it is not an ordinary file")
 
 
 def read_pipe(path: Path, most: int, silence: float) -> bytes:
     """What comes through a pipe until its end or up to `most` bytes.
 
-    Raises TimeoutError where nothing came for `silence` seconds, OSError where it cannot be read.
+    Raises RefusedError where nothing came for `silence` seconds, OSError where it cannot be read.
     """
     with os.fdopen(os.open(path, os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC), "rb", 0) as pipe:
         came = select.poll()
@@ -125,33 +125,81 @@ def read_pipe(path: Path, most: int, silence: float) -> bytes:
             if part == b"":
                 break
             if part is None and not came.poll(silence * 1000):
-                raise TimeoutError(errno.ETIMEDOUT, os.strerror(errno.ETIMEDOUT))
+                what = f"nothing came through this pipe for {silence:g} seconds"
+                raise RefusedError(errno.ETIMEDOUT, f"{what}; write the program to a file, and name that")
             content += part or b""
         return content
 
 
-# -- what a program's file may be, and why one cannot be read ------------------------------------------------
+# -- programs in a folder that others fill -------------------------------------------------------------------
 
-LARGEST = 4 * 2**20  # bytes; no person writes more
-LED_OUT = "it is a link out of the folder, which is not followed"
-DANGLING = "it is a link to a file that is not there"
-ENVIRONMENT = "pyvenv.cfg"  # what a virtual environment's folder holds
+LARGEST = 4 * 2**20  # bytes of a program; no person writes more
+NOT_FOLLOWED = "which is not followed: put the file itself there"
+_MOST, _DEEPEST = 100_000, 20  # files and folders below one, and levels of folders
+_LEFT_OUT = "node_modules"  # of programs that nobody has handed in
+_ENVIRONMENT = "pyvenv.cfg"  # what a virtual environment's folder holds
 
 
-def within_limit(source: bytes, name: str) -> bytes:
-    """The same bytes. Raises UsageError where they are more than a program has."""
+def files_below(root: Path) -> Iterator[tuple[str, str]]:
+    """Every file below a folder, by its path from there, a folder's own before those of its folders; and each
+    folder that is not entered, with the reason.
+
+    What is hidden is left out, and so are virtual environments. Raises UsageError where there is too much.
+    """
+    unread: list[OSError] = []
+    count = 0
+    for place, folders, files in os.walk(root, onerror=unread.append):
+        here, within = Path(place), Path(place).relative_to(root)
+        inner = sorted(each for each in filter(_is_looked_at, folders) if not _is_environment(here / each))
+        folders.clear()
+        count += len(files) + len(inner)
+        if count > _MOST:
+            what, remedy = f"this folder holds more than {_MOST:,} files", "name a smaller one"
+            raise UsageError(what, where=str(root), remedy=remedy)
+        for name in sorted(filter(_is_looked_at, files)):
+            yield str(within / name), ""
+        for name in inner:
+            if (here / name).is_symlink():  # it may lead back
+                yield str(within / name), f"it is a link to a folder, {NOT_FOLLOWED}"
+            elif len(within.parts) == _DEEPEST - 1:
+                yield str(within / name), f"this folder lies more than {_DEEPEST} levels down"
+            else:
+                folders.append(name)
+    for fault in unread:
+        yield str(Path(fault.filename or root).relative_to(root)), why_unreadable(fault)
+
+
+def _is_looked_at(name: str) -> bool:
+    return not name.startswith((".", "__")) and name != _LEFT_OUT
+
+
+def _is_environment(folder: Path) -> bool:
+    return os.path.lexists(folder / _ENVIRONMENT)
+
+
+def read_below(root: Path, path: str) -> tuple[bytes, str, os.stat_result]:
+    """The bytes of a program below a real folder, where its links lead from there on, and its status.
+
+    Raises OSError: `why_unreadable` says why it is not read.
+    """
+    real = real_within(str(root), path)
+    source, found = read_inside(str(root), real, LARGEST + 1)
+    return within_limit(source), real, found
+
+
+def within_limit(source: bytes) -> bytes:
+    """The same bytes. Raises RefusedError where they are more than a program has."""
     if len(source) > LARGEST:
-        raise UsageError(f"this file is larger than {LARGEST // 2**20} MB", where=name)
+        raise RefusedError(errno.EFBIG, f"this file is larger than {LARGEST // 2**20} MB")
     return source
 
 
-def is_dangling(name: str | os.PathLike[str]) -> bool:
-    """Whether there is only a link of that name, which leads nowhere."""
-    return os.path.islink(name) and not os.path.exists(name)  # noqa: PTH110, PTH114 - of any name
-
-
 def why_unreadable(fault: OSError) -> str:
-    """Why a file that is there cannot be read."""
+    """Why what is in a folder cannot be read, or is not."""
+    if isinstance(fault, RefusedError):
+        return str(fault.strerror)
+    if isinstance(fault, FileNotFoundError):
+        return "it is a link to a file that is not there"
     return f"cannot be read ({(fault.strerror or 'it failed').lower()})"
 
 

@@ -97,8 +97,6 @@ def _mark(row: Row, handins: int) -> Counted:
         handins=handins,
         copied=bool(row.copied),
         busy=bool(row.done.busy),
-        machine=row.machine,
-        isolation=row.isolation,
     )
 
 
@@ -148,5 +146,5 @@ def _stuck(problems: Sequence[str], own: Mapping[_Pair, Sequence[Row]], order: S
 
 
 def _machines(rows: Sequence[Row]) -> tuple[Machine, ...]:
-    judged = Counter((row.machine, row.isolation) for row in rows if row.machine)
+    judged = Counter((row.machine, row.isolation) for row in rows if row.isolation)
     return tuple(Machine(*where, times) for where, times in sorted(judged.items()))

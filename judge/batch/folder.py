@@ -13,9 +13,10 @@ and to nobody where that does not tell.
 
 from __future__ import annotations
 
+import errno
 import os
 import unicodedata
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Sequence
 from pathlib import Path, PurePath
 
 from msgspec import Struct
@@ -23,27 +24,13 @@ from msgspec.structs import replace
 
 from judge.batch.model import Handin
 from judge.errors import JudgeError, UsageError
-from judge.files import (
-    DANGLING,
-    ENVIRONMENT,
-    LARGEST,
-    LedOutError,
-    is_dangling,
-    read_inside,
-    real_within,
-    why_unreadable,
-    within_limit,
-)
+from judge.files import NOT_FOLLOWED, RefusedError, files_below, read_below, why_unreadable
 from judge.languages import SUFFIX, is_program, language_of
 from judge.problem.find import fitting_problems, id_of, problem_folders, signs
 
-_DEEPEST = 20  # levels of folders
-_MOST = 100_000  # files
 _MOST_BYTES = 2**29  # of all programs together, which are in memory while they are judged
-_OTHERS = ("node_modules",)  # folders of programs that nobody has handed in
 _NOBODY = "it lies in no student's folder"
 _BACKSLASH = "its name holds a backslash where folders should be: unpack the archive again, with 'unzip'"
-_NOT_FOLLOWED = "which is not followed: put the file itself there"
 _NO_PROBLEM = "no kata has that name, and it defines no kata's function"
 
 
@@ -78,15 +65,12 @@ def read_class(
     known = {each.name for each in problem_folders(folders)}
     reader = _Reader(root, known, folders, students)
     handins, unplaced, others, size = [], [], [], 0
-    for count, path in enumerate(_files(root, ""), 1):
-        if count > _MOST:
-            raise UsageError(f"this folder holds more than {_MOST:,} files", where=str(folder))
+    for path, why in files_below(root):
+        if why:
+            unplaced.append(Handin("", "", legible(path), b"", why))
+            continue
         if not is_program(path):
-            why = _why_not_entered(root / path)
-            if why:
-                unplaced.append(Handin("", "", legible(path), b"", why))
-            else:
-                others.append(legible(path))
+            others.append(legible(path))
             continue
         found = reader.handin(path)
         size += len(found.source)
@@ -139,7 +123,11 @@ class _Reader:
     def handin(self, path: str) -> Handin:
         """The file, by its path in the class's folder; without a problem or a student where it has none."""
         student, problem = self._placed(PurePath(path))
-        source, why = self._read(path, student)
+        source, why = b"", ""
+        try:
+            source = self._read(path, student)
+        except OSError as fault:
+            why = why_unreadable(fault)
         if student and not problem and not why:
             problem, why = self._told(source, path)
         if not student:
@@ -190,38 +178,18 @@ class _Reader:
             for each in handins
         ]
 
-    def _read(self, path: str, student: str) -> tuple[bytes, str]:
-        """The bytes, or why they are not read."""
-        place = self._root / path
-        try:
-            if is_dangling(place):
-                return b"", DANGLING
-            if place.is_dir():
-                return b"", "it is a folder"
-            if not place.is_file():
-                place.stat()
-                return b"", "it is not an ordinary file"
-            return self._read_own(path, student)
-        except LedOutError:
-            return b"", f"it is a link out of the folder, {_NOT_FOLLOWED}"
-        except UsageError as fault:
-            return b"", fault.what
-        except (OSError, RuntimeError) as fault:  # RuntimeError: a loop of links
-            return b"", why_unreadable(fault) if isinstance(fault, OSError) else DANGLING
-
-    def _read_own(self, path: str, student: str) -> tuple[bytes, str]:
-        """The bytes of a file that is that student's, wherever links within their folder lead."""
-        real = real_within(str(self._root), path)
+    def _read(self, path: str, student: str) -> bytes:
+        """The bytes of a file of that student's, wherever links within their folder lead. Raises OSError."""
+        source, real, found = read_below(self._root, path)
         whose = self._placed(PurePath(real))[0]
         if real != path and whose != student:
             where = f"{whose}'s folder" if whose else "a file of nobody"
-            return b"", f"it is a link to {where}, {_NOT_FOLLOWED}"
-        source, found = read_inside(str(self._root), real, LARGEST + 1)
+            raise RefusedError(errno.EXDEV, f"it is a link to {where}, {NOT_FOLLOWED}")
         if found.st_nlink > 1:
             owned = (self._root / real).parent.stat().st_uid == found.st_uid
             name = _Name(student, legible(path), owned=owned)
             self._names.setdefault((found.st_dev, found.st_ino), []).append(name)
-        return within_limit(source, path), ""
+        return source
 
 
 class _Name(Struct, frozen=True):
@@ -237,36 +205,3 @@ def _stem(name: str) -> str:
     language = language_of(name)
     ends = language.suffixes if language else (SUFFIX,)
     return name.removesuffix(next((end for end in ends if name.endswith(end)), ""))
-
-
-def _why_not_entered(path: Path) -> str:
-    """Why what lies in a folder is not looked at; empty for what is none."""
-    try:
-        if not path.is_dir():
-            return ""
-        if path.is_symlink():
-            return f"it is a link to a folder, {_NOT_FOLLOWED}"
-        os.scandir(path).close()
-    except OSError as fault:
-        return f"this folder {why_unreadable(fault)}"
-    return f"this folder lies more than {_DEEPEST} levels down"
-
-
-def _files(root: Path, within: str, depth: int = _DEEPEST) -> Iterator[str]:
-    """The files below a folder, by their paths from the root; and folders that are called like programs, that
-    cannot be read, or that lie too deep.
-    """
-    try:
-        with os.scandir(root / within) as scanned:
-            entries = sorted(scanned, key=lambda entry: entry.name)
-    except OSError:
-        yield within
-        return
-    for entry in entries:
-        path = f"{within}/{entry.name}" if within else entry.name
-        if entry.name.startswith((".", "__")) or entry.name in _OTHERS:
-            continue
-        if not entry.is_dir(follow_symlinks=False) or depth == 1 or is_program(entry.name):
-            yield path
-        elif not os.path.lexists(root / path / ENVIRONMENT):
-            yield from _files(root, path, depth - 1)

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
-from string import ascii_lowercase
+from collections.abc import Iterator, Sequence
 
 from rich.cells import cell_len
 from rich.console import Group, RenderableType
@@ -27,6 +26,7 @@ from judge.report.parts import (
 from judge.report.published_klass import EQUAL_CAUTION, Cohort, Counted, ProblemView
 from judge.report.screen import Screen, fitted
 from judge.report.words import counted
+from judge.sandbox.boundary import LEVELS
 
 _SHOWN, _NAMES, _FAULTS = 5, 8, 20  # mistakes and groups, names in a row, files, where not all are shown
 _GAP, _NAME = 2, 18  # columns between two, and of a student's name at most
@@ -46,13 +46,12 @@ def cohort(found: Cohort, screen: Screen) -> RenderableType:
     Long lists are cut on a terminal; a pipe or a file gets them whole.
     """
     whole = screen.rows is None
-    letters = _letters(found)
-    below: list[RenderableType] = [faint(each) for each in _footnotes(found, letters)]
+    below: list[RenderableType] = [faint(each) for each in _footnotes(found)]
     below += [warning(f"{file}: {why}") for file, why in found.unjudged[:_FAULTS]]
     if len(found.unjudged) > _FAULTS:
         below.append(warning(f"… and {len(found.unjudged) - _FAULTS} more; --json has them all"))
     return blocks(
-        *_tables(found, letters, screen.width),
+        *_tables(found, screen.width),
         Group(*below, strong(_sum(found))),
         *(Group(*_kata(view, len(found.people), whole=whole)) for view in found.problems),
         *_need_help(found, whole=whole),
@@ -74,13 +73,11 @@ def _need_help(found: Cohort, *, whole: bool) -> Iterator[RenderableType]:
             yield Group(head(title, faint(about)), *(indented(paragraph(each)) for each in said))
 
 
-def _tables(
-    found: Cohort, letters: Mapping[tuple[str, str], str], width: int | None
-) -> Iterator[RenderableType]:
+def _tables(found: Cohort, width: int | None) -> Iterator[RenderableType]:
     """The columns beside the names, as many at a time as there is room for."""
     names = [fitted(each.id, _NAME) + ("" if each.known else _UNKNOWN) for each in found.people]
     columns: list[tuple[str, list[Text]]] = [
-        (view.problem, [_mark(found.marks.get((each.id, view.problem)), letters) for each in found.people])
+        (view.problem, [_mark(found.marks.get((each.id, view.problem))) for each in found.people])
         for view in found.problems
     ]
     if len(columns) > 1:
@@ -102,32 +99,25 @@ def _tables(
         columns = columns[fit:]
 
 
-def _mark(mark: Counted | None, letters: Mapping[tuple[str, str], str]) -> Text:
+def _mark(mark: Counted | None) -> Text:
     if mark is None:
         return faint(_NOTHING)
     points = "" if mark.verdict is Verdict.JE else f" {mark.score}"
-    signs = _signs(mark) + letters.get((mark.machine, mark.isolation), "")
-    return text(f"{mark.verdict.value}{points}{signs}", verdict_style(mark.verdict))
+    return text(f"{mark.verdict.value}{points}{_signs(mark)}", verdict_style(mark.verdict))
 
 
 def _signs(mark: Counted) -> str:
     return (_COPY * mark.copied) + (_SEVERAL * (mark.handins > 1)) + (_BUSY * mark.busy)
 
 
-def _letters(found: Cohort) -> dict[tuple[str, str], str]:
-    """Where files were judged and how they were isolated, the most frequent first; others have a letter."""
-    places = Counter((mark.machine, mark.isolation) for mark in found.marks.values() if mark.isolation)
-    letters = ["", *(a + b for a in ("", *ascii_lowercase) for b in ascii_lowercase)]
-    return {place: letters[at % len(letters)] for at, (place, _) in enumerate(places.most_common())}
-
-
-def _footnotes(found: Cohort, letters: Mapping[tuple[str, str], str]) -> Iterator[str]:
+def _footnotes(found: Cohort) -> Iterator[str]:
     used = {sign for mark in found.marks.values() for sign in _signs(mark)}
     used |= {_UNKNOWN for each in found.people if not each.known}
     yield from (f"{sign} {meaning}" for sign, meaning in _MEANING.items() if sign in used)
-    for (machine, isolation), letter in letters.items():
-        what = f"{isolation} isolation on {machine or 'a machine without a name'}"
-        yield f"{letter} {what}" if letter else f"judged with {what}"
+    if len(found.machines) > 1 or any(each.isolation != LEVELS[0] for each in found.machines):
+        for each in found.machines:
+            count = counted(each.handins, "file")
+            yield f"judged with {each.isolation} isolation on {each.machine}, {count}"
     if found.nothing_handed_in and not found.left:
         yield f"nothing submitted: {', '.join(found.nothing_handed_in)}"
 

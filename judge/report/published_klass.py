@@ -49,8 +49,6 @@ class Counted(Struct, frozen=True):
     handins: int = 1
     copied: bool = False
     busy: bool = False
-    machine: str = ""
-    isolation: str = ""
 
     @property
     def accepted(self) -> bool:

@@ -87,7 +87,7 @@ def test_devices_and_sockets_are_refused(name, judge, submit):
     submit(MEAN)
     with socket.socket(socket.AF_UNIX) as listener:
         listener.bind("socket.py")
-        refused(judge("run", "middle", name), name, "not an ordinary file; name a Python file")
+        refused(judge("run", "middle", name), name, "it is not an ordinary file")
 
 
 def test_a_history_that_is_a_pipe(judge, named_pipe):

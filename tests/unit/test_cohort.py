@@ -44,7 +44,7 @@ def test_thirty_students_and_twenty_problems_fit_any_screen(width):
     problems = [f"problem-number-{at:02}" for at in range(20)]
     rows = [scored(each.id, problem, "AC", 100) for each in students for problem in problems]
     cohort = cohort_of(students, problems, rows)
-    lines = shown(cohort, width).partition("judged with")[0].splitlines()
+    lines = shown(cohort, width).partition("600 of 600 accepted")[0].splitlines()
     assert max(map(cell_len, lines)) <= width
     assert sum(line.count("AC 100") for line in lines) == 600
     assert all(sum(f"{at:02}" in line for line in lines) for at in range(20))
@@ -90,6 +90,7 @@ def test_it_fits_the_screen_and_nothing_in_it_steers(width, stream):
     assert "\x1b" not in said
     assert r"dee\x1b[31m王" in said
     assert "forgotten-abs" in said
+    assert "judged with strong isolation on lab, 1 file" in " ".join(said.split())
     if width:
         assert max(map(cell_len, said.splitlines())) <= width
     assert all(row == row.rstrip() for row in said.splitlines())
