@@ -30,7 +30,7 @@ from judge.report.parts import (
     text,
     under,
 )
-from judge.report.picture import case_picture, drawing
+from judge.report.picture import case_picture, has_room, made, picture_rows
 from judge.report.published_cases import CaseTried, HackTurn, PageWritten
 from judge.report.screen import Screen, drawn
 from judge.report.tell import obstacle_text
@@ -69,10 +69,11 @@ def _fitted(
     tried: Tried, above: RenderableType | None, below: RenderableType | None, screen: Screen
 ) -> RenderableType:
     """The case between what is above and below it, with its picture; on a low screen less is said of it."""
-    picture = drawing(partial(picture_of, tried), screen, "the case")
+    found = made(partial(picture_of, tried), "the case")
+    picture = partial(picture_rows, found) if found and has_room(screen) else None
     fit: list[RenderableType] = []
     for brief in (False, True):
-        middle = indented(facts(_facts(tried, brief)))
+        middle = indented(facts(_facts(tried, getattr(found, "why", ""), brief)))
         laid = blocks(above, middle, below)
         rows = (screen.rows or 0) - drawn(laid, screen).count("\n")
         if picture is not None and rows - 2 >= LEAST_ROWS:  # an empty one, the prompt
@@ -81,8 +82,8 @@ def _fitted(
     return fit[0] if fit else laid
 
 
-def _facts(tried: Tried, brief: bool) -> Iterator[tuple[Cell, Cell]]:
-    """What is known of the case; `brief` leaves out its other forms and what is accepted."""
+def _facts(tried: Tried, why: str, brief: bool) -> Iterator[tuple[Cell, Cell]]:
+    """What is known of the case; `why` is what it turns on, and `brief` leaves out its other forms."""
     problem, said = tried.problem, tried.said
     if tried.case:
         yield "case", arguments(problem.named(tried.case))
@@ -95,14 +96,15 @@ def _facts(tried: Tried, brief: bool) -> Iterator[tuple[Cell, Cell]]:
         more = ["and so on for the other numbers"] if len(ends) > _MOST else []
         yield from under("accepted", ends[:_MOST] + more)
     if said is None:
+        yield from [("why", why)] if why else []
         return
     yield "got", (bad if tried.failed else text)(said.got)
     if said.hurdle is not None:
         line = said.hurdle.line if said.hurdle.kind is not Obstacle.STUB else 0  # whose sentence has it
         why = obstacle_text(said.hurdle, problem, said.submission, said.message)
         yield "why", f"{f'line {line}: ' if line else ''}{why}"
-    elif said.message:
-        yield "why", said.message
+    elif said.message or why:
+        yield "why", said.message or why
     yield from under("printed", said.printed.splitlines()[:_PRINTED])
 
 
