@@ -3,22 +3,11 @@
 from __future__ import annotations
 
 from collections import Counter, defaultdict
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from judge.batch.model import Row
 from judge.problem.model import Verdict
-from judge.report.published_klass import (
-    Cohort,
-    Counted,
-    EqualFiles,
-    GroupBar,
-    Machine,
-    MistakeBar,
-    ProblemView,
-    Stuck,
-    Student,
-)
-from judge.run.result import Result
+from judge.report.published_klass import Alike, Cohort, Machine, Mark, ProblemView, Student
 
 _Pair = tuple[str, str]  # a student and a problem
 
@@ -29,7 +18,7 @@ def cohort_of(
     rows: Sequence[Row],
     *,
     history: Iterable[Row] = (),
-    equal: Sequence[EqualFiles] = (),
+    equal: Sequence[Alike] = (),
     left: int = 0,
 ) -> Cohort:
     """The class as it stands: the students and problems of the table, in its order, and the present rows.
@@ -39,23 +28,24 @@ def cohort_of(
     """
     counts = counting(rows)
     handins = Counter((row.student, row.problem) for row in rows)
-    marks = {pair: _mark(row, handins[pair]) for pair, row in counts.items()}
-    handed_in = {student for student, _ in counts}
-    solved = {student for (student, _), mark in marks.items() if mark.accepted}
+    marks: dict[str, dict[str, Mark]] = {}
+    for (student, problem), row in counts.items():
+        marks.setdefault(student, {})[problem] = _mark(row, handins[student, problem])
     order = [each.id for each in students]
-    met = tuple(each for each in problems if any(each == problem for _, problem in counts))
+    own = {each: [counts[who, each] for who in order if each in marks.get(who, ())] for each in problems}
+    met = [each for each in problems if own[each]]
     failures = [(row.file, row.result.failure) for row in rows if row.verdict == Verdict.JE.value]
+    judged = Counter((row.machine, row.isolation) for row in rows if row.isolation)
+    unsolved = [who for who in order if not any(mark.accepted for mark in marks.get(who, {}).values())]
     return Cohort(
-        students=len(students),
-        handins=len(rows),
-        people=tuple(students),
+        students=tuple(students),
         marks=marks,
-        problems=tuple(_view(each, counts, order) for each in met),
+        problems=tuple(_view(each, own[each]) for each in met),
         stuck=tuple(_stuck(met, _in_turn([*history, *rows]), order)),
-        nothing_accepted=tuple(each for each in order if each in handed_in - solved),
-        nothing_handed_in=tuple(each for each in order if each not in handed_in),
-        machines=_machines(rows),
+        nothing_accepted=tuple(each for each in unsolved if each in marks),
+        nothing_handed_in=tuple(each for each in order if each not in marks),
         equal_files=tuple(equal),
+        machines=tuple(Machine(*where, times) for where, times in sorted(judged.items())),
         unjudged=tuple((file, failure.message if failure else "") for file, failure in failures),
         left=left,
     )
@@ -87,12 +77,11 @@ def _in_turn(rows: Iterable[Row]) -> dict[_Pair, list[Row]]:
     return found
 
 
-def _mark(row: Row, handins: int) -> Counted:
-    return Counted(
+def _mark(row: Row, handins: int) -> Mark:
+    return Mark(
         file=row.file,
         verdict=Verdict(row.verdict),
         score=row.score,
-        points=row.points,
         mistake=row.mistake,
         handins=handins,
         copied=bool(row.copied),
@@ -100,51 +89,46 @@ def _mark(row: Row, handins: int) -> Counted:
     )
 
 
-def _view(problem: str, counts: Mapping[_Pair, Row], order: Sequence[str]) -> ProblemView:
-    rows = {student: counts[student, problem] for student in order if (student, problem) in counts}
-    made: dict[tuple[bool, str], list[str]] = defaultdict(list)
-    for student, row in rows.items():
+def _view(problem: str, rows: Sequence[Row]) -> ProblemView:
+    """The kata of these rows, of which one counts for each student."""
+    made: dict[tuple[str, bool], list[Row]] = defaultdict(list)
+    for row in rows:
         if not row.accepted:
-            made[bool(row.mistake), row.mistake or row.verdict].append(student)
-    bars = [
-        MistakeBar(label if named else None, None if named else label, tuple(found))
-        for (named, label), found in made.items()
-    ]
+            made[row.mistake or _unnamed(Verdict(row.verdict)), bool(row.mistake)].append(row)
+    failed = Counter(
+        group.name for row in rows for group in row.result.groups if group.verdict is not Verdict.AC
+    )
     return ProblemView(
         problem=problem,
         handed_in=len(rows),
-        accepted=sum(row.accepted for row in rows.values()),
-        mistakes=tuple(sorted(bars, key=lambda bar: (not bar.named, -len(bar.students), bar.label))),
-        groups=_groups([row.result for row in rows.values()]),
+        accepted=sum(row.accepted for row in rows),
+        mistakes=tuple(_most_first(_alike(what, found, named) for (what, named), found in made.items())),
+        groups=dict(failed.most_common()),
     )
 
 
-def _groups(results: Sequence[Result]) -> tuple[GroupBar, ...]:
-    """The groups that somebody fails, by how many do, and then in the problem's order."""
-    run: Counter[str] = Counter()
-    failed: Counter[str] = Counter()
-    for result in results:
-        for group in result.groups:
-            run[group.name] += 1
-            failed[group.name] += group.verdict is not Verdict.AC
-    bars = [GroupBar(name, failed[name], run[name]) for name in run if failed[name]]
-    return tuple(sorted(bars, key=lambda bar: -bar.failed))
+def _unnamed(verdict: Verdict) -> str:
+    return f"{verdict.meaning}, no mistake named" if verdict is Verdict.WA else verdict.meaning
 
 
-def _stuck(problems: Sequence[str], own: Mapping[_Pair, Sequence[Row]], order: Sequence[str]) -> list[Stuck]:
-    """By problem, and then the mistake that holds the most students up."""
-    found: dict[_Pair, list[str]] = defaultdict(list)
-    for student in order:
-        for problem in problems:
+def _stuck(
+    problems: Sequence[str], own: Mapping[_Pair, Sequence[Row]], order: Sequence[str]
+) -> Iterator[Alike]:
+    """Whose last two files make the same mistake: by problem, and then that of the most students."""
+    for problem in problems:
+        held: dict[str, list[Row]] = defaultdict(list)
+        for student in order:
             rows = own.get((student, problem), ())
-            last = {row.mistake for row in rows[-2:]}
-            if len(rows) > 1 and len(last) == 1 and last != {""} and not any(row.accepted for row in rows):
-                found[problem, last.pop()].append(student)
-    place = {problem: at for at, problem in enumerate(problems)}
-    told = [Stuck(problem, mistake, tuple(who)) for (problem, mistake), who in found.items()]
-    return sorted(told, key=lambda each: (place[each.problem], -len(each.students), each.mistake))
+            last = [row.mistake for row in rows[-2:]]
+            if len(last) == 2 and last[0] == last[1] != "" and not any(row.accepted for row in rows):
+                held[last[0]].append(rows[-1])
+        yield from _most_first(_alike(mistake, rows) for mistake, rows in held.items())
 
 
-def _machines(rows: Sequence[Row]) -> tuple[Machine, ...]:
-    judged = Counter((row.machine, row.isolation) for row in rows if row.isolation)
-    return tuple(Machine(*where, times) for where, times in sorted(judged.items()))
+def _alike(what: str, rows: Sequence[Row], named: bool = True) -> Alike:
+    who, files = (row.student for row in rows), (row.file for row in rows)
+    return Alike(rows[0].problem, what, tuple(who), tuple(files), named)
+
+
+def _most_first(found: Iterable[Alike]) -> list[Alike]:
+    return sorted(found, key=lambda each: (not each.named, -len(each.students), each.what))

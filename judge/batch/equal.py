@@ -17,7 +17,7 @@ from judge.errors import ProblemError
 from judge.languages import SUFFIX
 from judge.practice.stub import make_stub
 from judge.problem import Problem
-from judge.report.published_klass import EqualFiles
+from judge.report.published_klass import Alike
 
 # Of 339 functions in independent accepted programs equal pairs have at most 41 words, such as the dot product
 # of two points. No two such programs are equal; a whole one of twice that is no accident any more.
@@ -26,7 +26,7 @@ LEAST = 80
 
 def equal_files(
     handins: Iterable[Handin], problems: Mapping[str, Problem], least: int = LEAST
-) -> list[EqualFiles]:
+) -> list[Alike]:
     """The sets of equal files, by problem and then by the first student's name.
 
     `problems` are those handed in to, by id: the name of the entry function is nobody's own choice, and a
@@ -58,11 +58,12 @@ def _stub(problem: Problem) -> str:
         return ""
 
 
-def _told(found: list[tuple[Handin, int]]) -> EqualFiles:
+def _told(found: list[tuple[Handin, int]]) -> Alike:
     handins = sorted((handin for handin, _ in found), key=lambda each: (each.student, each.file))
-    return EqualFiles(
+    same_bytes = len({each.source for each in handins}) == 1
+    return Alike(
         problem=handins[0].problem,
+        what="identical files" if same_bytes else "identical after removing names, spacing and comments",
         students=tuple(dict.fromkeys(each.student for each in handins)),
         files=tuple(each.file for each in handins),
-        same_bytes=len({each.source for each in handins}) == 1,
     )

@@ -24,8 +24,8 @@ _BROKEN = (Verdict.WA, Verdict.RTE, Verdict.TLE, Verdict.MLE)
 def representatives(cohort: Cohort, rows: Iterable[Row]) -> list[Row]:
     """For each mistake of each problem, the row of the first student who made it."""
     by_file = {(row.problem, row.file): row for row in rows}
-    firsts = [(view.problem, bar.students[0]) for view in cohort.problems for bar in view.mistakes]
-    return [by_file[problem, cohort.marks[student, problem].file] for problem, student in firsts]
+    mistakes = [each for view in cohort.problems for each in view.mistakes]
+    return [by_file[each.problem, each.files[0]] for each in mistakes]
 
 
 def smallest_cases(

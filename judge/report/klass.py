@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Iterator, Sequence
 
 from rich.cells import cell_len
@@ -23,7 +22,7 @@ from judge.report.parts import (
     verdict_style,
     warning,
 )
-from judge.report.published_klass import EQUAL_CAUTION, Cohort, Counted, ProblemView
+from judge.report.published_klass import EQUAL_CAUTION, Alike, Cohort, Mark, ProblemView
 from judge.report.screen import Screen, fitted
 from judge.report.words import counted
 from judge.sandbox.boundary import LEVELS
@@ -46,49 +45,48 @@ def cohort(found: Cohort, screen: Screen) -> RenderableType:
     Long lists are cut on a terminal; a pipe or a file gets them whole.
     """
     whole = screen.rows is None
-    below: list[RenderableType] = [faint(each) for each in _footnotes(found)]
-    below += [warning(f"{file}: {why}") for file, why in found.unjudged[:_FAULTS]]
-    if len(found.unjudged) > _FAULTS:
-        below.append(warning(f"… and {len(found.unjudged) - _FAULTS} more; --json has them all"))
+    unjudged = _some([f"{file}: {why}" for file, why in found.unjudged], _FAULTS, whole=whole)
     return blocks(
         *_tables(found, screen.width),
-        Group(*below, strong(_sum(found))),
-        *(Group(*_kata(view, len(found.people), whole=whole)) for view in found.problems),
+        Group(*map(faint, _footnotes(found)), *map(warning, unjudged), strong(_sum(found))),
+        *(Group(*_kata(view, len(found.students), whole=whole)) for view in found.problems),
         *_need_help(found, whole=whole),
     )
 
 
 def _need_help(found: Cohort, *, whole: bool) -> Iterator[RenderableType]:
     """Who is stuck, who has solved nothing, and whose files are equal."""
-    some = f"{len(found.nothing_accepted)} of {counted(len(found.people), 'student')}"
-    stuck = [(f"{each.problem}  {each.mistake}: ", each.students) for each in found.stuck]
-    equal = [(f"{each.problem}  {each.how}: ", each.students) for each in found.equal_files]
+    unsolved = found.nothing_accepted
+    some = f"{len(unsolved)} of {counted(len(found.students), 'student')}"
     for title, about, rows in (
-        ("stuck", "the same mistake in the last two submissions", stuck),
-        ("no accepted solution yet", some, [("", found.nothing_accepted)] if found.nothing_accepted else []),
-        ("equal files", EQUAL_CAUTION, equal),
+        ("stuck", "the same mistake in the last two submissions", _alike(found.stuck, whole=whole)),
+        ("no accepted solution yet", some, [_names(unsolved, whole=whole)] if unsolved else []),
+        ("equal files", EQUAL_CAUTION, _alike(found.equal_files, whole=whole)),
     ):
         if rows:
-            said = _some([f"{name}{_names(who, whole=whole)}" for name, who in rows], _SHOWN, whole=whole)
-            yield Group(head(title, faint(about)), *(indented(paragraph(each)) for each in said))
+            yield Group(head(title, faint(about)), *(indented(paragraph(each)) for each in rows))
+
+
+def _alike(found: Sequence[Alike], *, whole: bool) -> list[str]:
+    rows = [f"{each.problem}  {each.what}: {_names(each.students, whole=whole)}" for each in found]
+    return _some(rows, _SHOWN, whole=whole)
 
 
 def _tables(found: Cohort, width: int | None) -> Iterator[RenderableType]:
     """The columns beside the names, as many at a time as there is room for."""
-    names = [fitted(each.id, _NAME) + ("" if each.known else _UNKNOWN) for each in found.people]
+    names = [fitted(each.id, _NAME) + ("" if each.known else _UNKNOWN) for each in found.students]
     columns: list[tuple[str, list[Text]]] = [
-        (view.problem, [_mark(found.marks.get((each.id, view.problem))) for each in found.people])
+        (view.problem, [_cell(found.mark(each.id, view.problem)) for each in found.students])
         for view in found.problems
     ]
     if len(columns) > 1:
-        of = f" of {len(columns)}"
-        solved = Counter(who for (who, _), mark in found.marks.items() if mark.accepted)
-        columns.append(("solved", [text(f"{solved[each.id]}{of}") for each in found.people]))
-        columns.append(("points", [text(str(found.total(each.id))) for each in found.people]))
+        own = [found.marks.get(each.id, {}).values() for each in found.students]
+        solved = [f"{sum(mark.accepted for mark in marks)} of {len(columns)}" for marks in own]
+        columns.append(("solved", [text(each) for each in solved]))
+        columns.append(("points", [text(str(found.total(each.id))) for each in found.students]))
     while names and columns:
         fit, used = 0, max(map(cell_len, names))
-        while fit < len(columns):
-            title, column = columns[fit]
+        for title, column in columns:
             used += _GAP + max(len(title), *(each.cell_len for each in column))
             if width is not None and used > width and fit:
                 break
@@ -99,20 +97,20 @@ def _tables(found: Cohort, width: int | None) -> Iterator[RenderableType]:
         columns = columns[fit:]
 
 
-def _mark(mark: Counted | None) -> Text:
+def _cell(mark: Mark | None) -> Text:
     if mark is None:
         return faint(_NOTHING)
     points = "" if mark.verdict is Verdict.JE else f" {mark.score}"
     return text(f"{mark.verdict.value}{points}{_signs(mark)}", verdict_style(mark.verdict))
 
 
-def _signs(mark: Counted) -> str:
+def _signs(mark: Mark) -> str:
     return (_COPY * mark.copied) + (_SEVERAL * (mark.handins > 1)) + (_BUSY * mark.busy)
 
 
 def _footnotes(found: Cohort) -> Iterator[str]:
-    used = {sign for mark in found.marks.values() for sign in _signs(mark)}
-    used |= {_UNKNOWN for each in found.people if not each.known}
+    used = {sign for mark in found.every_mark for sign in _signs(mark)}
+    used |= {_UNKNOWN for each in found.students if not each.known}
     yield from (f"{sign} {meaning}" for sign, meaning in _MEANING.items() if sign in used)
     if len(found.machines) > 1 or any(each.isolation != LEVELS[0] for each in found.machines):
         for each in found.machines:
@@ -123,26 +121,26 @@ def _footnotes(found: Cohort) -> Iterator[str]:
 
 
 def _sum(found: Cohort) -> str:
-    solved = sum(mark.accepted for mark in found.marks.values())
-    students, katas = counted(len(found.people), "student"), counted(len(found.problems), "kata")
+    marks = found.every_mark
+    solved = sum(mark.accepted for mark in marks)
+    students, katas = counted(len(found.students), "student"), counted(len(found.problems), "kata")
     left = f"; {counted(found.left, 'file')} left to judge" if found.left else ""
-    return f"{solved} of {len(found.marks)} accepted, {students}, {katas}{left}"
+    return f"{solved} of {len(marks)} accepted, {students}, {katas}{left}"
 
 
-def _kata(view: ProblemView, people: int, *, whole: bool) -> Iterator[RenderableType]:
+def _kata(view: ProblemView, students: int, *, whole: bool) -> Iterator[RenderableType]:
     """How many submitted and are accepted, the mistakes with who made them, the groups that fail."""
-    yield head(view.problem, faint(f"{view.handed_in} of {people} submitted, {view.accepted} accepted"))
-    mistakes = view.mistakes if whole else view.mistakes[:_SHOWN]
+    yield head(view.problem, faint(f"{view.handed_in} of {students} submitted, {view.accepted} accepted"))
     rows: list[Sequence[Cell]] = []
-    for each in mistakes:
+    for each in view.mistakes if whole else view.mistakes[:_SHOWN]:
         who = faint(_names(each.students, whole=whole))
-        rows.append(((text if each.named else faint)(each.label), str(len(each.students)), who))
+        rows.append(((text if each.named else faint)(each.what), str(len(each.students)), who))
     if rows:
         yield indented(table(rows, right=[1]))
     if more := len(view.mistakes) - len(rows):
         yield indented(faint(f"and {more} more"))
     if view.groups:
-        groups = _some([f"{each.name} {each.failed}" for each in view.groups], _SHOWN, whole=whole)
+        groups = _some([f"{name} {failed}" for name, failed in view.groups.items()], _SHOWN, whole=whole)
         yield indented(paragraph(f"groups that fail: {', '.join(groups)}"))
 
 

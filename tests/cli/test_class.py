@@ -38,7 +38,7 @@ def homework(submit):
 
 
 def rows(outcome):
-    found = [row for row in map(json.loads, outcome.out.splitlines()) if "cohort" not in row]
+    found = [row for row in map(json.loads, outcome.out.splitlines()) if "student" in row]
     return {row["file"]: row for row in found}
 
 

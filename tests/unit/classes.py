@@ -8,7 +8,7 @@ from judge.batch.cohort import cohort_of
 from judge.batch.model import Done, Row
 from judge.cache import digest
 from judge.problem.model import Verdict
-from judge.report.published_klass import EqualFiles, Student
+from judge.report.published_klass import Alike, Student
 from judge.run.result import Failure, GroupResult, Pitfall, Ratio, Result, Timing, earned
 
 GROUPS = ("examples", "grid", "tangent")
@@ -96,7 +96,8 @@ ROWS = [
     row(DEE, "segment", fails=("grid",)),
     row("zoe", "count", "tight-epsilon", ("examples",)),
 ]
-EQUAL = [EqualFiles("count", ("bob", "cid"), ("bob/count-2.py", "cid/count.py"), False)]
+SAME = "identical after removing names, spacing and comments"
+EQUAL = [Alike("count", SAME, ("bob", "cid"), ("bob/count-2.py", "cid/count.py"))]
 
 
 def class_of(*rows, students=(), problems=("count",), history=(), equal=()):

@@ -69,7 +69,7 @@ def test_the_best_counts_and_the_newest_of_equals():
 
 
 def test_stuck_is_the_same_mistake_twice_in_a_row_and_nothing_accepted():
-    assert [(each.problem, each.mistake, each.students) for each in small_class().stuck] == [
+    assert [(each.problem, each.what, each.students) for each in small_class().stuck] == [
         ("count", "forgotten-abs", ("bob",))
     ]
     fails = ("grid",)
@@ -98,7 +98,7 @@ def test_it_fits_the_screen_and_nothing_in_it_steers(width, stream):
 
 def test_long_lists_are_folded_on_a_terminal_and_nobody_is_nothing():
     empty = class_of(problems=())
-    assert (empty.people, empty.problems, empty.handins) == ((), (), 0)
+    assert (empty.students, empty.problems, empty.marks) == ((), (), {})
     fails = ("grid", "tangent")
     many = class_of(*(row(f"s{at:03}", "count", f"mistake-{at % 9}", fails) for at in range(90)))
     folded, whole = (shown(many, 80, stream).partition("kata\n")[2] for stream in (Terminal(), io.StringIO()))

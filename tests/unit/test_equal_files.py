@@ -40,9 +40,9 @@ def told(*sources, least=LEAST, name="{}.py", problem="count"):
 def test_names_spacing_and_comments_make_no_other_program():
     (found,) = told(ONE, RENAMED)
     assert (found.problem, found.students, found.files) == ("count", ("s0", "s1"), ("0.py", "1.py"))
-    assert found.how == "identical after removing names, spacing and comments"
+    assert found.what == "identical after removing names, spacing and comments"
     (found,) = told(ONE, ONE)
-    assert found.how == "identical files"
+    assert found.what == "identical files"
 
 
 @pytest.mark.parametrize(

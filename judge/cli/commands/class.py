@@ -19,7 +19,7 @@ from judge.cli.options import Common, command, opt
 from judge.errors import UsageError
 from judge.problem.find import find_problem
 from judge.problem.model import LEVELS
-from judge.report.published_klass import ClassLine, ClassRow, Cohort, gradebook, is_gradebook
+from judge.report.published_klass import ClassRow, Cohort, gradebook, is_gradebook
 from judge.report.screen import note
 from judge.report.words import counted
 
@@ -46,7 +46,7 @@ class ClassAsk(Struct, frozen=True):
     )
 
 
-@command("class", ClassRow, ClassLine, ask=ClassAsk)
+@command("class", ClassRow, Cohort, ask=ClassAsk)
 @click.argument("folder", metavar="FOLDER", type=click.Path(path_type=Path))
 @click.argument("katas", metavar="[KATA]...", nargs=-1)
 def judge_class(

@@ -40,8 +40,8 @@ class ClassPages:
     ) -> None:
         self._cohort, self._results, self._cases = cohort, results, Cases(problems)
         self._title, self._generated = title, generated
-        often = Counter(each.name for each in cohort.people)
-        names = {each.id: each.name or each.id for each in cohort.people}
+        often = Counter(each.name for each in cohort.students)
+        names = {each.id: each.name or each.id for each in cohort.students}
         self._names = {who: name if often[name] <= 1 else f"{name} ({who})" for who, name in names.items()}
 
     def whole(self) -> bytes:
@@ -62,7 +62,7 @@ class ClassPages:
             "class.html.j2",
             CLASS_MARK,
             [case for *_, made in katas for _, case in made],
-            [mark.verdict for mark in cohort.marks.values()],
+            [mark.verdict for mark in cohort.every_mark],
             title=self._title,
             generated=self._generated,
             cohort=cohort,
@@ -75,12 +75,12 @@ class ClassPages:
     def students(self) -> Iterator[tuple[str, bytes]]:
         """For each student who submitted something, the name of a file and their page."""
         cohort, taken = self._cohort, set[str]()
-        for person in cohort.people:
+        for person in cohort.students:
             name = _file(person.id, taken)
             marks = [
                 (
                     self._called(view.problem),
-                    cohort.marks.get((person.id, view.problem)),
+                    cohort.mark(person.id, view.problem),
                     self._case(person.id, view.problem, f"case-{at}"),
                 )
                 for at, view in enumerate(cohort.problems, 1)
@@ -107,7 +107,7 @@ class ClassPages:
         return self._cases.problems[problem].title if problem in self._cases.problems else problem
 
     def _case(self, student: str, problem: str, anchor: str) -> Case | None:
-        mark = self._cohort.marks.get((student, problem))
+        mark = self._cohort.mark(student, problem)
         result = self._results.get((problem, mark.file)) if mark else None
         if mark is None or mark.accepted or result is None:
             return None
