@@ -24,10 +24,10 @@ _WALL = 4  # times the CPU seconds, and some
 
 
 class Trial(Struct, frozen=True):
-    """What came of it: `file` is the first that it fails, `seconds` the most CPU time of a file."""
+    """What came of it: `test` is the first that it fails, `seconds` the most CPU time of a file."""
 
     verdict: Verdict
-    file: str = ""
+    test: str | None = None
     seconds: float = 0.0
 
 
@@ -61,7 +61,7 @@ def tried(
             verdict = _verdict(data, test, result)
             if verdict is not Verdict.AC:
                 return Trial(verdict, test.stem, most)
-    return Trial(Verdict.AC, "", most)
+    return Trial(Verdict.AC, None, most)
 
 
 def _verdict(data: ProblemData, test: Test, result: ProgramResult) -> Verdict:
