@@ -1,13 +1,16 @@
 """Which programs a package holds: those of solutions/, each in the folder of the verdict that it gets there.
 
-Of each mistake there is one program, a file of wrong/ before one that mistakes.py makes. A function gets a
-driver. What passes where it must not, is too near the time limit or does not run alone is left out and told.
+It is the one on the first test that it fails. Of each mistake there is one program, a file of wrong/
+before one that mistakes.py makes. A function gets a driver. What passes where it must not, is too near the
+time limit or does not run alone is left out and told.
 """
 
 from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import partial
+from math import ceil
 
 from msgspec import Struct
 
@@ -16,10 +19,13 @@ from judge.languages import SUFFIX
 from judge.mistakes.makers import Maker, read_makers
 from judge.packs.export.cases import Test
 from judge.packs.export.driver import as_program, defines, why_not_alone
-from judge.packs.export.trial import PATIENCE, SURELY, Trial, time_limit, tried
+from judge.packs.export.metadata import memory
 from judge.problem import Problem, Verdict
 from judge.problem.solutions import Kind, read_solutions
-from judge.sandbox.boundary import BoxFactory
+from judge.run.program import answer_lines
+from judge.run.replies import VERDICTS
+from judge.sandbox.boundary import BoxFactory, Limits, ProgramResult, Stop
+from judge.values.check import Accepted, check_line
 
 FOLDERS = {
     Verdict.AC: "accepted",
@@ -29,6 +35,11 @@ FOLDERS = {
 }
 _NOT_ALLOWED = re.compile("[^a-zA-Z0-9_.-]")  # in the name of a package's file
 _TRIES = 3  # programs of one mistake, until one is rejected
+
+SLOWEST = 5  # times the slowest accepted program: the time limit, as the legacy format has it
+SURELY = 6  # times the time limit: a program that takes so long is too slow elsewhere too
+PATIENCE = 20.0  # seconds of CPU for an accepted program and one file
+_WALL = 4  # times the CPU seconds, and some
 
 Progress = Callable[[str, int, int], None]
 
@@ -66,6 +77,14 @@ class _Candidate(Struct, frozen=True):
     source: bytes
 
 
+class _Trial(Struct, frozen=True):
+    """What came of it: `test` is the first that it fails, `seconds` the most CPU time of a test."""
+
+    verdict: Verdict
+    test: str | None = None
+    seconds: float = 0.0
+
+
 class Exporter:
     """Tries a problem's programs as the package has them, contained, in boxes of `boxes`."""
 
@@ -85,7 +104,8 @@ class Exporter:
         Raises JudgeError where nothing can be run.
         """
         tried = [*self._tried(self._files(Kind.ACCEPTED), "accepted", PATIENCE)]
-        seconds = time_limit([trial for _, trial in tried if trial.verdict is Verdict.AC])
+        slowest = max((each.seconds for _, each in tried if each.verdict is Verdict.AC), default=0.0)
+        seconds = max(1, ceil(SLOWEST * slowest))
         mistakes = list(self._mistakes())
         for makers in mistakes[wrong:] if wrong is not None else []:
             self._leave_out(makers[0].file, "no more wrong programs are wanted")
@@ -142,19 +162,47 @@ class Exporter:
 
     def _tried(
         self, choices: Sequence[Sequence[_Candidate]], what: str, seconds: float
-    ) -> Iterator[tuple[_Candidate, Trial]]:
+    ) -> Iterator[tuple[_Candidate, _Trial]]:
         """Of each choice of programs the first that is rejected, or the last, and what came of it."""
         for done, candidates in enumerate(choices, 1):
             for candidate in candidates:
-                source, name = candidate.source, candidate.name
-                trial = tried(self._data, self._tests, source, name, self._boxes, seconds)
+                trial = self._trial(candidate, seconds)
                 if trial.verdict is not Verdict.AC:
                     break
             self._progress(f"trying {what} programs", done, len(choices))
             yield candidate, trial
 
+    def _trial(self, candidate: _Candidate, seconds: float) -> _Trial:
+        """Run the program, contained, on one test after another until one fails, `seconds` of CPU each."""
+        memory_bytes, output_bytes = memory(self._problem) << 20, self._problem.limits.output_bytes
+        limits = Limits(seconds, _WALL * seconds + 5, memory_bytes, output_bytes)
+        most = 0.0
+        with self._boxes(candidate.source, candidate.name) as box:
+            if box.inspect().fault:
+                return _Trial(Verdict.CE)
+            for test in self._tests:
+                result = box.run_program(test.input, limits)
+                most = max(most, result.usage.cpu_seconds)
+                verdict = self._verdict(test, result)
+                if verdict is not Verdict.AC:
+                    return _Trial(verdict, test.stem, most)
+        return _Trial(Verdict.AC, None, most)
 
-def _misfit(kind: Kind, trial: Trial, seconds: int) -> str:
+    def _verdict(self, test: Test, result: ProgramResult) -> Verdict:
+        """As a package has it: how a program ends goes before what it has printed."""
+        if result.stop is not Stop.ANSWERED:
+            return VERDICTS[result.stop]
+        lines, group = answer_lines(result.stdout, complete=True), test.group
+        if len(lines) != len(group.cases):
+            return Verdict.WA
+        for line, case, target in zip(lines, group.cases, group.targets, strict=True):
+            exact = partial(self._data.exact, case, group.group)
+            if not isinstance(check_line(self._problem.answer, line, target, exact), Accepted):
+                return Verdict.WA
+        return Verdict.AC
+
+
+def _misfit(kind: Kind, trial: _Trial, seconds: int) -> str:
     """Why a program fits into no folder; empty where it does."""
     verdict = trial.verdict
     if kind is Kind.ACCEPTED and verdict is not Verdict.AC:
