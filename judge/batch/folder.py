@@ -37,13 +37,11 @@ _NO_PROBLEM = "no kata has that name, and it defines no kata's function"
 class ClassFolder(Struct, frozen=True):
     """What was found: hand-ins in the order of students, problems and files.
 
-    `unplaced` are programs without a student or a problem, each with the reason; `others` are files that are
-    no programs, by their paths. Neither is judged.
+    `unplaced` are other files, and programs without a student or a problem, each with why it is not judged.
     """
 
     handins: tuple[Handin, ...]
     unplaced: tuple[Handin, ...]
-    others: tuple[str, ...]
 
 
 def read_class(
@@ -64,13 +62,10 @@ def read_class(
     root = root_of(folder)
     known = {each.name for each in problem_folders(folders)}
     reader = _Reader(root, known, folders, students)
-    handins, unplaced, others, size = [], [], [], 0
+    handins, unplaced, size = [], [], 0
     for path, why in files_below(root):
-        if why:
-            unplaced.append(Handin("", "", legible(path), b"", why))
-            continue
-        if not is_program(path):
-            others.append(legible(path))
+        if why or not is_program(path):
+            unplaced.append(Handin("", "", legible(path), why=why or "not a program, by its name"))
             continue
         found = reader.handin(path)
         size += len(found.source)
@@ -83,7 +78,7 @@ def read_class(
             unplaced.append(found)
     handins = reader.without_shared(handins)
     handins.sort(key=lambda each: (each.student, each.problem, each.file))
-    return ClassFolder(tuple(handins), tuple(unplaced), tuple(others))
+    return ClassFolder(tuple(handins), tuple(unplaced))
 
 
 def root_of(folder: Path) -> Path:
