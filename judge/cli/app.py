@@ -6,6 +6,7 @@ import errno
 import gc
 import importlib
 import os
+import re
 import sys
 from collections.abc import Sequence
 from contextlib import suppress
@@ -25,6 +26,11 @@ if TYPE_CHECKING:
 _DEBUG = "--debug"
 _NARROWEST, _USUAL_WIDTH, _WIDEST = 30, 80, 100  # columns of help
 _UNWRITABLE = (errno.ENOSPC, errno.EDQUOT, errno.EBADF)  # no fault of ours: a full disk, a closed stream
+_BETTER = (  # than what click says
+    ("a valid integer( range)?", "a whole number"),
+    (r"in the range (\d+)<=x<=(\d+)", r"from \1 to \2"),
+    (r"in the range x>=(\d+)", r"\1 or more"),
+)
 _CLOSED_PIPE = 141  # what a shell reports of any filter whose reader has left: 128 + SIGPIPE
 
 
@@ -153,7 +159,7 @@ def _unknown(name: str) -> str:
         from judge.report.words import shown_command  # only for the one who is told
 
         return f"There is no command {name}. To judge that file: {shown_command('judge', 'run', file=name)}"
-    near = LIKE.get(name) or nearest(name, COMMANDS) or nearest(name, OLD)
+    near = LIKE.get(name) or nearest(name, COMMANDS) or " ".join(OLD.get(nearest(name, OLD) or "", ()))
     meant = f"Did you mean judge {near}?" if near else "judge --help shows the commands"
     return f"There is no command {name if name.isprintable() else ascii(name)}. {meant}"
 
@@ -184,6 +190,8 @@ def _usage(fault: click.UsageError) -> str:
     """click's message, in the form of the judge's own: no capital, no full stop, the nearest option named."""
     if not isinstance(fault, click.NoSuchOption):
         message = " ".join(fault.format_message().split()).rstrip(".")
+        for said, better in _BETTER:
+            message = re.sub(said, better, message)
         return message[:1].lower() + message[1:]
     said = f"no such option '{fault.option_name}'"
     own = fault.ctx.command.get_params(fault.ctx) if fault.ctx else ()

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 from judge.cli.resolve import current, history_at, this_folder
 from judge.practice import events
 from judge.practice.events import Answer, Help
-from judge.practice.progress import levels_passed, solved, tried
-from judge.practice.syllabus import Course, read_course
+from judge.practice.progress import levels_passed, skills, solved, tried
+from judge.practice.syllabus import Course, Skill, read_course
 from judge.report.published_look import Again, Home, Next, Now, Standing
 
 if TYPE_CHECKING:
@@ -59,9 +59,13 @@ def standing(problem: str, common: Common) -> Standing:
     """What a kata took the person, and what comes after it. Raises JudgeError."""
     with history_at(common.db, reading=True) as history:
         runs, hints = history.runs(), history.hints_seen(problem)
-    course = read_course(solved(runs), common.problems)
+    course, own = read_course(solved(runs), common.problems), tried(runs)
+    mine = own.get(problem, [])
+    shows = [Skill(each.name, "") for kata in course.problems if kata.id == problem for each in kata.skills]
+    found = skills(course.problems, own, shows) if mine else []
     return Standing(
-        runs=len(tried(runs).get(problem, ())),
+        runs=len(mine),
+        new=tuple(each.name for each in found if each.since == mine[-1].when),
         hints=hints,
         next=_next(course, problem),
         solved=len(course.solved),

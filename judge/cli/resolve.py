@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from itertools import pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -28,6 +28,8 @@ from judge.languages import file_name, is_program
 from judge.problem import Problem
 from judge.problem.find import find_problem, problem_folders, shipped_problems
 from judge.problem.model import is_name
+from judge.report.screen import note
+from judge.report.words import shown_command, shown_name
 
 if TYPE_CHECKING:
     from judge.cli.options import Common
@@ -103,13 +105,11 @@ def history_at(path: Path | None, *, reading: bool = False) -> Iterator[History]
             said: set[object] = set() if context is None else context.meta.setdefault(__name__, set())
             if found := len(history.left_out - said):
                 what = "1 damaged row is" if found == 1 else f"{found} damaged rows are"
-                _note(f"{what} left out of the history")
+                note(f"{what} left out of the history")
             said |= history.left_out
             if history.set_aside is not None:
-                from judge.report.words import shown_name  # only for the one who is told
-
                 name = shown_name(str(history.set_aside))
-                _note(f"the history was damaged: it is kept as {name}, and a new one is begun")
+                note(f"the history was damaged: it is kept as {name}, and a new one is begun")
 
 
 def take_up(kata: Kata, db: Path | None) -> None:
@@ -125,13 +125,7 @@ def keep(event: Event, db: Path | None) -> None:
         with history_at(db) as history:
             history.keep(event)
     except StoreError as fault:
-        _note(f"not kept in the history: {fault}")
-
-
-def _note(text: str) -> None:
-    from judge.report.screen import note  # only for the one who is told
-
-    note(text)
+        note(f"not kept in the history: {fault}")
 
 
 def current(folder: Path, history: History) -> Started | None:
@@ -199,13 +193,9 @@ def _is_there(place: Started) -> bool:
 
 def _places(db: Path | None) -> list[Started]:
     """All files that were started or judged; none where the history fails: whoever needs it says so."""
-    try:
-        from judge.practice.history import History
-
-        with History(db, reading=True) as history:
-            return history.places()
-    except StoreError:
-        return []
+    with suppress(StoreError), history_at(db, reading=True) as history:
+        return history.places()
+    return []
 
 
 # -- words ---------------------------------------------------------------------------------------------------
@@ -247,7 +237,6 @@ def problem_of_file(submission: Submission, command: str, common: Common) -> Pro
         ProblemError: the one that fits is broken.
     """
     from judge.problem.find import fitting_problems, meant_problem, signs  # only where no kata is named
-    from judge.report.words import shown_command
 
     file, folders = submission.name, common.problems
     found = signs(submission.source, file)

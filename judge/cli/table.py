@@ -129,4 +129,5 @@ OLD: Mapping[str, tuple[str, ...]] = {
 LIKE: Mapping[str, str] = {
     **dict.fromkeys(("submit", "test", "check", "judge"), "run"),
     "reset": "start --reset",
+    "explain": "hint",
 }

@@ -30,10 +30,10 @@ from judge.languages import language_of
 from judge.practice.progress import solved
 from judge.practice.stub import make_stub, usual_name, write_stub
 from judge.practice.syllabus import Course, read_course
-from judge.report.parts import faint, good, prose, warning
-from judge.report.picture import has_room
+from judge.report.parts import faint, good, warning
+from judge.report.picture import has_room, statement
 from judge.report.published_result import Judged
-from judge.report.result import drawing_of, magnified, screenful, told_of, verdict_line
+from judge.report.result import explained, magnified, screenful, told_of, verdict_line
 from judge.report.screen import Screen, drawn, out
 from judge.report.tell import shown_failure
 from judge.report.views import view
@@ -280,7 +280,7 @@ class _Loop:
         self._say(faint(f"Opened {file.name}"))
 
     def _statement(self, screen: Screen) -> RenderableType:
-        return prose(self._kata.problem.statement, screen)
+        return statement(self._kata.problem, screen)
 
     def _list(self, screen: Screen) -> RenderableType:
         from judge.cli.commands.look import ListAsk, listed
@@ -291,10 +291,10 @@ class _Loop:
         """The failing case, drawn below its arguments."""
         if self._found and not has_room(screen):
             return warning("A picture needs a terminal of 60 columns that knows braille.")
-        drawing = drawing_of(self._found, screen) if self._found else None
-        if self._found is None or drawing is None:
+        told, drawing = explained(self._found, screen) if self._found else (None, None)
+        if told is None or drawing is None:
             return warning("There is no failing case to draw.")
-        return magnified(told_of(self._found), drawing, screen.height - _BELOW - 2, screen.width)
+        return magnified(told, drawing, screen.height - _BELOW - 2, screen.width)
 
     def _report(self, screen: Screen) -> RenderableType:
         if self._found is None:

@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 from judge.drawing.braille import COLUMNS, LEAST_ROWS, LETTERS, ROWS, Piece, Raster, grid, pieces, trimmed
 from judge.drawing.shapes import Dot, Mark, Panel, Role, Stroke
-from judge.drawing.svg import element, style, text, words
+from judge.drawing.svg import element, text, words
 
 _MOST_TICKS = 6
 _HAIR = 1e-9
@@ -22,7 +22,6 @@ _LEAST = 1e-9  # a smaller value stands here on a logarithmic axis
 _HEIGHT, _TOP, _BELOW = 210, 24, 44  # pixels: of the plot, above it, and below it for the labels
 _LEFT, _WIDTH = 14, 82  # percent of the chart's width
 _LETTERS = 38  # of labels below the axis that a phone has room for
-_ALONE = 720  # pixels: the width of a chart that is a file of its own
 _CLASSES = {Role.WANTED: ("wanted", "t-wanted"), Role.GOT: ("got", "t-got")}
 
 
@@ -90,8 +89,8 @@ def _scales(chart: Chart) -> tuple[_Scale, _Scale]:
     return _Scale(chart.x, x), _Scale(chart.y, y)
 
 
-def chart_svg(chart: Chart, *, alone: bool = False) -> str:
-    """An SVG element as wide as its place in a page that holds `style()`; `alone`, a file of its own."""
+def chart_svg(chart: Chart) -> str:
+    """An SVG element as wide as its place in a page that holds `style()`."""
     across, up = _scales(chart)
 
     def x(value: float) -> str:
@@ -101,10 +100,7 @@ def chart_svg(chart: Chart, *, alone: bool = False) -> str:
         return f"{_TOP + _HEIGHT * (1 - value):.1f}"
 
     bottom = _TOP + _HEIGHT
-    parts = [
-        f"<style>{style()}</style>" if alone else "",
-        f'<rect class="panel" width="100%" height="{bottom + _BELOW}"/>',
-    ]
+    parts = [f'<rect class="panel" width="100%" height="{bottom + _BELOW}"/>']
     for at, said in up.ticks():
         level = f'y1="{y(at)}" y2="{y(at)}"'
         parts.append(f'<line class="leader" stroke-opacity="0.4" x1="0" x2="100%" {level}/>')
@@ -126,8 +122,7 @@ def chart_svg(chart: Chart, *, alone: bool = False) -> str:
         label = float(spots[-1][1]) + (-11 if series is highest else 21)
         parts.append(text(spots[-1][0], f"{label:.1f}", series.name, f"halo {fill}", "end"))
     name = words(f"{chart.title}. {chart.about}" if chart.about else chart.title)
-    size = f'width="{_ALONE if alone else "100%"}" height="{bottom + _BELOW}"'
-    return element(f'aria-label="{name}" {size}', parts) + "\n" * alone
+    return element(f'aria-label="{name}" width="100%" height="{bottom + _BELOW}"', parts)
 
 
 def chart_braille(chart: Chart, rows: int = ROWS) -> list[list[Piece]]:

@@ -86,6 +86,7 @@ class Picture:
     lens: Panel | None
     facts: tuple[Fact, ...]
     legend: str = ""  # what its words stand for
+    why: str = ""  # what the case turns on, where that is exact or cannot be seen
     keys: tuple[str, str] = ("expected", "got")  # what the two kinds of marks are called
 
     @property

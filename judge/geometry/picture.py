@@ -58,18 +58,18 @@ def compose(kind: str, shown: Shown, solve: Callable[..., Any]) -> Picture | Non
             return None
         found = _deciding(view, _decided(solve, case))
         window = _window(view)
-        said = _said(view, found, window)
+        said, why = _said(view, found, window)
         panel, lens = _whole(view, window), _lens(view, found, window)
     turned = lens is not None and any(bar.upright for bar in lens.bars)
     facts = [
         Fact("input", ", ".join(f"{name}={argument_text(value)}" for name, value in shown.values.items())),
-        Fact("wanted", shown.wanted or "", Role.WANTED),
+        Fact("expected", shown.wanted or "", Role.WANTED),
         Fact("got", shown.got or "no answer", Role.GOT),
         Fact("geometry", said + ("; the lens is turned and stretched across the line" if turned else "")),
     ]
-    answers = f"wanted {shown.wanted}, got {shown.got}" if shown.got else f"answer {shown.wanted}"
+    answers = f"expected {shown.wanted}, got {shown.got}" if shown.got else f"answer {shown.wanted}"
     description = f"{answers[0].upper()}{answers[1:]}; {said}."
-    return Picture(shown.problem.title, shown.heading, description, panel, lens, tuple(facts), LEGEND)
+    return Picture(shown.problem.title, shown.heading, description, panel, lens, tuple(facts), LEGEND, why)
 
 
 def argument_text(value: Any) -> str:
@@ -125,14 +125,19 @@ def _contacts(view: View) -> Iterator[Contact]:
                 yield Contact(length(minus(spot.at, centre)) - ring.r, spot.at, spot.decides)
 
 
-def _said(view: View, found: list[Contact], window: Frame) -> str:
-    """The case in words: what of it is shown, what is exact or closest, and e."""
+def _said(view: View, found: list[Contact], window: Frame) -> tuple[str, str]:
+    """The case in words: what of it is shown, what is exact or closest, and e; and what it turns on."""
     e, parts = view.size or Decimal(1), [view.about] if view.about else []
     exact = [each for each in found if not each.gap]
     near = [each for each in found if each.gap][:1]
     close = near if near and abs(near[0].gap) < _CLOSE * window.along else []
-    parts += list(dict.fromkeys(each.words.said(each.gap / e) for each in (exact + close or near)))[:3]
-    return "; ".join([*([", ".join(parts)] if parts else []), f"e = {figures(Fraction(view.size), 3)}"])
+
+    def words(contacts: list[Contact]) -> list[str]:
+        return list(dict.fromkeys(each.words.said(each.gap / e) for each in contacts))[:3]
+
+    parts += words(exact + close or near)
+    said = "; ".join([*([", ".join(parts)] if parts else []), f"e = {figures(Fraction(view.size), 3)}"])
+    return said, ", ".join(words([each for each in exact + near if abs(each.gap) < _CLOSE * e]))
 
 
 # -- the panels --------------------------------------------------------------------------------------------

@@ -25,14 +25,12 @@ LEAST_RADIUS = 10_000  # a radius that answers are divided by is 0, or at least 
 
 def on_circle(point: str, figure: str = "the circle") -> Words:
     """The words of whether that point is on the figure."""
+    own = (
+        f"{point[0].lower()}{point[1:]}" if " " in point else point
+    )  # within a sentence: "a corner", but "A"
+    sides = f"{own} is inside {figure}", f"{own} is exactly on {figure}", f"{own} is outside {figure}"
     return Words(
-        f"{point} is almost on {figure}",
-        "It must be exactly on it, or stay at least 1e-7·e away.",
-        (
-            f"{point} is inside {figure}",
-            f"{point} is exactly on {figure}",
-            f"{point} is outside {figure}",
-        ),
+        f"{point} is almost on {figure}", "It must be exactly on it, or stay at least 1e-7·e away.", sides
     )
 
 

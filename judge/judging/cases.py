@@ -3,18 +3,17 @@
 from __future__ import annotations
 
 import re
-from collections import Counter
 from collections.abc import Sequence
 
 from msgspec.structs import replace
 
 from judge.data.build import Fresh, target_of, validate
-from judge.data.load import GroupData, ProblemData
+from judge.data.load import ProblemData
 from judge.errors import UsageError
 from judge.judging.api import RunOptions
-from judge.judging.session import NAMED, Bars, Session, silent
+from judge.judging.session import NAMED, Bars, Session
 from judge.languages import file_name
-from judge.mistakes.puzzles import Puzzle
+from judge.mistakes.puzzles import Puzzle, usual_group
 from judge.problem import Case, Group, Problem, Verdict
 from judge.problem.declare import InvalidCase
 from judge.problem.model import case_of
@@ -25,10 +24,10 @@ from judge.run.group import group_limits
 from judge.run.hurdle import hurdle_of, with_hurdle
 from judge.run.printed import message_of, text_of
 from judge.run.replies import VERDICTS, Replies
-from judge.run.result import Failure, GroupResult, Result
+from judge.run.result import Failure, GroupResult, Result, short_answer
 from judge.run.runner import Runner
 from judge.run.stress import OnCases, Stressed, stress
-from judge.run.tried import Hacked, Said, Tried
+from judge.run.tried import Said, Tried
 from judge.sandbox.boundary import Stop, Usage
 from judge.values import show, wire
 from judge.values.check import Rejection
@@ -51,16 +50,8 @@ def try_case(problem: Problem, case: Case, group: str = "") -> Tried:
     except InvalidCase as fault:
         what = re.sub("^The ", "the ", str(fault))
         raise UsageError(f"Not a valid input: {what}", remedy=f"see judge show {problem.id}") from None
-    judged_by = problem.group(group) or _usual(problem)
-    target = target_of(problem, exact, judged_by.tolerance)
-    data = ProblemData(problem, (GroupData(judged_by, [case], [target]),), loaded=module)
-    return Tried(problem, case, judged_by, exact, target, data)
-
-
-def _usual(problem: Problem) -> Group:
-    """A group that has the tolerance of most."""
-    usual = Counter(group.tolerance for group in problem.groups).most_common(1)[0][0]
-    return next(group for group in problem.groups if group.tolerance == usual)
+    judged_by = problem.group(group) or usual_group(problem)
+    return Tried(problem, case, judged_by, exact, target_of(problem, exact, judged_by.tolerance), module)
 
 
 def ask(session: Session, tried: Tried, source: bytes, name: str) -> Said:
@@ -77,7 +68,7 @@ def ask(session: Session, tried: Tried, source: bytes, name: str) -> Said:
         replies = runner.answers(box, [tried.case], group_limits(tried.problem, tried.group, Usage()))
         verdict, got, message, given = _answer(runner, tried, replies)
         printed = text_of(replies.printed)
-        said = Said(name, verdict, got, message, box.isolation, runner.mode, given, printed)
+        said = Said(name, verdict, got, message, box.isolation, runner.mode, short_answer(given), printed)
         if verdict is Verdict.AC:
             return said
         failure = runner.explained(Failure(message_of(message, got, printed)))
@@ -105,35 +96,25 @@ def _answer(runner: Runner, tried: Tried, replies: Replies) -> tuple[Verdict, st
     return Verdict.AC, shown[:_SHOWN], "", given
 
 
-def hack(problem: Problem, puzzle: Puzzle, case: Case, isolation: str | None = None) -> Hacked:
-    """Run the puzzle's program on the case, contained; the case breaks it if the answer is rejected.
+def hack(session: Session, puzzle: Puzzle, tried: Tried) -> tuple[Said, str]:
+    """What the puzzle's program answers to the case, and why that does not break it; "" where it does.
 
-    Raises:
-        UsageError: the isolation that is asked for cannot be had.
-        JudgeError: the problem is broken, or nothing can be run here.
+    Raises as `ask`.
     """
-    try:
-        tried = try_case(problem, case, puzzle.group.name)
-    except UsageError as fault:
-        return Hacked(fault.what)
-    with Session(problem, RunOptions(isolation=isolation)) as session:
-        said = ask(session, tried, puzzle.source, _NAME)
-        why = ""
-        if said.verdict is Verdict.AC:
-            why = "the program answers this case correctly"
-        elif puzzle.special and problem.time:
-            model = accepted_source(problem, problem.time.function)
-            if model is not None and ask(session, tried, model, _NAME).verdict is not Verdict.AC:
-                why = f"with the tolerance of {puzzle.group.name}, a right program fails this case too"
-        return Hacked(why, tried, said, session.notes(said.isolation))
+    said = ask(session, tried, puzzle.source, _NAME)
+    if said.verdict is Verdict.AC:
+        return said, "the program answers this case correctly"
+    if puzzle.special and tried.problem.time:
+        model = accepted_source(tried.problem, tried.problem.time.function)
+        if model is not None and ask(session, tried, model, _NAME).verdict is not Verdict.AC:
+            return said, f"with the tolerance of {puzzle.group.name}, a right program fails this case too"
+    return said, ""
 
 
-def smallest(
-    problem: Problem, puzzle: Puzzle, isolation: str | None = None, bars: Bars = silent
-) -> tuple[Tried, Said] | None:
-    """A smallest case that breaks the program, and what it answers; None where none of its group does.
+def smallest(problem: Problem, puzzle: Puzzle, isolation: str | None, bars: Bars) -> Tried | None:
+    """A smallest case that breaks the program, with what it says to it; None where none of its group does.
 
-    Raises as `hack`.
+    Raises as `ask`.
     """
     options = RunOptions(groups=(puzzle.group.name,), isolation=isolation, timed=False, named=False)
     with Session(problem, options, bars=bars) as session:
@@ -143,7 +124,7 @@ def smallest(
         if shown is None or shown.input is None:
             return None
         tried = try_case(problem, case_of(shown.input), puzzle.group.name)
-        return tried, ask(session, tried, puzzle.source, _NAME)
+        return replace(tried, said=ask(session, tried, puzzle.source, _NAME))
 
 
 def judge_fresh(

@@ -15,7 +15,7 @@ import io
 import re
 import tokenize
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 
 from msgspec import Struct
 
@@ -54,26 +54,28 @@ def read_puzzles(problem: Problem) -> tuple[Puzzle, ...]:
     read = read_makers(problem)
     for fault in read.faults:
         raise fault
-    groups = _naming(read)
-    usual = Counter(group.tolerance for group in problem.groups).most_common(1)[0][0]
+    usual = usual_group(problem).tolerance
+    small = [group for group in problem.groups if group.size is None]
+    small.sort(key=lambda group: LEVELS.index(group.level.value) if group.level else 0)
     found: list[Puzzle] = []
-    for name in sorted(groups, key=lambda name: (_ease(problem, groups[name][0]), name)):
+    for name in dict.fromkeys(name for group in small for name in sorted(group.kills)):
         makers = [maker for maker in read.all if maker.name == name and _one_case_tells(read, maker)]
         if not makers:
             continue
-        maker = _typical(makers)
-        fitting = [group for group in groups[name] if group.tolerance == usual]
-        puzzle = Puzzle(
-            len(found) + 1,
-            name,
-            _bare(problem, maker),
-            maker.text,
-            (fitting or groups[name])[0],
-            not fitting,
-            maker.program.trusted,
-        )
-        found.append(puzzle)
+        beside = [maker for maker in makers if maker.file == makers[0].file]
+        maker = beside[len(beside) // 2]  # of an epsilon of every size, the middle one
+        groups = [group for group in small if name in group.kills]
+        fitting = [group for group in groups if group.tolerance == usual]
+        group, trusted = (fitting or groups)[0], maker.program.trusted
+        source = _bare(problem, maker)
+        found.append(Puzzle(len(found) + 1, name, source, maker.text, group, not fitting, trusted))
     return tuple(found)
+
+
+def usual_group(problem: Problem) -> Group:
+    """A group that has the tolerance of most."""
+    usual = Counter(group.tolerance for group in problem.groups).most_common(1)[0][0]
+    return next(group for group in problem.groups if group.tolerance == usual)
 
 
 def puzzle_called(puzzles: Sequence[Puzzle], word: str, problem: str) -> Puzzle:
@@ -86,31 +88,10 @@ def puzzle_called(puzzles: Sequence[Puzzle], word: str, problem: str) -> Puzzle:
     raise UsageError(f"{problem} has no wrong program {word!r}", remedy=remedy)
 
 
-def _naming(read: Makers) -> Mapping[str, list[Group]]:
-    """The groups of small cases that should catch each mistake, the easier level first."""
-    found: dict[str, list[Group]] = {}
-    whole = read.problem
-    for group in sorted(whole.groups, key=lambda group: _ease(whole, group)[0]):
-        for name in group.kills if group.size is None else ():
-            found.setdefault(name, []).append(group)
-    return found
-
-
-def _ease(problem: Problem, group: Group) -> tuple[int, int]:
-    level = LEVELS.index(group.level.value) if group.level else 0
-    return level, [each.name for each in problem.groups].index(group.name)
-
-
 def _one_case_tells(read: Makers, maker: Maker) -> bool:
     if maker.words.state:
         return False
     return maker.choice is None or read.family is None or not read.family.equal(maker.choice)
-
-
-def _typical(makers: Sequence[Maker]) -> Maker:
-    """The one in the middle of those on the first line that makes it, such as an epsilon of every size."""
-    beside = [maker for maker in makers if maker.file == makers[0].file]
-    return beside[len(beside) // 2]
 
 
 # -- a program without what would tell its mistake ----------------------------------------------------------
@@ -158,11 +139,8 @@ def _unread(function: ast.stmt) -> Iterator[ast.Assign]:
     """Assignments to names that the function never reads, of values that cannot fail."""
     nodes = list(ast.walk(function)) if isinstance(function, ast.FunctionDef) else []
     read = {each.id for each in nodes if isinstance(each, ast.Name) and isinstance(each.ctx, ast.Load)}
-    read |= {
-        each.target.id
-        for each in nodes
-        if isinstance(each, ast.AugAssign) and isinstance(each.target, ast.Name)
-    }
+    targets = [each.target for each in nodes if isinstance(each, ast.AugAssign)]
+    read |= {each.id for each in targets if isinstance(each, ast.Name)}
     read |= {name for each in nodes if isinstance(each, ast.Global | ast.Nonlocal) for name in each.names}
     for each in nodes:
         if isinstance(each, ast.Assign) and _bound(each).isdisjoint(read) and _is_harmless(each.value):
@@ -201,13 +179,8 @@ def _unused(tree: ast.Module, entry: str) -> Iterator[tuple[ast.stmt, str]]:
     """What stands outside and `entry` does not lead to; nothing where there is no entry."""
     wanted, fresh = {entry}, {entry}
     while fresh:
-        used = {
-            name.id
-            for node in tree.body
-            if not wanted.isdisjoint(_bound(node))
-            for name in ast.walk(node)
-            if isinstance(name, ast.Name)
-        }
+        parts = [part for node in tree.body if wanted & _bound(node) for part in ast.walk(node)]
+        used = {part.id for part in parts if isinstance(part, ast.Name)}
         wanted, fresh = wanted | used, used - wanted
     for node in tree.body if entry else ():
         bound = _bound(node)

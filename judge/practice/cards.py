@@ -19,9 +19,9 @@ import re
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from pathlib import Path
+from typing import Annotated
 
-import msgspec
-from msgspec import Struct
+from msgspec import Meta, Struct
 
 from judge.errors import ProblemError, UsageError
 from judge.practice.events import Answer
@@ -35,43 +35,32 @@ from judge.practice.syllabus import (
     set_files,
     toml_files,
 )
+from judge.problem.find import problem_folders
 from judge.problem.model import Name
 from judge.problem.toml import TomlFile, meant, refusal
 
-_LONGEST = 2_000  # characters of a text
 _QUOTED = 40  # characters of what is typed
-_NUMBER = re.compile(r"([+-]?\d{1,40}(?:\.\d{0,40})?)(?:[eE]([+-]?\d{1,3}))?(?:/(\d{1,40}))?", re.ASCII)
+_NUMBER = re.compile(r"(?ai)[+-]?\d{1,40}((\.\d{0,40})?(e[+-]?\d{1,3})?|/0*[1-9]\d{0,39})")
 LETTERS = "abcdefgh"  # of options
 NONE = "none"
 NUMBER = "4, 0.5, 1e-9 or 2/3"
+_Text = Annotated[str, Meta(min_length=1, max_length=2_000)]
 
 
-class Said(Table, frozen=True):
-    """A table of texts, none of which may be empty that has to be there."""
-
-    def __post_init__(self) -> None:
-        for field in msgspec.structs.fields(self):
-            text = getattr(self, field.name)
-            if isinstance(text, str):
-                empty = field.required and not text.strip()
-                if empty or len(text) > _LONGEST:
-                    raise refusal(f"{field.name} is {'empty' if empty else 'too long'}", "write a sentence")
-
-
-class WrongOption(Said, frozen=True):
+class WrongOption(Table, frozen=True):
     """A wrong option of a choice: a mistake with its name, and why it is one."""
 
-    text: str
-    mistake: str
-    why: str
+    text: _Text
+    mistake: _Text
+    why: _Text
 
 
-class Content(Said, tag_field="form", frozen=True, kw_only=True):
+class Content(Table, tag_field="form", frozen=True, kw_only=True):
     """What a card of any form says: `front` is asked, and `back` is told afterwards."""
 
     id: Name
-    front: str
-    back: str
+    front: _Text
+    back: _Text
     rows: tuple[str, ...] = ()
 
 
@@ -82,40 +71,32 @@ class Recall(Content, tag="recall", frozen=True):
 class Choice(Content, tag="choice", frozen=True):
     """One option is right, every other one a mistake with a name."""
 
-    right: str
+    right: _Text
     wrong: tuple[WrongOption, ...]
 
     def __post_init__(self) -> None:
-        super().__post_init__()
         if not 1 <= len(self.wrong) < len(LETTERS):
             raise refusal(f"there are {len(self.wrong)} wrong options", f"write 1 to {len(LETTERS) - 1}")
-        texts = [self.right, *(each.text for each in self.wrong)]
-        for place, text in enumerate(texts):
-            if text in texts[:place]:
-                raise refusal(f"two options say {text!r}", "change one of them")
+        if len({self.right, *(each.text for each in self.wrong)}) <= len(self.wrong):
+            raise refusal("two options say the same", "change one of them")
 
 
 class Number(Content, tag="number", frozen=True):
     """A number, off by `within` as a part of it at most; `unit` is what it counts."""
 
     answer: str
-    within: float = 0
+    within: Annotated[float, Meta(ge=0, lt=1)] = 0
     unit: str = ""
 
     def __post_init__(self) -> None:
-        super().__post_init__()
-        try:
-            number(self.answer)
-        except MistypedError:
-            raise refusal(f"answer = {self.answer!r} is not a number", f"write {NUMBER}") from None
-        if not 0 <= Fraction(self.within) < 1:
-            raise refusal(f"within is {self.within}", "write a part of the answer: 0 up to 1")
+        if not _NUMBER.fullmatch(self.answer):
+            raise refusal(f"answer = {self.answer!r} is not a number", f"write {NUMBER}")
 
 
 class Count(Content, tag="count", frozen=True):
     """How many things the answer to a fresh case holds; in whole numbers up to `largest`, unless it is 0."""
 
-    problem: str
+    problem: Name
     groups: tuple[str, ...] = ()
     largest: int = 0
 
@@ -123,7 +104,7 @@ class Count(Content, tag="count", frozen=True):
 class Drawn(Content, frozen=True):
     """A figure that a problem's topic makes afresh each time."""
 
-    problem: str
+    problem: Name
 
 
 class FirstHit(Drawn, tag="first-hit", frozen=True):
@@ -142,7 +123,7 @@ class Spot(Content, tag="spot", frozen=True, kw_only=True):
     """Which test group a wrong program fails, that makes one of these `mistakes`, or any."""
 
     back: str = ""
-    problem: str
+    problem: Name
     mistakes: tuple[str, ...] = ()
 
 
@@ -170,6 +151,11 @@ class Card(Struct, frozen=True):
     def front(self) -> str:
         """What is asked."""
         return self.content.front.strip()
+
+    @property
+    def back(self) -> str:
+        """What is told afterwards."""
+        return self.content.back.strip()
 
     @property
     def rows(self) -> tuple[str, ...]:
@@ -208,14 +194,6 @@ def read_decks(extra: Sequence[Path] = ()) -> tuple[list[Card], list[ProblemErro
     return cards, faults
 
 
-def all_cards(extra: Sequence[Path] = ()) -> list[Card]:
-    """The cards of all decks, in their order. Raises ProblemError where a deck is broken."""
-    cards, faults = read_decks(extra)
-    for fault in faults:
-        raise fault
-    return cards
-
-
 def known_cards(answers: Sequence[Answer], extra: Sequence[Path] = ()) -> list[Review]:
     """How the cards stand that were answered and are in a deck that can be read, as `card_reviews`."""
     if not answers:  # whoever has answered none waits for no deck
@@ -224,16 +202,20 @@ def known_cards(answers: Sequence[Answer], extra: Sequence[Path] = ()) -> list[R
     return [review for review in card_reviews(answers) if review.name in keys]
 
 
-def cards_of(name: str, cards: Sequence[Card], extra: Sequence[Path] = ()) -> list[Card]:
-    """The cards of a practice set, or of a deck. Raises UsageError where nothing is called so."""
+def cards_of(name: str, extra: Sequence[Path] = ()) -> list[Card]:
+    """The cards of a practice set, or of a deck, whose problems are here.
+
+    Raises UsageError where there are none, ProblemError where a deck is broken.
+    """
+    cards, faults = read_decks(extra)
+    for fault in faults:
+        raise fault
     found = [card for card in cards if name in (USUAL, card.deck, *card.sets)]
     if not found:
-        known = list(dict.fromkeys([*set_files(extra), *(card.deck for card in cards)]))
-        if name not in known:
-            raise UsageError(f"There is no set of cards {name!r}", remedy=meant(name, known))
-        holding = [each for each in known if each == USUAL or any(each in card.sets for card in cards)]
-        raise UsageError(f"The set {name!r} has no cards", remedy=f"cards are in {', '.join(holding)}")
-    return found
+        names = dict.fromkeys(each for card in cards for each in (*card.sets, card.deck))
+        raise UsageError(f"There is no set of cards {name!r}", remedy=meant(name, [USUAL, *names]))
+    here = {folder.name for folder in problem_folders(extra)}
+    return [card for card in found if not card.problem or card.problem in here]
 
 
 def _deck(file: TomlFile, name: str, rows: Sequence[str], sets: Sequence[str]) -> list[Card]:
@@ -256,23 +238,18 @@ class MistypedError(Exception):
 
 def number(text: str) -> Fraction:
     """The number that is typed. Raises MistypedError."""
-    found = _NUMBER.fullmatch(text.strip().replace("−", "-").replace(" ", ""))
-    if found is None:
+    plain = text.replace("−", "-").replace(" ", "")
+    if not _NUMBER.fullmatch(plain):
         raise _mistyped(text, "a number", NUMBER)
-    value, power, under = found.groups()
-    if under and not int(under):
-        raise MistypedError("Nothing can be divided by 0")
-    return Fraction(value) * Fraction(10) ** int(power or 0) / int(under or 1)
+    return Fraction(plain)
 
 
 def count(text: str) -> str:
     """How many are typed, or `none`. Raises MistypedError."""
     word = text.strip().lower()
-    if word == NONE:
-        return NONE
-    if not re.fullmatch(r"\d{1,6}", word, re.ASCII):
+    if not re.fullmatch(rf"{NONE}|\d{{1,6}}", word, re.ASCII):
         raise _mistyped(text, "a number", "0, 1, 2 … or none")
-    return str(int(word))
+    return word if word == NONE else str(int(word))
 
 
 def option(text: str, letters: Sequence[str]) -> str:
@@ -283,14 +260,14 @@ def option(text: str, letters: Sequence[str]) -> str:
     return word
 
 
-def sequence(text: str, words: Mapping[str, str]) -> tuple[str, ...]:
-    """The words that are typed, each as it is or by what it means, in any case; empty for `none`.
+def sequence(text: str, words: Mapping[str, str]) -> str:
+    """The words that are typed, each as it is or by what it means, in any case; or `none`.
 
     Words of one letter each may be typed without blanks. Raises MistypedError.
     """
     parts = [part for part in re.split(r"[\s,;>→]+", text.lower()) if part]
     if parts == [NONE]:
-        return ()
+        return NONE
     known = {word.lower(): word for word in words}
     known |= {meaning.lower(): word for word, meaning in words.items() if meaning}
     if len(parts) == 1 and parts[0] not in known and all(len(word) == 1 for word in words):
@@ -298,7 +275,7 @@ def sequence(text: str, words: Mapping[str, str]) -> tuple[str, ...]:
     lost = next((part for part in parts if part not in known), None)
     if lost is not None or not parts:
         raise _mistyped(lost or text, f"one of {listed(list(words), 'and')}", "them in their order, or none")
-    return tuple(known[part] for part in parts)
+    return " ".join(known[part] for part in parts)
 
 
 def listed(words: Sequence[str], last: str) -> str:
@@ -309,5 +286,7 @@ def listed(words: Sequence[str], last: str) -> str:
 
 def _mistyped(text: str, kind: str, remedy: str) -> MistypedError:
     word = text.strip()
+    if not word:
+        return MistypedError(f"Type {remedy}; ? if you do not know, q to stop")
     shown = repr(word if len(word) <= _QUOTED else f"{word[:_QUOTED]}…")
     return MistypedError(f"{shown} is not {kind}. Type {remedy}")

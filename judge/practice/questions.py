@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import ast
 import dataclasses
+import re
 from collections.abc import Callable, Sequence
 from contextlib import AbstractContextManager
 from fractions import Fraction
@@ -39,6 +40,7 @@ _FRESH = 1_000  # cases that are looked at for one of small numbers
 _PROGRAMS = 12  # wrong programs that are looked at
 _LONGEST = 60  # lines of a program that are shown
 _OPTIONS = 4  # groups to choose from
+_Bars = Callable[[str], AbstractContextManager[Progress | None]]
 
 
 class Reply(Struct, frozen=True):
@@ -85,12 +87,7 @@ class Sources:
     `bars` opens a bar for work of that label.
     """
 
-    def __init__(
-        self,
-        folders: Sequence[Path],
-        seed: int,
-        bars: Callable[[str], AbstractContextManager[Progress | None]],
-    ) -> None:
+    def __init__(self, folders: Sequence[Path], seed: int, bars: _Bars) -> None:
         self.folders = folders
         self.seed = seed
         self._bars = bars
@@ -115,18 +112,18 @@ def ask(card: Card, sources: Sources, turn: str) -> Question:
         case Choice() as content:
             replies = [(content.right, Reply(True, ""))]
             replies += [(each.text, Reply(False, "", each.mistake, each.why)) for each in content.wrong]
-            return _options(card, replies, draw, content.right, content.back)
+            return _options(card, replies, draw, content.right, card.back)
         case Number() as content:
             answer = f"{content.answer} {content.unit}".rstrip()
             check = partial(_nearly, content)
-            return Question(card, f"a number: {cards.NUMBER}", answer, check, why=content.back.strip())
+            return Question(card, f"a number: {cards.NUMBER}", answer, check, why=card.back)
         case Count() as content:
             return _count(card, content, sources, draw)
         case Drawn() as content:
             return _drawn(card, content, sources, draw)
         case Spot() as content:
             return _spot(card, content, sources, draw)
-    return Question(card, "Your answer (only Enter if you say it aloud)", card.content.back.strip())
+    return Question(card, "Your answer (only Enter if you say it aloud)", card.back)
 
 
 def _refuse(card: Card, what: str, remedy: str) -> NoReturn:
@@ -145,15 +142,9 @@ def _options(
         letter = cards.option(typed, list(found))
         return replace(found[letter][1], given=letter)
 
-    return Question(
-        card,
-        listed(list(found), "or"),
-        f"{right}  {answer}",
-        check,
-        options=tuple((letter, text) for letter, (text, _) in found.items()),
-        program=program,
-        why=why.strip(),
-    )
+    expects, answer = listed(list(found), "or"), f"{right}  {answer}"
+    options = tuple((letter, text) for letter, (text, _) in found.items())
+    return Question(card, expects, answer, check, options=options, program=program, why=why)
 
 
 def _shuffled(parts: Sequence[Any], draw: Draw) -> list[Any]:
@@ -163,6 +154,11 @@ def _shuffled(parts: Sequence[Any], draw: Draw) -> list[Any]:
         at = draw.integer(0, end)
         found[at], found[end] = found[end], found[at]
     return found
+
+
+def _exactly(wanted: str, read: Callable[[str], str], typed: str) -> Reply:
+    given = read(typed)
+    return Reply(given == wanted, given)
 
 
 def _nearly(content: Number, typed: str) -> Reply:
@@ -193,18 +189,13 @@ def _count(card: Card, content: Count, sources: Sources, draw: Draw) -> Question
     if drawn:  # the figure at true scale alone, and no words but the names of its points
         drawn = Picture("", "", "", dataclasses.replace(drawn.whole, title=""), None, ())
     found = len(exact) if isinstance(exact, list) else exact
-    if found is not None and not (type(found) is int and found >= 0):
+    many = NONE if found is None else str(found)
+    if not re.fullmatch(rf"{NONE}|\d+", many):
         what = f"the answer of {card.problem} counts nothing"
         _refuse(card, what, "name a problem that answers a count or a list")
-    many = NONE if found is None else str(found)
-
-    def check(typed: str) -> Reply:
-        given = cards.count(typed)
-        return Reply(given == many, given)
-
     told = ", ".join(f"{each.name}={literal(each.type, values[each.name])}" for each in problem.parameters)
-    why = content.back.strip()
-    return Question(card, "a number, or none", many, check, given=(told,), picture=drawn, why=why)
+    check = partial(_exactly, many, cards.count)
+    return Question(card, "a number, or none", many, check, given=(told,), picture=drawn, why=card.back)
 
 
 def _is_small(value: Any, largest: int) -> bool:
@@ -220,8 +211,6 @@ def _groups(card: Card, content: Count, problem: Problem) -> list[Group]:
         if name not in able:
             what = f"{problem.id} has no group {name!r} to draw from"
             _refuse(card, what, f"name some of {', '.join(able)}")
-    if not able:
-        _refuse(card, f"{problem.id} has no group to draw from", "name another problem")
     return [each for name, each in able.items() if name in (content.groups or able)]
 
 
@@ -235,12 +224,8 @@ def _drawn(card: Card, content: Drawn, sources: Sources, draw: Draw) -> Question
     words = [f"{word} ({meaning})" if meaning else word for word, meaning in figure.words.items()]
     expects = listed(words, "or") if figure.one else f"{listed(words, 'and')} in order"
     answer = " ".join(figure.answer) or NONE
-
-    def check(typed: str) -> Reply:
-        found = " ".join(cards.sequence(typed, figure.words)) or NONE
-        return Reply(found == answer, found)
-
-    why = f"{figure.why} {content.back}".strip()
+    check = partial(_exactly, answer, partial(cards.sequence, words=figure.words))
+    why = f"{figure.why} {card.back}".strip()
     return Question(
         card, f"{expects}, or {NONE}", answer, check, given=figure.given, picture=figure.picture, why=why
     )
@@ -256,11 +241,9 @@ def _spot(card: Card, content: Spot, sources: Sources, draw: Draw) -> Question:
     from judge.problem.solutions import MISTAKES
 
     problem = sources.problem(content.problem)
-    puzzles = [
-        each
-        for each in read_puzzles(problem)
-        if each.trusted and _readable(each.source) and each.mistake in (content.mistakes or (each.mistake,))
-    ]
+    puzzles = [each for each in read_puzzles(problem) if each.trusted and _readable(each.source)]
+    if content.mistakes:
+        puzzles = [each for each in puzzles if each.mistake in content.mistakes]
     if not puzzles:
         what = f"{card.problem} has no program with such a mistake"
         _refuse(card, what, f"name mistakes of its {MISTAKES}, or none")
@@ -277,7 +260,7 @@ def _spot(card: Card, content: Spot, sources: Sources, draw: Draw) -> Question:
             for each in _shuffled(passing, draw)[: _OPTIONS - 1]:
                 why = f"It answers every case of {each.name} rightly."
                 replies.append((f"{each.name}: {each.about}", Reply(False, "", why=why)))
-            answer, why = f"{right.name}: it is {puzzle.mistake}", f"{puzzle.advice} {content.back}"
+            answer, why = f"{right.name}: it is {puzzle.mistake}", f"{puzzle.advice} {card.back}".strip()
             return _options(card, replies, draw, answer, why, puzzle.source.decode())
     what = f"no program of {card.problem} is broken by some groups and not by others"
     _refuse(card, what, "name other mistakes, or another problem")

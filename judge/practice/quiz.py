@@ -56,24 +56,18 @@ def next_due(cards: Iterable[Card], reviews: Iterable[Review]) -> datetime | Non
     return next((review.due for review in reviews if review.name in keys), None)
 
 
-def to_practise(
-    missed: Sequence[str], folders: Sequence[Path], more: Mapping[str, str] = {}
-) -> tuple[Practise, ...]:
-    """The questions of the checklist that were not known, and those in `more`, each with its command.
+def to_practise(commands: Mapping[str, str], folders: Sequence[Path]) -> tuple[Practise, ...]:
+    """The questions of the checklist that have a command, each with that and those of its katas.
 
     Raises ProblemError where the checklist is broken.
     """
-    commands = {**more, **{row: f"judge quiz --question {row}" for row in missed}}
     here = {folder.name for folder in problem_folders(folders)}
-    return tuple(
-        Practise(
-            row.id,
-            row.ask,
-            (commands[row.id], *(f"judge start {kata}" for kata in row.katas if kata in here)),
-        )
-        for row in read_checklist(folders).rows
-        if row.id in commands
-    )
+    found = []
+    for row in read_checklist(folders).rows:
+        if row.id in commands:
+            starts = [f"judge start {kata}" for kata in row.katas if kata in here]
+            found.append(Practise(row.id, row.ask, (commands[row.id], *starts)))
+    return tuple(found)
 
 
 # -- the interview -----------------------------------------------------------------------------------------
@@ -105,31 +99,24 @@ def usual_kata(
     with suppress(UsageError):  # the name of a deck
         problems = find_set(name, every, folders).problems
     named = {problem.id: problem for problem in problems}
-    for review in reviews(runs, helps):
-        if review.name in named and review.is_due(now):
-            return named[review.name]
+    due = [review.name for review in reviews(runs, helps) if review.is_due(now)]
     done = solved(runs)
-    new = [each for each in problems if each.id not in done]
-    later = [each for each in new if FIRST not in each.sets]
-    return (later or new or problems)[0]
+    unsolved = [each for each in problems if each.id not in done]
+    later = [each for each in unsolved if FIRST not in each.sets]
+    return [*(named[name] for name in due if name in named), *later, *unsolved, *problems][0]
 
 
-def lacking(problem: Problem, last: Result | None) -> tuple[str, ...]:
-    """The skills that the last run did not show; none where it was accepted, or nothing was judged."""
-    if last is None or last.verdict is Verdict.AC:
-        return ()
+def lacking(problem: Problem, last: Result) -> tuple[str, ...]:
+    """The skills of the problem that a run did not show."""
     passed = {group.name for group in last.groups if group.verdict is Verdict.AC}
     return tuple(skill.name for skill in problem.skills if not passed.issuperset(skill.groups))
 
 
-def left_open(problem: Problem, last: Result | None, folders: Sequence[Path]) -> dict[str, str]:
-    """The questions of the checklist that the last run left open, each with a command that goes on."""
-    if last is None or last.verdict is Verdict.AC:
-        return {}
-    skills = set(lacking(problem, last))
+def left_open(problem: Problem, skills: Sequence[str], folders: Sequence[Path]) -> dict[str, str]:
+    """The questions of the checklist that need those skills, or else the kata, each with a command."""
     command = f"judge {'hint' if problem.has_hints else 'show'} {problem.id}"
     return {
         row.id: command
         for row in read_checklist(folders).rows
-        if skills.intersection(row.skills) or (not skills and problem.id in row.katas)
+        if not {*skills}.isdisjoint(row.skills) or (not skills and problem.id in row.katas)
     }

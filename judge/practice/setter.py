@@ -18,8 +18,6 @@ from pathlib import Path
 from shlex import quote
 from tempfile import TemporaryDirectory
 
-from msgspec import Struct
-
 from judge.data.load import load_data
 from judge.data.pins import pins_file, pins_of, write_pins
 from judge.errors import JudgeError, ProblemError, UsageError, unwritable
@@ -32,7 +30,8 @@ from judge.problem.find import problem_folders, problem_roots
 from judge.problem.load import load_problem
 from judge.problem.model import EXAMPLES, is_name
 from judge.problem.texts import read_hints
-from judge.run.verify import Fault
+from judge.published import Published
+from judge.run.verify import Fault, Verified, fault_of
 
 _TEMPLATE = Path(__file__).resolve().parent.parent / "manual" / "new-kata.md"
 _FILE = re.compile(r"^## `([^`]+)`\n\n```\w+\n(.*?)^```$", re.MULTILINE | re.DOTALL)
@@ -41,15 +40,16 @@ _MISTAKES = ["sum-of-legs"]  # of the template, which its groups reject whatever
 _LETTERS = "small letters, digits and single hyphens"
 
 
-class Begun(Struct, frozen=True):
-    """A new kata: the folder of problems that it is in, and the files that were written."""
+class NewKata(Published, frozen=True):
+    """A kata that was written: the folder of problems that it is in, and its files."""
 
-    problem: Problem
+    problem: str
+    title: str
     problems: Path
     files: tuple[Path, ...]
 
 
-def begin_kata(folder: Path, name: str | None = None) -> Begun:
+def begin_kata(folder: Path, name: str | None = None) -> NewKata:
     """Write a kata of that name, and pin its data; without a name it is called as `folder` is.
 
     A `folder` that is itself a folder of problems is taken as that: the solutions go beside it. Where not all
@@ -81,7 +81,8 @@ def begin_kata(folder: Path, name: str | None = None) -> Begun:
                 Path(scratch, kind, name).rename(home)
     except OSError as fault:
         raise unwritable(folder, fault, "name another folder") from None
-    return Begun(problem, problems, (*files, homes["problems"] / pins_file(problem).name))
+    files.append(homes["problems"] / pins_file(problem).name)
+    return NewKata(problem.id, problem.title, problems, tuple(files))
 
 
 def _folder_of_problems(folder: Path) -> Path:
@@ -126,36 +127,28 @@ def _check_free(name: str, places: Iterable[Path]) -> None:
 def kata_faults(problem: Problem, extra: Sequence[Path] = ()) -> list[Fault]:
     """The setter's faults; `extra` are folders of problems to look in first for the sets and skills."""
     found: list[ProblemError] = []
-    checks = (read_hints, make_stub, lambda each: found.extend(unknown_names([each], extra)))
-    for check in checks:
+    for check in (read_hints, make_stub, lambda each: found.extend(unknown_names([each], extra))):
         try:
             check(problem)
         except ProblemError as fault:
             found.append(fault)
-    return [_told(fault, problem.id) for fault in found]
+    return [fault_of(fault, problem.id) for fault in found]
 
 
-def deck_faults(folders: Sequence[Path], katas: Collection[str]) -> tuple[int, tuple[Fault, ...]]:
+def verify_decks(folders: Sequence[Path], katas: Collection[str]) -> Verified:
     """How many cards are there, and a fault for each that cannot be asked.
 
     They are the cards of the `katas`; without any, those of all decks in the `folders`, or of all there are.
     """
     cards, broken = read_decks(folders)
-    if katas:
-        cards, faults = [card for card in cards if card.problem in katas], []
-    else:
-        roots = problem_roots(folders)[: len(folders) or None]
-        own = {path.stem for root in roots for path in (root / "quiz").glob("*.toml")}
-        cards = [card for card in cards if card.deck in own]
-        faults = [_told(fault, "quiz") for fault in broken]
+    faults = [] if katas else [fault_of(fault, "quiz") for fault in broken]
+    roots = problem_roots(folders)[: len(folders) or None]
+    own = {path.stem for root in roots for path in (root / "quiz").glob("*.toml")}
+    cards = [card for card in cards if (card.problem in katas if katas else card.deck in own)]
     sources = Sources(folders, 0, lambda _label: nullcontext())
     for card in cards:
         try:
             ask(card, sources, "check")
         except JudgeError as fault:
-            faults.append(_told(fault, card.key))
-    return len(cards), tuple(faults)
-
-
-def _told(fault: JudgeError, where: str) -> Fault:
-    return Fault(fault.what, fault.where or where, fault.remedy or "")
+            faults.append(fault_of(fault, card.key))
+    return Verified("quiz", tuple(faults), cards=len(cards))

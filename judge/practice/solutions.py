@@ -13,32 +13,38 @@ from judge.languages import NAME, SUFFIX
 from judge.problem import Problem
 from judge.problem.solutions import Kind, Solution, parted, read_solutions, tree_of
 from judge.problem.toml import meant
+from judge.run.result import Taken
 
 
-class Model(Struct, frozen=True):
+class Approach(Struct, frozen=True):
     """An approach, by its name, and by what `judge solution` calls it among those of all languages.
 
-    Its `program` is without the lines that tell of it.
+    `code` is the id of its language, `about` the first sentence of the explanation, `program` is without the
+    lines that tell of it, and `taken` is what it takes, where that is measured.
     """
 
     name: str
     call: str
     file: str
     language: str
+    code: str
+    idea: str
     about: str
-    solution: Solution
+    explanation: str
     program: str
+    taken: Taken | None = None
 
 
-def _model(solution: Solution, program: str) -> Model:
+def _approach(solution: Solution, program: str) -> Approach:
     file, language = solution.path.name, solution.language
     suffix = next(each for each in (language.suffixes if language else (SUFFIX,)) if file.endswith(each))
     name = file.removesuffix(suffix).replace("_", "-")
-    call, tongue = (file, language.name) if language else (name, NAME)
-    return Model(name, call, file, tongue, solution.sentence, solution, program)
+    call, tongue, code = (file, language.name, language.id) if language else (name, NAME, NAME.lower())
+    told = (solution.name, solution.sentence, solution.text)
+    return Approach(name, call, file, tongue, code, *told, program)
 
 
-def approaches(problem: Problem) -> list[Model]:
+def approaches(problem: Problem) -> list[Approach]:
     """The accepted functions, at least one: Python's first, and of these the one that sets the time limit.
 
     Raises:
@@ -53,7 +59,7 @@ def approaches(problem: Problem) -> list[Model]:
         return (*order, solution.path.name != timed)
 
     shown = [(each, _program(each, problem.entry)) for each in sorted(programs, key=rank)]
-    if found := [_model(each, program) for each, program in shown if program is not None]:
+    if found := [_approach(each, program) for each, program in shown if program is not None]:
         return found
     for fault in faults:
         raise fault
@@ -79,8 +85,8 @@ def _program(solution: Solution, entry: str) -> str | None:
 
 
 def chosen_approach(
-    problem: Problem, models: Sequence[Model], name: str | None, language: str | None = None
-) -> Model:
+    problem: Problem, models: Sequence[Approach], name: str | None, language: str | None = None
+) -> Approach:
     """The approach of that name, or the first; in the language that is meant, where one is.
 
     Raises UsageError where there is none.
@@ -89,18 +95,17 @@ def chosen_approach(
         from judge.languages.model import named_language
 
         tongue = named_language(language)
-        mine = [model for model in models if model.solution.language == tongue]
+        code, said = (tongue.id, tongue.name) if tongue else (NAME.lower(), NAME)
+        mine = [model for model in models if model.code == code]
         if not mine:
-            what = f"{problem.id} has no solution in {tongue.name if tongue else NAME}"
             tongues = ", ".join(dict.fromkeys(model.language for model in models))
-            raise UsageError(what, remedy=f"there are some in {tongues}")
+            raise UsageError(f"{problem.id} has no solution in {said}", remedy=f"there are some in {tongues}")
         models = mine
     if name is None:
         return models[0]
     wanted = name.removesuffix(SUFFIX).replace("_", "-").replace(" ", "-")
     for model in models:
-        called = (model.name, model.solution.name.replace(" ", "-"))
-        if name == model.file or wanted in called:
+        if name == model.file or wanted in (model.name, model.idea.replace(" ", "-")):
             return model
     remedy = meant(wanted, [model.call for model in models])
     raise UsageError(f"{problem.id} has no approach {name!r}", remedy=remedy)

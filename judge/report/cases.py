@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from functools import partial
 from itertools import islice
 from typing import Any
@@ -11,6 +11,7 @@ from rich.console import Group, RenderableType
 
 from judge.data.parse import call_of, line_of
 from judge.drawing import Picture
+from judge.drawing.braille import LEAST_ROWS
 from judge.practice.progress import HackState
 from judge.problem import Verdict
 from judge.report.parts import (
@@ -29,13 +30,13 @@ from judge.report.parts import (
     text,
     under,
 )
-from judge.report.picture import LEAST_ROWS, case_picture, drawing
+from judge.report.picture import case_picture, has_room, made, picture_rows
 from judge.report.published_cases import CaseTried, HackTurn, PageWritten
 from judge.report.screen import Screen, drawn
 from judge.report.tell import obstacle_text
 from judge.report.words import arguments, counted, shown_name
 from judge.run.result import Failure, Obstacle
-from judge.run.tried import Said, Tried
+from judge.run.tried import Tried
 from judge.values import show
 from judge.values.answers import Target
 from judge.values.atoms import Type
@@ -49,13 +50,14 @@ _STATES = {HackState.BROKEN: good("broken"), HackState.GIVEN_UP: faint("given up
 
 def case_tried(found: CaseTried, screen: Screen) -> RenderableType:
     """The case in both forms and its answer, the picture, and the verdict on the file's answer."""
-    tried, said = found.tried, found.said
+    tried, said = found.tried, found.tried.said
     if said is None:
-        return _fitted(tried, said, head(tried.problem.id, tried.problem.title), None, screen)
-    ended = "passes" if said.verdict is Verdict.AC else "fails"
-    last = joined(label(said.verdict), f"  this case {ended}")
-    above = joined(label(said.verdict), f"  {said.verdict.meaning.capitalize()}  {shown_name(said.name)}")
-    return _fitted(tried, said, above, last, screen)
+        return _fitted(tried, head(tried.problem.id, tried.problem.title), None, screen)
+    above = joined(
+        label(said.verdict), f"  {said.verdict.meaning.capitalize()}  {shown_name(said.submission)}"
+    )
+    last = joined(label(said.verdict), f"  this case {'fails' if tried.failed else 'passes'}")
+    return _fitted(tried, above, last, screen)
 
 
 def page_written(found: PageWritten, _screen: Screen) -> RenderableType:
@@ -64,17 +66,14 @@ def page_written(found: PageWritten, _screen: Screen) -> RenderableType:
 
 
 def _fitted(
-    tried: Tried,
-    said: Said | None,
-    above: RenderableType | None,
-    below: RenderableType | None,
-    screen: Screen,
+    tried: Tried, above: RenderableType | None, below: RenderableType | None, screen: Screen
 ) -> RenderableType:
     """The case between what is above and below it, with its picture; on a low screen less is said of it."""
-    picture = drawing(partial(picture_of, tried, said), screen, "the case")
+    found = made(partial(picture_of, tried), "the case")
+    picture = partial(picture_rows, found) if found and has_room(screen) else None
     fit: list[RenderableType] = []
     for brief in (False, True):
-        middle = indented(facts(_facts(tried, said, brief)))
+        middle = indented(facts(_facts(tried, getattr(found, "why", ""), brief)))
         laid = blocks(above, middle, below)
         rows = (screen.rows or 0) - drawn(laid, screen).count("\n")
         if picture is not None and rows - 2 >= LEAST_ROWS:  # an empty one, the prompt
@@ -83,29 +82,29 @@ def _fitted(
     return fit[0] if fit else laid
 
 
-def _facts(tried: Tried, said: Said | None, brief: bool) -> Iterator[tuple[Cell, Cell]]:
-    """What is known of the case; `brief` leaves out its other forms and what is accepted."""
-    problem = tried.problem
-    exact = show.exact_text(tried.exact)
-    ends = list(islice(_intervals(problem.answer, tried.target), _MOST + 1))
+def _facts(tried: Tried, why: str, brief: bool) -> Iterator[tuple[Cell, Cell]]:
+    """What is known of the case; `why` is what it turns on, and `brief` leaves out its other forms."""
+    problem, said = tried.problem, tried.said
     if tried.case:
         yield "case", arguments(problem.named(tried.case))
     if tried.case and not brief:
         yield "as program input", line_of(problem, tried.case)
-    yield "exact answer", good(_plain(exact))
+    yield "exact answer", good(_plain(show.exact_text(tried.exact)))
+    ends = list(islice(_intervals(problem.answer, tried.target), _MOST + 1))
     if ends and not brief:
         yield "in doubles", good(tried.expected)
         more = ["and so on for the other numbers"] if len(ends) > _MOST else []
         yield from under("accepted", ends[:_MOST] + more)
     if said is None:
+        yield from [("why", why)] if why else []
         return
-    yield "got", (text if said.verdict is Verdict.AC else bad)(said.got)
+    yield "got", (bad if tried.failed else text)(said.got)
     if said.hurdle is not None:
         line = said.hurdle.line if said.hurdle.kind is not Obstacle.STUB else 0  # whose sentence has it
-        why = obstacle_text(said.hurdle, problem, said.name, said.message)
+        why = obstacle_text(said.hurdle, problem, said.submission, said.message)
         yield "why", f"{f'line {line}: ' if line else ''}{why}"
-    elif said.message:
-        yield "why", said.message
+    elif said.message or why:
+        yield "why", said.message or why
     yield from under("printed", said.printed.splitlines()[:_PRINTED])
 
 
@@ -133,31 +132,28 @@ def _plain(exact: Any) -> str:
         most = 1 if deep else _ANSWERS
         return " or ".join([*map(_plain, answers[:most]), *["…"] * (len(answers) > most)])
     if isinstance(exact, list):
-        point = 2 <= len(exact) <= 3 and all(isinstance(each, str) for each in exact)
-        return f"({_listed(exact)})" if point else f"[{_listed(exact)}]"
+        listed = ", ".join(map(_plain, exact))
+        is_point = 2 <= len(exact) <= 3 and all(isinstance(each, str) for each in exact)
+        return f"({listed})" if is_point else f"[{listed}]"
     return str(exact)
 
 
-def _listed(parts: Iterable[Any]) -> str:
-    return ", ".join(map(_plain, parts))
-
-
-def picture_of(tried: Tried, said: Said | None) -> Picture | None:
+def picture_of(tried: Tried) -> Picture | None:
     """The case drawn with its answer and, where that is rejected, the file's; None where nothing can be."""
-    wrong = said if said is not None and said.verdict is not Verdict.AC else None
-    got, given = (wrong.got, wrong.given) if wrong else (None, None)
+    got, given = (tried.failed.got, tried.failed.given) if tried.failed else (None, None)
     values = tried.problem.named(tried.case)
     case = Failure("", input=values, expected=tried.expected, got=got, given=given)
-    return case_picture(tried.problem, tried.data.module, case, tried.group.name, "your case")
+    return case_picture(tried.problem, tried.module, case, tried.group.name, "your case")
 
 
 def hack_turn(found: HackTurn, screen: Screen) -> RenderableType:
     """The program and what is asked, or how all of them stand; or whether a case breaks it."""
-    if found.outcome in ("shown", "listed"):
-        return _program(found) if found.outcome == "shown" else _standing(found)
-    if found.tried is None:
-        return _ended(found)
-    return _fitted(found.tried, found.said, None, _ended(found), screen)
+    if found.outcome == "shown":
+        return _program(found)
+    if found.outcome == "listed":
+        return _standing(found)
+    ended = _ended(found)
+    return _fitted(found.tried, None, ended, screen) if found.tried else ended
 
 
 def _program(found: HackTurn) -> RenderableType:
@@ -188,14 +184,14 @@ def _ended(found: HackTurn) -> RenderableType:
 
 def _standing(found: HackTurn) -> RenderableType:
     """A row for each program that was broken or given up, with its mistake; how many others there are."""
-    states = [(each, found.states[each.mistake]) for each in found.puzzles]
-    left = [each.number for each, state in states if state is HackState.OPEN]
-    rows = [
-        (str(each.number), _STATES[state], faint(each.mistake)) for each, state in states if state in _STATES
-    ]
-    name, still = found.problem.id, counted(len(left), "program")
+    lines, name = found.published, found.problem.id
+    rows = [(str(each.number), _STATES[each.state], faint(each.mistake)) for each in lines if each.mistake]
+    left = [each.number for each in lines if not each.mistake]
+    still = (
+        [("open", counted(len(left), "program")), ("next", f"judge hack {name} {left[0]}")] if left else []
+    )
     return blocks(
-        head(name, f"{found.done} of {len(states)} wrong programs broken"),
+        head(name, f"{found.done} of {len(lines)} wrong programs broken"),
         indented(table(rows, "program", "state", "mistake", right=[0])) if rows else None,
-        indented(facts([("open", still), ("next", f"judge hack {name} {left[0]}")])) if left else None,
+        indented(facts(still)) if left else None,
     )

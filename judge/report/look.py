@@ -5,15 +5,13 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
-from decimal import Decimal
 from fractions import Fraction
 
 from rich.console import Group as Together
 from rich.console import RenderableType
 from rich.text import Text
 
-from judge.problem import Group, Parameter, Problem, Tolerance
-from judge.problem.model import GrowthRule
+from judge.problem import Group, Problem, Tolerance
 from judge.report import published_look as published
 from judge.report.parts import (
     STRONG,
@@ -25,7 +23,6 @@ from judge.report.parts import (
     faint,
     good,
     head,
-    heading,
     indented,
     paragraph,
     prose,
@@ -155,59 +152,36 @@ def _kata(row: published.KataRow, *, current: bool) -> tuple[Cell, ...]:
 
 
 def kata_shown(found: published.KataShown, screen: Screen) -> RenderableType:
-    """The statement, the parameters and what is allowed; or the test groups."""
-    problem, source = found.problem, found.problem.source
+    """The statement and what is allowed; or the test groups."""
+    problem, source, limits = found.problem, found.problem.source, found.problem.limits
     if found.groups:
         return blocks(*_levels(problem))
-    said = (("authors", ", ".join(source.authors)), ("license", source.license), ("origin", source.origin))
-    return blocks(
-        prose(problem.statement, screen),
-        heading("Parameters", _parameters(problem.parameters)),
-        heading("Tests", facts([*_allowed(problem), *(each for each in said if each[1])])),
+    if screen.rows is None:  # nobody looks
+        task = prose(problem.statement, screen)
+    else:
+        from judge.report.picture import statement  # others do without
+
+        task = statement(problem, screen)
+    said = (
+        ("tests", f"{_totals(problem.groups)}: judge show {problem.id} --groups"),
+        ("answer", f"{problem.answer}, {_tolerance(_usual(problem), problem.answer.words)}"),
+        ("limits", f"{limits.cpu_seconds:g} s of CPU time, {limits.memory_mb:,.0f} MB for each group"),
+        ("authors", ", ".join(source.authors)),
+        ("license", source.license),
+        ("origin", source.origin),
     )
-
-
-def _parameters(parameters: Sequence[Parameter]) -> RenderableType:
-    rows = [
-        (strong(each.name), str(each.type).replace("-", " "), bound(each.low), bound(each.high), each.about)
-        for each in parameters
-    ]
-    return table(rows, "name", "type", "from", "to", "about", right=[2, 3])
-
-
-def _allowed(problem: Problem) -> Iterator[tuple[str, str]]:
-    """What the tests are, and what they allow."""
-    yield "groups", f"{_totals(problem.groups)}: judge show {problem.id} --groups"
-    yield "answer", f"{problem.answer}, {_tolerance(_usual(problem), problem.answer.words)}"
-    if smallest := _smallest(problem.parameters):
-        yield "numbers", smallest
-    limits = problem.limits
-    allowed = f"{limits.cpu_seconds:g} s of CPU time, {limits.memory_mb:,.0f} MB for each group"
-    yield "limits", allowed
-    for group in problem.groups:
-        own = [f"{group.limits.cpu_seconds:g} s of CPU time"] if group.limits else []
-        own += [_time_rule(group)] if group.time_limit is not None else []
-        if own:
-            yield group.name, ", ".join(own)
-    if problem.growth is not None:
-        yield "growth", _growth_rule(problem.growth)
-
-
-def _smallest(parameters: Sequence[Parameter]) -> str:
-    """How small a real number other than 0 may be; empty where nothing is said."""
-    widths = dict.fromkeys(each.smallest for each in parameters if each.smallest)
-    parts = []
-    for width in widths:
-        names = [each.name for each in parameters if each.smallest == width]
-        whose = "" if len(widths) == 1 else f" in {', '.join(names)}"
-        parts.append(f"0 or at least {bound(width)} in size{whose}")
-    return "; ".join(parts)
+    return blocks(task, facts(each for each in said if each[1]))
 
 
 def _levels(problem: Problem) -> Iterator[RenderableType]:
     """What the groups of a problem test, and the mistakes that they find."""
-    may = [text(f"CPU time may grow {_growth_rule(problem.growth)}.")] if problem.growth else []
-    yield Together(head(problem.id, problem.title), *may)
+    top = [head(problem.id, problem.title)]
+    if rule := problem.growth:
+        over = ", ".join(rule.groups)
+        top.append(
+            text(f"CPU time may grow at most n^{rule.slope:g} faster than the reference, over {over}.")
+        )
+    yield Together(*top)
     for level in problem.levels or (None,):
         own = [group for group in problem.groups if group.level is level]
         rows = [
@@ -222,8 +196,10 @@ def _levels(problem: Problem) -> Iterator[RenderableType]:
 def _about(problem: Problem, group: Group) -> Text:
     """What one group tests and allows, and on a line of its own the mistakes it finds."""
     about = [group.about]
-    if allowed := _time_rule(group):
-        about.append(f"CPU time: at most {allowed}.")
+    time = [f"{group.limits.cpu_seconds:g} s"] if group.limits else []
+    time += [f"{group.time_limit:g} × the reference"] if group.time_limit is not None else []
+    if time:
+        about.append(f"CPU time: at most {' and '.join(time)}.")
     if group.tolerance != _usual(problem):
         about.append(f"Tolerance: {_tolerance(group.tolerance, problem.answer.words)}.")
     said = text(" ".join(about))
@@ -241,45 +217,21 @@ def _totals(groups: Sequence[Group]) -> str:
     return ", ".join((counted(len(groups), "group"), counted(cases, "case"), counted(points, "point")))
 
 
-def _time_rule(group: Group) -> str:
-    """`8 × the reference`: the CPU time of a group that has a limit of its own; empty where it has none."""
-    return "" if group.time_limit is None else f"{group.time_limit:g} × the reference"
-
-
-def _growth_rule(rule: GrowthRule) -> str:
-    """`at most n^0.4 faster than the reference, over …`: how CPU time may grow."""
-    return f"at most n^{rule.slope:g} faster than the reference, over {', '.join(rule.groups)}"
-
-
 def _tolerance(value: Tolerance, words: Words) -> str:
     """A tolerance in words, such as `1e-9 relative + 4 ulp`; what it counts in has the problem's own name."""
     unit = words.unit or "the answer's unit"
-    wide = [f"{bound(value.extent)} of {unit}"] if value.extent else []
-    wide += [f"{bound(value.relative)} relative"] if value.relative else []
+    wide = [f"{_short(value.extent)} of {unit}"] if value.extent else []
+    wide += [f"{_short(value.relative)} relative"] if value.relative else []
     parts = [" or ".join(wide)] if wide else []
-    parts += [f"{bound(value.ulps)} ulp"] if value.ulps else []
+    parts += [f"{_short(value.ulps)} ulp"] if value.ulps else []
     said = " + ".join(parts) or "exact"
-    return f"{said}; where the exact number is 0, {bound(value.zero)} of {unit}" if value.zero else said
+    return f"{said}; where the exact number is 0, {_short(value.zero)} of {unit}" if value.zero else said
 
 
-def bound(value: Fraction) -> str:
-    """A bound or a width, shortest of its exact forms: `1000`, `2^30`, `-10^100`, `1e-12`, `1/3`."""
-    if value.denominator == 1:
-        return _whole(value.numerator)
+def _short(value: Fraction) -> str:
+    """The shortest of its exact forms: `4`, `1e-12`, `1/3`."""
     short = re.sub("e-0+", "e-", f"{float(value):g}")
     return short if Fraction(short) == value else str(value)
-
-
-def _whole(value: int) -> str:
-    sign, magnitude = ("-" if value < 0 else ""), abs(value)
-    if magnitude < 100_000:
-        return str(value)
-    if magnitude & (magnitude - 1) == 0:
-        return f"{sign}2^{magnitude.bit_length() - 1}"
-    number = Decimal(magnitude)  # whose text, unlike an int's, may have any length
-    if magnitude == 10 ** number.adjusted():
-        return f"{sign}10^{number.adjusted()}"
-    return f"{sign}{number:,}" if number.adjusted() < 15 else f"{sign}{number}"
 
 
 def topics(found: published.Topics, _screen: Screen) -> RenderableType:

@@ -28,7 +28,7 @@ _LEAST = 20  # columns of prose below which it goes under its row
 _BAR = 40
 _STATEMENT = 88  # columns of a statement
 _VERDICTS = dict.fromkeys((Verdict.TLE, Verdict.MLE, Verdict.OLE, Verdict.JE), WARNING) | {Verdict.AC: GOOD}
-_FIGURE = re.compile(r"^!\[[^]]*\]\([^)]*\)\n\n?", re.MULTILINE)
+FIGURE = re.compile(r"^!\[[^]]*\]\([^)]*\)\n\n?", re.MULTILINE)
 _REMARK = re.compile(r"^( *)(>>> .*?) {2,}(# .*)$", re.MULTILINE)
 
 
@@ -186,7 +186,7 @@ def prose(markdown: str, screen: Screen) -> RenderableType:
 
     Its colours are those of the person's own theme, without a background, so that light and dark both serve.
     """
-    markdown = _FIGURE.sub("", markdown)
+    markdown = FIGURE.sub("", markdown)
     if not is_terminal(screen.stream):
         return Text("\n".join(map(printable, markdown.rstrip("\n").split("\n"))))
     from rich.markdown import CodeBlock, Heading, Markdown

@@ -2,26 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import partial
 from typing import TYPE_CHECKING
 
 from judge.drawing import Picture
 from judge.drawing.braille import COLUMNS, ROWS, to_braille
-from judge.drawing.braille import LEAST_ROWS as LEAST_ROWS
 from judge.drawing.chart import Axis, Chart, Series, chart_braille
 from judge.drawing.shapes import Role
 from judge.errors import JudgeError, told
 from judge.problem import Problem
 from judge.problem.declare import InvalidCase, Shown
 from judge.problem.model import EXAMPLES, case_of
-from judge.report.screen import Screen, is_terminal, note
+from judge.report.screen import Screen, drawn, is_terminal, note
 from judge.report.tell import grows
 from judge.report.words import seconds
 from judge.run.result import Failure, Growth
 from judge.values.answers import within
 
 if TYPE_CHECKING:
+    from rich.console import RenderableType
     from rich.text import Text
 
     from judge.problem.module import Module
@@ -62,22 +62,30 @@ def picture_rows(picture: Picture | Chart, rows: int = ROWS, *, answered: bool =
     from rich.text import Text
 
     if isinstance(picture, Chart):
-        drawn = chart_braille(picture, rows)
+        pieces = chart_braille(picture, rows)
     else:
-        drawn = to_braille(picture, rows, answered=answered)
-    return [Text.assemble(*((each.text, _COLOURS.get(each.role, "")) for each in row)) for row in drawn]
+        pieces = to_braille(picture, rows, answered=answered)
+    found = [Text.assemble(*((each.text, _COLOURS.get(each.role, "")) for each in row)) for row in pieces]
+    while found and not found[-1].plain.strip():
+        found.pop()
+    return found
 
 
 def drawing(
     make: Callable[[], Picture | Chart | None], screen: Screen, what: str
 ) -> Callable[[int], list[Text]] | None:
     """What draws a picture in about so many rows; None where there is none, or no room on the screen."""
+    picture = made(make, what) if has_room(screen) else None
+    return partial(picture_rows, picture) if picture else None
+
+
+def made(make: Callable[[], Picture | Chart | None], what: str) -> Picture | Chart | None:
+    """The picture; None where there is none, or a fault is in it, of which a note is made."""
     try:
-        picture = make() if has_room(screen) else None
+        return make()
     except Exception as fault:  # what is known without it is worth more
         note(f"{what} is not drawn: {told(fault)}")
         return None
-    return partial(picture_rows, picture) if picture else None
 
 
 def result_picture(found: Judged) -> Picture | Chart | None:
@@ -90,18 +98,23 @@ def result_picture(found: Judged) -> Picture | Chart | None:
         return growth_chart(growth)
     if failure is None or found.data is None:
         return None
-    shown, heading = failure, f"{failure.group}, case {failure.case}"
-    if small is not None and small.input:
-        shown, heading = small, "counterexample"
-    return case_picture(found.data.problem, found.data.module, shown, failure.group, heading)
+    shown = small if small is not None and small.input else failure
+    return case_picture(found.data.problem, found.data.module, shown, failure.group)
 
 
-FIGURE = "figure.svg"
+GAP = 3  # columns between a drawing and what stands beside it
 
 
 def figure(problem: Problem) -> str | None:
-    """The SVG; None where the problem draws none of its examples."""
+    """The SVG of a statement; None where the problem draws none of its examples."""
     from judge.drawing.svg import panel_svg
+
+    found = example_picture(problem)
+    return panel_svg(found.whole, "figure", found.description, alone=True) + "\n" if found else None
+
+
+def example_picture(problem: Problem) -> Picture | None:
+    """The first example that the problem draws, with its answer; None where it draws none."""
     from judge.problem.module import load_module
     from judge.values import show
 
@@ -111,8 +124,40 @@ def figure(problem: Problem) -> str | None:
         case = Failure("", input=problem.named(example.case), expected=wanted)
         picture = case_picture(problem, module, case, EXAMPLES, "example")
         if picture is not None:
-            return panel_svg(picture.whole, "figure", picture.description, alone=True) + "\n"
+            return picture
     return None
+
+
+def statement(problem: Problem, screen: Screen) -> RenderableType:
+    """The statement, on a terminal with its figure."""
+    from rich.console import Group
+    from rich.text import Text
+
+    from judge.report.parts import FIGURE, blocks, indented, prose
+
+    before, *after = FIGURE.split(problem.statement, 1)
+    rows = drawing(partial(example_picture, problem), screen, "the figure") if after else None
+    if rows is None:
+        return prose(problem.statement, screen)
+    rest = Text.from_ansi(
+        drawn(prose(after[0], screen), screen).strip("\n")
+    )  # a list begins with a blank row
+    return blocks(prose(before, screen), indented(Group(*rows(ROWS))), rest)
+
+
+def beside(left: RenderableType, rows: Sequence[Text], width: int | None) -> RenderableType | None:
+    """A drawing to the right of what belongs to it; None where it would take more than half of the width."""
+    from rich.console import Group
+    from rich.table import Table
+
+    wide = max((row.cell_len for row in rows), default=0)
+    if width is None or width - wide - GAP < width // 2:
+        return None
+    both = Table.grid(expand=True, padding=(0, 0, 0, GAP))
+    both.add_column(ratio=1)
+    both.add_column(width=wide + GAP, no_wrap=True)
+    both.add_row(left, Group(*rows))
+    return both
 
 
 def case_picture(

@@ -34,24 +34,25 @@ def hint_shown(found: HintShown, screen: Screen) -> RenderableType:
 
 def solution_shown(found: SolutionShown, screen: Screen) -> RenderableType:
     """Its idea, why it works, and the program, whose lines are never broken: they can be copied."""
-    rows = [printable(row.expandtabs(4)) for row in found.program.split("\n")]
+    shown = found.shown
+    rows = [printable(row.expandtabs(4)) for row in shown.program.split("\n")]
     if not is_terminal(screen.stream):
-        rows = [f"```{found.code}", *rows, "```"]
+        rows = [f"```{shown.code}", *rows, "```"]
     return blocks(
-        head(f"{found.problem}: {found.idea.replace('-', ' ')}", found.file),
-        prose(found.explanation, screen) if found.explanation else None,
+        head(f"{found.problem}: {shown.idea.replace('-', ' ')}", shown.file),
+        prose(shown.explanation, screen) if shown.explanation else None,
         Group(*(Text(row, no_wrap=True, overflow="ignore") for row in rows)),
-        _timed(found) if found.approaches[0].taken else _beside(found),
+        _timed(found) if shown.taken else _beside(found),
     )
 
 
 def _beside(found: SolutionShown) -> RenderableType:
     """The other approaches in its language by name, and the other languages."""
-    command = f"judge solution {found.problem}"
-    own = [each for each in found.approaches if each.language == found.language]
-    rest = [each.call for each in own if each.file != found.file]
-    others = [*dict.fromkeys(each.language for each in found.approaches if each.language != found.language)]
-    rows = [(strong(each.call), each.about if each.call in rest else "the one above") for each in own]
+    command, shown = f"judge solution {found.problem}", found.shown
+    own = [each for each in found.approaches if each.language == shown.language]
+    rest = [each.call for each in own if each != shown]
+    others = [*dict.fromkeys(each.language for each in found.approaches if each not in own)]
+    rows = [(strong(each.call), "the one above" if each == shown else each.about) for each in own]
     below = [(f"{command} {call}", "another approach") for call in rest[:1]]
     below += [(f"{command} --language {each}", "one of them") for each in others[:1]]
     also = [text(f"Also in {', '.join(others)}.")] if others else []

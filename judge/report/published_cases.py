@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from functools import cached_property
 from typing import Any
 
 from msgspec import Struct
@@ -11,10 +11,10 @@ from judge.data.parse import line_of
 from judge.diagnose.replay import encode
 from judge.errors import ExitCode
 from judge.mistakes.puzzles import Puzzle
-from judge.practice.progress import HackState
-from judge.problem import Problem, Verdict
-from judge.problem.model import Mode
-from judge.report.views import Published, copied
+from judge.practice.events import Hack
+from judge.practice.progress import HackState, hack_states
+from judge.problem import Problem
+from judge.published import Published
 from judge.run.tried import Said, Tried
 from judge.values import show
 
@@ -34,25 +34,13 @@ class CaseRow(Struct, frozen=True):
     accepted: Any
 
 
-class SaidRow(Struct, frozen=True):
-    """What a submission answered to it; `mode` is null where nothing could be run."""
-
-    submission: str
-    mode: Mode | None
-    verdict: Verdict
-    got: str
-    message: str
-    printed: str
-    isolation: str | None
-
-
 class CaseLine(Published, frozen=True, kw_only=True):
     """A case that was tried; `said` is null where no file was."""
 
     schema: int = 2
     problem: str
     case: CaseRow
-    said: SaidRow | None
+    said: Said | None
 
 
 class PageWritten(Published, frozen=True):
@@ -63,7 +51,10 @@ class PageWritten(Published, frozen=True):
 
 
 class HackLine(Published, frozen=True, kw_only=True):
-    """A wrong program; `outcome` is shown, won, lost or given-up. What names its mistake is null before."""
+    """A wrong program; `outcome` is shown, listed, won, lost or given-up.
+
+    What names its mistake is null before it is broken or given up.
+    """
 
     schema: int = 2
     problem: str
@@ -75,57 +66,46 @@ class HackLine(Published, frozen=True, kw_only=True):
     advice: str | None
     source: str
     case: CaseRow | None
-    said: SaidRow | None
-
-
-class HackProgram(Struct, frozen=True):
-    """How a wrong program stands: open, broken or given-up; `mistake` is null while it is open."""
-
-    number: int
-    state: HackState
-    mistake: str | None
-
-
-class HackList(Published, frozen=True):
-    """All wrong programs of a kata."""
-
-    problem: str
-    programs: tuple[HackProgram, ...]
+    said: Said | None
 
 
 class CaseTried(Struct, frozen=True):
-    """A case, its answer, and what a file answered."""
+    """A case, its answer, and what a file said to it."""
 
     tried: Tried
-    said: Said | None
 
     @property
     def exit_code(self) -> ExitCode:
         """NOT_ACCEPTED where the file's answer is rejected."""
-        accepted = self.said is None or self.said.verdict is Verdict.AC
-        return ExitCode.ACCEPTED if accepted else ExitCode.NOT_ACCEPTED
+        return ExitCode.NOT_ACCEPTED if self.tried.failed else ExitCode.ACCEPTED
 
     @property
     def published(self) -> tuple[CaseLine]:
         """The line of JSON."""
-        return (CaseLine(problem=self.tried.problem.id, case=_case(self.tried), said=_said(self.said)),)
+        tried = self.tried
+        return (CaseLine(problem=tried.problem.id, case=_row(tried), said=tried.said),)
 
 
-class HackTurn(Struct, frozen=True):
+class HackTurn(Struct, frozen=True, dict=True):
     """A wrong program that is shown, attacked or given up, among all those of the kata; or these are listed.
 
-    `states` is by mistake. `why` says why a case does not break it. With `goes_on` a terminal asks for more.
+    `hacks` are the attempts at them so far, oldest first. `why` says why a case does not break it. With
+    `goes_on` a terminal asks for more.
     """
 
     problem: Problem
     puzzles: tuple[Puzzle, ...]
-    states: Mapping[str, HackState]
+    hacks: tuple[Hack, ...]
     puzzle: Puzzle
     outcome: str
     why: str = ""
     tried: Tried | None = None
-    said: Said | None = None
     goes_on: bool = False
+
+    @cached_property
+    def states(self) -> dict[str, HackState]:
+        """How each program stands, by its mistake."""
+        return hack_states([each.mistake for each in self.puzzles], self.hacks)
 
     @property
     def done(self) -> int:
@@ -146,33 +126,28 @@ class HackTurn(Struct, frozen=True):
         return ExitCode.NOT_ACCEPTED if ended else ExitCode.ACCEPTED
 
     @property
-    def published(self) -> tuple[HackLine | HackList]:
-        """The line of JSON."""
-        if self.outcome == "listed":
-            rows = ((each, self.states[each.mistake]) for each in self.puzzles)
-            programs = (
-                HackProgram(each.number, state, None if state is HackState.OPEN else each.mistake)
-                for each, state in rows
-            )
-            return (HackList(self.problem.id, tuple(programs)),)
-        state = self.states[self.puzzle.mistake]
-        told = state is not HackState.OPEN
-        line = HackLine(
+    def published(self) -> tuple[HackLine, ...]:
+        """The lines of JSON."""
+        return tuple(map(self._line, self.puzzles if self.outcome == "listed" else (self.puzzle,)))
+
+    def _line(self, puzzle: Puzzle) -> HackLine:
+        state = self.states[puzzle.mistake]
+        is_told = state is not HackState.OPEN
+        return HackLine(
             problem=self.problem.id,
-            number=self.puzzle.number,
+            number=puzzle.number,
             outcome=self.outcome,
             state=state,
             why=self.why,
-            mistake=self.puzzle.mistake if told else None,
-            advice=self.puzzle.advice if told else None,
-            source=self.puzzle.source.decode(),
-            case=_case(self.tried) if self.tried else None,
-            said=_said(self.said),
+            mistake=puzzle.mistake if is_told else None,
+            advice=puzzle.advice if is_told else None,
+            source=puzzle.source.decode(),
+            case=_row(self.tried) if self.tried else None,
+            said=self.tried.said if self.tried else None,
         )
-        return (line,)
 
 
-def _case(tried: Tried) -> CaseRow:
+def _row(tried: Tried) -> CaseRow:
     problem = tried.problem
     return CaseRow(
         encode(problem, tried.group, tried.case),
@@ -183,7 +158,3 @@ def _case(tried: Tried) -> CaseRow:
         tried.expected,
         show.accepted(problem.answer, tried.target),
     )
-
-
-def _said(said: Said | None) -> SaidRow | None:
-    return copied(SaidRow, said, submission=said.name, isolation=said.isolation or None) if said else None

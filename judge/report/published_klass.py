@@ -12,8 +12,8 @@ from msgspec import Struct
 
 from judge.errors import ExitCode
 from judge.problem.model import Verdict
+from judge.published import Published
 from judge.report.formats import csv_text
-from judge.report.views import Published
 
 BOM = "\ufeff"
 _HEAD = ("student", "name", "group")

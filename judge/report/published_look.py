@@ -9,7 +9,8 @@ from msgspec import Struct
 from judge.errors import ExitCode
 from judge.problem import Problem
 from judge.problem.model import GroupLimits, GrowthRule, KataLevel, Source, Tier
-from judge.report.views import Published, copied, in_words
+from judge.published import Published
+from judge.report.views import copied, in_words
 
 
 class KataRow(Published, frozen=True):
@@ -226,9 +227,10 @@ class Again(Struct, frozen=True):
 
 
 class Standing(Struct, frozen=True):
-    """What a kata took a person, the kata that comes next, and how many of all are solved."""
+    """What a kata took a person, the skills that are new, the next kata, and how many of all are solved."""
 
     runs: int
+    new: tuple[str, ...]
     hints: int
     next: Next | None
     solved: int

@@ -6,7 +6,8 @@ from typing import ClassVar
 
 from msgspec import Struct
 
-from judge.report.views import Published
+from judge.practice.solutions import Approach
+from judge.published import Published
 from judge.run.result import Taken
 
 
@@ -34,17 +35,6 @@ class HintShown(Published, frozen=True, kw_only=True):
     text: str
 
 
-class ApproachRow(Struct, frozen=True):
-    """An approach, by its name and by what `judge solution` calls it; what it takes, if measured."""
-
-    name: str
-    call: str
-    file: str
-    language: str
-    about: str
-    taken: Taken | None
-
-
 class Yours(Struct, frozen=True):
     """The latest run of the person's own that solved the kata, and what it takes."""
 
@@ -54,15 +44,15 @@ class Yours(Struct, frozen=True):
 
 
 class SolutionShown(Published, frozen=True, kw_only=True):
-    """A model solution and all approaches; `code` is the id of its language."""
+    """All approaches; `file` is that of the one that is shown."""
 
     problem: str
     file: str
-    language: str
-    code: str
-    idea: str
-    explanation: str
-    program: str
-    approaches: tuple[ApproachRow, ...]
+    approaches: tuple[Approach, ...]
     yours: Yours | None
     paged: ClassVar[bool] = True  # longer than most terminals
+
+    @property
+    def shown(self) -> Approach:
+        """The model solution, or the one that was asked for."""
+        return next(each for each in self.approaches if each.file == self.file)

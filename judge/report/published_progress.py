@@ -11,8 +11,9 @@ from judge.practice.progress import Question, SkillProgress
 from judge.practice.review import Review
 from judge.problem import Verdict
 from judge.problem.model import Mode
+from judge.published import Published
 from judge.report.published_look import Next
-from judge.report.views import Published, copied
+from judge.report.views import copied
 from judge.run.result import Result
 
 

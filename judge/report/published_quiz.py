@@ -6,9 +6,10 @@ from datetime import datetime
 
 from msgspec import Struct
 
+from judge.practice.events import Answer, Rating
 from judge.practice.quiz import Practise
 from judge.problem import Verdict
-from judge.report.views import Published
+from judge.published import Published
 
 
 class CardRow(Published, frozen=True):
@@ -20,7 +21,7 @@ class CardRow(Published, frozen=True):
     sets: tuple[str, ...]
     front: str
     last: datetime | None = None
-    rating: str | None = None
+    rating: Rating | None = None
     due: datetime | None = None
 
 
@@ -31,19 +32,12 @@ class CardList(Struct, frozen=True):
     now: datetime
 
 
-class Answered(Struct, frozen=True):
-    """A card that was answered, and how it went: again, hard, good or easy."""
-
-    card: str
-    rating: str
-
-
 class Quizzed(Published, frozen=True):
     """How the cards went, and what to practise; `next_due` is told where none was asked."""
 
     asked: int
     known: int
-    answers: tuple[Answered, ...]
+    answers: tuple[Answer, ...]
     practise: tuple[Practise, ...]
     seed: int
     next_due: datetime | None = None

@@ -7,46 +7,9 @@ from msgspec import Struct
 from judge.errors import ExitCode
 from judge.languages.find import Found
 from judge.packs.export.job import Export
-from judge.report.views import Published
-from judge.run.edges import Edge
-from judge.run.verify import Fault, MistakeReport, VerifyReport
+from judge.published import Published
 from judge.sandbox.attacks import Attacked
 from judge.sandbox.probe import Level
-
-
-class NewKata(Published, frozen=True):
-    """A kata that was written: its folder of problems, and its files."""
-
-    problem: str
-    title: str
-    problems: str
-    files: tuple[str, ...]
-
-
-class Verified(VerifyReport, frozen=True, kw_only=True):
-    """What was checked of a kata, and what is wrong."""
-
-    schema: int = 1
-    ok: bool
-    mistakes: tuple[MistakeReport, ...] = ()
-    edges: tuple[Edge, ...] = ()
-
-    @property
-    def exit_code(self) -> ExitCode:
-        """3 where something is wrong."""
-        return ExitCode.ACCEPTED if self.ok else ExitCode.FAULT
-
-
-class DecksVerified(Published, frozen=True):
-    """How many cards of `judge quiz` were checked, and what is wrong with them."""
-
-    cards: int
-    faults: tuple[Fault, ...]
-
-    @property
-    def exit_code(self) -> ExitCode:
-        """3 where something is wrong."""
-        return ExitCode.FAULT if self.faults else ExitCode.ACCEPTED
 
 
 class VerifySummary(Struct, frozen=True):

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
 
 from rich.console import Group, RenderableType
 from rich.text import Text
 
+from judge.practice.events import Rating
+from judge.practice.questions import Question, Reply
+from judge.practice.quiz import Practise
 from judge.report.parts import (
     BAD,
     GOOD,
@@ -28,13 +30,7 @@ from judge.report.parts import (
 )
 from judge.report.published_quiz import CardList, Interviewed, Quizzed
 from judge.report.screen import Screen, drawn
-from judge.report.words import counted, due_words, shown_name
-
-if TYPE_CHECKING:
-    from judge.practice.events import Rating
-    from judge.practice.questions import Question, Reply
-    from judge.practice.quiz import Practise
-    from judge.problem import Problem
+from judge.report.words import counted, due_words
 
 RATE = "How well? 1 again, 2 hard, 3 good, 4 easy: "
 SAVE = "Save the file. Enter judges it, q goes on: "
@@ -51,7 +47,8 @@ def question(asked: Question, place: str, screen: Screen) -> RenderableType:
     if asked.options:
         parts.append(indented(table([(strong(letter), said) for letter, said in asked.options])))
     if asked.picture is not None:
-        from judge.report.picture import LEAST_ROWS, has_room, picture_rows
+        from judge.drawing.braille import LEAST_ROWS
+        from judge.report.picture import has_room, picture_rows
 
         if has_room(screen, _PANEL):
             room = screen.height - drawn(Group(*parts), screen).count("\n") - _AROUND
@@ -86,8 +83,8 @@ def model(asked: Question) -> RenderableType:
     return indented(facts([("model", asked.answer)]))
 
 
-def mistyped(message: str) -> RenderableType:
-    """What was typed is not an answer."""
+def remark(message: str) -> RenderableType:
+    """What was typed is not an answer, or the time is over."""
     return indented(warning(message))
 
 
@@ -122,28 +119,14 @@ def card_list(found: CardList, _screen: Screen) -> RenderableType:
 
 def opening(minutes: int, before: int, kata: str, after: int) -> RenderableType:
     """What is to come in an interview: so many cards before the kata, and after it."""
-    cards = [counted(count, "card") if count else "" for count in (before, after)]
-    parts = filter(None, (cards[0], f"the kata {kata}", cards[1]))
-    return Group(
-        head("Mock interview", faint(counted(minutes, "minute"))),
-        faint(f"{', then '.join(parts)}. q leaves; your answers are kept."),
-        Text(),
-    )
+    first, last = ([counted(count, "card")] if count else [] for count in (before, after))
+    parts = ", then ".join([*first, f"the kata {kata}", *last])
+    return stage("Mock interview", minutes, f"{parts}. q leaves; your answers are kept.")
 
 
-def kata(problem: Problem, file: str, minutes: int) -> RenderableType:
-    """The kata of an interview, its file, and the time for it."""
-    return Group(
-        head(problem.title, faint(counted(minutes, "minute"))),
-        _prose(problem.summary),
-        _prose(f"Write it in {shown_name(file)}: the statement is in there. I judge it on every save."),
-        Text(),
-    )
-
-
-def time_over() -> RenderableType:
-    """The time for the kata is over."""
-    return Group(Text(), warning("The time for the kata is over."), Text())
+def stage(title: str, minutes: int, *said: str) -> RenderableType:
+    """What comes next, how long it takes, and what is said of it."""
+    return Group(head(title, faint(counted(minutes, "minute"))), *map(_prose, said), Text())
 
 
 def interviewed(found: Interviewed, _screen: Screen) -> RenderableType:

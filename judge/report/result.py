@@ -7,7 +7,6 @@ from functools import partial
 
 from msgspec import Struct
 from rich.console import Group, RenderableType
-from rich.table import Table
 from rich.text import Text
 
 from judge.problem import Verdict
@@ -30,15 +29,15 @@ from judge.report.parts import (
 )
 from judge.report.published_result import Judged, Several
 from judge.report.screen import Screen, drawn
-from judge.report.tell import Told, place_of, tell
+from judge.report.tell import Told, place_of, tell, with_why
 from judge.report.words import counted, shown_name, times
 from judge.run.result import GroupResult, Result
 
 Drawing = Callable[[int], Sequence[Text]]  # the picture of the failing case in about so many rows
 _LABELS = {"got": bad, "expected": good}
 _LEAST, _MOST = 9, 14  # rows of a picture
+_SKILLS = 2  # that are named
 _ROWS = 60  # of a result, on whatever screen
-_GAP = 3  # columns between the case and its picture
 
 
 class _Cut(Struct, frozen=True):
@@ -76,19 +75,23 @@ def told_of(found: Judged) -> Told:
     return tell(found.data.problem if found.data else None, found.result, found.source)
 
 
-def drawing_of(found: Judged, screen: Screen) -> Drawing | None:
-    """What draws the result; None where there is nothing to draw, or no room."""
-    result = found.result
+def explained(found: Judged, screen: Screen) -> tuple[Told, Drawing | None]:
+    """The result in words, and what draws it: None where there is nothing to draw, or no room."""
+    told, result = told_of(found), found.result
     if result.hurdle or (result.failure is None and result.time.growth is None):
-        return None
-    from judge.report.picture import drawing, result_picture  # only where something failed
+        return told, None
+    from judge.report import picture as pictures  # only where something failed
 
-    return drawing(partial(result_picture, found), screen, "the failing case")
+    picture = pictures.made(partial(pictures.result_picture, found), "the failing case")
+    told = with_why(told, getattr(picture, "why", ""))
+    if picture is None or not pictures.has_room(screen):
+        return told, None
+    return told, partial(pictures.picture_rows, picture)
 
 
 def screenful(found: Judged, screen: Screen, rows: int | None) -> RenderableType:
     """One result in at most so many rows, if that can be; all there is where they are None."""
-    told, drawing, width = told_of(found), drawing_of(found, screen), screen.width
+    (told, drawing), width = explained(found, screen), screen.width
     top = joined(
         label(told.verdict),
         f"  {told.meaning}  ",
@@ -163,15 +166,10 @@ def _with_picture(
     """The picture beside the case where both have room, or else below it."""
     if drawing is None or not cut.picture:
         return case
+    from judge.report.picture import beside
+
     rows = drawing(cut.picture)
-    wide = max((row.cell_len for row in rows), default=0)
-    if width is not None and width - 4 - _GAP - wide >= width // 2:
-        both = Table.grid(expand=True, padding=(0, 0, 0, _GAP))
-        both.add_column(ratio=1)
-        both.add_column(width=wide + _GAP, no_wrap=True)
-        both.add_row(case, Group(*rows))
-        return both
-    return Group(case, Text(), *rows)
+    return beside(case, rows, width and width - 4) or Group(case, Text(), *rows)
 
 
 def _cut(said: str, rows: int | None, width: int | None) -> str:
@@ -230,8 +228,12 @@ def _accepted(found: Judged, width: int | None) -> RenderableType:
     if following := standing.next:
         title = f"{following.title[:1].lower()}{following.title[1:]}"
         onward.append((go_on, f"next: {following.problem}, {title}"))
+    named = "   ".join(f"✓ {name}" for name in standing.new[:_SKILLS])
+    more = f", {len(standing.new) - _SKILLS} more" if len(standing.new) > _SKILLS else ""
+    new = [("shown", joined(good(named), more))]
+    you: list[tuple[Cell, Cell]] = [("you", counted(standing.runs, "run") + hints)]
     return blocks(
-        indented(facts([("you", counted(standing.runs, "run") + hints)])),
+        indented(facts([*(new if standing.new else []), *you])),
         indented(commands(onward)) if onward else None,
         solved_bar(standing.solved, standing.katas, (), width),
     )

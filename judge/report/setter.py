@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from shlex import quote
 
 from rich.console import Group, RenderableType
 from rich.text import Text
 
+from judge.practice.setter import NewKata
 from judge.report import published_setter as published
 from judge.report.parts import (
     bad,
@@ -27,20 +28,20 @@ from judge.report.parts import (
 )
 from judge.report.screen import Screen
 from judge.report.words import counted, shown_name
-from judge.run.verify import Fault
+from judge.run.verify import Verified
 
 _NAMED = 3  # files that are named beside a reason
 
 
-def new_kata(found: published.NewKata, _screen: Screen) -> RenderableType:
+def new_kata(found: NewKata, _screen: Screen) -> RenderableType:
     """What was written, and the commands that go on with it."""
-    chosen = f"--problems {quote(found.problems)} {found.problem}"
+    chosen = f"--problems {quote(str(found.problems))} {found.problem}"
     below = [
         (f"judge verify {chosen}", "check it"),
         (f"judge verify {chosen} --pin", "pin its data, once you have changed them"),
         (f"judge show {chosen}", "see it as others will"),
     ]
-    files = [text(f"  {shown_name(each)}") for each in found.files]
+    files = [text(f"  {shown_name(str(each))}") for each in found.files]
     return blocks(Group(head(found.problem, found.title), *files), commands(below))
 
 
@@ -48,16 +49,14 @@ def _sound(faults: int) -> Text:
     return bad(counted(faults, "fault")) if faults else good("sound")
 
 
-def _faults(found: Sequence[Fault], warnings: Sequence[Fault] = ()) -> list[RenderableType]:
-    rows = [(bad("fault"), str(each)) for each in found]
-    rows += [(warning("warning"), str(each)) for each in warnings]
-    return [indented(table(rows))] if rows else []
-
-
-def verified(found: published.Verified, _screen: Screen) -> RenderableType:
+def verified(found: Verified, _screen: Screen) -> RenderableType:
     """What is wrong, the verdict of each solution, and how well each mistake is found."""
-    said = f"{counted(found.groups, 'group')}, {counted(found.cases, 'case')}, pins {found.pins}"
-    top = head(found.problem, _sound(len(found.faults)), said if found.cases else "")
+    said = counted(found.cards, "card") if found.cards else ""
+    if found.cases:
+        said = f"{counted(found.groups, 'group')}, {counted(found.cases, 'case')}, pins {found.pins}"
+    top = head(found.problem, _sound(len(found.faults)), said)
+    faults = [(bad("fault"), str(each)) for each in found.faults]
+    faults += [(warning("warning"), str(each)) for each in found.warnings]
     solutions = [
         (
             each.file,
@@ -74,13 +73,7 @@ def verified(found: published.Verified, _screen: Screen) -> RenderableType:
         (("cases", "edge"), edges, (0,)),
     )
     below = (indented(table(rows, *titles, right=right)) for titles, rows, right in tables if rows)
-    return blocks(Group(top, *_faults(found.faults, found.warnings)), *below)
-
-
-def decks_verified(found: published.DecksVerified, _screen: Screen) -> RenderableType:
-    """What is wrong with the cards."""
-    top = head("quiz", _sound(len(found.faults)), counted(found.cards, "card"))
-    return Group(top, *_faults(found.faults))
+    return blocks(Group(top, indented(table(faults))) if faults else top, *below)
 
 
 def verify_summary(found: published.VerifySummary, _screen: Screen) -> RenderableType:

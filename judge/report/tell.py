@@ -13,6 +13,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from judge.errors import nearest
 from judge.languages import file_name
@@ -92,6 +93,13 @@ def tell(problem: Problem | None, result: Result, source: bytes = b"") -> Told:
         commands=tuple(_commands(problem, result, shown)),
         last=_last(result),
     )
+
+
+def with_why(told: Told, why: str) -> Told:
+    """A wrong answer of which nothing more is known says what the case turns on, if anything."""
+    if told.verdict is not Verdict.WA or not why or "why" in dict(told.facts):
+        return told
+    return replace(told, facts=(*told.facts, ("why", why)))
 
 
 def shown_failure(result: Result) -> Failure | None:

@@ -1,7 +1,8 @@
-"""What a command says: the base of its values, and how the view of a value is found.
+"""How the view of what a command says is found, and how its values are made of others.
 
 The view of a class `KataShown` of `published_look.py` is the function `kata_shown` of `look.py`, which is
-imported only then. It takes the value and the screen and returns what rich can draw; it writes nothing.
+imported only then; that of a class of a room below is in `setter.py`. It takes the value and the screen and
+returns what rich can draw; it writes nothing.
 """
 
 from __future__ import annotations
@@ -22,12 +23,6 @@ S = TypeVar("S", bound=Struct)
 _NONE = object()
 
 
-class Published(Struct, frozen=True, kw_only=True):
-    """One line of a command's JSON; `schema` rises where a key changes its meaning or goes."""
-
-    schema: int = 1
-
-
 def copied(kind: type[S], of: object, **more: Any) -> S:
     """A value of that kind with the fields that `of` has too; `more` has the others."""
     found = {name: getattr(of, name, _NONE) for name in kind.__struct_fields__ if name not in more}
@@ -41,7 +36,8 @@ def in_words(kind: type[S], of: object) -> S:
 
 def view_of(kind: type) -> Callable[[Any, Screen], RenderableType]:
     """What draws the values of a class. Raises AttributeError for one that has no view."""
-    module = import_module(kind.__module__.replace("published_", ""))
+    home = kind.__module__.replace("published_", "")
+    module = import_module(home if home.startswith("judge.report.") else "judge.report.setter")
     name = re.sub("(?<=[a-z])(?=[A-Z])", "_", kind.__name__).lower()
     found: Callable[[Any, Screen], RenderableType] = getattr(module, name)
     return found

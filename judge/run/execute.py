@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from judge.data.load import GroupData, ProblemData
 
 _LONG_WAIT_SECONDS = 2.0
-_WAITED = "waited {:.0f} s for other judges of yours on this machine: times are measured alone"
+_WAITED = "Waited: another judge of yours was timing"  # without the seconds, so that it is said once
 
 
 class Judged(NamedTuple):
@@ -81,7 +81,7 @@ def judge_submission(
         timing, place = _race(runner, runs, box, settings, budget)
         waited += place.waited
     result = _result(problem, name, runner, runs, timing, box.isolation)
-    notes = [_WAITED.format(waited)] if waited >= _LONG_WAIT_SECONDS else []
+    notes = [_WAITED] if waited >= _LONG_WAIT_SECONDS else []
     return Judged(result.noting(*notes), runner, {run.group.name: run.answers for run in runs})
 
 

@@ -6,38 +6,22 @@ from typing import Any
 
 from msgspec import Struct
 
-from judge.data.load import ProblemData
 from judge.problem import Case, Group, Problem, Verdict
 from judge.problem.model import Mode
+from judge.problem.module import Module
 from judge.run.result import Hurdle
 from judge.values import show
 from judge.values.answers import Exact, Target
 
 
-class Tried(Struct, frozen=True):
-    """A valid case with its exact answer; `group` is the test group whose tolerance holds."""
-
-    problem: Problem
-    case: Case
-    group: Group
-    exact: Exact
-    target: Target
-    data: ProblemData
-
-    @property
-    def expected(self) -> str:
-        """The right answer as a person would write it, its numbers correctly rounded."""
-        return show.wanted(self.problem.answer, self.target)
-
-
 class Said(Struct, frozen=True):
-    """What the submission `name` answered: its answer in words, and why it is rejected if it is.
+    """What a submission answered: its answer in words, and why it is rejected if it is.
 
-    `given` is the answer itself in its JSON form; None where there is none. `mode` is None where nothing
-    could be run. `printed` is what a function printed meanwhile, `hurdle` what keeps the file from running.
+    `given` is the answer itself in its JSON form, where it is short. `mode` is None where nothing could be
+    run. `printed` is what a function printed meanwhile, `hurdle` what keeps the file from running.
     """
 
-    name: str
+    submission: str
     verdict: Verdict
     got: str
     message: str
@@ -48,13 +32,26 @@ class Said(Struct, frozen=True):
     hurdle: Hurdle | None = None
 
 
-class Hacked(Struct, frozen=True):
-    """What came of a case that was to break a wrong program; `why` says why it does not, or is empty.
+class Tried(Struct, frozen=True):
+    """A valid case with its exact answer, and what a submission said to it, if one was asked.
 
-    `tried` and `said` are None where the case is invalid. `notes` are sentences for the person.
+    `group` is the test group whose tolerance holds.
     """
 
-    why: str
-    tried: Tried | None = None
+    problem: Problem
+    case: Case
+    group: Group
+    exact: Exact
+    target: Target
+    module: Module
     said: Said | None = None
-    notes: tuple[str, ...] = ()
+
+    @property
+    def expected(self) -> str:
+        """The right answer as a person would write it, its numbers correctly rounded."""
+        return show.wanted(self.problem.answer, self.target)
+
+    @property
+    def failed(self) -> Said | None:
+        """What was said, where that is not accepted."""
+        return self.said if self.said and self.said.verdict is not Verdict.AC else None

@@ -1,10 +1,10 @@
 """The setter's gate: everything that a problem's folder and its solutions promise, checked.
 
     data        every case is valid, and every worked example agrees with the reference
-    pins        the data are those of pins.json, or of hashes.json
-    solutions   each file of solutions/<id>/{accepted,wrong,slow} gets the verdict its folder says
-    kills       of a problem whose groups stand in problem.toml: each wrong program fails a group that names
-                its mistake, and each group kills what it names
+    pins        the data, and the mistakes that each group rejects, are those of pins.json
+    solutions   each file of solutions/<id>/{accepted,wrong,slow} gets the verdict its folder says, on the
+                data of each seed; enough cases reject a wrong one, which is called as its mistake
+    times       what [time] names is there
 
 Nothing is printed: what is wrong is in the report.
 """
@@ -12,27 +12,27 @@ Nothing is printed: what is wrong is in the report.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from itertools import chain
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from msgspec import Struct
 from msgspec.structs import replace
 
 from judge.data.load import ProblemData, load_data
 from judge.data.pins import Kills, differences, pins_file, pins_of, read_pins, write_pins
-from judge.errors import ProblemError, UsageError
+from judge.errors import ExitCode, JudgeError, ProblemError, UsageError
 from judge.languages import NAME as PYTHON
 from judge.languages import file_name, language_of
 from judge.languages.boxes import AnyBoxes
-from judge.languages.model import Language
 from judge.languages.signature import signature_of
 from judge.problem import Problem, Verdict
 from judge.problem.solutions import Kind, Solution, read_solutions
-from judge.problem.toml import KeyPath, key_place, meant
-from judge.run.execute import judge_submission
-from judge.run.matrix import Matrix, kill_matrix
+from judge.problem.toml import key_place, meant
+from judge.published import Published
+from judge.run.edges import Edge
+from judge.run.execute import Judged, judge_submission
 from judge.run.reference import check_needs
-from judge.run.result import Result
 from judge.run.settings import Settings
 from judge.sandbox import Boxes, BoxFactory
 
@@ -79,16 +79,40 @@ class SolutionReport(Struct, frozen=True):
     unjudged: str = ""
 
 
-class VerifyReport(Struct, frozen=True):
-    """All that was checked; `pins` is "matching", "written", or "differing"."""
+class Verified(Published, frozen=True):
+    """What was checked of a kata, or of the cards of `judge quiz`, and what is wrong.
+
+    `pins` is "matching", "written" or "differing", and empty where no data were looked at. `warnings` are
+    worth a look, and no broken promise.
+    """
 
     problem: str
-    groups: int
-    cases: int
-    pins: str
-    solutions: tuple[SolutionReport, ...]
     faults: tuple[Fault, ...]
-    warnings: tuple[Fault, ...] = ()  # what is worth a look, and no broken promise
+    warnings: tuple[Fault, ...] = ()
+    groups: int = 0
+    cases: int = 0
+    cards: int = 0
+    pins: str = ""
+    solutions: tuple[SolutionReport, ...] = ()
+    mistakes: tuple[MistakeReport, ...] = ()
+    edges: tuple[Edge, ...] = ()
+
+    @property
+    def exit_code(self) -> ExitCode:
+        """3 where something is wrong."""
+        return ExitCode.FAULT if self.faults else ExitCode.ACCEPTED
+
+
+class _Tried(NamedTuple):
+    """A solution, its row of the report, and what it came to; None where its language is not here.
+
+    `rejecting` is how many cases of each group reject it, of a wrong one.
+    """
+
+    solution: Solution
+    report: SolutionReport
+    judged: Judged | None
+    rejecting: Mapping[str, int]
 
 
 def verify_problem(
@@ -101,7 +125,7 @@ def verify_problem(
     data: Sequence[ProblemData] = (),
     solution: str = "",
     partial: bool = False,
-) -> VerifyReport:
+) -> Verified:
     """Check everything; with `update_pins` the data as they are become the pinned ones.
 
     Where a `solution` is named, no other is judged. A `partial` check, of some groups, lets wrong ones pass.
@@ -114,73 +138,56 @@ def verify_problem(
     where there is no such solution.
     """
     check_needs(problem)
-    tell = progress or (lambda *_told: None)
     try:
         pinned, *others = data or [fresh_data(problem, progress)]
     except ProblemError as error:
-        return VerifyReport(problem.id, 0, 0, "differing", (), (_fault_of(error, problem),))
+        return Verified(problem.id, (fault_of(error, problem.id),))
     solutions, unsound = read_solutions(problem)
     if solution:
         solutions, unsound = (_named(solution, solutions),), ()
-    faults = [_fault_of(each, problem) for each in unsound]
-    if not solution and not any(each.kind is Kind.ACCEPTED for each in solutions):
-        folder = problem.solutions / Kind.ACCEPTED.value
-        where = f"{problem.solutions.name}/{folder.name}"
-        faults.append(Fault("there is no accepted solution", where, f"add one to {folder}"))
-    if not solution:
-        faults += _time_faults(problem, solutions)
-    reports, wrong = [], []
     settings = Settings(box_factory=box_factory or AnyBoxes(Boxes(), signature_of(problem)))
+    tried = []
     for done, each in enumerate(solutions):
-        tell("judging solutions", done, len(solutions))
-        lacking = _lacking(each.language) if each.language else ""
-        if lacking:
-            told = f"not judged here: {lacking}"
-            reports.append(SolutionReport(each.file, each.name, None, True, unjudged=told))
-            continue
-        judged = judge_submission(pinned, each.source, each.path.name, settings)
-        result = judged.result
-        ok = each.kind.allows(result.verdict)
-        failed = tuple(group.name for group in result.groups if group.verdict is not Verdict.AC)
-        reports.append(SolutionReport(each.file, each.name, result.verdict, ok, failed))
-        if each.kind is Kind.WRONG and judged.behaviour:
-            wrong.append((each.file, each.name, judged.behaviour))
-        if not ok and not (partial and result.verdict is Verdict.AC):
-            faults.append(_verdict_fault(each, result, problem))
-        elif not each.language and not (partial and each.kind is Kind.WRONG):
-            faults += _on_other_seeds(problem, others, each, settings)
-    sizes = {each.group.name: len(each.cases) for each in pinned.groups}
-    matrix = kill_matrix(problem.groups, sizes, wrong)
+        if progress:
+            progress("judging solutions", done, len(solutions))
+        tried.append(_tried(each, pinned, settings))
+    enough = min(ENOUGH, max(len(each.cases) for each in pinned.groups))
+    pins, drift = _check_pins(
+        problem,
+        pins_of(pinned.groups, _rejected(tried, enough, kills or {})),
+        update=update_pins,
+        partial=partial or bool(solution),
+    )
+    checks: list[Iterable[Fault]] = []
+    if not solution:
+        checks = [
+            (fault_of(each, problem.id) for each in unsound),
+            _none_accepted(problem, solutions),
+            _time_faults(problem, solutions),
+        ]
+    checks += [_wrong_verdicts(problem, each, others, settings, partial=partial) for each in tried]
     if not partial:
-        faults += _few(problem, matrix)
-        faults += [fault for each in solutions for fault in _name_faults(each, problem)]
-    rejected = _rejected(matrix, kills or {})
-    found = pins_of(pinned.groups, rejected)
-    pins, drift = _check_pins(problem, found, update_pins, partial or bool(solution))
-    faults += drift
-    return VerifyReport(
-        problem=problem.id,
+        checks += [_few_cases(problem, tried, enough), _misnamed(problem, solutions)]
+    return Verified(
+        problem.id,
+        tuple(chain(*checks, drift)),
+        tuple(_in_vain(pinned)),
         groups=len(pinned.groups),
-        cases=sum(sizes.values()),
+        cases=sum(len(each.cases) for each in pinned.groups),
         pins=pins,
-        solutions=tuple(reports),
-        faults=tuple(faults),
-        warnings=tuple(_in_vain(pinned)),
+        solutions=tuple(each.report for each in tried),
     )
 
 
 def fresh_data(problem: Problem, progress: Progress | None = None, seed: int | None = None) -> ProblemData:
     """The problem's data, or those of a seed, built without a look at the cache. Raises ProblemError."""
     tell = progress or (lambda *_told: None)
-
-    def told(done: int, total: int) -> None:
-        tell("building data", done, total)
-
-    return load_data(problem, seed=seed, progress=told, store=None)
+    return load_data(problem, seed=seed, progress=lambda *done: tell("building data", *done), store=None)
 
 
-def _fault_of(error: ProblemError, problem: Problem) -> Fault:
-    return Fault(error.what, error.where or problem.id, error.remedy or "")
+def fault_of(error: JudgeError, where: str) -> Fault:
+    """The error as a fault, of what is at `where` if it does not say itself."""
+    return Fault(error.what, error.where or where, error.remedy or "")
 
 
 def _named(name: str, solutions: Sequence[Solution]) -> Solution:
@@ -193,8 +200,33 @@ def _named(name: str, solutions: Sequence[Solution]) -> Solution:
     raise UsageError(f"no solution is called {name!r}", remedy=remedy)
 
 
+def _tried(solution: Solution, data: ProblemData, settings: Settings) -> _Tried:
+    row = SolutionReport(solution.file, solution.name, None, True)
+    if solution.language:
+        from judge.languages.find import why_not  # which starts processes
+
+        if lacking := why_not(solution.language):
+            return _Tried(solution, replace(row, unjudged=f"not judged here: {lacking}"), None, {})
+    judged = judge_submission(data, solution.source, solution.path.name, settings)
+    verdict = judged.result.verdict
+    failed = tuple(group.name for group in judged.result.groups if group.verdict is not Verdict.AC)
+    row = replace(row, verdict=verdict, ok=solution.kind.allows(verdict), failed=failed)
+    behaviour = judged.behaviour if solution.kind is Kind.WRONG else {}
+    return _Tried(solution, row, judged, {name: len(each.wrong) for name, each in behaviour.items()})
+
+
+def _rejected(tried: Iterable[_Tried], enough: int, kills: Kills) -> Kills:
+    """The mistakes that each group rejects in enough cases: those of mistakes.py, and those of wrong/."""
+    found = {name: set(names) for name, names in kills.items()}
+    for each in tried:
+        for name, count in each.rejecting.items():
+            if count >= enough:
+                found.setdefault(name, set()).add(each.solution.name)
+    return found
+
+
 def _check_pins(
-    problem: Problem, found: Mapping[str, Any], update: bool, partial: bool
+    problem: Problem, found: Mapping[str, Any], *, update: bool, partial: bool
 ) -> tuple[str, list[Fault]]:
     if update:
         write_pins(problem, found)
@@ -204,7 +236,7 @@ def _check_pins(
     try:
         pins = read_pins(problem)
     except ProblemError as error:
-        return "differing", [_fault_of(error, problem)]
+        return "differing", [fault_of(error, where)]
     if pins is None:
         return "differing", [Fault("the data are not pinned", where, remedy)]
     if partial:  # which mistakes the groups reject was not measured
@@ -213,66 +245,83 @@ def _check_pins(
     return ("differing" if faults else "matching"), faults
 
 
-def _rejected(matrix: Matrix, kills: Kills) -> Kills:
-    """The mistakes that each group rejects in enough cases: those of mistakes.py, and those of wrong/."""
-    found = {name: set(kills.get(name, ())) for name in matrix.groups}
-    least = _enough(matrix)
-    for row in matrix.rows:
-        for kill in row.kills:
-            if len(kill.rejected) >= least:
-                found[kill.group].add(row.mistake)
-    return found
+# -- the checks --------------------------------------------------------------------------------------------
 
 
-def _enough(matrix: Matrix) -> int:
-    """In how many cases a group should reject a program: five, or all where no group has so many."""
-    return min(ENOUGH, max((kill.cases for row in matrix.rows for kill in row.kills), default=ENOUGH))
+def _none_accepted(problem: Problem, solutions: Sequence[Solution]) -> Iterator[Fault]:
+    if not any(each.kind is Kind.ACCEPTED for each in solutions):
+        folder = problem.solutions / Kind.ACCEPTED.value
+        where = f"{problem.solutions.name}/{folder.name}"
+        yield Fault("there is no accepted solution", where, f"add one to {folder}")
 
 
-def _time_faults(problem: Problem, solutions: Iterable[Solution]) -> list[Fault]:
-    """The files that `[time]` names and that are not there: nothing would be raced against them."""
+def _time_faults(problem: Problem, solutions: Sequence[Solution]) -> Iterator[Fault]:
+    """What `[time]` names and is no accepted solution in that language: nothing would be raced against it."""
     rule = problem.time
-    accepted = [solution.path.name for solution in solutions if solution.kind is Kind.ACCEPTED]
-    named: dict[KeyPath, str | None] = {}
-    if rule:
-        named = {("time", "function"): rule.function, ("time", "program"): rule.program}
-        named |= {("time", "references", key): name for key, name in rule.references.items()}
-    missing = [
-        Fault(
-            f"[time] names {name!r}, which is not an accepted solution",
-            key_place(problem, path),
-            meant(name, accepted, "name one of"),
-        )
-        for path, name in named.items()
-        if name and name not in accepted
-    ]
-    return missing + [
-        _reference_fault(problem, key, name)
-        for key, name in (rule.references.items() if rule else ())
-        if name in accepted and getattr(language_of(name), "id", "") != key
-    ]
+    if rule is None:
+        return
+    accepted = [each.path.name for each in solutions if each.kind is Kind.ACCEPTED]
+    named: dict[tuple[str, ...], str | None] = {("function",): rule.function, ("program",): rule.program}
+    named |= {("references", key): name for key, name in rule.references.items()}
+    for path, name in named.items():
+        if not name:
+            continue
+        where, language = key_place(problem, ("time", *path)), language_of(name)
+        if name not in accepted:
+            what = f"[time] names {name!r}, which is not an accepted solution"
+            yield Fault(what, where, meant(name, accepted, "name one of"))
+        elif path[0] == "references" and (language is None or language.id != path[1]):
+            tongue = language.name if language else PYTHON
+            what = f"[time.references] names {name!r} for {path[1]}, which is in {tongue}"
+            yield Fault(what, where, "name a file in that language")
 
 
-def _reference_fault(problem: Problem, key: str, name: str) -> Fault:
-    found = language_of(name)
-    what = f"[time.references] names {name!r} for {key}, which is in {found.name if found else PYTHON}"
-    return Fault(what, key_place(problem, ("time", "references", key)), "name a file in that language")
+def _wrong_verdicts(
+    problem: Problem, tried: _Tried, others: Sequence[ProblemData], settings: Settings, *, partial: bool
+) -> Iterator[Fault]:
+    """The verdicts that the folder does not want, on data of other seeds too; nothing is timed there."""
+    solution, row, judged, _ = tried
+    if judged is None:
+        return
+    if not row.ok:
+        if not (partial and row.verdict is Verdict.AC):
+            yield _verdict_fault(problem, solution, judged)
+        return
+    if solution.language or solution.kind is Kind.SLOW or (partial and solution.kind is Kind.WRONG):
+        return
+    untimed = replace(settings, measured=False)
+    for seed, data in enumerate(others, start=1):
+        judged = judge_submission(data, solution.source, solution.path.name, untimed)
+        if not solution.kind.allows(judged.result.verdict):
+            yield _verdict_fault(problem, solution, judged, f" with --seed {seed}")
 
 
-def _lacking(language: Language) -> str:
-    """Why programs in that language cannot be judged on this machine; empty where they can."""
-    from judge.languages.find import why_not  # which starts processes
+def _verdict_fault(problem: Problem, solution: Solution, judged: Judged, seed: str = "") -> Fault:
+    result = judged.result
+    why = f" ({result.failure.message})" if result.failure else ""
+    return Fault(
+        f"gets {result.verdict.value} where {solution.kind.wanted} is wanted{why}{seed}",
+        f"{problem.solutions.name}/{solution.file}",
+        "move it to the folder it belongs to, or correct it or the data",
+    )
 
-    return why_not(language)
 
-
-def _few(problem: Problem, matrix: Matrix) -> Iterator[Fault]:
+def _few_cases(problem: Problem, tried: Iterable[_Tried], enough: int) -> Iterator[Fault]:
     """The wrong programs that hardly any case rejects."""
-    for row in matrix.rows:
-        rejecting = max((len(kill.rejected) for kill in row.kills), default=0)
-        if 0 < rejecting < _enough(matrix):
-            what = f"few cases reject it: {rejecting}"
-            yield Fault(what, f"{problem.solutions.name}/{row.file}")
+    for each in tried:
+        most = max(each.rejecting.values(), default=0)
+        if 0 < most < enough:
+            yield Fault(f"few cases reject it: {most}", f"{problem.solutions.name}/{each.solution.file}")
+
+
+def _misnamed(problem: Problem, solutions: Sequence[Solution]) -> Iterator[Fault]:
+    """The wrong programs whose file is not called as the mistake that they make."""
+    for each in solutions:
+        stem, name = each.path.stem, each.name
+        if each.kind is Kind.WRONG and name and stem != name and not stem.startswith(f"{name}-"):
+            what = f"its docstring names the mistake {name!r}, its file {stem!r}"
+            remedy = f"call it {file_name(name)}, or {file_name(f'{name}-…')}"
+            yield Fault(what, f"{problem.solutions.name}/{each.file}", remedy)
 
 
 def _in_vain(data: ProblemData) -> Iterator[Fault]:
@@ -282,36 +331,3 @@ def _in_vain(data: ProblemData) -> Iterator[Fault]:
         if not group.neighbours and vain > group.count:
             what = f"group {group.name!r}: {vain} of {vain + group.count} draws are in vain"
             yield Fault(what, f"{data.problem.id}/problem.py:{group.line}", "draw what can be used")
-
-
-def _on_other_seeds(
-    problem: Problem, others: Sequence[ProblemData], solution: Solution, settings: Settings
-) -> Iterator[Fault]:
-    """The verdicts on data of other seeds that the folder does not want; nothing is timed there."""
-    untimed = replace(settings, measured=False)
-    for number, data in enumerate(others, start=1):
-        if solution.kind is Kind.SLOW:
-            return
-        judged = judge_submission(data, solution.source, solution.path.name, untimed)
-        if not solution.kind.allows(judged.result.verdict):
-            fault = _verdict_fault(solution, judged.result, problem)
-            yield replace(fault, what=f"{fault.what} with --seed {number}")
-
-
-def _verdict_fault(solution: Solution, result: Result, problem: Problem) -> Fault:
-    why = f" ({result.failure.message})" if result.failure else ""
-    return Fault(
-        f"gets {result.verdict.value} where {solution.kind.wanted} is wanted{why}",
-        f"{problem.solutions.name}/{solution.file}",
-        "move it to the folder it belongs to, or correct it or the data",
-    )
-
-
-def _name_faults(solution: Solution, problem: Problem) -> list[Fault]:
-    """Whether a wrong program's file is called as the mistake that it makes."""
-    stem, name = Path(solution.file).stem, solution.name
-    if solution.kind is not Kind.WRONG or not name or stem == name or stem.startswith(f"{name}-"):
-        return []
-    what = f"its docstring names the mistake {name!r}, its file {stem!r}"
-    remedy = f"call it {file_name(name)}, or {file_name(f'{name}-…')}"
-    return [Fault(what, f"{problem.solutions.name}/{solution.file}", remedy)]

@@ -27,7 +27,7 @@ from judge.problem import Problem
 from judge.problem.declare import Shown
 from judge.problem.load import load_problem
 from judge.problem.model import case_of
-from judge.report.tell import shown_failure, tell
+from judge.report.tell import shown_failure, tell, with_why
 from judge.run.execute import judge_submission
 from judge.run.result import Result
 from judge.run.settings import Progress
@@ -124,9 +124,10 @@ class _Kata:
         return self._session.judge(source, NAME, first)
 
     def _told(self, result: Result, source: bytes, drawn: Mapping[str, Any] | None = None) -> str:
-        found: dict[str, Any] = msgspec.to_builtins(tell(self._session.problem, result, source))
+        drawn = drawn or {}
+        told = with_why(tell(self._session.problem, result, source), drawn.get("why", ""))
         line = result.hurdle.line if result.hurdle else 0
-        return json.dumps({**found, "solved": result.solved, "line": line, **(drawn or {})})
+        return json.dumps({**msgspec.to_builtins(told), "solved": result.solved, "line": line, **drawn})
 
 
 def _drawn(problem: Problem, data: ProblemData, result: Result) -> Mapping[str, Any]:
@@ -148,7 +149,7 @@ def _drawn(problem: Problem, data: ProblemData, result: Result) -> Mapping[str, 
     case = [each["value"] for each in json.loads(start[1])["args"]] if start else None
     found: dict[str, Any] = {"explore": json.dumps(case or "")}
     if picture is not None:
-        found["drawn"] = words = picture.description
+        found["why"], found["drawn"] = picture.why, (words := picture.description)
         found["drawings"] = [
             {"title": panel.title, "svg": panel_svg(panel, f"panel-{at}", words, alone=True)}
             for at, panel in enumerate(picture.panels)

@@ -21,7 +21,7 @@ def kata_page(problem: Problem) -> dict[str, Any]:
     return {
         "statement": markdown(_FIGURE.sub(rf"![\1](kata/{problem.id}.svg)", statement)),
         "hints": [{"title": each.title, "html": markdown(each.text)} for each in read_hints(problem)],
-        "solution": {"html": markdown(model.solution.text), "source": model.program},
+        "solution": {"html": markdown(model.explanation), "source": model.program},
     }
 
 

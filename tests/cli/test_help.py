@@ -140,7 +140,7 @@ def test_an_old_name_stands_for_its_words_and_says_so(judge):
 
 
 @pytest.mark.parametrize(
-    ("typed", "meant"), [("submit", "run"), ("shwo", "show"), ("lst", "list"), ("scheme", "schema")]
+    ("typed", "meant"), [("submit", "run"), ("shwo", "show"), ("lst", "list"), ("scheme", "help --schema")]
 )
 def test_a_mistyped_command_is_refused_with_the_one_that_was_meant(typed, meant, judge):
     ended = judge(typed)

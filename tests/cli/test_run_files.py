@@ -42,26 +42,12 @@ def test_what_the_submission_prints_and_returns_cannot_break_it(judge, submit):
 
 # -- pictures ------------------------------------------------------------------------------------------------
 
-COUNT = "Line and circle: how many common points"
-
 
 def test_the_failing_case_is_drawn_into_a_file(judge, submit):
     name = submit("def line_count(cx, cy, r, A, B):\n    return 1\n")
-    words = ("run", "count", name, "--svg", "case.svg", "--group", "grid", "--no-name")
-    titles = []
-    for options in ((), ("--no-shrink",)):
-        assert judge(*words, *options).status == 1
-        titles.append(Xml.parse("case.svg").getroot()[0].text)
-    assert titles[0] == f"{COUNT} – counterexample"
-    assert titles[1].startswith(f"{COUNT} – grid, case")
-
-
-@pytest.mark.parametrize(("source", "status"), [(MEAN, 0), (FLOOR, 1)])
-def test_nothing_is_written_where_nothing_is_to_be_drawn(source, status, judge, submit):
-    ended = judge("run", "middle", submit(source), "--svg", "case.svg")
-    assert (ended.status, ended.err.count("\n")) == (status, 1)
-    assert "nothing to draw, case.svg is not written" in ended.err
-    assert not Path("case.svg").exists()
+    assert judge("run", "count", name, "--group", "grid", "--no-name").status == 1
+    assert judge("try", "--svg", "case.svg").status == 1
+    assert Xml.parse("case.svg").getroot()[0].text == "Line and circle: how many common points – your case"
 
 
 # -- tests that keep a failing case --------------------------------------------------------------------------

@@ -158,6 +158,22 @@ def test_a_tab_says_what_a_session_says(tab, kata, mistake):
     assert told["drawings"][0]["svg"].startswith("<svg")
 
 
+BY_EQUALITY = b"""def line_count(cx, cy, r, A, B):
+    (ax, ay), (bx, by) = A, B
+    if A == B:
+        return None
+    gap = abs((bx - ax) * (ay - cy) - (by - ay) * (ax - cx)) / ((bx - ax) ** 2 + (by - ay) ** 2) ** 0.5 - r
+    return 1 if gap == 0 else 2 if gap < 0 else 0
+"""
+
+
+def test_a_wrong_answer_says_what_its_case_turns_on(tab, judge, submit):
+    told = json.loads(tab.judge("count", BY_EQUALITY.decode()))
+    assert ["why", "the line touches the circle exactly"] in told["facts"]
+    shown = judge("run", "count", submit(BY_EQUALITY.decode(), "count.py"))
+    assert "    why       the line touches the circle exactly" in shown.lines
+
+
 def test_a_program_on_standard_input_and_one_that_does_not_compile(tab):
     program = "for _ in range(int(input())):\n    input()\n    print(2)\n"
     before = sys.modules["__main__"], sys.argv, [*sys.path]

@@ -223,7 +223,10 @@ def test_a_new_kata_is_shown_before_it_is_judged_and_started_over(watch, tmp_pat
     lines = terminal.sees("Created which_side.py. Open it in your editor.")
     assert lines[0].startswith("which-side  Which side of the line")
     assert lines[0].endswith("first steps, kata 2 of 6")
-    assert "You stand at A and look" in " ".join(" ".join(lines).split())
+    assert any("Write which_side(A, B, P)" in row and "True scale" in row for row in lines), (
+        "its figure is beside"
+    )
+    assert "stand at A and" in " ".join(" ".join(lines).split())
     assert last(lines).strip() == "Write the function, then save. I judge it on every save."
     assert len(lines) < 24
     mine = tmp_path / "which_side.py"

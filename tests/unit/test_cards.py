@@ -10,7 +10,7 @@ from jsonschema import Draft202012Validator
 
 from judge.errors import ProblemError, UsageError
 from judge.mistakes.puzzles import read_puzzles
-from judge.practice.cards import all_cards, cards_of, read_decks
+from judge.practice.cards import cards_of, read_decks
 from judge.practice.progress import Kind, questions, skills
 from judge.practice.syllabus import read_checklist
 from judge.problem.find import find_problem, sound_problems
@@ -59,10 +59,10 @@ def test_what_is_shipped_keeps_to_its_schema(path):
         (HEAD + CARD.replace("recall", "recal"), ":5: form = 'recal' is unknown; did you mean 'recall'?"),
         (HEAD + CARD.replace('back = "B."\n', ""), ":3: the key 'back' is missing in cards; add back"),
         (HEAD + CARD + 'right = "r"\n', ":8: unknown key 'right'; the keys are id, front, back, rows"),
-        (HEAD + CARD.replace('"F?"', '" "'), "quiz/mine.toml:3: front is empty"),
+        (HEAD + CARD.replace('"F?"', '""'), "quiz/mine.toml:6: cards.front = ''; give text of length >= 1"),
         (HEAD + CARD + 'rows = ["J1", "J99"]\n', "quiz/mine.toml:8: the checklist has no row 'J99'"),
         (HEAD + CHOICE, "the key 'wrong' is missing in cards"),
-        (HEAD + CHOICE + WRONG.replace('"w"', '"r"'), "two options say 'r'"),
+        (HEAD + CHOICE + WRONG.replace('"w"', '"r"'), "two options say the same"),
         (HEAD + CHOICE + WRONG * 8, "there are 8 wrong options; write 1 to 7"),
         (HEAD + CARD.replace("recall", "number") + 'answer = "x"\n', "answer = 'x' is not a number"),
         (HEAD + CARD.replace("recall", "count"), "the key 'problem' is missing in cards"),
@@ -72,7 +72,7 @@ def test_what_is_shipped_keeps_to_its_schema(path):
 def test_a_fault_of_a_deck_is_one_line_with_its_place(deck, text, said):
     where = deck(text)
     with pytest.raises(ProblemError) as fault:
-        all_cards(where)
+        cards_of("path", where)
     assert said in str(fault.value)
     assert "\n" not in str(fault.value)
     assert str(fault.value).startswith("quiz/mine.toml")
@@ -98,13 +98,12 @@ def test_a_fault_of_a_checklist_is_one_line_with_its_place(tmp_path, text, said)
 
 def test_a_deck_of_ones_own_is_asked_by_its_name_and_with_its_sets(deck):
     where = deck(HEAD.replace("\n\n", '\nsets = ["senior"]\n') + CARD)
-    cards = all_cards(where)
-    assert [card.key for card in cards_of("mine", cards, where)] == ["mine/a"]
-    assert "mine/a" in [card.key for card in cards_of("senior", cards, where)]
-    assert "mine/a" not in [card.key for card in cards_of("junior", cards, where)]
-    assert len(cards_of("path", cards, where)) == len(cards)
+    assert [card.key for card in cards_of("mine", where)] == ["mine/a"]
+    assert "mine/a" in [card.key for card in cards_of("senior", where)]
+    assert "mine/a" not in [card.key for card in cards_of("junior", where)]
+    assert len(cards_of("path", where)) == len(read_decks(where)[0])
     with pytest.raises(UsageError, match="There is no set of cards 'mien'; did you mean 'mine'"):
-        cards_of("mien", cards, where)
+        cards_of("mien", where)
 
 
 @pytest.fixture(scope="module")
@@ -117,7 +116,7 @@ def test_every_row_can_be_drilled_by_a_card_and_names_only_what_is_here(rows):
     here = {problem.id for problem in problems}
     assert {name for row in rows for name in row.katas} <= here
     assert {name for row in rows for name in row.skills} <= {each.name for each in read_checklist().skills}
-    cards = all_cards()
+    cards = cards_of("path")
     assert [card.key for card in cards if not card.rows] == []
     checklist = read_checklist()
     found = questions(problems, {}, skills(problems, {}, checklist.skills), checklist, cards)

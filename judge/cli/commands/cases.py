@@ -6,13 +6,12 @@ import sys
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
 
 import click
 from msgspec import Struct
 from msgspec.structs import replace
 
-from judge.cli.files import OutFile, read_submissions, svg_target
+from judge.cli.files import OutFile, Submission, read_submissions, svg_target
 from judge.cli.options import Common, command, opt
 from judge.cli.resolve import history_at, kata_meant, keep, problem_of_file, shown, usual_file
 from judge.data.parse import example_of, line_of, read_case
@@ -26,19 +25,17 @@ from judge.judging.cases import hack as attack
 from judge.judging.cases import smallest, try_case
 from judge.judging.session import Session
 from judge.languages import is_program
-from judge.mistakes.puzzles import Puzzle, puzzle_called, read_puzzles
+from judge.mistakes.puzzles import puzzle_called, read_puzzles
 from judge.practice.events import Hack, Outcome
-from judge.practice.progress import hack_states, was_shown
-from judge.problem import Case, Problem, Verdict
+from judge.practice.progress import was_shown
+from judge.problem import Problem, Verdict
 from judge.problem.find import find_problem
 from judge.problem.model import Mode, case_of
 from judge.problem.module import load_module
 from judge.report import published_cases as published
 from judge.report.screen import Notes, is_terminal, note
 from judge.report.tell import shown_failure
-
-if TYPE_CHECKING:
-    from judge.run.tried import Said, Tried
+from judge.run.tried import Tried
 
 _PAGE = Path("judge-try.html")
 _PAGE_MARK = b'name="generator" content="judge try"'
@@ -64,27 +61,23 @@ def try_(words: tuple[str, ...], ask: TryAsk, common: Common) -> Iterator[Struct
 
     Exit status: 0 accepted or no FILE, 1 not accepted, 2 usage or an invalid case, 3 a fault of the judge.
     """
-    problem, case, group, file = _meant(_arguments(words), common)
+    problem, tried, file = _meant(_arguments(words), common)
     page = ask.page or (_PAGE if ask.opened else None)
-    wanted: list[tuple[OutFile, Callable[[Path, Problem, published.CaseTried | None], str]]] = [
+    wanted: list[tuple[OutFile, Callable[[Path, Problem, Tried | None], str]]] = [
         (OutFile(page, "--out", "a page of judge try", lambda start: _PAGE_MARK in start), _page),
         (svg_target(ask.svg), _svg),
         (OutFile(ask.test, "--pytest", "a file of such tests", lambda start: start.startswith(MARK)), _test),
     ]
-    found = None
-    if case is not None:
-        tried = try_case(problem, case, group)
-        found = published.CaseTried(tried, _said(tried, file, common) if file else None)
-    elif not page or ask.svg or ask.test:
+    if tried is None and (not page or ask.svg or ask.test):
         raise UsageError(f'Give a case: judge try {problem.id} "{example_of(problem)}"')
-    written = [
-        (target, target.path, make(target.path, problem, found)) for target, make in wanted if target.path
-    ]
-    if found:
-        yield found
-    for target, path, text in written:
-        target.write(text.encode())
-        yield published.PageWritten(problem=problem.id, file=str(path))
+    if tried is not None and file is not None:
+        tried = _answered(tried, file, common)
+    written = [(target, make(target.path, problem, tried)) for target, make in wanted if target.path]
+    if tried is not None:
+        yield published.CaseTried(tried)
+    for target, made in written:
+        target.write(made.encode())
+        yield published.PageWritten(problem=problem.id, file=str(target.path))
     if ask.opened and page:
         import webbrowser  # hardly ever
 
@@ -100,89 +93,97 @@ def _arguments(words: Sequence[str]) -> list[str]:
     return list(words)
 
 
-def _meant(words: list[str], common: Common) -> tuple[Problem, Case | None, str, str | None]:
-    """The kata, the case, None where none is named and none has failed, its group, and the file."""
+def _is_case(word: str) -> bool:
+    """Whether a word is a case, or a part of one, by its signs alone."""
+    return any(sign in word for sign in ",=([: ")
+
+
+def _meant(words: list[str], common: Common) -> tuple[Problem, Tried | None, str | None]:
+    """The kata, its case, None where none is named and none has failed, and the file."""
     is_file = words and (is_program(words[-1]) or words[-1].startswith(("/", "./", "../")))
     file = words.pop() if is_file else None
-    named = words and words[0][:1].isalpha() and not any(sign in words[0] for sign in ",=([:")
-    name = words.pop(0) if named else None
-    problem, group = find_problem(name, common.problems) if name else None, ""
+    named = words and words[0][:1].isalpha() and not _is_case(words[0])
+    problem = find_problem(words.pop(0), common.problems) if named else None
     if words and ":" in words[0]:
-        if len(words) > 1:
-            raise UsageError("an ID is a case already", where=words[1], remedy="leave one of them out")
-        problem = find_problem(problem_name(words[0]), common.problems)
-        if name not in (None, problem.id):
-            raise UsageError(f"this ID is a case of {problem.id}, not of {name}")
-        found = decode(words[0], problem, load_module(problem))
-        case, group = found.case, found.group.name
+        own = find_problem(problem_name(" ".join(words)), common.problems)
+        if problem and problem.id != own.id:
+            raise UsageError(f"this ID is a case of {own.id}, not of {problem.id}")
+        found = decode(words[0], own, load_module(own))
+        tried = try_case(own, found.case, found.group.name)
     else:
         if problem is None and file is not None:
-            problem = problem_of_file(read_submissions([file])[0], "try", common)
+            problem = problem_of_file(_submission(file), "try", common)
         if not words:
             return _last_failed(problem, file, common)
         problem = problem or kata_meant(None, common)
-        case = read_case(problem, " ".join(words))
+        tried = try_case(problem, read_case(problem, " ".join(words)))
     if file is None:
         with suppress(UsageError):
-            file = usual_file(problem.id, common.db)
-    return problem, case, group, file
+            file = usual_file(tried.problem.id, common.db)
+    return tried.problem, tried, file
 
 
 def _last_failed(
     problem: Problem | None, file: str | None, common: Common
-) -> tuple[Problem, Case | None, str, str | None]:
+) -> tuple[Problem, Tried | None, str | None]:
     """The case on which a file of that kata failed last; without a kata, one of this folder."""
     with history_at(common.db, reading=True) as history:
         runs = history.runs(problem.id if problem else None)
-    for run in reversed(runs):
-        near, failed = shown(run.path), run.verdict not in (Verdict.AC, Verdict.JE)
-        if failed and (problem or near == Path(near).name):
-            problem = problem or find_problem(run.problem, common.problems)
-            failure = shown_failure(run.result)
-            if failure is not None and failure.input is not None:
-                own = file or (near if near and Path(near).is_file() else None)
-                return problem, case_of(failure.input), failure.group or "", own
-            break
-    return problem or kata_meant(None, common), None, "", None
+    failed = (run for run in reversed(runs) if run.verdict not in (Verdict.AC, Verdict.JE))
+    last = next((run for run in failed if problem or shown(run.path) == Path(run.path).name), None)
+    if problem is None:
+        problem = find_problem(last.problem, common.problems) if last else kata_meant(None, common)
+    failure = shown_failure(last.result) if last else None
+    if last is None or failure is None or failure.input is None:
+        return problem, None, None
+    if file is None and Path(shown(last.path)).is_file():
+        file = shown(last.path)
+    return problem, try_case(problem, case_of(failure.input), failure.group or ""), file
 
 
-def _said(tried: Tried, file: str, common: Common) -> Said:
+def _submission(file: str) -> Submission:
     submission, *more = read_submissions([file])
     if more:
         raise UsageError("this folder holds several submissions", where=file, remedy="name one file")
+    return submission
+
+
+def _answered(tried: Tried, file: str, common: Common) -> Tried:
+    """The case with what the file says to it."""
+    submission = _submission(file)
     with Session(tried.problem, RunOptions(isolation=common.isolation)) as session:
         said = ask_file(session, tried, submission.source, submission.name)
         Notes().say(session.notes(said.isolation))
-    return said
+    return replace(tried, said=said)
 
 
-def _page(_path: Path, problem: Problem, found: published.CaseTried | None) -> str:
+def _page(_path: Path, problem: Problem, tried: Tried | None) -> str:
     explore = load_module(problem).hooks.explore
-    page = explore(problem, problem.named(found.tried.case) if found else None) if explore else None
+    page = explore(problem, problem.named(tried.case) if tried else None) if explore else None
     if page is None:
         raise UsageError(f"No page for {problem.id} yet", remedy="leave out --open and --out")
     return page
 
 
-def _svg(_path: Path, _problem: Problem, found: published.CaseTried | None) -> str:
+def _svg(_path: Path, _problem: Problem, tried: Tried | None) -> str:
     from judge.drawing.svg import to_svg
     from judge.report.cases import picture_of
 
-    picture = picture_of(found.tried, found.said) if found else None
+    picture = picture_of(tried) if tried else None
     if picture is None:
         raise UsageError("there is no picture of this case", remedy="leave out --svg")
     return to_svg(picture)
 
 
-def _test(path: Path, _problem: Problem, found: published.CaseTried | None) -> str:
-    said = found.said if found else None
-    if not found or not said or said.mode is not Mode.FUNCTION or not Path(said.name).is_file():
+def _test(path: Path, _problem: Problem, tried: Tried | None) -> str:
+    said = tried.said if tried else None
+    if not tried or not said or said.mode is not Mode.FUNCTION or not Path(said.submission).is_file():
         raise UsageError("--pytest tests a function", remedy="name a file that defines it")
     try:
         content = read_ordinary_text(path) if path.exists() else ""
     except (OSError, ValueError) as fault:
         raise UsageError("this file cannot be read", where=str(path)) from fault
-    return with_case(content, path, Path(said.name), found.tried)
+    return with_case(content, path, Path(said.submission), tried)
 
 
 class HackAsk(Struct, frozen=True):
@@ -192,7 +193,7 @@ class HackAsk(Struct, frozen=True):
     give_up: bool = opt("--give-up", "Name the mistake, and show a smallest case.")
 
 
-@command("hack", published.HackLine, published.HackList, numbers=True, ask=HackAsk)
+@command("hack", published.HackLine, numbers=True, ask=HackAsk)
 @click.argument("name", metavar="KATA")
 @click.argument("words", metavar="[N] [CASE]", nargs=-1, type=click.UNPROCESSED)
 def hack(name: str, words: tuple[str, ...], ask: HackAsk, common: Common) -> Iterator[Struct]:
@@ -209,28 +210,29 @@ def hack(name: str, words: tuple[str, ...], ask: HackAsk, common: Common) -> Ite
     puzzles = read_puzzles(problem) if problem.parameters else ()
     if not puzzles:
         raise UsageError(f"{problem.id} has no wrong programs to break", remedy="judge list shows all katas")
+    with history_at(common.db, reading=True) as history:
+        hacks = tuple(history.events(Hack, problem.id))
     number, text = _number_and_case(problem, _arguments(words))
-    hacking = _Hacking(problem, puzzles, common)
-    if number:
-        puzzle = puzzle_called(puzzles, number, problem.id)
-    else:
-        puzzle = hacking.turn(puzzles[0], "shown").following or puzzles[0]
-    if ask.give_up and not ask.listed:
-        yield hacking.given_up(puzzle)
-    elif text is not None and not ask.listed:
-        yield hacking.attempted(puzzle, sys.stdin.read(1 << 16) if text == "-" else text)
-    else:
-        turn = hacking.turn(puzzle, "listed" if ask.listed else "shown")
+    turn = published.HackTurn(problem, puzzles, hacks, puzzles[0], "listed" if ask.listed else "shown")
+    turn = replace(
+        turn, puzzle=puzzle_called(puzzles, number, problem.id) if number else turn.following or puzzles[0]
+    )
+    if ask.listed:
         yield turn
-        asked = not (common.json or ask.listed) and is_terminal(sys.stdin) and is_terminal(sys.stdout)
-        while asked and (typed := _typed()):
+    elif ask.give_up:
+        yield _given_up(turn, common)
+    elif text is not None:
+        yield _attempted(turn, sys.stdin.read(1 << 16) if text == "-" else text, common)
+    else:
+        yield turn
+        asks = not common.json and is_terminal(sys.stdin) and is_terminal(sys.stdout)
+        while asks and turn.outcome != "won" and (typed := _typed()):
             try:
-                turn = hacking.attempted(puzzle, typed)
+                turn = _attempted(turn, typed, common)
             except UsageError as fault:
                 note(str(fault))
-                continue
-            yield replace(turn, goes_on=True)
-            asked = turn.outcome == "lost"
+            else:
+                yield replace(turn, goes_on=True)
 
 
 def _typed() -> str:
@@ -244,51 +246,45 @@ def _typed() -> str:
 
 def _number_and_case(problem: Problem, words: list[str]) -> tuple[str | None, str | None]:
     """The program that is meant, and the case; None for what was not given."""
-    first, text = words[0] if words else "", " ".join(words)
-    if first == "-" or any(sign in first for sign in ",=([ "):
-        return None, text
+    text = " ".join(words)
+    if not words or words[0] == "-" or _is_case(words[0]):
+        return None, text or None
     if len(words) > 1:
         with suppress(UsageError):
             read_case(problem, text)
             return None, text
-    return first or None, " ".join(words[1:]) or None
+    return words[0], " ".join(words[1:]) or None
 
 
-class _Hacking(Struct, frozen=True):
-    """A person and the wrong programs of a kata; what is tried is kept in the history."""
+def _attempted(turn: published.HackTurn, text: str, common: Common) -> published.HackTurn:
+    """What the program answers to the case, and whether that breaks it."""
+    problem, puzzle = turn.problem, turn.puzzle
+    case = read_case(problem, text)
+    try:
+        tried = try_case(problem, case, puzzle.group.name)
+    except UsageError as fault:  # an invalid case says nothing of the person
+        return replace(turn, outcome=Outcome.LOST.value, why=fault.what, tried=None)
+    with Session(problem, RunOptions(isolation=common.isolation)) as session:
+        said, why = attack(session, puzzle, tried)
+        Notes().say(session.notes(said.isolation))
+    if not why and was_shown(puzzle.mistake, line_of(problem, case), turn.hacks):
+        why = "this is the case that you saw when you gave up"
+    return _kept(turn, Outcome.LOST if why else Outcome.WON, why, replace(tried, said=said), common)
 
-    problem: Problem
-    puzzles: tuple[Puzzle, ...]
-    common: Common
 
-    def attempted(self, puzzle: Puzzle, text: str) -> published.HackTurn:
-        """What the program answers to the case, and whether that breaks it."""
-        found = attack(self.problem, puzzle, read_case(self.problem, text), self.common.isolation)
-        why = found.why
-        if found.tried is not None:  # an invalid case says nothing of the person
-            line = line_of(self.problem, found.tried.case)
-            if not why and was_shown(puzzle.mistake, line, self._hacks()):
-                why = "this is the case that you saw when you gave up"
-            self._keep(puzzle, line, Outcome.LOST if why else Outcome.WON)
-        Notes().say(found.notes)
-        return self.turn(puzzle, "lost" if why else "won", why, found.tried, found.said)
+def _given_up(turn: published.HackTurn, common: Common) -> published.HackTurn:
+    """The mistake, and a smallest case."""
+    from judge.report.wait import progress
 
-    def given_up(self, puzzle: Puzzle) -> published.HackTurn:
-        """The mistake, and a smallest case."""
-        from judge.report.wait import progress
+    tried = smallest(turn.problem, turn.puzzle, common.isolation, progress)
+    return _kept(turn, Outcome.GIVEN_UP, "", tried, common)
 
-        tried, said = smallest(self.problem, puzzle, self.common.isolation, progress) or (None, None)
-        self._keep(puzzle, line_of(self.problem, tried.case) if tried else "", Outcome.GIVEN_UP)
-        return self.turn(puzzle, "given-up", "", tried, said)
 
-    def turn(self, puzzle: Puzzle, outcome: str, *found: Any) -> published.HackTurn:
-        """What is shown of the program, as all of them stand now; `found` is the rest of a HackTurn."""
-        states = hack_states([each.mistake for each in self.puzzles], self._hacks())
-        return published.HackTurn(self.problem, self.puzzles, states, puzzle, outcome, *found)
-
-    def _keep(self, puzzle: Puzzle, case: str, outcome: Outcome) -> None:
-        keep(Hack(self.problem.id, puzzle.mistake, case, outcome), self.common.db)
-
-    def _hacks(self) -> list[Hack]:
-        with history_at(self.common.db, reading=True) as history:
-            return history.events(Hack, self.problem.id)
+def _kept(
+    turn: published.HackTurn, outcome: Outcome, why: str, tried: Tried | None, common: Common
+) -> published.HackTurn:
+    """The turn after an attempt, which is kept in the history."""
+    case = line_of(turn.problem, tried.case) if tried else ""
+    made = Hack(turn.problem.id, turn.puzzle.mistake, case, outcome)
+    keep(made, common.db)
+    return replace(turn, outcome=outcome.value, why=why, tried=tried, hacks=(*turn.hacks, made))

@@ -8,16 +8,18 @@ from __future__ import annotations
 import secrets
 import select
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import closing, suppress
 from datetime import datetime
+from functools import partial
 from pathlib import Path
 from time import monotonic
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
 import click
 from msgspec import Struct
 from msgspec.structs import replace
+from rich.console import RenderableType
 
 from judge.cli.files import OutFile, read_submissions
 from judge.cli.options import Common, command, opt
@@ -25,37 +27,38 @@ from judge.cli.resolve import Kata, history_at
 from judge.errors import ProblemError, UsageError, nearest
 from judge.languages import file_name
 from judge.practice import events
-from judge.practice.cards import Card, MistypedError, all_cards, cards_of
+from judge.practice.cards import Card, MistypedError, cards_of, option
 from judge.practice.events import Answer, Help, Rating, Run
 from judge.practice.history import History
-from judge.practice.questions import Question, Reply, Sources
+from judge.practice.questions import Sources
 from judge.practice.questions import ask as asked_of
 from judge.practice.quiz import lacking, left_open, next_cards, next_due, plan, to_practise, usual_kata
-from judge.practice.review import Review, card_reviews
+from judge.practice.review import card_reviews
 from judge.practice.stub import write_stub
 from judge.practice.syllabus import FIRST, USUAL, find_row, read_checklist
 from judge.problem import Verdict
-from judge.problem.find import find_problem, problem_folders
+from judge.problem.find import find_problem
 from judge.report import quiz as texts
-from judge.report.published_quiz import Answered, CardList, CardRow, Interviewed, Quizzed
+from judge.report.published_quiz import CardList, CardRow, Interviewed, Quizzed
 from judge.report.screen import Screen, drawn, err, is_terminal, note, out, show
+from judge.report.views import copied
 from judge.report.wait import progress
+from judge.report.words import shown_name
+from judge.run.result import Result
 
 if TYPE_CHECKING:
-    from rich.console import RenderableType
-
     from judge.cli.watching import WatchedFile
-    from judge.run.result import Result
 
+_T = TypeVar("_T")
 _STOP = ("q", "quit")
 _UNKNOWN = "?"
 _LONGEST = 10_000  # characters of a line
 _KEPT = 400  # of them in the history
-_RATINGS = {str(int(rating)): rating for rating in Rating} | {each.name.lower(): each for each in Rating}
+_RATINGS = "".join(str(int(each)) for each in Rating)
 _LAST = 0.1  # of the time, kept for the cards after the kata
 _LOOK = 0.5  # seconds between two looks at the file
 _MOST = 15  # questions of the page
-_TITLE, _PAGE_WIDTH = "\nThe interview", 80
+_TITLE, _PAGE_WIDTH = b"\nThe interview", 80
 
 
 class QuizAsk(Struct, frozen=True):
@@ -80,57 +83,37 @@ def quiz(name: str | None, ask: QuizAsk, common: Common) -> Iterator[Struct]:
 
     Answers may also come from a pipe, one on each line. With --json the questions go to standard error.
     """
-    cards = _narrowed(shown_cards(name or USUAL, common.problems), ask.question, common.problems)
+    cards = _narrowed(cards_of(name or USUAL, common.problems), ask.question, common.problems)
     with history_at(common.db, reading=ask.listed) as history:
         answered, today = card_reviews(history.events(Answer)), events.now().astimezone()
         if ask.listed:
-            reviews = {review.name: review for review in answered}
-            yield CardList(tuple(_row(card, reviews.get(card.key)) for card in cards), today)
+            known = {
+                each.name: {"last": each.last, "rating": each.rating, "due": each.due} for each in answered
+            }
+            rows = [copied(CardRow, card, card=card.key, **known.get(card.key, {})) for card in cards]
+            yield CardList(tuple(rows), today)
             return
         own = name or _own_set(history.runs(), common.problems)
         chosen = next_cards(cards, answered, today, own=own, ahead=ask.question is not None)[: ask.cards]
         asking = Round(ask.seed, history, common)
-        if not chosen:
-            yield asking.summary(next_due(cards, answered))
-            return
         try:
             with suppress(StoppedError):
                 for card in chosen:
                     asking.ask(card, len(chosen))
         finally:  # after Ctrl-C too
-            yield asking.summary()
-
-
-def shown_cards(name: str, folders: Sequence[Path]) -> list[Card]:
-    """The cards of a set or deck whose problems are here.
-
-    Raises UsageError where nothing is called so, ProblemError where a deck is broken.
-    """
-    cards = cards_of(name, all_cards(folders), folders)
-    here = {folder.name for folder in problem_folders(folders)}
-    return [card for card in cards if not card.problem or card.problem in here]
-
-
-def _row(card: Card, review: Review | None) -> CardRow:
-    known = (review.last, review.rating.name.lower(), review.due) if review else ()
-    return CardRow(card.key, card.form, card.rows, card.sets, card.front, *known)
+            yield asking.summary(next_due=None if chosen else next_due(cards, answered))
 
 
 def _narrowed(cards: list[Card], question: str | None, folders: Sequence[Path]) -> list[Card]:
     """The cards of that question, or the one card of that name. Raises UsageError."""
     if question is None:
         return cards
-    if "/" in question:
-        found = [card for card in cards if card.key == question]
-        near = nearest(question, [card.key for card in cards])
-        what = f"There is no card {question!r}"
-        remedy = f"did you mean {near!r}?" if near else "judge quiz --list lists them"
-    else:
-        wanted = find_row(question, read_checklist(folders).rows).id
-        found = [card for card in cards if wanted in card.rows]
-        what, remedy = f"No card asks {wanted!r}", f"see: judge progress --question {wanted}"
+    wanted = question if "/" in question else find_row(question, read_checklist(folders).rows).id
+    found = [card for card in cards if wanted in (card.key, *card.rows)]
     if not found:
-        raise UsageError(what, remedy=remedy)
+        near = nearest(wanted, [card.key for card in cards])
+        remedy = f"did you mean {near!r}?" if near else "judge quiz --list lists the cards"
+        raise UsageError(f"There is no card for {wanted!r}", remedy=remedy)
     return found
 
 
@@ -168,7 +151,16 @@ class Round:
             note(f"a card is left out: {fault}")
             return
         self.show(texts.question(asked, f"Question {len(self.answers) + 1} of {count}", self.screen))
-        given, found, rating = self._rated(asked) if asked.check is None else self._checked(asked)
+        found = None
+        if asked.check:
+            found = self._read(f"Answer ({asked.expects}): ", asked.check)
+            given = found.given if found else ""
+            rating = Rating.GOOD if found and found.right else Rating.AGAIN
+        else:
+            given = self._typed(f"{asked.expects}: ")
+            self.show(texts.model(asked))
+            rated = None if given == _UNKNOWN else self._read(texts.RATE, partial(option, letters=_RATINGS))
+            rating = Rating(int(rated or Rating.AGAIN))
         answer = Answer(card.key, card.form, rating, asked.check is not None, given[:_KEPT])
         self._history.keep(answer)
         self.answers.append(answer)
@@ -176,25 +168,30 @@ class Round:
             self.missed += card.rows[:1]
         self.show(texts.reply(asked, found, rating))
 
-    @property
-    def known(self) -> int:
-        """How many cards were remembered."""
-        return sum(each.known for each in self.answers)
-
-    def summary(self, next_due: datetime | None = None) -> Quizzed:
-        """How the cards went."""
-        answers = tuple(Answered(each.card, each.rating.name.lower()) for each in self.answers)
-        practise = to_practise(self.missed, self.sources.folders)
-        return Quizzed(len(answers), self.known, answers, practise, self.sources.seed, next_due)
+    def summary(self, more: Mapping[str, str] = {}, next_due: datetime | None = None) -> Quizzed:
+        """How the cards went, and what to practise: what was not known well, and `more` with its commands."""
+        commands = {**more, **{row: f"judge quiz --question {row}" for row in self.missed}}
+        practise = to_practise(commands, self.sources.folders)
+        known = sum(each.known for each in self.answers)
+        return Quizzed(len(self.answers), known, tuple(self.answers), practise, self.sources.seed, next_due)
 
     def show(self, what: RenderableType) -> None:
         """Draw something between the questions."""
         show(what, self.screen)
 
-    def typed(self, asks: str) -> str:
+    def _typed(self, asks: str) -> str:
         """The next line of standard input, after a prompt. Raises StoppedError."""
         self.screen.write(texts.prompt(asks, self.screen))
         return self.line()
+
+    def _read(self, asks: str, read: Callable[[str], _T]) -> _T | None:
+        """What `read` makes of the next line that it takes; None for "?". Raises StoppedError."""
+        while (typed := self._typed(asks)) != _UNKNOWN:
+            try:
+                return read(typed)
+            except MistypedError as fault:
+                self.show(texts.remark(str(fault)))
+        return None
 
     def line(self) -> str:
         """The next line of standard input. Raises StoppedError."""
@@ -209,33 +206,6 @@ class Round:
         if not text or text.strip().lower() in _STOP:
             raise StoppedError
         return text.strip()
-
-    def _checked(self, asked: Question) -> tuple[str, Reply | None, Rating]:
-        """What was typed, what it comes to, and the rating of that."""
-        assert asked.check is not None
-        while True:
-            typed = self.typed(f"Answer ({asked.expects}): ")
-            if typed == _UNKNOWN:
-                return "", None, Rating.AGAIN
-            try:
-                if not typed:
-                    raise MistypedError(f"Type {asked.expects}; ? if you do not know, q to stop")
-                found = asked.check(typed)
-            except MistypedError as fault:
-                self.show(texts.mistyped(str(fault)))
-                continue
-            return found.given, found, Rating.GOOD if found.right else Rating.AGAIN
-
-    def _rated(self, asked: Question) -> tuple[str, Reply | None, Rating]:
-        """What was typed, and how the person rates it beside the model answer."""
-        typed = self.typed(f"{asked.expects}: ")
-        self.show(texts.model(asked))
-        if typed == _UNKNOWN:
-            return "", None, Rating.AGAIN
-        while True:
-            with suppress(KeyError):
-                return typed, None, _RATINGS[self.typed(texts.RATE).lower()]
-            self.show(texts.mistyped("Type 1, 2, 3 or 4"))
 
 
 class InterviewAsk(Struct, frozen=True):
@@ -264,10 +234,8 @@ def interview(name: str, ask: InterviewAsk, common: Common) -> Iterator[Intervie
 
     Answers may also come from a pipe, one on each line. With --json the questions go to standard error.
     """
-    cards, folders = shown_cards(name, common.problems), common.problems
-    page = OutFile(
-        ask.out, "--out", "a page of an interview", lambda start: start.startswith(_TITLE.encode())
-    )
+    cards, folders = cards_of(name, common.problems), common.problems
+    page = OutFile(ask.out, "--out", "a page of an interview", lambda start: start.startswith(_TITLE))
     with history_at(common.db) as history:
         today = events.now().astimezone()
         if ask.kata:
@@ -295,13 +263,12 @@ def interview(name: str, ask: InterviewAsk, common: Common) -> Iterator[Intervie
 
 
 class _Interview(Round):
-    """An interview that is being held."""
+    """An interview that is being held; `results` are those of the kata's file."""
 
     def __init__(self, ask: InterviewAsk, history: History, common: Common, kata: Kata) -> None:
         super().__init__(ask.seed, history, common)
         self._wanted, self._common, self._kata = ask, common, kata
-        self._runs = 0
-        self._last: Result | None = None
+        self._results: list[Result] = []
         self._begun = monotonic()
 
     def _left(self, kept: float = 0.0) -> float:
@@ -326,22 +293,22 @@ class _Interview(Round):
 
         if self._left() <= 0:
             raise StoppedError
-        minutes = max(0, int(self._left(_LAST) // 60))
-        self.show(texts.kata(self._kata.problem, self._kata.name, minutes))
+        problem, name, minutes = self._kata.problem, self._kata.name, max(0, int(self._left(_LAST) // 60))
+        where = f"Write it in {shown_name(name)}: the statement is in there. I judge it on every save."
+        self.show(texts.stage(problem.title, minutes, problem.summary, where))
         if not self._kata.path.exists():
-            write_stub(self._kata.problem, self._kata.path)
-        person = is_terminal(sys.stdin)
-        with closing(WatchedFile(self._kata, Wish(RunOptions(), db=self._common.db))) as watched:
+            write_stub(problem, self._kata.path)
+        watched = WatchedFile(self._kata, Wish(RunOptions(), db=self._common.db))
+        with closing(watched), suppress(StoppedError):
             watched.saved()  # what is there now is not judged until it is saved
             if self._wanted.file is not None:
                 self._judge(watched)
-                if not person:
+                if not is_terminal(sys.stdin):
                     return
-            with suppress(StoppedError):
-                while not self._solved and self._is_asked(watched):
-                    self._judge(watched)
-                if not self._solved:
-                    self.show(texts.time_over())
+            while not self._solved and self._is_asked(watched):
+                self._judge(watched)
+            if not self._solved:
+                self.show(texts.remark("The time for the kata is over."))
 
     def _is_asked(self, watched: WatchedFile) -> bool:
         """Wait for an empty line, or a person's save; False once the time is over. Raises StoppedError."""
@@ -352,7 +319,7 @@ class _Interview(Round):
                 if not self.line():
                     watched.saved()
                     return True
-                self.show(texts.mistyped("Press Enter to judge the file, q to go on"))
+                self.show(texts.remark("Press Enter to judge the file, q to go on"))
                 self.screen.write(prompt)
             elif watched.saved():
                 break
@@ -368,30 +335,31 @@ class _Interview(Round):
             return
         self.show(judged(replace(found, commands=False), self.screen))
         self.screen.write("\n")
-        self._runs, self._last = self._runs + 1, found.result
+        self._results.append(found.result)
 
     @property
     def _solved(self) -> bool:
-        return self._last is not None and self._last.verdict is Verdict.AC
+        return bool(self._results) and self._results[-1].verdict is Verdict.AC
 
     def page(self) -> Interviewed:
         """How it went, and what to practise: what the cards and the kata's last run left open."""
-        problem, last, whole = self._kata.problem, self._last, self._wanted.minutes
-        folders = self._common.problems
-        taken = min(whole - int(self._left() // 60), whole)
-        return Interviewed(
-            minutes=max(taken, 1),
+        problem, whole = self._kata.problem, self._wanted.minutes
+        last = self._results[-1] if self._results else None
+        skills = lacking(problem, last) if last else ()
+        more = left_open(problem, skills, self.sources.folders) if last and not self._solved else {}
+        cards = self.summary(more)
+        return copied(
+            Interviewed,
+            cards,
+            minutes=min(max(whole - int(self._left() // 60), 1), whole),
             out_of=whole,
-            asked=len(self.answers),
-            known=self.known,
             problem=problem.id,
             file=self._kata.name,
-            runs=self._runs,
+            runs=len(self._results),
             solved=self._solved,
             verdict=last.verdict if last else None,
             score=last.score if last else None,
             mistake=last.pitfall.name if last and last.pitfall else None,
-            lacking=lacking(problem, last),
-            practise=to_practise(self.missed, folders, left_open(problem, last, folders))[:_MOST],
-            seed=self.sources.seed,
+            lacking=skills,
+            practise=cards.practise[:_MOST],
         )

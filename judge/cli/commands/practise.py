@@ -9,6 +9,7 @@ from pathlib import Path
 
 import click
 from msgspec import Struct
+from msgspec.structs import replace
 
 from judge.cli.files import read_submissions
 from judge.cli.options import Common, command, opt
@@ -35,9 +36,8 @@ from judge.problem import Problem
 from judge.problem.find import find_problem, id_of
 from judge.problem.model import LEVELS
 from judge.problem.texts import read_hints
-from judge.report.published_practise import ApproachRow, Begun, HintShown, SolutionShown, Yours
+from judge.report.published_practise import Begun, HintShown, SolutionShown, Yours
 from judge.report.screen import draws, is_terminal, out
-from judge.report.views import copied
 from judge.run.result import Taken
 
 _ROUNDS = 3
@@ -220,7 +220,7 @@ def solution(name: str | None, approach: str | None, ask: SolutionAsk, common: C
     models = approaches(problem)
     model = chosen_approach(problem, models, approach, ask.language)
     yours = _admit(problem, common.db, giving_up=ask.giving_up)
-    programs = [(each.file, each.solution.source) for each in models]
+    programs = [(each.file, each.program.encode()) for each in models]
     if yours:
         programs.append((yours[0].submission, yours[1]))
     taken: Sequence[Taken | None] = [None] * len(programs)
@@ -229,14 +229,7 @@ def solution(name: str | None, approach: str | None, ask: SolutionAsk, common: C
     return SolutionShown(
         problem=problem.id,
         file=model.file,
-        language=model.language,
-        code=model.solution.language.id if model.solution.language else "python",
-        idea=model.solution.name,
-        explanation=model.solution.text,
-        program=model.program,
-        approaches=tuple(
-            copied(ApproachRow, each, taken=its) for each, its in zip(models, taken, strict=False)
-        ),
+        approaches=tuple(replace(each, taken=its) for each, its in zip(models, taken, strict=False)),
         yours=Yours(yours[0].id, yours[0].submission, taken[-1]) if yours else None,
     )
 

@@ -14,7 +14,7 @@ import click
 from msgspec import Struct
 from msgspec.structs import replace
 
-from judge.cli.files import OutFile, Submission, Unjudged, svg_target
+from judge.cli.files import OutFile, Submission, Unjudged
 from judge.cli.options import Common, command, opt, seconds_of
 from judge.cli.resolve import Tasks, resolve
 from judge.errors import JudgeError, UsageError, told
@@ -22,6 +22,8 @@ from judge.judging.api import RunOptions
 from judge.problem import Problem
 from judge.problem.model import LEVELS, chosen_groups
 from judge.report.published_result import Judged, Several
+from judge.report.screen import Notes, is_terminal, note
+from judge.report.wait import progress, stages
 from judge.run.result import Result, judge_fault
 
 _SEEDS = 10**9  # a fresh seed is below it: short enough to be typed again
@@ -48,7 +50,6 @@ class RunAsk(Struct, frozen=True):
     mode: str = opt(
         "--mode", "program: run it as one.", hidden=True, choices=("program", "auto"), default="auto"
     )
-    svg: Path | None = opt("--svg FILE", "Draw the failing case into this file.", hidden=True)
     unnamed: bool = opt("--no-name", "Do not name the mistake.", hidden=True)
     unshrunk: bool = opt("--no-shrink", "Seek no smaller case.", hidden=True)
     unrecorded: bool = opt("--no-history", "Keep nothing of it.", hidden=True)
@@ -59,7 +60,7 @@ class RunAsk(Struct, frozen=True):
 
     def options(self, common: Common) -> RunOptions:
         """How to judge; who sees only verdicts waits neither for a smallest case nor for a name."""
-        brief = self.quiet and self.is_plain(common) and self.svg is None
+        brief = self.quiet and self.is_plain(common)
         return RunOptions(
             self.groups,
             self.seed,
@@ -89,15 +90,12 @@ def run(words: tuple[str, ...], ask: RunAsk, common: Common) -> Iterator[Struct]
     junit = OutFile(ask.junit, "--junit", "JUnit XML", lambda start: b"<testsuite" in start)
     tasks, unjudged = resolve(words, common)
     total = len(unjudged) + sum(len(submissions) for _, submissions in tasks)
-    if ask.svg is not None and total > 1:
-        raise UsageError("--svg draws one submission", where=str(ask.svg), remedy="name one FILE")
-    svg = svg_target(ask.svg)
     for problem, _ in tasks:
         chosen_groups(problem, ask.groups, ask.level)  # a name that is none is told before all else
     if ask.fresh is not None:
         if total > 1 or unjudged:
             raise UsageError("--fresh takes one file", remedy="name one FILE")
-        yield from _fresh(*tasks[0], svg, ask, common)
+        yield from _fresh(*tasks[0], ask, common)
         return
     found: list[Result] = []
 
@@ -106,7 +104,7 @@ def run(words: tuple[str, ...], ask: RunAsk, common: Common) -> Iterator[Struct]
             yield Several(tuple(found), total - len(found))
 
     try:
-        with closing(_judged(tasks, unjudged, svg, ask, common)) as results:
+        with closing(_judged(tasks, unjudged, ask, common)) as results:
             for each in results:
                 found.append(each.result)
                 yield each if ask.form == TEXT else replace(each, plain=_lines(each, ask.form))
@@ -131,7 +129,7 @@ def _lines(judged: Judged, form: str) -> str:
 
 
 def _judged(
-    tasks: Tasks, unjudged: Sequence[Unjudged], svg: OutFile, ask: RunAsk, common: Common
+    tasks: Tasks, unjudged: Sequence[Unjudged], ask: RunAsk, common: Common
 ) -> Generator[Judged, None, None]:
     """Every result in order, one kata after another; last what could not be read or has no kata.
 
@@ -139,7 +137,6 @@ def _judged(
     result of each submission that is left, for whoever reads the results as data.
     """
     from judge.cli.judging import Wish, judged
-    from judge.report.wait import progress
 
     waiting = [(problem.id, each) for problem, submissions in tasks for each in submissions]
     total, done = len(waiting) + len(unjudged), 0
@@ -168,7 +165,6 @@ def _judged(
                             row = replace(found, several=several, quiet=ask.quiet, whole=ask.whole)
                             alone = total == 1 and not (ask.quiet or common.json)
                             yield _with_standing(row, ask, common) if alone else row
-                            _draw(row, svg)
                             if not (common.isolation or brief) and plain:
                                 _say_that_full_is_missing(row.result)
                 except JudgeError as fault:
@@ -185,8 +181,6 @@ def _judged(
 
 def _with_standing(found: Judged, ask: RunAsk, common: Common) -> Judged:
     """A terminal also shows what an accepted one took."""
-    from judge.report.screen import is_terminal
-
     if found.result.solved and is_terminal(sys.stdout) and not ask.unrecorded:
         from judge.cli.home import standing
 
@@ -195,15 +189,11 @@ def _with_standing(found: Judged, ask: RunAsk, common: Common) -> Judged:
     return found
 
 
-def _fresh(
-    problem: Problem, submissions: list[Submission], svg: OutFile, ask: RunAsk, common: Common
-) -> Iterator[Judged]:
+def _fresh(problem: Problem, submissions: list[Submission], ask: RunAsk, common: Common) -> Iterator[Judged]:
     """One submission on new cases for so long. Raises KeyboardInterrupt if that ended it and none failed."""
     from judge.data.load import ProblemData
     from judge.judging.cases import judge_fresh
     from judge.judging.session import Session
-    from judge.report.screen import Notes
-    from judge.report.wait import progress, stages
 
     (submission,) = submissions
     lasting = seconds_of(ask.fresh or "", "--fresh")
@@ -223,38 +213,15 @@ def _fresh(
     result = stressed.result
     again = f"{stressed.cases:,} fresh cases in {stressed.seconds:.0f} s; the same again: --seed {seed}"
     Notes().say(result.notes)
-    data = ProblemData(problem, ())
-    found = Judged(
-        result.noting(again), submission.source, data, quiet=ask.quiet, whole=ask.whole, fresh=again
-    )
-    _draw(found, svg)
-    yield found
+    data, noted = ProblemData(problem, ()), result.noting(again)
+    yield Judged(noted, submission.source, data, quiet=ask.quiet, whole=ask.whole, fresh=again)
     if stressed.interrupted and result.failure is None:
         raise KeyboardInterrupt
-
-
-def _draw(found: Judged, target: OutFile) -> None:
-    """Write the SVG, if one was asked for. Raises UsageError where that cannot be done."""
-    if target.path is None:
-        return
-    from judge.drawing import Picture
-    from judge.drawing.chart import chart_svg
-    from judge.drawing.svg import to_svg
-    from judge.report.picture import result_picture
-    from judge.report.screen import note
-
-    picture = result_picture(found)
-    if picture is None:
-        note(f"nothing to draw, {target.path} is not written: no case failed that can be drawn")
-        return
-    drawn = to_svg(picture) if isinstance(picture, Picture) else chart_svg(picture, alone=True)
-    target.write(drawn.encode())
 
 
 def _say_that_full_is_missing(result: Result) -> None:
     """Once a day, to a person who has not been told so by `judge doctor`."""
     from judge.judging.containment import first_today, kept_level
-    from judge.report.screen import is_terminal, note
 
     if result.isolation == "strong" and is_terminal(sys.stderr) and kept_level() is None and first_today():
         note("Sandbox: strong, not full. Why: judge doctor")

@@ -25,7 +25,7 @@ from judge.packs.export.forms import why_left_out
 from judge.packs.export.job import Export, Order, check_places, export
 from judge.packs.export.metadata import Version, short_name, short_names
 from judge.packs.export.statement import latex
-from judge.practice.setter import begin_kata, deck_faults, kata_faults
+from judge.practice.setter import NewKata, begin_kata, kata_faults, verify_decks
 from judge.problem import Problem
 from judge.problem.find import find_problem, folders_within, problem_folders
 from judge.problem.model import chosen_groups
@@ -35,17 +35,17 @@ from judge.report.views import copied
 from judge.report.wait import progress, stages
 from judge.report.words import counted
 from judge.run.edges import edges_of
-from judge.run.verify import Fault, fresh_data, verify_problem
+from judge.run.verify import Fault, Verified, fault_of, fresh_data, verify_problem
 from judge.sandbox import Boxes
 
 _BOTH = "both"
 _REMEDY = "name another folder with --out"
 
 
-@command("new", published.NewKata)
+@command("new", NewKata)
 @click.argument("folder", metavar="DIR", type=click.Path(path_type=Path))
 @click.argument("name", metavar="[NAME]", required=False)
-def new(folder: Path, name: str | None, common: Common) -> published.NewKata:  # noqa: ARG001 - every command has them
+def new(folder: Path, name: str | None, common: Common) -> NewKata:  # noqa: ARG001 - every command has them
     """Write a kata of your own to begin with.
 
     It goes into DIR/problems/NAME and DIR/solutions/NAME. If DIR is itself a folder of problems, it goes
@@ -54,9 +54,7 @@ def new(folder: Path, name: str | None, common: Common) -> published.NewKata:  #
 
     Exit status: 0 written, 2 usage.
     """
-    begun = begin_kata(folder, name)
-    files = tuple(map(str, begun.files))
-    return published.NewKata(begun.problem.id, begun.problem.title, str(begun.problems), files)
+    return begin_kata(folder, name)
 
 
 class VerifyAsk(Struct, frozen=True):
@@ -73,7 +71,7 @@ class VerifyAsk(Struct, frozen=True):
     jobs: int = opt("-j --jobs N", "Check N katas at once.", type=click.IntRange(1, 64), default=1)
 
 
-@command("verify", published.Verified, published.DecksVerified, ask=VerifyAsk)
+@command("verify", Verified, ask=VerifyAsk)
 @click.argument("names", metavar="[KATA]...", nargs=-1)
 def verify(names: tuple[str, ...], ask: VerifyAsk, common: Common) -> Iterator[Struct]:
     """Check katas from the setter's side.
@@ -96,22 +94,24 @@ def verify(names: tuple[str, ...], ask: VerifyAsk, common: Common) -> Iterator[S
     mine = folders_within(common.problems) if common.problems else problem_folders()
     chosen = tuple(dict.fromkeys(names or sorted(folder.name for folder in mine)))
     check, faults = partial(_verify, ask, common.problems), 0
-    checked: Iterator[published.Verified] = map(check, chosen)
+    checked: Iterator[Verified] = map(check, chosen)
     if ask.jobs > 1 and len(chosen) > 1:
         from judge.judging.pool import Processes, in_order
 
-        checked = in_order(Processes(ask.jobs), check, chosen, _unread)
+        checked = in_order(
+            Processes(ask.jobs), check, chosen, lambda name, what: Verified(name, (Fault(what, name),))
+        )
     for found in checked:
-        if ask.figures and found.ok:
-            from judge.report.picture import FIGURE, figure
+        if ask.figures and not found.faults:
+            from judge.report.picture import figure
 
             problem = find_problem(found.problem, common.problems)
             if (drawn := figure(problem)) is not None:
-                replace_file(problem.folder / FIGURE, drawn.encode())
+                replace_file(problem.folder / "figure.svg", drawn.encode())
         faults += len(found.faults)
         yield found
     if not narrow:
-        decks = published.DecksVerified(*deck_faults(common.problems, names))
+        decks = verify_decks(common.problems, names)
         faults += len(decks.faults)
         if decks.cards or decks.faults:
             yield decks
@@ -119,17 +119,12 @@ def verify(names: tuple[str, ...], ask: VerifyAsk, common: Common) -> Iterator[S
         yield published.VerifySummary(len(chosen), faults)
 
 
-def _unread(name: str, what: str, where: str = "", remedy: str = "") -> published.Verified:
-    """A kata that could not be looked at, which is its only fault."""
-    return published.Verified(name, 0, 0, "differing", (), (Fault(what, where or name, remedy),), ok=False)
-
-
-def _verify(ask: VerifyAsk, folders: Sequence[Path], name: str) -> published.Verified:
+def _verify(ask: VerifyAsk, folders: Sequence[Path], name: str) -> Verified:
     """What was found of one kata."""
     try:
         problem = find_problem(name, folders)
     except ProblemError as error:
-        return _unread(name, error.what, error.where or "", error.remedy or "")
+        return Verified(name, (fault_of(error, name),))
     boxes, narrow = Boxes(least=kept_level()), bool(ask.groups)
     if narrow:
         problem = replace(problem, groups=chosen_groups(problem, ask.groups))
@@ -150,12 +145,9 @@ def _verify(ask: VerifyAsk, folders: Sequence[Path], name: str) -> published.Ver
             solution=ask.solution,
             partial=narrow,
         )
-    faults = tuple(dict.fromkeys((*report.faults, *found.faults, *kata_faults(problem, folders))))
-    return copied(
-        published.Verified,
+    return replace(
         report,
-        ok=not faults,
-        faults=faults,
+        faults=tuple(dict.fromkeys((*report.faults, *found.faults, *kata_faults(problem, folders)))),
         warnings=(*report.warnings, *found.warnings),
         mistakes=found.mistakes if ask.matrix or narrow else (),
         edges=tuple(edges_of(data[0])) if ask.matrix and data else (),

@@ -8,6 +8,7 @@ from typing import Any
 
 from msgspec import Struct
 
+from judge.drawing import Picture
 from judge.drawing.svg import panel_svg, style
 from judge.errors import JudgeError
 from judge.problem import Problem, Verdict
@@ -16,7 +17,7 @@ from judge.problem.model import case_of
 from judge.problem.module import Module, load_module
 from judge.report.html import rendered
 from judge.report.picture import case_picture
-from judge.report.tell import shown_failure, tell
+from judge.report.tell import shown_failure, tell, with_why
 from judge.report.words import arguments, shown_name
 from judge.run.result import Result
 from judge.values import parameters
@@ -61,7 +62,8 @@ class Cases:
         title = mistake or f"{verdict.meaning}{where}".capitalize()
         if result is None:
             return Case(anchor, title, verdict)
-        told, shown = tell(known, result), shown_failure(result)
+        picture, shown = self.picture(known, result), shown_failure(result)
+        told = with_why(tell(known, result), picture.why if picture else "")
         facts = [*told.facts, ("why", told.happened)]
         if shown and shown.input:
             facts.insert(0, ("input", arguments(_as_called(known, shown.input))))
@@ -71,27 +73,31 @@ class Cases:
             verdict,
             told.case,
             tuple((label, _cut(text)) for label, text in facts if text),
-            self.drawings(known, result, anchor),
+            _drawings(picture, anchor),
             told.advice,
         )
 
-    def drawings(self, problem: Problem | None, result: Result, anchor: str) -> tuple[Drawing, ...]:
-        """The panels of the case, where the kata is there and draws it."""
+    def picture(self, problem: Problem | None, result: Result) -> Picture | None:
+        """The failing case, where the kata is there and draws it."""
         shown = shown_failure(result)
         if problem is None or shown is None or result.failure is None:
-            return ()
+            return None
         try:
             module = self._modules.get(problem.id) or load_module(problem)
         except JudgeError:
-            return ()
+            return None
         self._modules[problem.id] = module
-        picture = case_picture(problem, module, shown, result.failure.group)
-        if picture is None:
-            return ()
-        return tuple(
-            Drawing(panel_svg(panel, f"{anchor}-{name}", picture.description), panel.title, panel.note)
-            for panel, name in zip(picture.panels, ("whole", "lens"), strict=False)
-        )
+        return case_picture(problem, module, shown, result.failure.group)
+
+
+def _drawings(picture: Picture | None, anchor: str) -> tuple[Drawing, ...]:
+    """The panels of a picture."""
+    if picture is None:
+        return ()
+    return tuple(
+        Drawing(panel_svg(panel, f"{anchor}-{name}", picture.description), panel.title, panel.note)
+        for panel, name in zip(picture.panels, ("whole", "lens"), strict=False)
+    )
 
 
 def _as_called(problem: Problem | None, values: dict[str, Any]) -> Mapping[str, Any]:
@@ -110,14 +116,14 @@ def _cut(text: str) -> str:
 
 def notebook(result: Result) -> str:
     """A result as an element of HTML with its own style sheet; without a drawing if its kata is not found."""
-    told, anchor, drawings = tell(None, result), f"judge-{id(result):x}", tuple[Drawing, ...]()
+    told, anchor, picture = tell(None, result), f"judge-{id(result):x}", None
     with suppress(JudgeError):
-        drawings = Cases({}).drawings(find_problem(result.problem), result, anchor)
+        picture = Cases({}).picture(find_problem(result.problem), result)
     return rendered(
         "notebook.html.j2",
         anchor=anchor,
         style=style(f"#{anchor} figure"),
         head=f"{told.verdict.value}  {told.meaning}  {shown_name(result.submission)}  {told.stars}".rstrip(),
         text="\n".join((*told.lines, told.last)),
-        drawings=drawings,
+        drawings=_drawings(picture, anchor),
     ).decode()
