@@ -194,6 +194,12 @@ def within_limit(source: bytes) -> bytes:
     return source
 
 
+def unreadable(path: Path, fault: OSError | ValueError, remedy: str) -> UsageError:
+    """The error that says that `path` cannot be read, and why."""
+    reason = (getattr(fault, "strerror", None) or "no name for a file").lower()
+    return UsageError(f"cannot be read ({reason})", where=str(path), remedy=remedy)
+
+
 def why_unreadable(fault: OSError) -> str:
     """Why what is in a folder cannot be read, or is not."""
     if isinstance(fault, RefusedError):

@@ -13,7 +13,7 @@ import sys
 from pathlib import Path
 
 from judge.batch.folder import root_of
-from judge.batch.run import Classroom, class_options
+from judge.batch.run import Classroom
 from judge.batch.shards import Shard, merged
 from judge.batch.store import Store, store_of
 from judge.errors import ExitCode, JudgeError
@@ -55,21 +55,20 @@ def _parser() -> argparse.ArgumentParser:
 
 def _shard(asked: argparse.Namespace) -> int:
     shard = Shard.read(asked.part)
-    options = class_options(asked.isolation, asked.level)
     with Store.open(shard.beside(store_of(asked.folder))) as store:
         classroom = Classroom(
             asked.folder,
             store,
-            options,
             students=asked.students,
             folders=asked.problems,
+            isolation=asked.isolation,
+            level=asked.level,
             shard=shard,
             say=note,
         )
         for row in classroom.judge(Processes(asked.jobs) if asked.jobs > 1 else Here()):
-            sys.stdout.write(
-                f"{row.verdict} {row.score} {row.file}\n".encode("ascii", "backslashreplace").decode()
-            )
+            line = f"{row.verdict.value} {row.score} {row.file}\n"
+            sys.stdout.write(line.encode("ascii", "backslashreplace").decode())
         return classroom.cohort().exit_code
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter, defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
-from judge.batch.model import Row
+from judge.batch.model import Row, text_of
 from judge.problem.model import Verdict
 from judge.report.published_klass import Alike, Cohort, Machine, Mark, ProblemView, Student
 
@@ -34,8 +34,11 @@ def cohort_of(
     order = [each.id for each in students]
     own = {each: [counts[who, each] for who in order if each in marks.get(who, ())] for each in problems}
     met = [each for each in problems if own[each]]
-    failures = [(row.file, row.result.failure) for row in rows if row.verdict == Verdict.JE.value]
-    judged = Counter((row.machine, row.isolation) for row in rows if row.isolation)
+    results = [row.result for row in rows]
+    failures = [(each.submission, each.failure) for each in results if each.verdict is Verdict.JE]
+    judged = Counter(
+        (row.done.machine, row.result.isolation) for row in rows if row.result.verdict is not Verdict.JE
+    )
     unsolved = [who for who in order if not any(mark.accepted for mark in marks.get(who, {}).values())]
     return Cohort(
         students=tuple(students),
@@ -65,12 +68,12 @@ def counting(rows: Iterable[Row]) -> dict[_Pair, Row]:
 
 
 def _worth(row: Row) -> tuple[bool, bool, int, float]:
-    return row.accepted, row.verdict != Verdict.JE.value, row.score, row.at
+    return row.accepted, row.result.verdict is not Verdict.JE, row.result.score, row.at
 
 
 def _in_turn(rows: Iterable[Row]) -> dict[_Pair, list[Row]]:
     """Every text that a student has handed in to a problem, the oldest first, by its newest row."""
-    newest = {(row.student, row.problem, row.file, row.digest): row for row in rows}
+    newest = {text_of(row): row for row in rows}
     found: dict[_Pair, list[Row]] = defaultdict(list)
     for row in sorted(newest.values(), key=lambda row: (row.at, row.file)):
         found[row.student, row.problem].append(row)
@@ -78,14 +81,15 @@ def _in_turn(rows: Iterable[Row]) -> dict[_Pair, list[Row]]:
 
 
 def _mark(row: Row, handins: int) -> Mark:
+    ratio = row.result.time.ratio
     return Mark(
         file=row.file,
-        verdict=Verdict(row.verdict),
-        score=row.score,
+        verdict=row.result.verdict,
+        score=row.result.score,
         mistake=row.mistake,
         handins=handins,
         copied=bool(row.copied),
-        busy=bool(row.done.busy),
+        busy=bool(ratio and ratio.busy),
     )
 
 
@@ -94,7 +98,7 @@ def _view(problem: str, rows: Sequence[Row]) -> ProblemView:
     made: dict[tuple[str, bool], list[Row]] = defaultdict(list)
     for row in rows:
         if not row.accepted:
-            made[row.mistake or _unnamed(Verdict(row.verdict)), bool(row.mistake)].append(row)
+            made[row.mistake or _unnamed(row.result.verdict), bool(row.mistake)].append(row)
     failed = Counter(
         group.name for row in rows for group in row.result.groups if group.verdict is not Verdict.AC
     )

@@ -22,9 +22,10 @@ from typing import Any, TypeAlias, TypeVar
 from urllib.parse import urlsplit
 
 import msgspec
+from msgspec import Struct
 
 from judge.errors import JudgeError, UsageError
-from judge.files import read_ordinary
+from judge.files import read_ordinary, unreadable
 from judge.judging.pool import ATTEMPTS, Finished, Lost, Outcome, attempt
 from judge.sandbox.boundary import LEVELS
 
@@ -70,9 +71,7 @@ class Elsewhere:
         self._say = say
         self._patience = patience
         self._client: Any = None
-        self._hosts: dict[str, str] = {}  # of the workers that are there, by their addresses
-        self._levels: dict[str, tuple[str, ...]] = {}
-        self._unfit: dict[str, str] = {}  # why a worker is left out
+        self._workers: dict[str, _Worker] = {}  # those that are there, by their addresses
         self._looked = 0.0
         self._seen = 0.0  # when a worker was fit
         self._missed = 0.0  # when one was missed that had been
@@ -96,7 +95,7 @@ class Elsewhere:
 
     def machines(self) -> list[str]:
         """One worker of each machine."""
-        return sorted({self._hosts[worker]: worker for worker in self._fit()}.values())
+        return sorted({self._workers[address].host: address for address in self._fit()}.values())
 
     def run(self, work: Callable[[T], R], items: Sequence[T], lost: Lost[T, R]) -> Finished[R]:
         """See `Executor.run`; but a UsageError costs its worker, and ends the work when none is left."""
@@ -149,7 +148,7 @@ class Elsewhere:
 
     def _ended(self, done: SimpleQueue[Any], flying: Mapping[Any, tuple[object, str]]) -> list[Any]:
         """The tasks whose workers are gone, or else one that is done, if one is soon."""
-        gone = [future for future, (_, worker) in flying.items() if worker not in self._hosts]
+        gone = [future for future, (_, worker) in flying.items() if worker not in self._workers]
         if gone:
             return gone
         try:
@@ -167,7 +166,7 @@ class Elsewhere:
         """The result of a task, or its fault: a UsageError where its worker cannot judge."""
         from distributed.scheduler import KilledWorker
 
-        if worker not in self._hosts:
+        if worker not in self._workers:
             return None, _DIED
         try:
             result, fault = future.result(timeout=_FETCH)
@@ -183,11 +182,11 @@ class Elsewhere:
 
     def _fit(self) -> set[str]:
         """The workers that are there and can judge."""
-        return {each for each in self._hosts if each in self._levels and each not in self._unfit}
+        return {address for address, worker in self._workers.items() if not worker.unfit}
 
-    def _leave_out(self, worker: str, why: str) -> None:
-        self._unfit[worker] = why
-        self._say(f"the worker {worker} is left out: {why}")
+    def _leave_out(self, address: str, why: str) -> None:
+        self._workers[address].unfit = why
+        self._say(f"the worker {address} is left out: {why}")
 
     def _lost(self) -> JudgeError:
         return JudgeError(f"the scheduler at {self.address} is lost", remedy=_KEPT)
@@ -197,12 +196,12 @@ class Elsewhere:
         self._seen = time.monotonic()
         self._missed = self._seen - _RESTART
         self._look()
-        if not self._hosts:
+        if not self._workers:
             self._say(f"there is no worker at {self.address} yet; waiting {self._patience:.0f} s for one")
         while not self._fit():
             time.sleep(_LOOK)
             self._look()
-        has = [self._levels[worker] for worker in self._fit()]
+        has = [self._workers[address].levels for address in self._fit()]
         common = [level for level in self._allowed if all(level in each for each in has)]
         if not common:
             raise UsageError("the workers have no isolation in common", remedy="demand one with --isolation")
@@ -218,22 +217,21 @@ class Elsewhere:
         if self._client.status != "running":
             raise self._lost()
         try:
-            workers = self._client.scheduler_info(n_workers=-1)["workers"]
-            known = self._levels.keys() | self._unfit.keys()
-            answers = self._asked([each for each in workers if each not in known])
+            there = self._client.scheduler_info(n_workers=-1)["workers"]
+            answers = self._asked([address for address in there if address not in self._workers])
         except Exception as fault:  # of several kinds
             raise self._lost() from fault
-        if self._fit() - workers.keys():
+        if self._fit() - there.keys():
             self._missed = now
-        self._hosts = {address: told["host"] for address, told in workers.items()}
-        self._levels = {each: levels for each, levels in self._levels.items() if each in workers}
-        self._unfit = {each: why for each, why in self._unfit.items() if each in workers}
-        for worker, answer in answers.items():
-            self._greet(worker, workers[worker]["nthreads"], answer)
+        self._workers = {address: worker for address, worker in self._workers.items() if address in there}
+        for address, answer in answers.items():
+            if isinstance(answer, OSError) and not isinstance(answer, TimeoutError):
+                continue  # it has gone; if not, it is asked again
+            self._greet(address, there[address], answer)
         if self._fit():
             self._seen = now
-        elif workers and workers.keys() <= self._unfit.keys() and now - self._missed > _RESTART:
-            why = self._unfit[min(workers)]
+        elif there and there.keys() == self._workers.keys() and now - self._missed > _RESTART:
+            why = self._workers[min(there)].unfit
             raise UsageError(f"no worker at {self.address} can judge this: {why}", remedy=_HELP)
         elif now - self._seen > self._patience:
             remedy = f"start some with 'dask worker {self.address} --nthreads 1'; {_KEPT}"
@@ -253,19 +251,26 @@ class Elsewhere:
             return {worker: answer for each in workers for worker, answer in self._asked([each]).items()}
         return found
 
-    def _greet(self, worker: str, threads: int, levels: Any) -> None:
+    def _greet(self, address: str, told: Mapping[str, Any], levels: Any) -> None:
         """Note which isolation a worker has, or why it is left out."""
-        if isinstance(levels, OSError) and not isinstance(levels, TimeoutError):
-            return  # it has gone; if not, it is asked again
+        worker = self._workers[address] = _Worker(told["host"])
         if isinstance(levels, Exception):
-            self._leave_out(worker, _cannot(levels))
-        elif threads > 1:
-            self._leave_out(worker, f"it has {threads} threads; start it with --nthreads 1")
+            self._leave_out(address, _cannot(levels))
+        elif told["nthreads"] > 1:
+            self._leave_out(address, f"it has {told['nthreads']} threads; start it with --nthreads 1")
         elif not set(levels) & set(self._allowed):
             has, wanted = " or ".join(levels) or "none", " or ".join(self._allowed)
-            self._leave_out(worker, f"its isolation is {has}, not {wanted}; see 'judge doctor' there")
+            self._leave_out(address, f"its isolation is {has}, not {wanted}; see 'judge doctor' there")
         else:
-            self._levels[worker] = levels
+            worker.levels = levels
+
+
+class _Worker(Struct):
+    """A worker that is there: its machine, the isolation that it gives, and why it is left out, if so."""
+
+    host: str
+    levels: tuple[str, ...] = ()
+    unfit: str = ""
 
 
 def _cannot(fault: Exception) -> str:
@@ -305,8 +310,7 @@ def _read(where: str) -> str:
     try:
         return str(msgspec.json.decode(read_ordinary(Path(where)))["address"])
     except OSError as fault:
-        reason = (fault.strerror or "it failed").lower()
-        raise UsageError(f"cannot be read ({reason})", where=where, remedy=_FORMS) from fault
+        raise unreadable(Path(where), fault, _FORMS) from fault
     except (msgspec.DecodeError, UnicodeDecodeError, KeyError, TypeError) as fault:
         raise UsageError("is not the file of a dask scheduler", where=where, remedy=_FORMS) from fault
 

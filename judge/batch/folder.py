@@ -24,7 +24,14 @@ from msgspec.structs import replace
 
 from judge.batch.model import Handin
 from judge.errors import JudgeError, UsageError
-from judge.files import NOT_FOLLOWED, RefusedError, files_below, read_below, why_unreadable
+from judge.files import (
+    NOT_FOLLOWED,
+    RefusedError,
+    files_below,
+    read_below,
+    unreadable,
+    why_unreadable,
+)
 from judge.languages import SUFFIX, is_program, language_of
 from judge.problem.find import fitting_problems, id_of, problem_folders, signs
 
@@ -37,13 +44,11 @@ _NO_PROBLEM = "no kata has that name, and it defines no kata's function"
 class ClassFolder(Struct, frozen=True):
     """What was found: hand-ins in the order of students, problems and files.
 
-    `unplaced` are programs without a student or a problem, each with the reason; `others` are files that are
-    no programs, by their paths. Neither is judged.
+    `unplaced` are other files, and programs without a student or a problem, each with why it is not judged.
     """
 
     handins: tuple[Handin, ...]
     unplaced: tuple[Handin, ...]
-    others: tuple[str, ...]
 
 
 def read_class(
@@ -64,13 +69,10 @@ def read_class(
     root = root_of(folder)
     known = {each.name for each in problem_folders(folders)}
     reader = _Reader(root, known, folders, students)
-    handins, unplaced, others, size = [], [], [], 0
+    handins, unplaced, size = [], [], 0
     for path, why in files_below(root):
-        if why:
-            unplaced.append(Handin("", "", legible(path), b"", why))
-            continue
-        if not is_program(path):
-            others.append(legible(path))
+        if why or not is_program(path):
+            unplaced.append(Handin("", "", legible(path), why=why or "not a program, by its name"))
             continue
         found = reader.handin(path)
         size += len(found.source)
@@ -83,113 +85,22 @@ def read_class(
             unplaced.append(found)
     handins = reader.without_shared(handins)
     handins.sort(key=lambda each: (each.student, each.problem, each.file))
-    return ClassFolder(tuple(handins), tuple(unplaced), tuple(others))
+    return ClassFolder(tuple(handins), tuple(unplaced))
 
 
 def root_of(folder: Path) -> Path:
     """The folder itself, wherever links lead. Raises UsageError where it is none, or cannot be read."""
     try:
-        root = folder.resolve(strict=True)
+        root = os.path.realpath(folder, strict=True)
         os.scandir(root).close()
-    except (OSError, ValueError, RuntimeError) as fault:  # RuntimeError: a loop of links
-        reason = (getattr(fault, "strerror", None) or "no name for a folder").lower()
-        remedy = "name the folder that holds the students' folders"
-        what = f"this folder cannot be read ({reason})"
-        raise UsageError(what, where=str(folder), remedy=remedy) from fault
-    return root
+    except (OSError, ValueError) as fault:
+        raise unreadable(folder, fault, "name the folder that holds the students' folders") from fault
+    return Path(root)
 
 
 def legible(name: str) -> str:
     """A file's name as text, whatever its bytes are; letters that are composed in two ways are the same."""
     return unicodedata.normalize("NFC", os.fsencode(name).decode("utf-8", "backslashreplace"))
-
-
-class _Reader:
-    """Reads files of one class."""
-
-    def __init__(
-        self,
-        root: Path,
-        known: Collection[str],
-        folders: Sequence[Path],
-        students: Collection[str],
-    ) -> None:
-        self._root = root
-        self._known = known
-        self._folders = folders
-        self._students = students
-        self._names: dict[tuple[int, int], list[_Name]] = {}  # of files that have several
-
-    def handin(self, path: str) -> Handin:
-        """The file, by its path in the class's folder; without a problem or a student where it has none."""
-        student, problem = self._placed(PurePath(path))
-        source, why = b"", ""
-        try:
-            source = self._read(path, student)
-        except OSError as fault:
-            why = why_unreadable(fault)
-        if student and not problem and not why:
-            problem, why = self._told(source, path)
-        if not student:
-            why = why or (_BACKSLASH if "\\" in path else _NOBODY)
-        elif not problem:
-            why = why or _NO_PROBLEM
-        return Handin(student, problem, legible(path), b"" if why else source, why)
-
-    def _placed(self, path: PurePath) -> tuple[str, str]:
-        """The student and the problem that a path tells, either empty where it does not."""
-        top, *rest = path.parts
-        named = self._named(path.name)
-        if not rest:
-            return "", named
-        if legible(top) in self._students or id_of(top) not in self._known:
-            return legible(top), named
-        return legible(rest[0] if len(rest) > 1 else _stem(rest[0])), id_of(top)
-
-    def _named(self, name: str) -> str:
-        found = id_of(_stem(name))
-        return found if found in self._known else ""
-
-    def _told(self, source: bytes, path: str) -> tuple[str, str]:
-        """The problem that the text tells, or why there is none."""
-        try:
-            fitting = fitting_problems(signs(source, path), self._folders)
-        except JudgeError as fault:  # of a problem that is broken, or of this text
-            return "", str(fault).removeprefix(f"{path}: ")
-        if len(fitting) > 1:
-            return "", f"it fits {' and '.join(each.id for each in fitting)}"
-        return (fitting[0].id, "") if fitting else ("", "")
-
-    def without_shared(self, handins: Sequence[Handin]) -> list[Handin]:
-        """The hand-ins without the source of a file that has names in the folders of several students.
-
-        It stays with the only one of them whose folder has the file's owner.
-        """
-        refused: dict[str, str] = {}
-        for names in self._names.values():
-            if len({name.student for name in names}) > 1:
-                owners = {name.student for name in names if name.owned}
-                for name in names:
-                    other = next(each for each in names if each.student != name.student)
-                    if owners != {name.student}:
-                        refused[name.file] = f"it is the same file as {other.file} (a hard link); copy it"
-        return [
-            replace(each, source=b"", why=refused[each.file]) if each.file in refused else each
-            for each in handins
-        ]
-
-    def _read(self, path: str, student: str) -> bytes:
-        """The bytes of a file of that student's, wherever links within their folder lead. Raises OSError."""
-        source, real, found = read_below(self._root, path)
-        whose = self._placed(PurePath(real))[0]
-        if real != path and whose != student:
-            where = f"{whose}'s folder" if whose else "a file of nobody"
-            raise RefusedError(errno.EXDEV, f"it is a link to {where}, {NOT_FOLLOWED}")
-        if found.st_nlink > 1:
-            owned = (self._root / real).parent.stat().st_uid == found.st_uid
-            name = _Name(student, legible(path), owned=owned)
-            self._names.setdefault((found.st_dev, found.st_ino), []).append(name)
-        return source
 
 
 class _Name(Struct, frozen=True):
@@ -198,6 +109,80 @@ class _Name(Struct, frozen=True):
     student: str
     file: str
     owned: bool
+
+
+class _Reader(Struct):
+    """Reads files of one class; `names` are those of files that have several, by device and inode."""
+
+    root: Path
+    known: Collection[str]
+    folders: Sequence[Path]
+    students: Collection[str]
+    names: dict[tuple[int, int], list[_Name]] = {}
+
+    def handin(self, path: str) -> Handin:
+        """The file, by its path in the class's folder; without a problem or a student where it has none."""
+        student, problem = self._placed(PurePath(path))
+        source, why = b"", ""
+        try:
+            source = self._read(path, student)
+            if student and not problem:
+                problem = self._told(source, path)
+        except OSError as fault:
+            why = why_unreadable(fault)
+        except JudgeError as fault:  # of a problem that is broken, or of this text
+            why = str(fault).removeprefix(f"{path}: ")
+        if not student:
+            why = why or (_BACKSLASH if "\\" in path else _NOBODY)
+        return Handin(student, problem, legible(path), b"" if why else source, why)
+
+    def _placed(self, path: PurePath) -> tuple[str, str]:
+        """The student and the problem that a path tells, either empty where it does not."""
+        top, *rest = path.parts
+        named = id_of(_stem(path.name))
+        problem = named if named in self.known else ""
+        if not rest:
+            return "", problem
+        if legible(top) in self.students or id_of(top) not in self.known:
+            return legible(top), problem
+        return legible(rest[0] if len(rest) > 1 else _stem(rest[0])), id_of(top)
+
+    def _told(self, source: bytes, path: str) -> str:
+        """The problem that the text tells. Raises JudgeError where it tells none."""
+        fitting = [each.id for each in fitting_problems(signs(source, path), self.folders)]
+        if len(fitting) != 1:
+            raise JudgeError(f"it fits {' and '.join(fitting)}" if fitting else _NO_PROBLEM)
+        return fitting[0]
+
+    def _read(self, path: str, student: str) -> bytes:
+        """The bytes of a file of that student's, wherever links within their folder lead. Raises OSError."""
+        source, real, found = read_below(self.root, path)
+        whose = self._placed(PurePath(real))[0]
+        if real != path and whose != student:
+            where = f"{whose}'s folder" if whose else "a file of nobody"
+            raise RefusedError(errno.EXDEV, f"it is a link to {where}, {NOT_FOLLOWED}")
+        if found.st_nlink > 1:
+            owned = (self.root / real).parent.stat().st_uid == found.st_uid
+            name = _Name(student, legible(path), owned=owned)
+            self.names.setdefault((found.st_dev, found.st_ino), []).append(name)
+        return source
+
+    def without_shared(self, handins: Sequence[Handin]) -> list[Handin]:
+        """The hand-ins without the source of a file that has names in the folders of several students.
+
+        It stays with the only one of them whose folder has the file's owner.
+        """
+        refused: dict[str, str] = {}
+        for names in self.names.values():
+            owners = {name.student for name in names if name.owned}
+            for name in names:
+                other = next((each.file for each in names if each.student != name.student), None)
+                if other is not None and owners != {name.student}:
+                    refused[name.file] = f"it is the same file as {other} (a hard link); copy it"
+        return [
+            replace(each, source=b"", why=refused[each.file]) if each.file in refused else each
+            for each in handins
+        ]
 
 
 def _stem(name: str) -> str:

@@ -1,8 +1,7 @@
 """Who hands in what, and the row that comes of it: values that every other part of a batch speaks of.
 
-A *hand-in* is a file of one student. A *task* is what a worker needs to judge one: text and bytes, so that
-it can go to another process or machine. A *row* is what is kept of a hand-in: the published result, and who
-judged it where.
+A *hand-in* is a file of one student. A *task* is what a worker needs to judge one: it can go to another
+process or machine. A *row* is what is kept of a hand-in: the published result, and who judged it where.
 """
 
 from __future__ import annotations
@@ -15,6 +14,7 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from judge.cache import digest
+from judge.judging.api import RunOptions
 from judge.problem.model import Verdict
 from judge.run.result import Result, judge_fault, read_result
 
@@ -54,8 +54,8 @@ class Standard(Struct, frozen=True):
 
 
 class Task(Struct, frozen=True):
-    """What a worker is sent: the problem's id, the file's name for messages, its bytes, and as JSON the terms
-    of judging and the standard that the worker must agree with.
+    """What a worker is sent: the problem's id, the file's name for messages, its bytes, how to judge it, and
+    the standard that the worker must agree with.
 
     `folders` are folders of problems to look in first, on the machine that sends it.
     """
@@ -63,56 +63,50 @@ class Task(Struct, frozen=True):
     problem: str
     name: str
     source: bytes
-    terms: str
-    standard: str
+    options: RunOptions
+    standard: Standard
     folders: tuple[str, ...] = ()
 
 
 class Done(Struct, frozen=True):
-    """What a worker sends back, as JSON: the published result, its notes, and where it was judged.
+    """What a worker sends back: the published result, and where it was judged.
 
-    `machine` is the host's name, `busy` says why the ratio deserves less belief (empty where it does not),
-    `seconds` is the CPU time that the worker and its boxes used for it; `points` is what there was to earn.
+    `machine` is the host's name, `seconds` the CPU time that the worker and its boxes used for it.
     """
 
     result: dict[str, Any]
-    notes: tuple[str, ...] = ()
     machine: str = ""
     worker: str = ""
-    busy: str = ""
     seconds: float = 0.0
-    points: int = 0
+
+    @classmethod
+    def fault(cls, problem: str, name: str, why: str) -> Done:
+        """What there is of a file that could not be judged: JE."""
+        return cls(judge_fault(problem, name, why).as_json())
 
 
 class Row(Struct, frozen=True, dict=True):
-    """What is kept of one hand-in; `key` is the digest of the hand-in and its standard.
+    """What is kept of one hand-in: `digest` is that of the source, `at` the second of the epoch.
 
-    `copied` names the file of equal bytes that was judged in its place, empty where it was judged itself.
-    `json` is a `Done`, `at` the second of the epoch, `standard` a `Standard` as JSON.
+    It has no standard where nothing was judged. `copied` names the file of equal bytes that was judged in its
+    place, empty where it was judged itself.
     """
 
-    key: str
     student: str
     problem: str
     file: str
     digest: str
-    verdict: str
-    score: int
-    points: int
-    mistake: str
-    machine: str
-    isolation: str
+    done: Done
+    standard: Standard | None
     at: float
-    copied: str
-    json: str
-    standard: str = ""
-
-    @cached_property
-    def done(self) -> Done:
-        """What the worker sent."""
-        return msgspec.json.decode(self.json, type=Done)
+    copied: str = ""
 
     @property
+    def key(self) -> str:
+        """The digest of the hand-in and its standard; a later row of one key takes the place of another."""
+        return digest(msgspec.json.encode((text_of(self), self.standard)))
+
+    @cached_property
     def result(self) -> Result:
         """What it came to; JE where what is kept cannot be read."""
         try:
@@ -123,4 +117,14 @@ class Row(Struct, frozen=True, dict=True):
     @property
     def accepted(self) -> bool:
         """Whether the verdict is AC."""
-        return self.verdict == Verdict.AC.name
+        return self.result.verdict is Verdict.AC
+
+    @property
+    def mistake(self) -> str:
+        """The name of the mistake behind it, or nothing."""
+        return self.result.pitfall.name if self.result.pitfall else ""
+
+
+def text_of(each: Handin | Row) -> tuple[str, str, str, str]:
+    """Whose text it is, for what, in which file, and the digest of the text."""
+    return each.student, each.problem, each.file, each.digest

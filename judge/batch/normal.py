@@ -92,11 +92,10 @@ def _drop_remarks(node: ast.AST) -> None:
 
 
 def _is_remark(node: ast.AST) -> bool:
-    return (
-        isinstance(node, ast.Expr)
-        and isinstance(node.value, ast.Constant)
-        and isinstance(node.value.value, str)
-    )
+    match node:
+        case ast.Expr(value=ast.Constant(value=str())):
+            return True
+    return False
 
 
 def _number(nodes: list[ast.AST], own: set[str]) -> None:

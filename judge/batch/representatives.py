@@ -44,11 +44,11 @@ def smallest_cases(
     found: dict[tuple[str, str], Result] = {}
     for problem in dict.fromkeys(row.problem for row in rows):
         own = [row for row in rows if row.problem == problem]
-        broken = [row for row in own if Verdict(row.verdict) in _BROKEN and row.file in sources]
+        broken = [row for row in own if row.result.verdict in _BROKEN and row.file in sources]
         texts = {row.digest: row for row in broken}
         shrunk = _shrunk(problems[problem], texts, sources, options, bars) if problem in problems else {}
         for row in own:
-            found[problem, row.file] = shrunk.get((row.digest, row.verdict), row.result)
+            found[problem, row.file] = shrunk.get((row.digest, row.result.verdict), row.result)
     return found
 
 
@@ -58,9 +58,9 @@ def _shrunk(
     sources: Mapping[str, bytes],
     options: RunOptions,
     bars: Bars,
-) -> dict[tuple[str, str], Result]:
+) -> dict[tuple[str, Verdict], Result]:
     """The results by digest and verdict, with the smallest failing cases."""
-    found: dict[tuple[str, str], Result] = {}
+    found: dict[tuple[str, Verdict], Result] = {}
     if not texts:
         return found
     try:
@@ -69,7 +69,7 @@ def _shrunk(
                 if advance:
                     advance(done, len(texts))
                 result = session.judge(sources[row.file], PurePath(row.file).name)
-                found[digest, result.verdict.value] = result
+                found[digest, result.verdict] = result
     except JudgeError:  # the pages show the failing cases as they are
         return found
     return found

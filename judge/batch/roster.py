@@ -17,7 +17,7 @@ from pathlib import Path
 from judge.batch.folder import legible
 from judge.batch.model import Handin
 from judge.errors import UsageError
-from judge.files import read_ordinary
+from judge.files import read_ordinary, unreadable
 from judge.report.published_klass import Student
 
 _LARGEST = 2**24  # bytes
@@ -37,22 +37,17 @@ def read_students(path: Path) -> list[Student]:
     head = next(rows, None)
     if head is None:
         raise UsageError("this list of students is empty", where=str(path), remedy=_REMEDY)
-    titles = [title.strip().casefold() for title in head[1]]
-    places = {title: place for place, title in reversed(list(enumerate(titles)))}
-    first = places.get("id", 0)
+    titles = [title.casefold() for title in head[1]]
     students: dict[str, Student] = {}
     lines: dict[str, int] = {}
     for number, row in rows:
-        cells = [cell.strip() for cell in row]
-        if not any(cells):
-            continue
-        found = cells[first] if first < len(cells) else ""
+        cells = dict(zip(titles, row, strict=False))
+        found = cells.get("id", "") if "id" in titles else row[0]
         if not found:
             raise _bad(path, number, "there is no id in this line", "write one, or take the line out")
         if len(found) > _LONGEST:
             raise _bad(path, number, f"an id of {len(found):,} characters", "write a shorter one")
-        name, group = _cell(cells, places.get("name")), _cell(cells, places.get("group"))
-        student = Student(legible(found), name, group)
+        student = Student(legible(found), cells.get("name", ""), cells.get("group", ""))
         if student.id in students:
             what = f"{found} is in line {lines[student.id]} already"
             raise _bad(path, number, what, "take one of the two lines out")
@@ -69,16 +64,11 @@ def everyone(listed: Sequence[Student], handins: Iterable[Handin]) -> list[Stude
     return [*listed, *(Student(each, known=not listed) for each in others)]
 
 
-def _cell(cells: Sequence[str], place: int | None) -> str:
-    return cells[place] if place is not None and place < len(cells) else ""
-
-
 def _text(path: Path) -> str:
     try:
         content = read_ordinary(path, _LARGEST + 1)
     except (OSError, ValueError) as fault:
-        reason = (getattr(fault, "strerror", None) or "no name for a file").lower()
-        raise UsageError(f"cannot be read ({reason})", where=str(path), remedy="name a CSV file") from fault
+        raise unreadable(path, fault, "name a CSV file") from fault
     if len(content) > _LARGEST:
         raise UsageError(f"this file is larger than {_LARGEST // 2**20} MB", where=str(path), remedy=_REMEDY)
     try:
@@ -89,7 +79,7 @@ def _text(path: Path) -> str:
 
 
 def _rows(text: str, path: Path) -> Iterator[tuple[int, list[str]]]:
-    """The rows, each with the number of the line that it begins in. Raises UsageError."""
+    """The rows that are not empty, each with the number of the line that it begins in. Raises UsageError."""
     head = text.lstrip("\r\n").partition("\n")[0]
     told = _SEPARATOR.fullmatch(head.strip())
     sign = told[1] if told else max(_SIGNS, key=head.count)
@@ -104,8 +94,8 @@ def _rows(text: str, path: Path) -> Iterator[tuple[int, list[str]]]:
             raise _bad(path, number, f"this is not a line of a CSV file ({fault})") from fault
         if told and _SEPARATOR.fullmatch(sign.join(row)):
             continue
-        if any(cell.strip() for cell in row):
-            yield number, row
+        if any(cells := [cell.strip() for cell in row]):
+            yield number, cells
 
 
 def _bad(path: Path, number: int, what: str, remedy: str = _REMEDY) -> UsageError:

@@ -7,10 +7,10 @@ are put together by their rows' keys.
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
-import msgspec
 from msgspec import Struct
 
 from judge.batch.model import Handin, Row, Standard
@@ -18,6 +18,7 @@ from judge.batch.standard import differing
 from judge.batch.store import STORE, Store
 from judge.cache import digest
 from judge.errors import StoreError, UsageError
+from judge.report.words import counted
 
 _FORM = re.compile(r"([0-9]{1,6})/([0-9]{1,6})", re.ASCII)
 
@@ -58,33 +59,31 @@ def merged(store: Store, parts: Sequence[Path]) -> list[str]:
     for path in parts:
         if path.absolute() == store.path.absolute():
             raise UsageError("a file cannot be merged into itself", where=str(path))
-        with _opened(path) as part:
-            for row in part.every():
-                old = rows.get(row.key)
-                rows[row.key] = row if old is None or old.at < row.at else old
+        for row in _rows_of(path):
+            old = rows.setdefault(row.key, row)
+            if old.at < row.at:
+                rows[row.key] = row
     store.keep_all(rows.values())
-    files = f"{len(parts)} file{'s' * (len(parts) != 1)}"
-    return [f"{len(rows)} rows merged from {files}", *_apart(rows.values())]
+    return [f"{len(rows)} rows merged from {counted(len(parts), 'file')}", *_apart(rows.values())]
 
 
-def _opened(path: Path) -> Store:
+def _rows_of(path: Path) -> list[Row]:
     try:
-        return Store.open(path, reading=True)
+        with Store.read(path) as part:
+            return part.every()
     except StoreError as fault:
-        unsaid = fault.remedy in (None, STORE.elsewhere)
-        remedy = "name the files that 'python -m judge.batch shard' wrote" if unsaid else fault.remedy
-        raise StoreError(fault.what, where=fault.where, remedy=remedy) from fault
+        if fault.remedy in (None, STORE.elsewhere):
+            fault.remedy = "name the files that 'python -m judge.batch shard' wrote"
+        raise
 
 
 def _apart(rows: Iterable[Row]) -> list[str]:
     """In what the standards of rows differ that are now in one file; the data of two problems always do."""
     first: dict[str, Standard] = {}
-    said: dict[str, int] = {}
+    said = Counter[str]()
     for row in sorted(rows, key=lambda row: (row.problem, row.at)):
-        if row.standard:
-            standard = msgspec.json.decode(row.standard, type=Standard)
-            parts = differing(first.setdefault(row.problem, standard), standard)
-            said[parts] = said.get(parts, 0) + 1
+        if row.standard is not None:
+            said[differing(first.setdefault(row.problem, row.standard), row.standard)] += 1
     return [
         f"the rows were not judged alike: {parts} in {count} of them"
         for parts, count in said.items()

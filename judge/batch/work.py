@@ -1,39 +1,34 @@
 """What a worker does, on this machine or another: judge one task, and say where that was.
 
-`judge_task` and `learn_task` are module functions, known by their names in every process; text and bytes go
-in and text comes out. What a problem needs stays warm from one task to the next, for a few problems.
+`judge_task` and `learn_task` are module functions, known by their names in every process. What a problem
+needs stays warm from one task to the next, for a few problems.
 """
 
 from __future__ import annotations
 
 import atexit
-import json
 import os
 import resource
 import time
 from collections import OrderedDict
-from functools import cache
 from pathlib import Path
 
-import msgspec
 from msgspec.structs import replace
 
-from judge.batch.model import Done, Standard, Task
+from judge.batch.model import Done, Task
 from judge.batch.standard import differing, standard_of
 from judge.errors import ProblemError, UsageError
-from judge.judging.api import RunOptions
 from judge.judging.session import Session
-from judge.problem import Group, Problem
 from judge.problem.find import find_problem
-from judge.problem.model import chosen_groups
 from judge.run.reference import check_needs
 from judge.run.result import judge_fault
 
 _WARM = 4  # problems whose data, reference and known mistakes a worker keeps at a time
+_sessions: OrderedDict[Task, Session] = OrderedDict()  # that was used longest ago first
 
 
-def judge_task(task: Task) -> str:
-    """Judge it: a `Done`, as JSON. A problem that cannot be judged is the result JE.
+def judge_task(task: Task) -> Done:
+    """Judge it. A problem that cannot be judged is the result JE.
 
     Raises:
         UsageError: there is no such problem here, this worker does not judge by the task's standard, or the
@@ -41,19 +36,13 @@ def judge_task(task: Task) -> str:
     """
     began = _cpu()
     try:
-        session = _benches().session(task)
-        points = sum(group.points for group in _chosen(session))
-        result = session.judge(task.source, task.name)
+        result = _session(task).judge(task.source, task.name)
     except ProblemError as fault:
-        points, result = 0, judge_fault(task.problem, task.name, str(fault))
-    plain = result.as_json()
+        result = judge_fault(task.problem, task.name, str(fault))
     own, boxes = (now - before for now, before in zip(_cpu(), began, strict=True))
     seconds = round(own + max(boxes, result.time.cpu_seconds), 6)  # a box may keep its children's to itself
     machine = os.uname().nodename
-    ratio = result.time.ratio
-    busy = ratio.busy if ratio else ""
-    done = Done(plain, result.notes, machine, f"{machine}:{os.getpid()}", busy, seconds, points)
-    return _text(done)
+    return Done(result.as_json(), machine, f"{machine}:{os.getpid()}", seconds)
 
 
 def learn_task(task: Task) -> str:
@@ -61,88 +50,46 @@ def learn_task(task: Task) -> str:
     not judged. Why that cannot be done, or nothing. Raises as `judge_task`.
     """
     try:
-        session = _benches().session(task)
-        session.learn()
+        _session(task).learn()
     except ProblemError as fault:
         return str(fault)
     return ""
 
 
-def fault_done(task: Task, why: str) -> str:
-    """What is kept of a task that no worker could do: JE, as a `Done` in JSON."""
-    return _text(Done(judge_fault(task.problem, task.name, why).as_json()))
-
-
-def _text(done: Done) -> str:
-    """The value as JSON; half of a surrogate pair, which a submission may answer, is a question mark."""
-    try:
-        return msgspec.json.encode(done).decode()
-    except UnicodeEncodeError:
-        plain = json.dumps(msgspec.to_builtins(done), ensure_ascii=False)
-        return plain.encode("utf-8", "replace").decode()
-
-
 def release() -> None:
     """End what this process keeps warm; the next task opens it again."""
-    _benches().close()
+    while _sessions:
+        _sessions.popitem()[1].close()
 
 
-class _Benches:
-    """The sessions of a worker, the one that was used longest ago first."""
-
-    def __init__(self) -> None:
-        self._open: OrderedDict[tuple[str, str, str, tuple[str, ...]], Session] = OrderedDict()
-
-    def session(self, task: Task) -> Session:
-        """The session that judges such a task. Raises as `judge_task`, and ProblemError."""
-        key = task.problem, task.terms, task.standard, task.folders
-        if key not in self._open:
-            session = _opened(task)
-            while len(self._open) >= _WARM:
-                self._open.popitem(last=False)[1].close()
-            self._open[key] = session
-        self._open.move_to_end(key)
-        return self._open[key]
-
-    def close(self) -> None:
-        """End what the sessions hold."""
-        while self._open:
-            self._open.popitem()[1].close()
+atexit.register(release)
 
 
-@cache
-def _benches() -> _Benches:
-    """Those of this process."""
-    benches = _Benches()
-    atexit.register(benches.close)
-    return benches
+def _session(task: Task) -> Session:
+    """The session that judges such a task. Raises as `judge_task`, and ProblemError."""
+    kind = replace(task, name="", source=b"")
+    session = _sessions.pop(kind, None) or _opened(task)
+    while len(_sessions) >= _WARM:
+        _sessions.popitem(last=False)[1].close()
+    _sessions[kind] = session
+    return session
 
 
 def _opened(task: Task) -> Session:
     problem = find_problem(task.problem, [Path(folder) for folder in task.folders])
-    asked = msgspec.json.decode(task.terms, type=RunOptions)
-    standard = msgspec.json.decode(task.standard, type=Standard)
-    parts = differing(standard, standard_of(problem, asked, standard.isolation))
+    options, isolation = task.options, task.standard.isolation
+    parts = differing(task.standard, standard_of(problem, options, isolation))
     if parts:
         remedy = "bring the judge, its problems and Python to one version"
         where = f"{task.problem} on {os.uname().nodename}"
         what = f"what judges here differs from what was asked for: {parts}"
         raise UsageError(what, where=where, remedy=remedy)
-    if asked.timed:
-        _check_needs(problem)
-    return Session(problem, replace(asked, isolation=standard.isolation or asked.isolation))
-
-
-def _chosen(session: Session) -> tuple[Group, ...]:
-    return chosen_groups(session.problem, session.options.groups, session.options.level)
-
-
-def _check_needs(problem: Problem) -> None:
-    """Raise ProblemError where a module is missing that its solutions need: that costs this problem alone."""
-    try:
-        check_needs(problem)
-    except UsageError as fault:
-        raise ProblemError(fault.what, remedy=fault.remedy) from fault
+    if options.timed:
+        try:
+            check_needs(problem)
+        except UsageError as fault:  # a module that its solutions need is missing: this problem alone
+            raise ProblemError(fault.what, remedy=fault.remedy) from fault
+    return Session(problem, replace(options, isolation=isolation or options.isolation))
 
 
 def _cpu() -> tuple[float, float]:

@@ -135,20 +135,16 @@ class ClassRow(Published, frozen=True):
     listed: bool
     problem: str
     file: str
-    verdict: str
+    verdict: Verdict
     score: int
-    points: int
     mistake: str | None
     copied: str | None
     kept: bool
     machine: str | None
     worker: str | None
-    isolation: str | None
-    busy: str | None
     cpu_seconds: float
     judged_at: float
     standard: dict[str, str] | None
-    notes: tuple[str, ...]
     result: dict[str, Any]
 
 

@@ -12,6 +12,7 @@ from pathlib import Path
 
 import pytest
 from cli_support import FLOOR, MEAN
+from msgspec.structs import replace
 
 from judge.batch import standard
 from judge.batch.__main__ import main as batch
@@ -43,7 +44,7 @@ def rows(outcome):
 
 
 def stored(name="homework.judge.sqlite3"):
-    with Store.open(Path(name), reading=True) as store:
+    with Store.read(Path(name)) as store:
         newest = {(row.student, row.problem, row.file): row for row in store.every()}
     return [newest[place] for place in sorted(newest)]
 
@@ -102,7 +103,7 @@ def test_only_what_is_new_is_judged(judge, homework, submit, monkeypatch):
     assert "4 results kept from before" in judge("class", "homework").err
     there = ("ada/middle.py", "bob/middle.py", "cy/homework.py", "ada/middle.py")
     assert [row.digest for row in stored()] == [first[file].digest for file in there]
-    with Store.open(Path("homework.judge.sqlite3"), reading=True) as store:
+    with Store.read(Path("homework.judge.sqlite3")) as store:
         assert len({row.digest for row in store.every() if row.student == "bob"}) == 2
     before = {row.file: row.at for row in stored()}
     assert judge("class", "homework", "--again", "ada").status == 1
@@ -138,10 +139,8 @@ def untimed(found):
     """Rows as JSON, without their times and the worker."""
     plain = []
     for row in found:
-        done = json.loads(row.json)
-        done |= {"result": lasting(done["result"]), "seconds": 0, "worker": "", "busy": ""}
-        fields = [name for name in row.__struct_fields__ if name not in ("at", "json")]
-        plain.append({name: getattr(row, name) for name in fields} | {"json": done})
+        done = replace(row.done, result=lasting(row.done.result), seconds=0, worker="")
+        plain.append(replace(row, at=0, done=done))
     return plain
 
 
@@ -195,7 +194,7 @@ def test_the_same_command_goes_on_after_any_end(judge, submit, how):
     final = stored()
     assert len(final) == len({row.key for row in final}) == 6
     assert {row.key: row.at for row in kept}.items() <= {row.key: row.at for row in final}.items()
-    assert {row.verdict for row in final} == {"WA"}
+    assert {row.result.verdict.value for row in final} == {"WA"}
 
 
 SBATCH = """#!/bin/sh

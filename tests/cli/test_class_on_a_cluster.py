@@ -29,7 +29,7 @@ SOURCES = (
     "def middle(a, b)\n",
 )
 STUDENTS = 9
-TELLING = ("student", "problem", "file", "verdict", "score", "points", "mistake")
+TELLING = ("student", "problem", "file", "verdict", "score", "mistake")
 SETTINGS = """
 distributed:
   comm:
@@ -133,7 +133,7 @@ def test_killed_workers_and_a_killed_client_lose_nothing(homework, tmp_path, jud
     assert {row["file"]: facts(row) for row in rows} == {row["file"]: facts(row) for row in plain}
     assert status == 1
     assert "kept from before" in said
-    assert len({row["isolation"] for row in rows if row["verdict"] != "CE"} - {"limits"}) == 1
+    assert len({row["result"]["isolation"] for row in rows if row["verdict"] != "CE"} - {"limits"}) == 1
 
 
 def test_a_lost_scheduler_is_a_line_and_what_is_judged_is_kept(homework, tmp_path, judge):

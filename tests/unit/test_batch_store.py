@@ -8,26 +8,31 @@ import subprocess
 import sys
 
 import pytest
-from msgspec.structs import replace
 
-from judge.batch.model import Row
+from judge.batch.model import Done, Row, Standard
 from judge.batch.store import Store, store_of
 from judge.errors import StoreError
+from judge.run.result import judge_fault
 
 
-def row(key="k", student="ada", file="ada/middle.py", at=1.0, **more):
-    plain = Row(key, student, "middle", file, "d" + key, "WA", 40, 100, "floor", "lab", "full", at, "", "{}")
-    return replace(plain, **more)
+def row(digest="k", verdict="WA", file="ada/middle.py", at=1.0):
+    result = judge_fault("middle", file, "why").as_json() | {"verdict": verdict}
+    return Row("ada", "middle", file, digest, Done(result, "lab"), Standard("1", "2", "3", "full", "5"), at)
+
+
+def opened(path):
+    with Store.open(path) as store:
+        return store.every()
 
 
 def test_rows_are_there_when_the_file_is_opened_again(tmp_path):
     path = store_of(tmp_path / "class")
     assert path == tmp_path / "class.judge.sqlite3"
-    old, new, other = row("a"), row("b", at=2.0, verdict="AC"), row("c", file="ada/other.py", at=3.0)
+    old, new, other = row("a"), row("b", "AC", at=2.0), row("c", file="ada/other.py", at=3.0)
     with Store.open(path) as store:
         store.keep_all([new])
         store.keep_all([old, other])
-    with Store.open(path, reading=True) as store:
+    with Store.read(path) as store:
         assert store.every() == [old, new, other]
         assert [each.accepted for each in store.every()] == [False, True, False]
     assert [each.name for each in tmp_path.iterdir()] == [path.name]
@@ -38,8 +43,8 @@ def test_one_judge_writes_and_others_may_read(tmp_path):
     with Store.open(path) as store:
         store.keep_all([row()])
         with pytest.raises(StoreError, match="another judge is writing to it; wait until it has ended"):
-            Store.open(path)
-        with Store.open(path, reading=True) as reader:
+            opened(path)
+        with Store.read(path) as reader:
             assert len(reader.every()) == 1
     with Store.open(path) as store:
         assert len(store.every()) == 1
@@ -48,12 +53,12 @@ def test_one_judge_writes_and_others_may_read(tmp_path):
 KILLED = """
 import os, pathlib, sys
 from judge import database
-from judge.batch.model import Row
+from judge.batch.model import Done, Row
 from judge.batch.store import Store
-store = Store.open(pathlib.Path(sys.argv[1]))
-for at in range(5):
-    store.keep_all([Row(str(at), "ada", "p", str(at), "d", "AC", 1, 1, "", "", "", at, "", "{}")])
-os.kill(os.getpid(), 9)
+with Store.open(pathlib.Path(sys.argv[1])) as store:
+    for at in range(5):
+        store.keep_all([Row("ada", "p", str(at), "d", Done({}), None, at)])
+    os.kill(os.getpid(), 9)
 """
 
 
@@ -61,7 +66,7 @@ def test_a_judge_that_is_killed_loses_no_row_and_leaves_no_lock(tmp_path):
     path = tmp_path / "s.sqlite3"
     subprocess.run([sys.executable, "-c", KILLED, str(path)], check=False, timeout=60)
     with Store.open(path) as store:
-        assert [each.key for each in store.every()] == ["0", "1", "2", "3", "4"]
+        assert [each.file for each in store.every()] == ["0", "1", "2", "3", "4"]
 
 
 def foreign(path):
@@ -84,7 +89,7 @@ def test_a_file_that_is_not_ours_is_one_line_and_left_alone(tmp_path, make, told
     make(path)
     before = None if path.is_dir() else path.read_bytes()
     with pytest.raises(StoreError, match=told) as refused:
-        Store.open(path)
+        opened(path)
     assert "\n" not in str(refused.value)
     assert before is None or path.read_bytes() == before
     assert [each.name for each in tmp_path.iterdir()] == ["s.sqlite3"]
@@ -104,10 +109,10 @@ def test_a_fault_leaves_no_file_that_holds_nothing(tmp_path):
     assert [each.name for each in tmp_path.iterdir()] == [path.name]
     path.unlink()
     with pytest.raises(StoreError, match="there is no such file of results"):
-        Store.open(path, reading=True)
+        Store.read(path).__enter__()
     with Store.open(path):  # a shard may have nothing to do
         pass
     failing()
     assert path.exists()
-    with pytest.raises(StoreError, match="cannot be written"):
-        Store.open(tmp_path / "no\0name")
+    with pytest.raises(StoreError, match="cannot be opened"):
+        opened(tmp_path / "no\0name")

@@ -6,13 +6,12 @@ import json
 import os
 from pathlib import Path
 
-import msgspec
 import pytest
 from msgspec.structs import replace
 
 import judge
 from judge.batch import work
-from judge.batch.model import Done, Standard, Task
+from judge.batch.model import Task
 from judge.batch.standard import level_here, standard_of
 from judge.batch.work import judge_task, learn_task
 from judge.errors import UsageError
@@ -37,8 +36,7 @@ def task():
     problem = find_problem("middle", [PACK])
     level, _ = level_here(problem, TERMS)
     standard = standard_of(problem, TERMS, level)
-    plain = (msgspec.json.encode(each).decode() for each in (TERMS, standard))
-    return Task("middle", "ada/middle.py", FLOOR, *plain, (str(PACK),))
+    return Task("middle", "ada/middle.py", FLOOR, TERMS, standard, (str(PACK),))
 
 
 def without_times(plain):
@@ -50,8 +48,7 @@ def without_times(plain):
 @pytest.mark.slow
 def test_a_task_is_judged_as_judge_run_does(task):
     assert learn_task(task) == ""
-    text = judge_task(task)
-    done = msgspec.json.decode(text, type=Done)
+    done = judge_task(task)
     plain = judge.judge(
         "middle", FLOOR, name="ada/middle.py", folders=[PACK], options=judge.RunOptions(diagnosed=False)
     )
@@ -65,9 +62,9 @@ def test_a_task_is_judged_as_judge_run_does(task):
     ("part", "words"), [("data", "the problem's files (else → "), ("python", "Python (else → cpython 3.")]
 )
 def test_another_standard_is_refused_in_one_line(task, part, words):
-    standard = replace(msgspec.json.decode(task.standard, type=Standard), **{part: "else"})
+    standard = replace(task.standard, **{part: "else"})
     with pytest.raises(UsageError) as refused:
-        judge_task(replace(task, standard=msgspec.json.encode(standard).decode()))
+        judge_task(replace(task, standard=standard))
     assert words in str(refused.value)
     assert "\n" not in str(refused.value)
     assert "middle on " in str(refused.value)
@@ -77,7 +74,7 @@ def test_a_broken_problem_costs_its_own_tasks_alone(task, tmp_path):
     (tmp_path / "middle").mkdir()
     (tmp_path / "middle" / "problem.toml").write_text("title = 3\n")
     broken = replace(task, folders=(str(tmp_path),))
-    result = msgspec.json.decode(judge_task(broken), type=Done).result
+    result = judge_task(broken).result
     assert result["verdict"] == "JE"
     assert "problem.toml" in result["failure"]["message"]
     assert "problem.toml" in learn_task(broken)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import msgspec
 import pytest
 from msgspec.structs import replace
 
@@ -10,17 +9,18 @@ from judge.batch.model import Done, Handin, Standard
 from judge.batch.plan import Ground, current, planned, rows_of
 from judge.batch.shards import Shard
 from judge.errors import UsageError
+from judge.judging.api import RunOptions
 from judge.run.result import judge_fault
 
 STANDARD = Standard("1", "2", "3", "full", "5")
-GROUND = Ground({}, {"p": STANDARD, "q": STANDARD}, {"broken": "problem.toml: misspelt"}, "{}", ())
+GROUND = Ground({}, {"p": STANDARD, "q": STANDARD}, {"broken": "problem.toml: misspelt"}, RunOptions())
 ADA, BOB = Handin("ada", "p", "ada/p.py", b"one"), Handin("bob", "p", "bob/p.py", b"one")
 CY, OTHER = Handin("cy", "p", "cy/p.cpp", b"one"), Handin("ada", "q", "ada/q.py", b"one")
 
 
 def done(name, verdict="WA"):
     result = judge_fault("p", name, "why").as_json() | {"verdict": verdict, "score": 40, "isolation": "full"}
-    return msgspec.json.encode(Done(result, machine="lab1")).decode()
+    return Done(result, machine="lab1")
 
 
 def judged(plan, verdict="WA"):
@@ -43,7 +43,7 @@ def test_equal_texts_in_one_language_to_one_problem_are_judged_once():
     ada, bob, *_ = judged(plan)
     assert (ada.copied, bob.copied) == ("", "ada/p.py")
     assert [row.result.submission for row in (ada, bob)] == ["ada/p.py", "bob/p.py"]
-    assert (bob.verdict, bob.score, bob.machine, bob.points) == ("WA", 40, "lab1", 100)
+    assert (bob.result.verdict.value, bob.result.score, bob.done.machine) == ("WA", 40, "lab1")
 
 
 def test_what_is_there_is_kept_and_equals_get_copies_later_too():
@@ -61,13 +61,12 @@ def test_a_file_or_a_problem_that_cannot_be_judged_is_a_row_and_a_fault_is_tried
     odd = Handin("ada", "p", "ada/p.py", why="it is not an ordinary file")
     broken = Handin("ada", "broken", "ada/broken.py", b"x")
     plan = planned([odd, broken], [], GROUND)
-    assert [(row.verdict, row.result.failure.message) for row in plan.rows] == [
+    assert [(row.result.verdict.value, row.result.failure.message) for row in plan.rows] == [
         ("JE", "it is not an ordinary file"),
         ("JE", "problem.toml: misspelt"),
     ]
     assert plan.work == ()
     rows = judged(planned([ADA], [], GROUND), "JE")
-    assert rows[0].isolation == ""
     plan = planned([ADA, BOB], rows, GROUND)
     assert [work.handins for work in plan.work] == [(ADA, BOB)]
     assert plan.said == ()

@@ -5,25 +5,26 @@ from __future__ import annotations
 import csv
 import io
 
-import msgspec
 import pytest
 from classes import class_of, row, small_class
+from msgspec.structs import replace
 from rich.cells import cell_len
 
 from judge.batch.cohort import cohort_of, counting
 from judge.batch.model import Done, Row
 from judge.errors import ExitCode
+from judge.problem.model import Verdict
 from judge.report.formats import cell
 from judge.report.published_klass import Student, gradebook, is_gradebook
 from judge.report.screen import Screen, drawn
 from judge.report.views import view
+from judge.run.result import judge_fault
 
 
-def scored(student, problem, verdict="WA", score=40, where=("lab1", "full"), at=1.0, copied="", **done):
+def scored(student, problem, verdict="WA", score=40, at=1.0):
     file = f"{student}/{problem}-{at:g}.py"
-    plain = msgspec.json.encode(Done({"failure": {"message": "why"}}, **done)).decode()
-    key = f"{file}{verdict}"
-    return Row(key, student, problem, file, "d", verdict, score, 100, "", *where, at, copied, plain)
+    result = replace(judge_fault(problem, file, "why"), verdict=Verdict(verdict), score=score)
+    return Row(student, problem, file, "d", Done(result.as_json(), "lab1"), None, at)
 
 
 class Terminal(io.StringIO):

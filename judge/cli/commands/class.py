@@ -12,7 +12,7 @@ import click
 from msgspec import Struct
 
 from judge.batch.folder import root_of
-from judge.batch.run import Classroom, class_options
+from judge.batch.run import Classroom
 from judge.batch.store import Store, store_of
 from judge.cli.files import OutFile, moment, writing
 from judge.cli.options import Common, command, opt
@@ -74,9 +74,15 @@ def judge_class(
         with writing(ask.feedback, "name another folder with --feedback"):
             ask.feedback.mkdir(exist_ok=True)
     with Store.open(store_of(folder)) as store:
-        options, problems = class_options(common.isolation, ask.level), common.problems
         classroom = Classroom(
-            folder, store, options, students=ask.students, only=katas, folders=problems, say=note
+            folder,
+            store,
+            students=ask.students,
+            only=katas,
+            folders=common.problems,
+            isolation=common.isolation,
+            level=ask.level,
+            say=note,
         )
         try:
             with _executor(ask, common.isolation) as executor:
@@ -84,9 +90,10 @@ def judge_class(
                     if common.json:
                         yield row
         except KeyboardInterrupt:
+            found = classroom.cohort()
             if not common.json:
-                yield classroom.cohort()
-            note(f"{counted(classroom.left, 'file')} left; the same command goes on")
+                yield found
+            note(f"{counted(found.left, 'file')} left; the same command goes on")
             raise
         found = classroom.cohort()
         yield found
