@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 import judge.packs.export as export
 from judge.data.load import GroupData, ProblemData
 from judge.exact import Surd
-from judge.packs.export.forms import accepted_form, answer_form
+from judge.packs.export.forms import accepted_form, form_of
 from judge.run.program import ProgramRunner
 from judge.sandbox.boundary import Limits, ProgramResult, Stop, Usage
 from judge.values import show
@@ -171,7 +171,7 @@ def disagreements(
 
     `cases` is how many of each group are looked at, `each` how many lines there are for one.
     """
-    kind = answer_form(data.problem.answer)
+    kind = form_of(data.problem.answer)
     decided = accepted = 0
     differ: list[tuple[str, str]] = []
     for group in data.groups:
@@ -223,7 +223,7 @@ def validated(data: ProblemData, group: GroupData, output: bytes) -> bool:
     answer = data.problem.answer
     wanted = [accepted_form(answer, *data.exact(case, group.group)) for case in group.cases]
     try:
-        VALIDATOR["decide"](answer_form(answer), wanted, output)
+        VALIDATOR["decide"](form_of(answer), wanted, output)
     except VALIDATOR["Wrong"]:
         return False
     return True

@@ -27,7 +27,7 @@ from judge.problem import Problem
 from judge.run.execute import judge_submission
 from judge.run.result import Behaviour
 from judge.run.settings import Settings
-from judge.run.verify import ENOUGH, Fault, MistakeReport
+from judge.run.verify import ENOUGH, Fault, MistakeReport, fault_of
 from judge.sandbox import BoxFactory
 
 Progress = Callable[[str, int, int], None]
@@ -58,7 +58,7 @@ def verify_choices(
     """
     read = read_makers(problem)
     where = f"{problem.solutions.name}/mistakes.py"
-    faults = [Fault(each.what, each.where or where, each.remedy or "") for each in read.faults]
+    faults = [fault_of(each, where) for each in read.faults]
     choices = [maker for maker in read.all if maker.choice is not None]
     if read.family is None:
         return ChoicesReport(faults=tuple(faults))
@@ -77,7 +77,7 @@ def verify_choices(
             else:
                 counts.setdefault(maker.name, []).append(_Counted(maker, rejected[0], tuple(rejected)))
     except ProblemError as fault:
-        faults.append(Fault(fault.what, fault.where or where, fault.remedy or ""))
+        faults.append(fault_of(fault, where))
     kept = {name: _told_apart(each, read.family) for name, each in counts.items()}
     untagged, unruled = rule_faults(read.family)
     faults += untagged

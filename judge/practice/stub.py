@@ -66,9 +66,6 @@ def write_stub(problem: Problem, path: Path, *, over: bool = False) -> Path | No
         raise UsageError("its folder does not exist", where=str(path), remedy=remedy) from fault
     except OSError as fault:
         raise unwritable(path, fault, "name another file") from fault
-    except ValueError as fault:  # a NUL in the name
-        what = f"cannot be written ({fault})"
-        raise UsageError(what, where=repr(str(path)), remedy="name another file") from fault
     return None
 
 
@@ -106,20 +103,15 @@ def make_stub(problem: Problem, language: Language | None = None) -> str:
 
 
 def _python(problem: Problem, about: Iterable[str]) -> str:
-    entry, answer, width = problem.entry, problem.answer, _WIDTH - len(_INDENT)
-    given = ", ".join(f"{each.name}: {each.type.annotation}" for each in problem.parameters)
-    head, tail = f"def {entry}(", f") -> {answer.annotation}:"
-    rows = [head + given + tail]
-    if len(rows[0]) > _WIDTH:
-        rows = [head, *_wrapped(_INDENT + given, _WIDTH, subsequent_indent=_INDENT), tail]
-    signature = "\n".join(rows)
+    answer, width = problem.answer, _WIDTH - len(_INDENT)
+    signature = _signature(problem)
     named = [answer, *(parameter.type for parameter in problem.parameters)]
     meanings = dict(meaning for type_ in named for meaning in _aliases(type_))
-    types = [f"{name} = {meant}" for name, meant in sorted(meanings.items()) if _names(signature, name)]
-    if _names(signature, "array"):  # which takes no parameters at run time before Python 3.12
+    types = [f"{name} = {meant}" for name, meant in sorted(meanings.items())]
+    if re.search(r"\barray\b", signature):  # which takes no parameters at run time before Python 3.12
         types = ["from __future__ import annotations", "", "from array import array", "", *types]
     lines = [*_wrapped(problem.summary, width - len(_QUOTES)), *_contract(problem, width, _doctest)]
-    body = f'{_docstring(lines)}\nraise NotImplementedError("{entry} is still to be written")'
+    body = f'{_docstring(lines)}\nraise NotImplementedError("{problem.entry} is still to be written")'
     parts = ["\n".join([_docstring(about), "", *types]).rstrip()]
     parts.append(f"{signature}\n{textwrap.indent(body, _INDENT)}")
     if answer.measured and problem.examples and _settled(problem):
@@ -132,6 +124,14 @@ def _python(problem: Problem, about: Iterable[str]) -> str:
         where = f"{problem.id}/problem.toml"
         raise ProblemError(what, where=where, remedy="write entry and parameters as plain names") from None
     return text
+
+
+def _signature(problem: Problem) -> str:
+    given = ", ".join(f"{each.name}: {each.type.annotation}" for each in problem.parameters)
+    head, tail = f"def {problem.entry}(", f") -> {problem.answer.annotation}:"
+    if len(head + given + tail) <= _WIDTH:
+        return head + given + tail
+    return "\n".join([head, *_wrapped(_INDENT + given, _WIDTH, subsequent_indent=_INDENT), tail])
 
 
 def rounded(answer: object) -> object:
@@ -182,10 +182,6 @@ def _aliases(type_: Type) -> Iterator[tuple[str, str]]:
         yield type_.alias, type_.spelled
 
 
-def _names(signature: str, name: str) -> bool:
-    return re.search(rf"\b{name}\b", signature) is not None
-
-
 def _docstring(lines: Iterable[str]) -> str:
     text = "\n".join(line.rstrip() for line in lines)
     escaped = text.replace("\\", "\\\\").replace(_QUOTES, r"\"\"\"")
@@ -211,8 +207,8 @@ def _doctest(problem: Problem, example: Example) -> list[str]:
     if problem.answer.measured:
         call, wanted = f"rounded({call})", rounded(wanted)
     call = f"print({call})" if wanted is None else call
-    rows = [call] if len(call) <= room else _wrapped(call, room, subsequent_indent=_INDENT)
-    lines = [f"{'...' if at else '>>>'} {row}".replace("\0", " ") for at, row in enumerate(rows)]
+    rows = enumerate(_wrapped(call, room, subsequent_indent=_INDENT))
+    lines = [f"{'...' if at else '>>>'} {row}".replace("\0", " ") for at, row in rows]
     return [*lines, repr(wanted)]
 
 

@@ -36,7 +36,7 @@ from msgspec import Struct
 from judge.cache import DISK, digest, stamp
 from judge.errors import ProblemError, UsageError, nearest
 from judge.problem import Problem, Tier
-from judge.problem.find import find_problem, problem_roots, sound_problems
+from judge.problem.find import find_problem, problem_folders, problem_roots, sound_problems
 from judge.problem.model import Listed
 
 if TYPE_CHECKING:
@@ -98,7 +98,7 @@ class Checklist(Table, frozen=True):
 class _SetTable(Table, frozen=True):
     title: str
     about: str
-    problems: list[str] | None = None
+    problems: tuple[str, ...] = ()
 
 
 # -- sets --------------------------------------------------------------------------------------------------
@@ -118,13 +118,11 @@ def find_set(name: str, problems: Sequence[P], extra: Sequence[Path] = ()) -> Pr
         raise UsageError(f"no practice set is called {name!r}", remedy=meant(name, list(files)))
     file = TomlFile(files[name])
     table = file.read(_SetTable)
-    listed = table.problems or []
-    refuse_doubles(file, listed, "problems", said="is listed twice")
-    for place, each in enumerate(listed):
-        try:
-            find_problem(each, extra)  # a broken one says so
-        except UsageError as fault:
-            raise file.fault(fault.what, fault.remedy or "", "problems", place) from None
+    refuse_doubles(file, table.problems, "problems")
+    katas = [folder.name for folder in problem_folders(extra)]
+    refuse_unknown(file, table.problems, katas, "no kata is called", "problems")
+    for each in table.problems:
+        find_problem(each, extra)  # a broken one says so
     found = _set_of(name, table, problems)
     if not found.problems:
         raise file.fault("the set has no kata", f"name {name!r} in the sets of a problem.toml")
@@ -176,8 +174,7 @@ def toml_files(folder: str, order: Sequence[str], extra: Sequence[Path]) -> dict
     for root in problem_roots(extra):
         for path in (root / folder).glob("*.toml"):
             found.setdefault(path.stem, path)
-    first = [name for name in order if name in found]
-    return {name: found[name] for name in (*first, *sorted(found.keys() - first))}
+    return {name: found[name] for name in (*filter(found.get, order), *sorted(found.keys() - set(order)))}
 
 
 class Course(Struct, frozen=True):
@@ -221,7 +218,7 @@ def read_course(solved: Collection[str], extra: Sequence[Path] = ()) -> Course:
 
 def read_checklist(extra: Sequence[Path] = ()) -> Checklist:
     """What every folder's files list, each name once; the first of a name wins. Raises ProblemError."""
-    from judge.problem.toml import TomlFile, meant
+    from judge.problem.toml import TomlFile
 
     skills: dict[str, Skill] = {}
     sections: dict[str, Section] = {}
@@ -235,10 +232,9 @@ def read_checklist(extra: Sequence[Path] = ()) -> Checklist:
             skills.setdefault(skill.name, skill)
         for section in table.sections:
             sections.setdefault(section.id, section)
+        known = list(sections)
         for place, row in enumerate(table.rows):
-            if row.section not in sections:
-                what, remedy = f"no section is called {row.section!r}", meant(row.section, list(sections))
-                raise file.fault(what, remedy, "rows", place, "section")
+            refuse_unknown(file, [row.section], known, "no section is called", "rows", place, "section")
             for at, mistake in enumerate(row.broken):
                 if mistake.count("/") != 1:
                     what = f"{mistake!r} does not name a mistake"
@@ -276,13 +272,11 @@ def unknown_names(problems: Iterable[Problem], extra: Sequence[Path] = ()) -> It
                 yield problem.fault(f"no skill is called {shown.name!r}", remedy, shown_by.line)
 
 
-def refuse_doubles(
-    file: TomlFile, names: Sequence[str], table: str, *key: str, said: str = "is there twice"
-) -> None:
+def refuse_doubles(file: TomlFile, names: Sequence[str], table: str, *key: str) -> None:
     """Raise a ProblemError for the first name of a list in the file that is there for the second time."""
     for place, name in enumerate(names):
         if name in names[:place]:
-            raise file.fault(f"{name!r} {said}", "take one out", table, place, *key)
+            raise file.fault(f"{name!r} is there twice", "take one out", table, place, *key)
 
 
 def refuse_unknown(

@@ -6,7 +6,6 @@ from msgspec import Struct
 
 from judge.errors import ExitCode
 from judge.languages.find import Found
-from judge.packs.export.job import Export
 from judge.published import Published
 from judge.sandbox.attacks import Attacked
 from judge.sandbox.probe import Level
@@ -27,12 +26,6 @@ class FilesWritten(Published, frozen=True):
     out: str
     cases: int
     files: tuple[str, ...]
-
-
-class Exported(Export, frozen=True, kw_only=True):
-    """The packages of a kata; `left_out` says why there are none."""
-
-    schema: int = 1
 
 
 class Attacks(Struct, frozen=True):

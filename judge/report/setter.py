@@ -9,6 +9,7 @@ from shlex import quote
 from rich.console import Group, RenderableType
 from rich.text import Text
 
+from judge.packs.export.job import Exported
 from judge.practice.setter import NewKata
 from judge.report import published_setter as published
 from judge.report.parts import (
@@ -97,14 +98,14 @@ def site_built(found: published.SiteBuilt, _screen: Screen) -> RenderableType:
     return blocks(top, None if found.opened else commands(look))
 
 
-def exported(found: published.Exported, _screen: Screen) -> RenderableType:
+def exported(found: Exported, _screen: Screen) -> RenderableType:
     """The packages of a kata, and what was left out."""
     if found.left_out:
         return head(found.problem, f"left out: {found.left_out}")
     return Group(head(found.problem, f"time limit {found.time_limit} s"), indented(facts(_packages(found))))
 
 
-def _packages(found: published.Exported) -> Iterator[tuple[str, str]]:
+def _packages(found: Exported) -> Iterator[tuple[str, str]]:
     for each in found.packages:
         places = ", ".join(shown_name(str(place)) for place in (each.folder, each.archive) if place)
         yield each.version.value, f"{places}  {each.bytes / 1000:,.0f} kB"

@@ -18,7 +18,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 from export_edges import disagreements, judged, outputs, validated
 
 from judge.data.load import load_data
-from judge.packs.export.forms import NoForm, why_left_out
+from judge.packs.export.forms import NoForm, check_forms
 from judge.problem.find import find_problem, problem_folders
 
 EACH = 16  # lines of a case
@@ -35,15 +35,12 @@ def main() -> int:
     total = bad = accepted = 0
     for name in wish.problems or sorted(folder.name for folder in problem_folders()):
         problem = find_problem(name, ())
-        why = why_left_out(problem)
-        if not why:
+        try:
+            check_forms(problem)
             data = load_data(problem)
             cases = max(1, round(wish.lines / EACH / len(data.groups)))
-            try:
-                decided, right, differ = disagreements(data, rng, cases, EACH)
-            except NoForm as reason:
-                why = str(reason)
-        if why:
+            decided, right, differ = disagreements(data, rng, cases, EACH)
+        except NoForm as why:
             print(f"{name:18} left out: {why}", flush=True)
             continue
         group = min(data.groups, key=lambda each: len(each.cases))

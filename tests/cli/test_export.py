@@ -18,7 +18,7 @@ from judge.packs.export.metadata import Version, uuid_of
 
 pytestmark = pytest.mark.slow
 
-BARE = ("export", "middle", "--out", "packages", "--no-submissions")
+BARE = ("export", "middle", "--out", "packages", "--wrong", "0")
 LEGACY, NEW = Path("packages/legacy/middle"), Path("packages/2025-09/middle")
 
 

@@ -16,7 +16,7 @@ from export_edges import VALIDATOR, lines, theirs
 
 import judge.packs.export as export
 from judge.exact import Surd
-from judge.packs.export.forms import accepted_form, answer_form
+from judge.packs.export.forms import accepted_form, form_of
 from judge.values import check, show
 from judge.values.answers import AnyOf, Real, Tolerance, vector
 from judge.values.check import Accepted, check_line
@@ -55,7 +55,7 @@ def test_every_line_is_decided_as_the_judge_does():
         for tolerance in (NARROW, WIDE):
             type_ = parse(text)
             target = check.target(type_, exact, tolerance)
-            form, wanted = answer_form(type_), accepted_form(type_, exact, tolerance)
+            form, wanted = form_of(type_), accepted_form(type_, exact, tolerance)
             for line in lines(form, json.loads(json.dumps(wanted)), show.line(type_, target), rng, 40):
                 outcome = check_line(type_, line, target, lambda exact=exact, own=tolerance: (exact, own))
                 differ += isinstance(outcome, Accepted) != theirs(form, line, wanted)
@@ -68,7 +68,7 @@ def test_a_validator_is_for_python_3_6_and_needs_nothing(name):
     tree = ast.parse((FOLDER / name).read_text(encoding="utf-8"), feature_version=(3, 6))
     modules = {each.module for each in ast.walk(tree) if isinstance(each, ast.ImportFrom)}
     modules |= {alias.name for each in ast.walk(tree) if isinstance(each, ast.Import) for alias in each.names}
-    assert modules <= {"fractions", "hashlib", "json", "os", "re", "sys", "typing"}
+    assert modules <= {"fractions", "hashlib", "itertools", "json", "os", "re", "sys", "typing"}
     types = ("real", "int", "tuple", "list", "optional")
     assert all(f'["{each}"' in VALIDATOR["__doc__"] for each in types)
 

@@ -20,18 +20,15 @@ from judge.judging.containment import kept_level
 from judge.languages.boxes import AnyBoxes
 from judge.languages.signature import signature_of
 from judge.mistakes.verified import ChoicesReport, verify_choices
-from judge.packs.export.files import group_files
-from judge.packs.export.forms import why_left_out
-from judge.packs.export.job import Export, Order, check_places, export
-from judge.packs.export.metadata import Version, short_name, short_names
-from judge.packs.export.statement import latex
+from judge.packs.export.cases import file_names, group_files
+from judge.packs.export.job import Exported, Order, check_order, export
+from judge.packs.export.metadata import Version
 from judge.practice.setter import NewKata, begin_kata, kata_faults, verify_decks
 from judge.problem import Problem
 from judge.problem.find import find_problem, folders_within, problem_folders
 from judge.problem.model import chosen_groups
-from judge.report import published_setter as published
+from judge.report.published_setter import FilesWritten, VerifySummary
 from judge.report.screen import note
-from judge.report.views import copied
 from judge.report.wait import progress, stages
 from judge.report.words import counted
 from judge.run.edges import edges_of
@@ -116,7 +113,7 @@ def verify(names: tuple[str, ...], ask: VerifyAsk, common: Common) -> Iterator[S
         if decks.cards or decks.faults:
             yield decks
     if len(chosen) > 1:
-        yield published.VerifySummary(len(chosen), faults)
+        yield VerifySummary(len(chosen), faults)
 
 
 def _verify(ask: VerifyAsk, folders: Sequence[Path], name: str) -> Verified:
@@ -171,13 +168,14 @@ class ExportAsk(Struct, frozen=True):
         default=_BOTH,
     )
     archives: bool = opt("--zip", "Write archives too, one of them for DOMjudge.")
-    bare: bool = opt("--no-submissions", "Packages without programs.")
-    wrong: int | None = opt("--wrong N", "At most N wrong programs.", type=click.IntRange(0))
+    wrong: int | None = opt(
+        "--wrong N", "At most N wrong programs; with 0 only right and slow ones.", type=click.IntRange(0)
+    )
     seed: int | None = opt("--seed N", "Files of other cases, from this seed, not the pinned ones.")
     force: bool = opt("--force", "Write over files that are there already.")
 
 
-@command("export", published.Exported, published.FilesWritten, ask=ExportAsk)
+@command("export", Exported, FilesWritten, ask=ExportAsk)
 @click.argument("names", metavar="KATA...", nargs=-1, required=True)
 def write(names: tuple[str, ...], ask: ExportAsk, common: Common) -> Iterator[Struct]:
     """Write katas as packages or files that other judges read.
@@ -192,66 +190,49 @@ def write(names: tuple[str, ...], ask: ExportAsk, common: Common) -> Iterator[St
     Exit status: 0 written, 2 usage, or nothing could be written, 3 a kata is broken.
     """
     problems = [find_problem(name, common.problems) for name in dict.fromkeys(names)]
-    if ask.form == "kattis":
-        return _packages(problems, ask)
-    for each in problems:
-        _make_room(ask.out / each.id, _names(each), force=ask.force)
-    return map(partial(_write_files, ask), problems)
+    return _packages(problems, ask) if ask.form == "kattis" else _files(problems, ask)
 
 
-def _packages(problems: Sequence[Problem], ask: ExportAsk) -> Iterator[published.Exported]:
-    """The packages of each; of several, one whose folder is broken costs itself only."""
+def _packages(problems: Sequence[Problem], ask: ExportAsk) -> Iterator[Exported]:
+    """The packages of each; one whose folder is broken costs itself only."""
     versions = tuple(Version) if ask.version == _BOTH else (Version(ask.version),)
-    order = Order(ask.out, versions, ask.archives, not ask.bare, ask.wrong)
-    left_out = {each.id: why for each in problems if (why := why_left_out(each))}
-    wanted = [each for each in problems if each.id not in left_out]
-    short_names(each.id for each in wanted)
-    for each in wanted:  # what cannot be is said before anything takes long
-        check_places(each, order)
-    if wanted:
-        latex(wanted[0])
-    boxes, broken = Boxes(least=kept_level()), None
+    order = Order(ask.out, versions, ask.archives, ask.wrong)
+    check_order(problems, order)
+    boxes, written, broken = Boxes(least=kept_level()), False, None
     for each in problems:
-        found = Export(each.id, short_name(each.id), left_out.get(each.id))
-        if not found.left_out:
-            try:
-                with stages(each.id) as advance:
-                    found = export(each, order, boxes, advance or (lambda *_: None))
-            except ProblemError as fault:
-                broken, found = fault, replace(found, left_out=str(fault))
-        if broken is None or len(problems) > 1:
-            yield copied(published.Exported, found)
+        try:
+            with stages(each.id) as advance:
+                found = export(each, order, boxes, advance or (lambda *_: None))
+        except ProblemError as fault:
+            broken, found = fault, Exported(each.id, left_out=str(fault))
+        written |= found.left_out is None
+        yield found
     if broken is not None:
         raise broken
-    if not wanted:
+    if not written:
         raise UsageError(f"No package can hold {'it' if len(problems) == 1 else 'any of these'}")
 
 
-def _names(problem: Problem) -> tuple[str, ...]:
-    return tuple(f"{group.name}{kind}" for group in problem.groups for kind in (".in", ".ans", ".json"))
-
-
-def _make_room(target: Path, names: Sequence[str], *, force: bool) -> None:
-    """Make the folder; nothing that is there already is written over unasked."""
-    with writing(target, _REMEDY):
-        target.mkdir(parents=True, exist_ok=True)
-        there = [name for name in names if (target / name).exists()]
-    if there and not force:
-        more = f" and {counted(len(there) - 1, 'more file')}" if len(there) > 1 else ""
-        what = f"{there[0]}{more} would be written over"
-        raise UsageError(what, where=str(target), remedy="name an empty folder or add --force")
-
-
-def _write_files(ask: ExportAsk, problem: Problem) -> published.FilesWritten:
-    """The data of one kata, three files a group."""
-    target, cases = ask.out / problem.id, 0
-    with progress(f"building {problem.id}") as advance:
-        data = load_data(problem, seed=ask.seed, progress=advance)
-    for said in data.notes:
-        note(said)
-    for group in data.groups:
-        cases += len(group.cases)
-        for name, content in group_files(data, group):
-            with writing(target / name, _REMEDY):
-                replace_file(target / name, content.encode())
-    return published.FilesWritten(problem.id, str(target), cases, _names(problem))
+def _files(problems: Sequence[Problem], ask: ExportAsk) -> Iterator[FilesWritten]:
+    """The data of each, three files a group; nothing that is there already is written over unasked."""
+    for each in problems:
+        target = ask.out / each.id
+        with writing(target, _REMEDY):
+            target.mkdir(parents=True, exist_ok=True)
+            there = [name for name in file_names(each) if (target / name).exists()]
+        if there and not ask.force:
+            more = f" and {counted(len(there) - 1, 'more file')}" if len(there) > 1 else ""
+            what = f"{there[0]}{more} would be written over"
+            raise UsageError(what, where=str(target), remedy="name an empty folder or add --force")
+    for each in problems:
+        target = ask.out / each.id
+        with progress(f"building {each.id}") as advance:
+            data = load_data(each, seed=ask.seed, progress=advance)
+        for said in data.notes:
+            note(said)
+        for group in data.groups:
+            for name, content in group_files(data, group).items():
+                with writing(target / name, _REMEDY):
+                    replace_file(target / name, content)
+        cases = sum(len(group.cases) for group in data.groups)
+        yield FilesWritten(each.id, str(target), cases, tuple(file_names(each)))

@@ -1,8 +1,8 @@
-"""A problem's test groups as the files of a package: an input, an answer and what is accepted, for each."""
+"""A problem's test groups as files: those of a package, or those for other tools."""
 
 from __future__ import annotations
 
-import hashlib
+import json
 from collections.abc import Iterator
 from typing import Any
 
@@ -10,9 +10,12 @@ from msgspec import Struct
 
 from judge.data.load import GroupData, ProblemData
 from judge.packs.export.forms import accepted_form
+from judge.problem import Problem
 from judge.problem.model import EXAMPLES
 from judge.run.program import render_group
 from judge.values import show
+
+SCHEMA = 1  # of a group's JSON
 
 
 class Test(Struct, frozen=True):
@@ -28,23 +31,59 @@ class Test(Struct, frozen=True):
     answer: bytes
     accepted: list[Any]
 
-    @property
-    def key(self) -> str:
-        """The SHA-256 of the input, in hex."""
-        return hashlib.sha256(self.input).hexdigest()
-
 
 def tests_in(data: ProblemData) -> Iterator[Test]:
     """The groups in the order in which they are judged: the examples first. Raises NoForm, ProblemError."""
     groups = sorted(data.groups, key=lambda each: each.group.name != EXAMPLES)
     answer = data.problem.answer
     for place, group in enumerate(groups, 1):
-        is_sample = group.group.name == EXAMPLES
         yield Test(
             group,
-            "sample" if is_sample else "secret",
+            "sample" if group.group.name == EXAMPLES else "secret",
             f"{place:02d}-{group.group.name}",
             render_group(data.problem, group.cases),
-            "".join(f"{show.line(answer, target)}\n" for target in group.targets).encode(),
+            _answers(data, group),
             [accepted_form(answer, *data.exact(case, group.group)) for case in group.cases],
         )
+
+
+def file_names(problem: Problem) -> list[str]:
+    """The names of all files of `group_files`."""
+    return [f"{group.name}{ending}" for group in problem.groups for ending in (".in", ".ans", ".json")]
+
+
+def group_files(data: ProblemData, group: GroupData) -> dict[str, bytes]:
+    """The files of one group for other tools, by name. Raises ProblemError where the reference fails."""
+    name = group.group.name
+    return {
+        f"{name}.in": render_group(data.problem, group.cases),
+        f"{name}.ans": _answers(data, group),
+        f"{name}.json": _document(data, group).encode(),
+    }
+
+
+def _answers(data: ProblemData, group: GroupData) -> bytes:
+    return "".join(f"{show.line(data.problem.answer, target)}\n" for target in group.targets).encode()
+
+
+def _document(data: ProblemData, group: GroupData) -> str:
+    """The group's object, a case on each line, with its exact answer."""
+    problem = data.problem
+    head = {
+        "schema": SCHEMA,
+        "problem": problem.id,
+        "group": group.group.name,
+        "seed": group.group.seed,
+        "entry": problem.entry,
+    }
+    cases = [
+        json.dumps(
+            {
+                "input": problem.named(case),
+                "expected": show.exact_text(data.exact(case, group.group)[0]),
+                "accepted": show.accepted(problem.answer, target),
+            }
+        )
+        for case, target in zip(group.cases, group.targets, strict=True)
+    ]
+    return json.dumps(head)[:-1] + ', "cases": [\n' + ",\n".join(cases) + "\n]}\n"

@@ -6,7 +6,7 @@ import ast
 import sys
 from typing import Any
 
-from judge.packs.export.forms import Form, answer_form, parameter_form
+from judge.packs.export.forms import form_of
 from judge.problem import Problem
 from judge.problem.solutions import tree_of
 
@@ -71,16 +71,9 @@ _NEWER = {  # names that Python has had only since 3.10, in modules or as method
 
 def as_program(problem: Problem, source: str) -> str:
     """The program that calls the entry function of `source` for each case that it reads."""
-    parameters = [_plain(parameter_form(parameter)) for parameter in problem.parameters]
+    parameters = [form_of(parameter.type) for parameter in problem.parameters]
     driver = _DRIVER.replace("PARAMETERS", repr(parameters)).replace("ENTRY", problem.entry)
-    return source.rstrip() + "\n" + driver.replace("ANSWER", repr(answer_form(problem.answer)))
-
-
-def _plain(form: Form) -> Form:
-    """A parameter's form without bounds."""
-    if form[0] == "tuple":
-        return ["tuple", [_plain(part) for part in form[1]]]
-    return [form[0], _plain(form[1])] if form[0] in ("list", "optional") else form[:1]
+    return source.rstrip() + "\n" + driver.replace("ANSWER", repr(form_of(problem.answer)))
 
 
 def defines(source: str, entry: str) -> bool:
@@ -99,8 +92,7 @@ def _bound(node: ast.stmt) -> set[str]:
 
 def why_not_alone(source: str) -> str:
     """Why a program does not run wherever a package does: Python 3.9 or newer, its own library; or empty."""
-    tree = tree_of(source)
-    for node in ast.walk(tree):
+    for node in ast.walk(tree_of(source)):
         foreign = [name for name in _imported(node) if name not in sys.stdlib_module_names]
         if foreign:
             return f"it imports {foreign[0]}"

@@ -6,6 +6,7 @@ validators/input_validator.py. Both are made by composition: a type that a pack 
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from fractions import Fraction
 from typing import Any
 
@@ -22,22 +23,29 @@ class NoForm(Exception):  # noqa: N818 - a reason
     """Why a problem cannot be a package, in a few words."""
 
 
-def answer_form(type_: Type) -> Form:
-    """The form of an answer. Raises NoForm."""
+def form_of(type_: Type, within: Parameter | None = None) -> Form:
+    """The form of an answer, or `within` a parameter, with the bounds of its numbers. Raises NoForm."""
     kind = type(type_)
-    if kind is RealType:
-        return ["real"]
-    if kind is IntType:
-        return ["int"]
-    if kind is WordType:
-        return ["word"]
+    if kind is RealType or kind is IntType:
+        return ["real" if kind is RealType else "int", *(_bounds(type_, within) if within else [])]
+    if isinstance(type_, WordType) and kind is WordType:
+        return ["word", list(type_.samples)] if within else ["word"]
     if isinstance(type_, TupleType):
-        return ["tuple", [answer_form(part) for part in type_.made_of]]
+        return ["tuple", [form_of(part, within) for part in type_.made_of]]
     if isinstance(type_, OptionalType):
-        return ["optional", answer_form(type_.inner)]
+        return ["optional", form_of(type_.inner, within)]
+    if isinstance(type_, ArrayType):
+        raise NoForm(f"a line holds no {type_.text}")
     if isinstance(type_, ListType):
-        return ["list", answer_form(type_.item), type_.low, type_.high]
-    raise _none(type_)
+        return ["list", form_of(type_.item, within), type_.low, type_.high]
+    raise NoForm(f"a package knows no type {type_.text}")
+
+
+def _bounds(type_: Type, parameter: Parameter) -> Iterator[list[int]]:
+    """Low, high and the smallest, each as numerator and denominator; some types have a least of their own."""
+    low, least = parameter.low, getattr(type_, "least", None)
+    for bound in (low if least is None else max(low, Fraction(least)), parameter.high, parameter.smallest):
+        yield list(bound.as_integer_ratio())
 
 
 def accepted_form(type_: Type, exact: Exact, tolerance: Tolerance) -> Any:
@@ -68,45 +76,12 @@ def _ends(low: Surd, high: Surd) -> list[int]:
     return [*ends, low.d or high.d, s] if low.q or high.q else [ends[0], ends[2], s]
 
 
-def parameter_form(parameter: Parameter) -> Form:
-    """The form of a parameter, with the bounds of its numbers. Raises NoForm."""
-    return _within(parameter.type, parameter)
-
-
-def _within(type_: Type, parameter: Parameter) -> Form:
-    kind = type(type_)
-    if kind is RealType or kind is IntType:
-        low, least = parameter.low, getattr(type_, "least", None)
-        low = low if least is None else max(low, Fraction(least))
-        bounds = [list(each.as_integer_ratio()) for each in (low, parameter.high, parameter.smallest)]
-        return ["real" if kind is RealType else "int", *bounds]
-    if isinstance(type_, WordType):
-        return ["word", list(type_.samples)]
-    if isinstance(type_, TupleType):
-        return ["tuple", [_within(part, parameter) for part in type_.made_of]]
-    if isinstance(type_, OptionalType):
-        return ["optional", _within(type_.inner, parameter)]
-    if isinstance(type_, ListType) and not isinstance(type_, ArrayType):
-        return ["list", _within(type_.item, parameter), type_.low, type_.high]
-    raise _none(type_)
-
-
-def _none(type_: Type) -> NoForm:
-    if isinstance(type_, ArrayType):
-        return NoForm(f"a line holds no {type_.text}")
-    return NoForm(f"a package knows no type {type_.text}")
-
-
-def why_left_out(problem: Problem) -> str:
-    """Why a problem cannot be a package, as far as its toml tells; empty where it can."""
+def check_forms(problem: Problem) -> None:
+    """Raises NoForm where a problem cannot be a package, as far as its toml tells."""
     if problem.growth is not None:
-        return "a package cannot measure how the time grows"
+        raise NoForm("a package cannot measure how the time grows")
     if any(group.size is not None for group in problem.groups):
-        return "its cases are too large for a line"
-    try:
-        answer_form(problem.answer)
-        for parameter in problem.parameters:
-            parameter_form(parameter)
-    except NoForm as why:
-        return str(why)
-    return ""
+        raise NoForm("its cases are too large for a line")
+    form_of(problem.answer)
+    for parameter in problem.parameters:
+        form_of(parameter.type, parameter)

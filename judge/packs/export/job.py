@@ -2,35 +2,44 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 
 from msgspec import Struct
 
 from judge.data.load import load_data
+from judge.errors import UsageError
 from judge.packs.export.cases import tests_in
-from judge.packs.export.forms import NoForm
-from judge.packs.export.metadata import Version, license_of, short_name, uuid_of
-from judge.packs.export.package import Contents, Files, zipped
+from judge.packs.export.forms import NoForm, check_forms
+from judge.packs.export.metadata import UNKNOWN, Version, license_of, short_name, uuid_of
+from judge.packs.export.package import Contents, zipped
 from judge.packs.export.place import check_archive, check_folder, write_archive, write_folder
-from judge.packs.export.programs import Exporter, LeftOut, Programs
+from judge.packs.export.programs import Exporter, Held, LeftOut, Programs
 from judge.packs.export.statement import latex
 from judge.problem import Problem, Verdict
+from judge.published import Published
 from judge.sandbox.boundary import BoxFactory
 
 Progress = Callable[[str, int, int], None]
 
-DOMJUDGE = "domjudge"  # the folder of archives that DOMjudge imports
+_ARCHIVE = ".kpp"
 
 
 class Order(Struct, frozen=True):
-    """What to write: `held` says that programs belong to it, `wrong` bounds how many mistakes."""
+    """What to write: `wrong` bounds how many mistakes the packages hold programs of."""
 
     out: Path
     versions: tuple[Version, ...]
     archives: bool = False
-    held: bool = True
     wrong: int | None = None
+
+    def folder(self, problem: Problem, version: Version) -> Path:
+        """Where a problem's package goes; its archive lies beside it."""
+        return self.out / version.value / short_name(problem.id)
+
+    def domjudge(self, problem: Problem) -> Path:
+        """Where the archive for DOMjudge goes."""
+        return self.out / "domjudge" / f"{short_name(problem.id)}.zip"
 
 
 class Package(Struct, frozen=True):
@@ -43,19 +52,10 @@ class Package(Struct, frozen=True):
     bytes: int
 
 
-class Held(Struct, frozen=True):
-    """A program of the packages: its verdict there, and the test that decides it."""
-
-    file: str
-    verdict: Verdict
-    test: str | None
-
-
-class Export(Struct, frozen=True):
+class Exported(Published, frozen=True):
     """The packages of a problem; `left_out` says why there are none."""
 
     problem: str
-    package: str
     left_out: str | None = None
     packages: tuple[Package, ...] = ()
     domjudge: Path | None = None
@@ -65,72 +65,68 @@ class Export(Struct, frozen=True):
     notes: tuple[str, ...] = ()
 
 
-def places(problem: Problem, order: Order) -> tuple[dict[Version, tuple[Path, Path]], Path]:
-    """Where a problem's packages and their archives go, and the archive for DOMjudge."""
-    short = short_name(problem.id)
-    found = {
-        version: (order.out / version.value / short, order.out / version.value / f"{short}.kpp")
-        for version in order.versions
-    }
-    return found, order.out / DOMJUDGE / f"{short}.zip"
+def check_order(problems: Sequence[Problem], order: Order) -> None:
+    """Raises UsageError where these cannot be written, before anything takes long."""
+    owners: dict[str, str] = {}
+    for problem in problems:
+        short = short_name(problem.id)
+        owner = owners.setdefault(short, problem.id)
+        if owner != problem.id:
+            what = f"{owner} and {problem.id} would both be the package {short}"
+            raise UsageError(what, remedy="export them into different folders")
+    for problem in problems:
+        _check_places(problem, order)
+    for problem in problems[:1]:
+        latex(problem)
 
 
-def check_places(problem: Problem, order: Order) -> None:
+def _check_places(problem: Problem, order: Order) -> None:
     """Raises UsageError where something else is where a package is to be written."""
-    packages, domjudge = places(problem, order)
-    for version, (folder, archive) in packages.items():
-        check_folder(folder, uuid_of(problem.id, version))
+    for version in order.versions:
+        folder, uuid = order.folder(problem, version), uuid_of(problem.id, version)
+        check_folder(folder, uuid)
         if order.archives:
-            check_archive(archive, uuid_of(problem.id, version))
+            check_archive(folder.with_suffix(_ARCHIVE), uuid)
     if order.archives:
-        check_archive(domjudge, uuid_of(problem.id, Version.LEGACY))
+        check_archive(order.domjudge(problem), uuid_of(problem.id, Version.LEGACY))
 
 
-def export(problem: Problem, order: Order, boxes: BoxFactory, progress: Progress) -> Export:
+def export(problem: Problem, order: Order, boxes: BoxFactory, progress: Progress) -> Exported:
     """Write a problem's packages. Raises JudgeError: ProblemError for its data, UsageError for a place."""
-    short = short_name(problem.id)
-    data = load_data(problem, progress=lambda done, total: progress("building data", done, total))
     try:
+        check_forms(problem)
+        data = load_data(problem, progress=lambda done, total: progress("building data", done, total))
         tests = tuple(tests_in(data))
     except NoForm as why:
-        return Export(problem.id, short, str(why))
-    programs = Exporter(data, tests, boxes).programs(progress, held=order.held, wrong=order.wrong)
+        return Exported(problem.id, str(why))
+    programs = Exporter(data, tests, boxes, progress).programs(order.wrong)
     contents = Contents(problem, tests, programs, latex(problem))
-    check_places(problem, order)
-    where, domjudge = places(problem, order)
-    packages = []
-    for version, (folder, archive) in where.items():
-        files = contents.files(version)
-        _write(folder, archive if order.archives else None, files)
-        size = sum(map(len, files.values()))
-        packages.append(Package(version, folder, archive if order.archives else None, len(files), size))
+    _check_places(problem, order)
+    packages, domjudge = [], None
+    for version in order.versions:
+        folder, files, archive = order.folder(problem, version), contents.files(version), None
+        write_folder(folder, files)
+        if order.archives:
+            archive = folder.with_suffix(_ARCHIVE)
+            write_archive(archive, zipped(files, folder.name))
+        packages.append(Package(version, folder, archive, len(files), sum(map(len, files.values()))))
     if order.archives:
+        domjudge = order.domjudge(problem)
         write_archive(domjudge, zipped(contents.domjudge()))
-    return Export(
+    return Exported(
         problem.id,
-        short,
         packages=tuple(packages),
-        domjudge=domjudge if order.archives else None,
+        domjudge=domjudge,
         time_limit=programs.seconds,
-        programs=tuple(
-            Held(each.path, each.trial.verdict, each.trial.file or None) for each in programs.held
-        ),
+        programs=programs.held,
         programs_left_out=programs.left_out,
         notes=tuple(_notes(problem, programs)),
     )
 
 
-def _write(folder: Path, archive: Path | None, files: Files) -> None:
-    write_folder(folder, files)
-    if archive is not None:
-        write_archive(archive, zipped(files, folder.name))
-
-
-def _notes(problem: Problem, programs: Programs) -> Sequence[str]:
+def _notes(problem: Problem, programs: Programs) -> Iterator[str]:
     """What a person should know of the package."""
-    found = []
-    if problem.source.license and license_of(problem.source) == "unknown":
-        found.append(f"packages know no license {problem.source.license}: it is 'unknown' there")
-    if programs.held and not any(each.path.startswith("accepted/") for each in programs.held):
-        found.append("it holds no accepted program, and the tools want one")
-    return found
+    if problem.source.license and license_of(problem.source) == UNKNOWN:
+        yield f"packages know no license {problem.source.license}: it is 'unknown' there"
+    if not any(each.verdict is Verdict.AC for each in programs.held):
+        yield "it holds no accepted program, and the tools want one"

@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import re
 import uuid
-from collections.abc import Iterable
 from enum import Enum
 
 from judge.errors import UsageError
@@ -33,19 +32,6 @@ def short_name(problem: str) -> str:
     return short
 
 
-def short_names(problems: Iterable[str]) -> dict[str, str]:
-    """The packages' names by problem. Raises UsageError where two are one."""
-    found: dict[str, str] = {}
-    for problem in problems:
-        short = short_name(problem)
-        for other, taken in found.items():
-            if taken == short:
-                remedy = "export them into different folders"
-                raise UsageError(f"{other} and {problem} would both be the package {short}", remedy=remedy)
-        found[problem] = short
-    return found
-
-
 def uuid_of(problem: str, version: Version) -> str:
     """The same for every export of the problem in that version."""
     return str(uuid.uuid5(_NAMESPACE, f"{problem}/{version.value}"))
@@ -58,18 +44,17 @@ def license_of(source: Source) -> str:
 
 def problem_yaml(problem: Problem, version: Version, seconds: int) -> str:
     """The file problem.yaml; `seconds` is the time limit, which in the legacy format the solutions set."""
-    source = problem.source
-    rows = [] if version is Version.LEGACY else ["problem_format_version: 2025-09", "type: pass-fail"]
+    source, legacy = problem.source, version is Version.LEGACY
+    rows = [] if legacy else ["problem_format_version: 2025-09", "type: pass-fail"]
     rows += [f"name: {_text(problem.title)}", f"uuid: {uuid_of(problem.id, version)}"]
-    if version is Version.LEGACY:
-        rows += [f"author: {_text(', '.join(source.authors))}"] if source.authors else []
-        rows += [f"source: {_text(source.origin)}"] if source.origin else []
-        rows += [f"license: {license_of(source)}", "validation: custom", "limits:"]
-    else:
-        rows += ["credits:", "  authors:"] if source.authors else []
-        rows += [f"    - {_text(author)}" for author in source.authors]
-        rows += [f"source: {_text(source.origin)}"] if source.origin else []
-        rows += [f"license: {license_of(source)}", "limits:", f"  time_limit: {seconds}.0"]
+    if source.authors and legacy:
+        rows.append(f"author: {_text(', '.join(source.authors))}")
+    elif source.authors:
+        rows += ["credits:", "  authors:", *(f"    - {_text(author)}" for author in source.authors)]
+    if source.origin:
+        rows.append(f"source: {_text(source.origin)}")
+    rows.append(f"license: {license_of(source)}")
+    rows += ["validation: custom", "limits:"] if legacy else ["limits:", f"  time_limit: {seconds}.0"]
     return "\n".join([*rows, f"  memory: {memory(problem)}"]) + "\n"
 
 

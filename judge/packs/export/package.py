@@ -13,7 +13,7 @@ from pprint import pformat
 from msgspec import Struct
 
 from judge.packs.export.cases import Test
-from judge.packs.export.forms import answer_form, parameter_form
+from judge.packs.export.forms import form_of
 from judge.packs.export.metadata import Version, domjudge_ini, problem_yaml
 from judge.packs.export.programs import Programs
 from judge.problem import Problem
@@ -38,27 +38,27 @@ class Contents(Struct, frozen=True):
 
     def files(self, version: Version) -> Files:
         """The files of the package in that version."""
-        is_legacy = version is Version.LEGACY
-        found = {"problem.yaml": problem_yaml(self.problem, version, self.programs.seconds).encode()}
-        folder = "problem_statement" if is_legacy else "statement"
-        found[f"{folder}/problem.en.tex"] = self.statement.encode()
-        found["input_validators/validate.py"] = self._input_validator()
-        folder = "output_validators/exact" if is_legacy else "output_validator"
-        found |= {f"{folder}/{name}": content for name, content in self._output_validator().items()}
-        found |= {f"submissions/{each.path}": each.source for each in self.programs.held}
+        statement, validator, ending = "statement", "output_validator", "yaml"
+        if version is Version.LEGACY:
+            statement, validator, ending = "problem_statement", "output_validators/exact", "desc"
+        found = {
+            "problem.yaml": problem_yaml(self.problem, version, self.programs.seconds).encode(),
+            f"{statement}/problem.en.tex": self.statement.encode(),
+            "input_validators/validate.py": self._input_validator(),
+            f"{validator}/validate.py": (_VALIDATORS / "output_validator.py").read_bytes(),
+            f"{validator}/accepted.json": self._accepted(),
+            **{f"submissions/{file}": source for file, source in self.programs.sources.items()},
+        }
         for test in self.tests:
-            place = f"data/{test.folder}/{test.stem}"
+            place, about = f"data/{test.folder}/{test.stem}", test.group.group.about
+            if version is not Version.LEGACY:
+                about = f"description: {json.dumps(about, ensure_ascii=False)}"
             found |= {f"{place}.in": test.input, f"{place}.ans": test.answer}
-            if is_legacy:
-                found[f"{place}.desc"] = f"{test.group.group.about}\n".encode()
-            else:
-                about = json.dumps(test.group.group.about, ensure_ascii=False)
-                found[f"{place}.yaml"] = f"description: {about}\n".encode()
-        if (
-            not is_legacy
-        ):  # or bt tries the answers in other case and spacing, and warns of each that is refused
-            arguments = "output_validator_args: [case_sensitive, space_change_sensitive]\n"
-            found["data/test_group.yaml"] = arguments.encode()
+            found[f"{place}.{ending}"] = f"{about}\n".encode()
+        if version is not Version.LEGACY:
+            # or bt tries the answers in other case and spacing, and warns of each that is refused
+            arguments = b"output_validator_args: [case_sensitive, space_change_sensitive]\n"
+            found["data/test_group.yaml"] = arguments
         return found
 
     def domjudge(self) -> Files:
@@ -66,30 +66,27 @@ class Contents(Struct, frozen=True):
 
         A validator of several files needs a script there that builds it, and one that runs it.
         """
-        found = dict(self.files(Version.LEGACY))
-        found["domjudge-problem.ini"] = domjudge_ini(self.problem, self.programs.seconds).encode()
-        return found | {
+        return {
+            **self.files(Version.LEGACY),
+            "domjudge-problem.ini": domjudge_ini(self.problem, self.programs.seconds).encode(),
             "output_validators/exact/build": _BUILD,
             "output_validators/exact/run": _RUN,
         }
 
     def _input_validator(self) -> bytes:
         source = (_VALIDATORS / "input_validator.py").read_text(encoding="utf-8")
-        forms = [parameter_form(parameter) for parameter in self.problem.parameters]
+        forms = [form_of(parameter.type, parameter) for parameter in self.problem.parameters]
         table = pformat(forms, width=100, compact=True)
         assert source.count(_NO_PARAMETERS) == 1
         return source.replace(_NO_PARAMETERS, f"PARAMETERS = {table}").encode()
 
-    def _output_validator(self) -> Files:
-        return {
-            "validate.py": (_VALIDATORS / "output_validator.py").read_bytes(),
-            "accepted.json": self._accepted(),
-        }
-
     def _accepted(self) -> bytes:
-        """The table of what is accepted, a line for each input."""
-        head = json.dumps({"problem": self.problem.id, "answer": answer_form(self.problem.answer)})
-        rows = [f'"{test.key}": {json.dumps(test.accepted, separators=(",", ":"))}' for test in self.tests]
+        """The table of what is accepted, a line for each input, by its SHA-256."""
+        head = json.dumps({"problem": self.problem.id, "answer": form_of(self.problem.answer)})
+        rows = []
+        for test in self.tests:
+            key = hashlib.sha256(test.input).hexdigest()
+            rows.append(f'"{key}": {json.dumps(test.accepted, separators=(",", ":"))}')
         return f'{head[:-1]}, "files": {{\n{f",{chr(10)}".join(rows)}\n}}}}\n'.encode()
 
 
@@ -104,11 +101,3 @@ def zipped(files: Files, within: str = "") -> bytes:
             entry.external_attr = (0o100000 | mode) << 16
             archive.writestr(entry, files[path])
     return buffer.getvalue()
-
-
-def digest(files: Files) -> str:
-    """A hash of all paths and contents, in hex."""
-    plain = hashlib.sha256()
-    for path in sorted(files):
-        plain.update(f"{path}\0{len(files[path])}\0".encode() + files[path])
-    return plain.hexdigest()

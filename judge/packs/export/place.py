@@ -1,154 +1,99 @@
 """Writing a package: whole, beside its place, and then put there at once.
 
-    .judge-export-<16 hex digits>    a package while it is written, and then the one that it replaces
-
 Only a package of the same problem is replaced, which its uuid tells; whatever else is there stays.
 """
 
 from __future__ import annotations
 
 import contextlib
-import ctypes
-import fcntl
 import os
-import re
 import shutil
 import time
 import zipfile
 from collections.abc import Iterator
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
 from judge.errors import UsageError, unwritable
 from judge.files import replace_file
 from judge.packs.export.package import Files
 
-_NAMES = re.compile(r"\.judge-export-[0-9a-f]{16}")
+_PREFIX = ".judge-export-"  # of a folder where a package is written, and then is the one that it replaces
 _REMEDY = "name another folder with --out, or move it away"
-_OLD = 60.0  # seconds; one that was begun just now may not be locked yet
-_EXCHANGE = 2  # of renameat2
-_HERE = -100  # AT_FDCWD
+_OLD = 3600.0  # seconds; an export that was killed has left it, since writing is a matter of seconds
 _MOST = 65536  # bytes of a problem.yaml that are read
 
 
 def check_folder(place: Path, uuid: str) -> None:
     """Raises UsageError unless nothing is there, or our package of that uuid."""
-    if not os.path.lexists(place):
-        return
-    if place.is_symlink() or not place.is_dir() or not _says(place / "problem.yaml", uuid):
-        raise UsageError("it is not a package of this kata", where=str(place), remedy=_REMEDY)
+    _check(place, place.is_dir() and _says(place, uuid))
 
 
 def check_archive(place: Path, uuid: str) -> None:
     """The same for an archive."""
-    if not os.path.lexists(place):
-        return
-    if place.is_symlink() or not place.is_file() or not _archive_says(place, uuid):
+    _check(place, place.is_file() and _says(place, uuid))
+
+
+def _check(place: Path, ours: bool) -> None:
+    if os.path.lexists(place) and (place.is_symlink() or not ours):
         raise UsageError("it is not a package of this kata", where=str(place), remedy=_REMEDY)
+
+
+def _says(place: Path, uuid: str) -> bool:
+    """Whether the problem.yaml of a package, or of an archive of one, has that uuid."""
+    try:
+        if place.is_dir():
+            with (place / "problem.yaml").open("rb") as file:
+                content = file.read(_MOST)
+        else:
+            with zipfile.ZipFile(place) as archive:
+                (name,) = [each for each in archive.namelist() if Path(each).name == "problem.yaml"]
+                with archive.open(name) as file:
+                    content = file.read(_MOST)
+    except (OSError, zipfile.BadZipFile, RuntimeError, ValueError):  # that there is not one of that name, too
+        return False
+    return f"uuid: {uuid}".encode() in content.splitlines()
 
 
 def write_folder(place: Path, files: Files) -> None:
     """Put a package there; one that is there is replaced as a whole. Raises UsageError."""
-    try:
-        place.parent.mkdir(parents=True, exist_ok=True)
+    with _written(place):
         _sweep(place.parent)
-        with _beside(place) as new:
+        with TemporaryDirectory(prefix=_PREFIX, dir=place.parent, ignore_cleanup_errors=True) as scratch:
+            new, old = Path(scratch, "new"), Path(scratch, "old")
             for path, content in files.items():
                 target = new / path
                 target.parent.mkdir(parents=True, exist_ok=True)
                 target.write_bytes(content)
             if os.path.lexists(place):
-                _exchange(new, place)
-            else:
+                place.rename(old)
+            try:
                 new.rename(place)
-    except OSError as fault:
-        raise unwritable(place, fault, _REMEDY) from fault
+            except BaseException:
+                if old.exists():
+                    old.rename(place)
+                raise
 
 
 def write_archive(place: Path, content: bytes) -> None:
     """Put an archive there. Raises UsageError."""
+    with _written(place):
+        replace_file(place, content)
+
+
+@contextlib.contextmanager
+def _written(place: Path) -> Iterator[None]:
+    """Its folder is made first; what fails is a UsageError."""
     try:
         place.parent.mkdir(parents=True, exist_ok=True)
-        replace_file(place, content)
+        yield
     except OSError as fault:
         raise unwritable(place, fault, _REMEDY) from fault
 
 
-@contextlib.contextmanager
-def _beside(place: Path) -> Iterator[Path]:
-    """A new folder beside the place, locked while it is in use; what it is in the end is removed."""
-    folder = place.with_name(f".judge-export-{os.urandom(8).hex()}")
-    folder.mkdir()
-    lock = os.open(folder, os.O_RDONLY | os.O_DIRECTORY | os.O_CLOEXEC)
-    try:
-        with contextlib.suppress(OSError):  # a file system without locks
-            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        yield folder
-    finally:
-        os.close(lock)
-        if folder.is_dir():
-            shutil.rmtree(folder, ignore_errors=True)
-
-
-def _exchange(new: Path, old: Path) -> None:
-    """Swap two folders: in one step where the system can."""
-    try:
-        done = ctypes.CDLL(None, use_errno=True).renameat2(
-            _HERE, os.fsencode(new), _HERE, os.fsencode(old), _EXCHANGE
-        )
-    except AttributeError:
-        done = -1
-    if done == 0:
-        return
-    aside = old.with_name(f".judge-export-{os.urandom(8).hex()}")
-    old.rename(aside)
-    try:
-        new.rename(old)
-    except OSError:
-        aside.rename(old)
-        raise
-    aside.rename(new)
-
-
 def _sweep(folder: Path) -> None:
     """Take away what exports that were killed have left; silently."""
-    with contextlib.suppress(OSError):
-        for path in folder.iterdir():
-            if _NAMES.fullmatch(path.name) and path.is_dir() and not path.is_symlink():
-                _take_away(path)
-
-
-def _take_away(path: Path) -> None:
-    with contextlib.suppress(OSError):
-        lock = os.open(path, os.O_RDONLY | os.O_DIRECTORY | os.O_NOFOLLOW | os.O_CLOEXEC)
-        try:
-            if time.time() - os.fstat(lock).st_mtime < _OLD:
-                return
-            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)  # refused while its writer lives
-            shutil.rmtree(path, ignore_errors=True)
-        finally:
-            os.close(lock)
-
-
-def _says(path: Path, uuid: str) -> bool:
-    """Whether a problem.yaml has that uuid."""
-    try:
-        with path.open("rb") as file:
-            return _has(file.read(_MOST), uuid)
-    except OSError:
-        return False
-
-
-def _archive_says(path: Path, uuid: str) -> bool:
-    try:
-        with zipfile.ZipFile(path) as archive:
-            names = [name for name in archive.namelist() if name.rpartition("/")[2] == "problem.yaml"]
-            if len(names) != 1:
-                return False
-            with archive.open(names[0]) as file:
-                return _has(file.read(_MOST), uuid)
-    except (OSError, zipfile.BadZipFile, RuntimeError, ValueError, NotImplementedError):
-        return False
-
-
-def _has(content: bytes, uuid: str) -> bool:
-    return f"uuid: {uuid}".encode() in content.splitlines()
+    for path in folder.glob(f"{_PREFIX}*"):
+        with contextlib.suppress(OSError):
+            if time.time() - path.lstat().st_mtime > _OLD:
+                shutil.rmtree(path, ignore_errors=True)  # which follows no link

@@ -1,13 +1,16 @@
 """Which programs a package holds: those of solutions/, each in the folder of the verdict that it gets there.
 
-Of each mistake there is one program, a file of wrong/ before one that mistakes.py makes. A function gets a
-driver. What passes where it must not, is too near the time limit or does not run alone is left out and told.
+It is the one on the first test that it fails. Of each mistake there is one program, a file of wrong/
+before one that mistakes.py makes. A function gets a driver. What passes where it must not, is too near the
+time limit or does not run alone is left out and told.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import partial
+from math import ceil
 
 from msgspec import Struct
 
@@ -16,10 +19,13 @@ from judge.languages import SUFFIX
 from judge.mistakes.makers import Maker, read_makers
 from judge.packs.export.cases import Test
 from judge.packs.export.driver import as_program, defines, why_not_alone
-from judge.packs.export.trial import PATIENCE, SURELY, Trial, time_limit, tried
+from judge.packs.export.metadata import memory
 from judge.problem import Problem, Verdict
-from judge.problem.solutions import Kind, Solution, read_solutions
-from judge.sandbox.boundary import BoxFactory
+from judge.problem.solutions import Kind, read_solutions
+from judge.run.program import answer_lines
+from judge.run.replies import VERDICTS
+from judge.sandbox.boundary import BoxFactory, Limits, ProgramResult, Stop
+from judge.values.check import Accepted, check_line
 
 FOLDERS = {
     Verdict.AC: "accepted",
@@ -27,17 +33,23 @@ FOLDERS = {
     Verdict.RTE: "run_time_error",
     Verdict.TLE: "time_limit_exceeded",
 }
+_NOT_ALLOWED = re.compile("[^a-zA-Z0-9_.-]")  # in the name of a package's file
 _TRIES = 3  # programs of one mistake, until one is rejected
+
+SLOWEST = 5  # times the slowest accepted program: the time limit, as the legacy format has it
+SURELY = 6  # times the time limit: a program that takes so long is too slow elsewhere too
+PATIENCE = 20.0  # seconds of CPU for an accepted program and one file
+_WALL = 4  # times the CPU seconds, and some
 
 Progress = Callable[[str, int, int], None]
 
 
-class Exported(Struct, frozen=True):
-    """A program of a package: where it lies in `submissions`, and its text."""
+class Held(Struct, frozen=True):
+    """A program of the packages: its verdict there, and the test that decides it."""
 
-    path: str
-    source: bytes
-    trial: Trial
+    file: str
+    verdict: Verdict
+    test: str | None
 
 
 class LeftOut(Struct, frozen=True):
@@ -48,9 +60,10 @@ class LeftOut(Struct, frozen=True):
 
 
 class Programs(Struct, frozen=True):
-    """All of them, and the time limit in seconds that the accepted ones set."""
+    """Those of a package, their `sources` by file, and the seconds that the accepted ones leave to others."""
 
-    held: tuple[Exported, ...]
+    held: tuple[Held, ...]
+    sources: Mapping[str, bytes]
     left_out: tuple[LeftOut, ...]
     seconds: int
 
@@ -61,65 +74,65 @@ class _Candidate(Struct, frozen=True):
     name: str
     kind: Kind
     file: str
-    source: str
+    source: bytes
+
+
+class _Trial(Struct, frozen=True):
+    """What came of it: `test` is the first that it fails, `seconds` the most CPU time of a test."""
+
+    verdict: Verdict
+    test: str | None = None
+    seconds: float = 0.0
 
 
 class Exporter:
     """Tries a problem's programs as the package has them, contained, in boxes of `boxes`."""
 
-    def __init__(self, data: ProblemData, tests: Sequence[Test], boxes: BoxFactory) -> None:
+    def __init__(
+        self, data: ProblemData, tests: Sequence[Test], boxes: BoxFactory, progress: Progress
+    ) -> None:
         self._data = data
         self._problem: Problem = data.problem
         self._tests = tests
         self._boxes = boxes
+        self._progress = progress
         self._left_out: list[LeftOut] = []
 
-    def programs(self, progress: Progress, *, held: bool = True, wrong: int | None = None) -> Programs:
-        """All that the package is to hold; where nothing is `held`, only the accepted ones are tried, for
-        the time limit. `wrong` bounds the number of mistakes.
+    def programs(self, wrong: int | None = None) -> Programs:
+        """All that the package is to hold; `wrong` bounds the number of mistakes.
 
         Raises JudgeError where nothing can be run.
         """
-        accepted = list(self._files(Kind.ACCEPTED))
-        trials = self._trials(accepted, progress, "trying accepted programs")
-        right = [trial for trial in trials if trial.verdict is Verdict.AC]
-        seconds = time_limit(right)
-        if not held:
-            return Programs((), (), seconds)
-        found = [self._placed(each, trial, seconds) for each, trial in zip(accepted, trials, strict=True)]
+        tried = [*self._tried(self._files(Kind.ACCEPTED), "accepted", PATIENCE)]
+        slowest = max((each.seconds for _, each in tried if each.verdict is Verdict.AC), default=0.0)
+        seconds = max(1, ceil(SLOWEST * slowest))
         mistakes = list(self._mistakes())
         for makers in mistakes[wrong:] if wrong is not None else []:
-            self._leave_out(makers[0].file, f"only {wrong} wrong programs are wanted")
-        slow = list(self._files(Kind.SLOW))
+            self._leave_out(makers[0].file, "no more wrong programs are wanted")
         patience = float(SURELY * seconds)
-        trials = self._trials(slow, progress, "trying slow programs", patience)
-        found += [self._placed(each, trial, seconds) for each, trial in zip(slow, trials, strict=True)]
-        found += self._wrong(mistakes[:wrong], progress, patience, seconds)
-        return Programs(tuple(each for each in found if each), tuple(self._left_out), seconds)
+        tried += self._tried(self._files(Kind.SLOW), "slow", patience)
+        tried += self._tried(mistakes[:wrong], "wrong", patience)
+        held, sources = [], {}
+        for candidate, trial in tried:
+            if why := _misfit(candidate.kind, trial, seconds):
+                self._leave_out(candidate.file, why)
+            else:
+                file = f"{FOLDERS[trial.verdict]}/{candidate.name}"
+                held.append(Held(file, trial.verdict, trial.test))
+                sources[file] = candidate.source
+        return Programs(tuple(held), sources, tuple(self._left_out), seconds)
 
     def _leave_out(self, file: str, why: str) -> None:
         self._left_out.append(LeftOut(file, why))
 
-    def _files(self, kind: Kind) -> Iterator[_Candidate]:
-        for solution in read_solutions(self._problem, kind).programs:
-            if why := _foreign(solution):
-                self._leave_out(solution.file, why)
-            elif candidate := self._candidate(solution.path.name, kind, solution.file, solution.source):
-                yield candidate
-
-    def _candidate(self, name: str, kind: Kind, file: str, source: bytes) -> _Candidate | None:
-        """The program as a package has it; None where it cannot be one, which is noted."""
-        try:
-            text = source.decode()
-            if why := why_not_alone(text):
-                self._leave_out(file, why)
-                return None
-            if defines(text, self._problem.entry):
-                text = as_program(self._problem, text)
-        except (SyntaxError, UnicodeDecodeError):
-            self._leave_out(file, "it does not compile")
-            return None
-        return _Candidate(safe_name(name), kind, file, text)
+    def _files(self, kind: Kind) -> list[list[_Candidate]]:
+        found = []
+        for each in read_solutions(self._problem, kind).programs:
+            if each.language:
+                self._leave_out(each.file, "only Python is exported")
+            elif candidate := self._candidate(each.path.name, kind, each.file, each.source):
+                found.append([candidate])
+        return found
 
     def _mistakes(self) -> Iterator[list[_Candidate]]:
         """Of each mistake some programs that make it, a file of its name first, then the choices."""
@@ -128,67 +141,72 @@ class Exporter:
             if maker.name:
                 by_name.setdefault(maker.name, []).append(maker)
         for name, makers in by_name.items():
-            file = f"{name}{SUFFIX}"
-            candidates = (
-                self._candidate(file, Kind.WRONG, name, each.program.source) for each in makers[:_TRIES]
-            )
+            sources = [each.program.source for each in makers[:_TRIES]]
+            candidates = [self._candidate(f"{name}{SUFFIX}", Kind.WRONG, name, each) for each in sources]
             if usable := [each for each in candidates if each is not None]:
                 yield usable
 
-    def _wrong(
-        self, mistakes: Sequence[list[_Candidate]], progress: Progress, patience: float, seconds: int
-    ) -> Iterator[Exported | None]:
-        for done, candidates in enumerate(mistakes, 1):
-            trials = self._first_rejected(candidates, patience)
-            progress("trying wrong programs", done, len(mistakes))
-            yield self._placed(candidates[len(trials) - 1], trials[-1], seconds)
-
-    def _first_rejected(self, candidates: Sequence[_Candidate], patience: float) -> list[Trial]:
-        """The trials of a mistake's programs, up to the first that is rejected."""
-        trials = []
-        for each in candidates:
-            trials.append(self._tried(each, patience))
-            if trials[-1].verdict is not Verdict.AC:
-                break
-        return trials
-
-    def _trials(
-        self, candidates: Sequence[_Candidate], progress: Progress, what: str, patience: float = PATIENCE
-    ) -> list[Trial]:
-        found = []
-        for each in candidates:
-            found.append(self._tried(each, patience))
-            progress(what, len(found), len(candidates))
-        return found
-
-    def _tried(self, candidate: _Candidate, patience: float) -> Trial:
-        return tried(
-            self._data, self._tests, candidate.source.encode(), candidate.name, self._boxes, patience
-        )
-
-    def _placed(self, candidate: _Candidate, trial: Trial, seconds: int) -> Exported | None:
-        """The program in its folder; None where it fits into none, which is noted."""
-        if why := _misfit(candidate.kind, trial, seconds):
-            self._leave_out(candidate.file, why)
+    def _candidate(self, name: str, kind: Kind, file: str, source: bytes) -> _Candidate | None:
+        """The program as a package has it; None where it cannot be one, which is noted."""
+        try:
+            text = source.decode()
+            why = why_not_alone(text)
+            if defines(text, self._problem.entry):
+                text = as_program(self._problem, text)
+        except (SyntaxError, UnicodeDecodeError):
+            why = "it does not compile"
+        if why:
+            self._leave_out(file, why)
             return None
-        return Exported(f"{FOLDERS[trial.verdict]}/{candidate.name}", candidate.source.encode(), trial)
+        return _Candidate(_NOT_ALLOWED.sub("_", name), kind, file, text.encode())
+
+    def _tried(
+        self, choices: Sequence[Sequence[_Candidate]], what: str, seconds: float
+    ) -> Iterator[tuple[_Candidate, _Trial]]:
+        """Of each choice of programs the first that is rejected, or the last, and what came of it."""
+        for done, candidates in enumerate(choices, 1):
+            for candidate in candidates:
+                trial = self._trial(candidate, seconds)
+                if trial.verdict is not Verdict.AC:
+                    break
+            self._progress(f"trying {what} programs", done, len(choices))
+            yield candidate, trial
+
+    def _trial(self, candidate: _Candidate, seconds: float) -> _Trial:
+        """Run the program, contained, on one test after another until one fails, `seconds` of CPU each."""
+        memory_bytes, output_bytes = memory(self._problem) << 20, self._problem.limits.output_bytes
+        limits = Limits(seconds, _WALL * seconds + 5, memory_bytes, output_bytes)
+        most = 0.0
+        with self._boxes(candidate.source, candidate.name) as box:
+            if box.inspect().fault:
+                return _Trial(Verdict.CE)
+            for test in self._tests:
+                result = box.run_program(test.input, limits)
+                most = max(most, result.usage.cpu_seconds)
+                verdict = self._verdict(test, result)
+                if verdict is not Verdict.AC:
+                    return _Trial(verdict, test.stem, most)
+        return _Trial(Verdict.AC, None, most)
+
+    def _verdict(self, test: Test, result: ProgramResult) -> Verdict:
+        """As a package has it: how a program ends goes before what it has printed."""
+        if result.stop is not Stop.ANSWERED:
+            return VERDICTS[result.stop]
+        lines, group = answer_lines(result.stdout, complete=True), test.group
+        if len(lines) != len(group.cases):
+            return Verdict.WA
+        for line, case, target in zip(lines, group.cases, group.targets, strict=True):
+            exact = partial(self._data.exact, case, group.group)
+            if not isinstance(check_line(self._problem.answer, line, target, exact), Accepted):
+                return Verdict.WA
+        return Verdict.AC
 
 
-def safe_name(name: str) -> str:
-    """A file's name as packages allow it."""
-    return re.sub("[^a-zA-Z0-9_.-]", "_", name)
-
-
-def _foreign(solution: Solution) -> str:
-    """Why a solution gets no driver."""
-    return "only Python is exported" if solution.language else ""
-
-
-def _misfit(kind: Kind, trial: Trial, seconds: int) -> str:
+def _misfit(kind: Kind, trial: _Trial, seconds: int) -> str:
     """Why a program fits into no folder; empty where it does."""
     verdict = trial.verdict
     if kind is Kind.ACCEPTED and verdict is not Verdict.AC:
-        return f"as a program it is no longer accepted: {verdict.value} on {trial.file or 'every file'}"
+        return f"as a program it is no longer accepted: {verdict.value} on {trial.test or 'every file'}"
     if verdict is Verdict.AC and kind is Kind.SLOW:
         return f"the package's time limit of {seconds} s does not reject it: it takes {trial.seconds:.2f} s"
     if verdict is Verdict.AC and kind is Kind.WRONG:

@@ -16,6 +16,7 @@ Needs Python 3.6 or newer, CPython or PyPy, and nothing else.
 import re
 import sys
 from fractions import Fraction
+from itertools import chain
 from typing import Any, Iterator
 
 PARAMETERS = []  # type: Any  # the problem's, in order
@@ -60,27 +61,16 @@ def parameter(kind: Any, tokens: Iterator[str]) -> None:
             raise Invalid("%s items are too many" % count)
         for _ in range(int(count)):
             parameter(kind[1], tokens)
-    else:
-        token(kind, next(tokens), tokens)
-
-
-def token(kind: Any, word: str, tokens: Iterator[str]) -> None:
-    """Raises Invalid unless the word, and for some types the tokens after it, are a value of that type."""
-    if kind[0] == "optional":
-        if word != "none":
-            parameter(kind[1], chain(word, tokens))
-    elif kind[0] == "word":
+    elif name == "optional":
+        first = next(tokens)
+        if first != "none":
+            parameter(kind[1], chain([first], tokens))
+    elif name == "word":
+        word = next(tokens)
         if word not in kind[1]:
             raise Invalid("%r is none of the words" % word[:60])
     else:
-        number(kind, word)
-
-
-def chain(first: str, rest: Iterator[str]) -> Iterator[str]:
-    """The first, and then the rest."""
-    yield first
-    for each in rest:
-        yield each
+        number(kind, next(tokens))
 
 
 def validate(data: bytes) -> None:
