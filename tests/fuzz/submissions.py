@@ -165,7 +165,7 @@ def further_faults(run: Run, ended: Ended, folder: Path) -> list[str]:
         return ["the judge is at fault"] if ended.status == 3 and "--fresh" not in run.words else []
     results = [json.loads(line) for line in ended.out.split("\n")[:-1]]
     batch = (folder / "work" / "batch").iterdir()
-    given = sum(not path.name.startswith((".", "__")) for path in batch)  # what is hidden is not part of a folder
+    given = sum(not path.name.startswith((".", "__")) for path in batch)  # others are hidden
     found = [] if len(results) == given else [f"it has {len(results)} results of {given} submissions"]
     known = {result["submission"].rpartition("/")[2]: result for result in results}
     for name, result in known.items():
