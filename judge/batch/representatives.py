@@ -6,6 +6,7 @@ Looking for one takes about two seconds, so it is done only for what a page show
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from contextlib import suppress
 from pathlib import PurePath
 
 from msgspec.structs import replace
@@ -13,7 +14,7 @@ from msgspec.structs import replace
 from judge.batch.model import Handin, Row
 from judge.errors import JudgeError
 from judge.judging.api import RunOptions
-from judge.judging.session import Bars, Session, silent
+from judge.judging.session import Bars, Session
 from judge.problem import Problem, Verdict
 from judge.report.published_klass import Cohort
 from judge.run.result import Result
@@ -32,44 +33,33 @@ def smallest_cases(
     rows: Sequence[Row],
     handins: Iterable[Handin],
     problems: Mapping[str, Problem],
-    options: RunOptions = RunOptions(),  # noqa: B008 - frozen
-    bars: Bars = silent,
-) -> dict[tuple[str, str], Result]:
-    """The result of each row, by problem and file, with its smallest case.
-
-    One whose source or problem is not there, or that another verdict comes of now, is as it was.
-    """
-    sources = {each.file: each.source for each in handins if each.source}
-    options = replace(options, timed=False, diagnosed=True)
-    found: dict[tuple[str, str], Result] = {}
-    for problem in dict.fromkeys(row.problem for row in rows):
-        own = [row for row in rows if row.problem == problem]
-        broken = [row for row in own if row.result.verdict in _BROKEN and row.file in sources]
-        texts = {row.digest: row for row in broken}
-        shrunk = _shrunk(problems[problem], texts, sources, options, bars) if problem in problems else {}
-        for row in own:
-            found[problem, row.file] = shrunk.get((row.digest, row.result.verdict), row.result)
-    return found
-
-
-def _shrunk(
-    problem: Problem,
-    texts: Mapping[str, Row],
-    sources: Mapping[str, bytes],
     options: RunOptions,
     bars: Bars,
-) -> dict[tuple[str, Verdict], Result]:
-    """The results by digest and verdict, with the smallest failing cases."""
-    found: dict[tuple[str, Verdict], Result] = {}
-    if not texts:
-        return found
-    try:
-        with bars(f"smallest cases of {problem.id}") as advance, Session(problem, options) as session:
+) -> dict[tuple[str, str], Result]:
+    """The result of each row, by problem and file, with its smallest case; `handins` are those of the rows.
+
+    One whose problem is not there, or that another verdict comes of now, is as it was.
+    """
+    found = {(row.problem, row.file): row.result for row in rows}
+    sources = {each.file: each.source for each in handins}
+    options = replace(options, timed=False, diagnosed=True)
+    for problem in problems.values():
+        broken = [row for row in rows if row.problem == problem.id and row.result.verdict in _BROKEN]
+        texts = {row.digest: row for row in broken}
+        if not texts:
+            continue
+        small: dict[str, Result] = {}
+        with (
+            suppress(JudgeError),  # then the pages show the failing cases as they are
+            bars(f"smallest cases of {problem.id}") as advance,
+            Session(problem, options) as session,
+        ):
             for done, (digest, row) in enumerate(texts.items()):
                 if advance:
                     advance(done, len(texts))
-                result = session.judge(sources[row.file], PurePath(row.file).name)
-                found[digest, result.verdict] = result
-    except JudgeError:  # the pages show the failing cases as they are
-        return found
+                small[digest] = session.judge(sources[row.file], PurePath(row.file).name)
+        for row in broken:
+            result = small.get(row.digest)
+            if result is not None and result.verdict is row.result.verdict:
+                found[row.problem, row.file] = result
     return found

@@ -260,7 +260,7 @@ def _pace(plan: Plan, done: int, texts: int, began: float, workers: int) -> str:
         rate = texts / max(time.monotonic() - began, 1e-9)
         minutes, seconds = divmod(round((len(plan.work) - texts) / rate), 60)
         parts += [f"{rate:.1f} a second", f"{minutes}:{seconds:02} left"]
-    return ", ".join([*parts, counted(workers, "worker")])
+    return ", ".join([*parts, counted(workers, "worker")] if workers else parts)
 
 
 def _left_out(found: ClassFolder) -> list[str]:

@@ -13,6 +13,7 @@ import pytest
 
 from judge.batch.folder import legible, read_class
 from judge.batch.roster import read_students
+from judge.errors import UsageError
 from judge.report.published_klass import Student
 
 FIXTURES = Path(__file__).parents[1] / "fixtures"
@@ -88,6 +89,13 @@ def test_what_is_not_judged_is_named_with_the_reason(place):
         "README.md": "not a program, by its name",
         "ada/notes.txt": "not a program, by its name",
     }
+
+
+def test_a_folder_of_too_many_files_is_refused(place, monkeypatch):
+    write(place, "ada/middle.py", "ada/a.txt", "ada/b.txt")
+    monkeypatch.setattr("judge.files._MOST", 3)
+    with pytest.raises(UsageError, match="more than 3 files"):
+        found(place)
 
 
 def test_an_odd_file_costs_its_own_row(place, tmp_path):

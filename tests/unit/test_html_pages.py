@@ -19,6 +19,7 @@ from judge.batch.representatives import representatives
 from judge.practice.history import History
 from judge.problem.find import find_problem
 from judge.report.html import is_page
+from judge.report.html.case import Cases
 from judge.report.html.klass import CLASS_MARK, FEEDBACK_MARK, ClassPages
 from judge.report.html.learner import MARK, learner_page
 from judge.report.published_klass import Student
@@ -172,7 +173,7 @@ def pages_of(cohort, rows, title="geo"):
     """The page of a class, of which count alone is there, and the pages of its students by file."""
     problems = {"count": find_problem("count")}
     results = {(each.problem, each.file): each.result for each in rows}
-    pages = ClassPages(cohort, results, problems, title, NOW)
+    pages = ClassPages(cohort, results, Cases(problems), title, NOW)
     return pages.whole().decode(), {name: content.decode() for name, content in pages.students()}
 
 

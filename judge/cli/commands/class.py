@@ -117,10 +117,11 @@ def _write_pages(
     classroom: Classroom, cohort: Cohort, html: OutFile, feedback: Path | None, title: str
 ) -> None:
     """Write the page of the class, and each student's. Raises UsageError."""
+    from judge.report.html.case import Cases
     from judge.report.html.klass import ClassPages
 
     results = classroom.results(cohort, everybody=feedback is not None)
-    pages = ClassPages(cohort, results, classroom.problems(), title, moment())
+    pages = ClassPages(cohort, results, Cases(classroom.problems()), title, moment())
     if html.path:
         html.write(pages.whole())
     if feedback:

@@ -10,8 +10,10 @@ import re
 from collections import Counter
 from collections.abc import Iterator, Mapping
 from datetime import datetime
+from functools import cached_property
 
-from judge.problem import Problem
+from msgspec import Struct
+
 from judge.problem.model import FULL_SCORE
 from judge.report.html import page
 from judge.report.html.case import Case, Cases
@@ -23,58 +25,53 @@ FEEDBACK_MARK = "judge feedback page"
 _INLINE = 12  # names that are in sight; longer lists are folded away
 
 
-class ClassPages:
+class ClassPages(Struct, frozen=True, dict=True):
     """The pages of a class that is called `title`, made when they are `generated`.
 
     `results` are those of the hand-in that counts, by kata and file, at least for the first student of each
-    mistake. `problems` are the katas that are still there, by id; of others no case is drawn.
+    mistake. `cases` tells those of the katas that are still there; of others no case is drawn.
     """
 
-    def __init__(
-        self,
-        cohort: Cohort,
-        results: Mapping[tuple[str, str], Result],
-        problems: Mapping[str, Problem],
-        title: str,
-        generated: datetime,
-    ) -> None:
-        self._cohort, self._results, self._cases = cohort, results, Cases(problems)
-        self._title, self._generated = title, generated
-        often = Counter(each.name for each in cohort.students)
-        names = {each.id: each.name or each.id for each in cohort.students}
-        self._names = {who: name if often[name] <= 1 else f"{name} ({who})" for who, name in names.items()}
+    cohort: Cohort
+    results: Mapping[tuple[str, str], Result]
+    cases: Cases
+    title: str
+    generated: datetime
+
+    @cached_property
+    def names(self) -> dict[str, str]:
+        """What each student is called, by their id, which stands beside a name that two have."""
+        often = Counter(each.name for each in self.cohort.students)
+        names = {each.id: each.name or each.id for each in self.cohort.students}
+        return {who: name if often[name] <= 1 else f"{name} ({who})" for who, name in names.items()}
 
     def whole(self) -> bytes:
         """The page of the class."""
-        cohort = self._cohort
-        katas = [
-            (
-                view,
-                self._called(view.problem),
-                [
-                    (bar, self._case(bar.students[0], view.problem, f"kata-{at}-case-{place}"))
-                    for place, bar in enumerate(view.mistakes, 1)
-                ],
-            )
-            for at, view in enumerate(cohort.problems, 1)
-        ]
+        cohort = self.cohort
+        katas = []
+        for at, view in enumerate(cohort.problems, 1):
+            cases = [
+                self._case(each.students[0], view.problem, f"kata-{at}-case-{place}")
+                for place, each in enumerate(view.mistakes, 1)
+            ]
+            katas.append((view, self._called(view.problem), list(zip(view.mistakes, cases, strict=True))))
         return page(
             "class.html.j2",
             CLASS_MARK,
             [case for *_, made in katas for _, case in made],
             [mark.verdict for mark in cohort.every_mark],
-            title=self._title,
-            generated=self._generated,
+            title=self.title,
+            generated=self.generated,
             cohort=cohort,
             katas=katas,
-            names=self._names,
+            names=self.names,
             inline=_INLINE,
             caution=EQUAL_CAUTION,
         )
 
     def students(self) -> Iterator[tuple[str, bytes]]:
         """For each student who submitted something, the name of a file and their page."""
-        cohort, taken = self._cohort, set[str]()
+        cohort, taken = self.cohort, set[str]()
         for person in cohort.students:
             name = _file(person.id, taken)
             marks = [
@@ -93,9 +90,9 @@ class ClassPages:
                 FEEDBACK_MARK,
                 [case for *_, case in marks],
                 [mark.verdict for mark in given],
-                title=self._names[person.id],
-                course=self._title,
-                generated=self._generated,
+                title=self.names[person.id],
+                course=self.title,
+                generated=self.generated,
                 marks=marks,
                 solved=sum(mark.accepted for mark in given),
                 points=cohort.total(person.id),
@@ -104,14 +101,14 @@ class ClassPages:
             yield name, content
 
     def _called(self, problem: str) -> str:
-        return self._cases.problems[problem].title if problem in self._cases.problems else problem
+        return self.cases.problems[problem].title if problem in self.cases.problems else problem
 
     def _case(self, student: str, problem: str, anchor: str) -> Case | None:
-        mark = self._cohort.mark(student, problem)
-        result = self._results.get((problem, mark.file)) if mark else None
+        mark = self.cohort.mark(student, problem)
+        result = self.results.get((problem, mark.file)) if mark else None
         if mark is None or mark.accepted or result is None:
             return None
-        return self._cases.tell(problem, mark.verdict, mark.mistake, result, anchor)
+        return self.cases.tell(problem, mark.verdict, mark.mistake, result, anchor)
 
 
 def _file(student: str, taken: set[str]) -> str:
