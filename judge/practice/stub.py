@@ -66,6 +66,8 @@ def write_stub(problem: Problem, path: Path, *, over: bool = False) -> Path | No
         raise UsageError("its folder does not exist", where=str(path), remedy=remedy) from fault
     except OSError as fault:
         raise unwritable(path, fault, "name another file") from fault
+    except ValueError as fault:  # a NUL in the name
+        raise UsageError(f"cannot be written ({fault})", where=repr(str(path))) from fault
     return None
 
 
