@@ -30,7 +30,7 @@ _ROWS = """CREATE TABLE rows (
 STORE = Kind(
     "file of results",
     0x4A55434C,  # "JUCL"
-    ((_ROWS,),),
+    (("CREATE TABLE rows (key TEXT)",), ("DROP TABLE rows", _ROWS)),  # rows of before are judged again
     "move it away, or copy the folder to another place",
     synchronous="FULL",
 )
