@@ -55,7 +55,7 @@ def test_ctrl_c_keeps_what_was_found(judge, submit, monkeypatch):
 
         yield stage
 
-    monkeypatch.setattr("judge.report.wait.stages", stages)
+    monkeypatch.setattr("judge.cli.commands.run.stages", stages)
     ended = judge("run", "middle", submit(MEAN), "--fresh", "1h", "--json")
     assert (ended.status, found_by(ended)["verdict"]) == (130, "AC")
 
