@@ -291,4 +291,4 @@ class _Loop:
         told, drawing = explained(self._judged, screen) if self._judged else (None, None)
         if told is None or drawing is None:
             return warning("There is no failing case to draw.")
-        return magnified(told, drawing, rows - 2, screen.width)
+        return magnified(told, drawing, rows - 4, screen.width)

@@ -11,6 +11,7 @@ import tty
 from collections.abc import Callable
 from contextlib import suppress
 from functools import partial
+from itertools import chain
 
 from rich.console import Group, RenderableType
 from rich.text import Text
@@ -18,8 +19,8 @@ from rich.text import Text
 from judge.drawing.braille import LEAST_ROWS, ROWS
 from judge.practice.syllabus import Course
 from judge.problem import Problem
-from judge.report.parts import faint, joined, prose, solved_bar, strong, text
-from judge.report.picture import beside, drawing, example_picture
+from judge.report.parts import beside, faint, first_that_fits, joined, prose, solved_bar, strong, text
+from judge.report.picture import drawing, example_picture
 from judge.report.screen import Screen, drawn
 from judge.report.words import shown_name
 
@@ -60,16 +61,14 @@ def begun(place: RenderableType, problem: Problem, file: str, screen: Screen, ro
     above = Group(place, Text(), created, Text())
     below = Group(Text(), text("  Write the function, then save. I judge it on every save."))
     statement = problem.statement.partition("\n")[2].partition("\n## ")[0].strip()  # the task alone
+    task = prose(statement, screen)
     room = max(rows - drawn(Group(above, below), screen).count("\n"), 2)
+    cut = [*Text.from_ansi(drawn(task, screen)).split()[: room - 1], faint("  … press s for the rest")]
     picture = drawing(partial(example_picture, problem), screen, "the figure")
-    for size in range(min(room, ROWS), LEAST_ROWS - 1, -1) if picture else ():
-        both = picture and beside(prose(statement, screen), picture(size), screen.width)
-        if both and drawn(both, screen).count("\n") <= room:
-            return Group(above, both, below)
-    task = list(Text.from_ansi(drawn(prose(statement, screen), screen)).split())
-    if len(task) > room:
-        task[room - 1 :] = [faint("  … press s for the rest")]
-    return Group(above, *task, below)
+    sizes = range(min(room, ROWS), LEAST_ROWS - 1, -1)
+    pictured = (beside(task, picture(size), screen.width) for size in sizes) if picture else ()
+    fitting = first_that_fits(chain(pictured, (task, Group(*cut))), screen, room)
+    return Group(above, fitting, below)
 
 
 def waiting_line(file: str, seconds: float, screen: Screen) -> Text:
