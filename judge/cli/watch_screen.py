@@ -31,27 +31,17 @@ from judge.languages import language_of
 from judge.practice.progress import solved
 from judge.practice.stub import make_stub, usual_name, write_stub
 from judge.practice.syllabus import Course, read_course
+from judge.report import watch as texts
 from judge.report.parts import faint, good, warning
 from judge.report.picture import has_room, statement
 from judge.report.published_practise import HintShown
 from judge.report.published_result import Judged
-from judge.report.result import explained, magnified, screenful, told_of, verdict_line
+from judge.report.result import magnified, screenful, told_of, verdict_line
 from judge.report.screen import Screen, drawn, out
 from judge.report.tell import shown_failure
 from judge.report.views import view
-from judge.report.watch import (
-    GONE,
-    begun,
-    keys_line,
-    place,
-    read_keys,
-    redraw,
-    reprompt,
-    single_keys,
-    waiting_line,
-)
 
-_END = ("q", "\x04", GONE)
+_END = ("q", "\x04", texts.GONE)
 _ASKED = {  # what is done when the key is pressed again
     "n": "Not solved yet. Press n again to skip it.",
     "x": "Start over? Your text will be kept as a .bak file. Press x again.",
@@ -72,13 +62,13 @@ def loop(kata: Kata, level: str | None, common: Common) -> None:
     screen.write("\n" * (screen.height - 1))  # what stood there can be scrolled back to
     signal.signal(signal.SIGTERM, _leave)
     signal.signal(signal.SIGHUP, _leave)
-    take = single_keys(sys.stdin.fileno())
+    take = texts.single_keys(sys.stdin.fileno())
     try:
         while following:
             following = _Loop(following, level, common, take).watch()
     finally:
         signal.setitimer(signal.ITIMER_REAL, 0)
-        reprompt(out(), Text())
+        texts.reprompt(out(), Text())
 
 
 def _leave(number: int, _frame: object) -> NoReturn:
@@ -128,14 +118,14 @@ class _Loop:
         """Again and again while it judges: say for how long, unless that is to be broken off."""
         if self._since is None:
             return
-        self._pressed += read_keys(sys.stdin.fileno(), 0)
+        self._pressed += texts.read_keys(sys.stdin.fileno(), 0)
         outdated = self._is_left or self._file.changed
         signal.setitimer(signal.ITIMER_REAL, _AGAIN if outdated else _LOOK)
         if outdated:
             raise _OutdatedError
         with suppress(OSError):  # the terminal is gone
             screen = out()
-            reprompt(screen, waiting_line(self._kata.name, monotonic() - self._since, screen))
+            texts.reprompt(screen, texts.waiting_line(self._kata.name, monotonic() - self._since, screen))
 
     def _turn(self) -> Kata | None:
         """Do one thing, or wait a moment for it; the kata to go on to, if a key says so."""
@@ -146,7 +136,7 @@ class _Loop:
         elif self._pressed:
             return self._obey(self._pressed.pop(0))
         else:
-            self._pressed += read_keys(sys.stdin.fileno(), _LOOK)
+            self._pressed += texts.read_keys(sys.stdin.fileno(), _LOOK)
         return None
 
     def _judge(self) -> None:
@@ -160,7 +150,9 @@ class _Loop:
             return
         screen, notes = out(), StringIO()
         if self._result is None:
-            redraw(screen, drawn(place(self._kata.problem, self._course(), screen), screen), Text())
+            texts.redraw(
+                screen, drawn(texts.place(self._kata.problem, self._course(), screen), screen), Text()
+            )
         self._since = monotonic()
         signal.setitimer(signal.ITIMER_REAL, _LOOK)
         try:
@@ -173,8 +165,8 @@ class _Loop:
         self._show("")
         if self._judged and self._judged.result.solved:  # it stands there already, and is worth more
             with suppress(JudgeError):
-                found = replace(self._judged, standing=standing(self._kata.problem.id, self._common))
-                self._result = found
+                took = standing(self._kata.problem.id, self._common)
+                self._result = replace(self._judged, standing=took)
                 self._draw()
 
     @property
@@ -184,6 +176,9 @@ class _Loop:
     def _course(self) -> Course:
         with history_at(self._common.db, reading=True) as history:
             return read_course(solved(history.runs()), self._common.problems)
+
+    def _place(self, screen: Screen) -> RenderableType:
+        return texts.place(self._kata.problem, self._course(), screen)
 
     def _obey(self, key: str) -> Kata | None:
         """Do what a key says; the kata to go on to, if it says so."""
@@ -255,7 +250,7 @@ class _Loop:
             )
             apart = () if text.endswith("\n\n") else ("",)
             text += drawn(Group(*apart, end), screen)
-        redraw(screen, f"{text}\n", keys_line(screen, failed=bool(self._case())))
+        texts.redraw(screen, f"{text}\n", texts.keys_line(screen, failed=bool(self._case())))
 
     def _verdict(self) -> Text:
         """The last line, whatever else is shown."""
@@ -266,29 +261,28 @@ class _Loop:
     def _view(self, screen: Screen, rows: int) -> RenderableType:
         """What is shown, in so many rows if that can be."""
         problem, result = self._kata.problem, self._result
-        if self._shown == "s":
-            return statement(problem, screen)
-        if self._shown == "l":
-            from judge.cli.commands.look import ListAsk, listed
+        match self._shown:
+            case "s":
+                return statement(problem, screen)
+            case "l":
+                from judge.cli.commands.look import ListAsk, listed
 
-            return view(listed(None, ListAsk(), self._common), screen)
-        if self._shown == "p":
-            return self._picture(screen, rows)
-        if isinstance(self._shown, HintShown):
-            return view(self._shown, screen)
-        if self._shown != "":
-            return self._shown
-        if result is None:  # its file is still to be written
-            return begun(place(problem, self._course(), screen), problem, self._kata.name, screen, rows)
-        if isinstance(result, str):
+                return view(listed(None, ListAsk(), self._common), screen)
+            case "p":
+                return self._picture(screen, rows)
+            case HintShown() as hint:
+                return view(hint, screen)
+            case Text() as said:
+                return said
+        if isinstance(result, Judged):
+            return screenful(result, screen, rows - self._notes.count("\n"))
+        if result is not None:
             return warning(result)
-        return screenful(result, screen, rows - self._notes.count("\n"))
+        return texts.begun(self._place(screen), problem, self._kata.name, screen, rows)
 
     def _picture(self, screen: Screen, rows: int) -> RenderableType:
         """The failing case, drawn below its arguments."""
         if self._judged and not has_room(screen):
             return warning("A picture needs a terminal of 60 columns that knows braille.")
-        told, drawing = explained(self._judged, screen) if self._judged else (None, None)
-        if told is None or drawing is None:
-            return warning("There is no failing case to draw.")
-        return magnified(told, drawing, rows - 4, screen.width)
+        drawn = magnified(self._judged, screen, rows - 4) if self._judged else None
+        return drawn or warning("There is no failing case to draw.")

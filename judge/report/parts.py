@@ -11,7 +11,6 @@ from functools import partial
 from typing import NamedTuple
 
 from rich.console import Console, ConsoleOptions, Group, RenderableType, RenderResult
-from rich.measure import Measurement
 from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
@@ -112,9 +111,6 @@ class _Table(NamedTuple):
             yield self._laid(kept, [row], options)
             if row[prose].plain:
                 yield indented(row[prose])
-
-    def __rich_measure__(self, console: Console, options: ConsoleOptions) -> Measurement:
-        return Measurement(1, options.max_width)
 
     def _widths(self) -> list[int]:
         """How many columns of the screen each column would take."""

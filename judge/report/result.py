@@ -76,7 +76,7 @@ def told_of(found: Judged) -> Told:
     return tell(found.data.problem if found.data else None, found.result, found.source)
 
 
-def explained(found: Judged, screen: Screen) -> tuple[Told, Drawing | None]:
+def _explained(found: Judged, screen: Screen) -> tuple[Told, Drawing | None]:
     """The result in words, and what draws it: None where there is nothing to draw, or no room."""
     told, result = told_of(found), found.result
     if result.hurdle or (result.failure is None and result.time.growth is None):
@@ -90,7 +90,7 @@ def explained(found: Judged, screen: Screen) -> tuple[Told, Drawing | None]:
 
 def screenful(found: Judged, screen: Screen, rows: int | None) -> RenderableType:
     """One result in at most so many rows, if that can be; all there is where they are None."""
-    (told, drawing), width = explained(found, screen), screen.width
+    (told, drawing), width = _explained(found, screen), screen.width
     top = joined(
         label(told.verdict),
         f"  {told.meaning}  ",
@@ -140,9 +140,11 @@ def _parts(
         yield indented(commands(told.commands))
 
 
-def magnified(told: Told, drawing: Drawing, rows: int, width: int | None) -> RenderableType:
-    """The failing case, and its picture as large as so many rows allow."""
-    return _case(told, drawing, _Cut(picture=max(_LEAST, rows), values=2), width)
+def magnified(found: Judged, screen: Screen, rows: int) -> RenderableType | None:
+    """The failing case, and its picture as large as so many rows allow; None where there is none to draw."""
+    told, drawing = _explained(found, screen)
+    cut = _Cut(picture=max(_LEAST, rows), values=2)
+    return _case(told, drawing, cut, screen.width) if drawing else None
 
 
 def _case(told: Told, drawing: Drawing | None, cut: _Cut, width: int | None) -> RenderableType:
