@@ -34,10 +34,6 @@ _BETTER = (  # than what click says
 _CLOSED_PIPE = 141  # what a shell reports of any filter whose reader has left: 128 + SIGPIPE
 
 
-class ReaderLeftError(Exception):
-    """Standard output was closed by the program that read it, as `head` does."""
-
-
 class Commands(click.Group):
     """A group that imports a command's module when the command is used, and says every fault in one line."""
 
@@ -47,8 +43,8 @@ class Commands(click.Group):
             return None
         gc.disable()  # imports make no garbage, and looking for it takes a twentieth of the start
         module = importlib.import_module(f"judge.cli.commands.{COMMANDS[cmd_name].module}")
-        found = (each for each in vars(module).values() if isinstance(each, click.Command))
-        command = next(each for each in found if each.name == cmd_name)
+        commands = [each for each in vars(module).values() if isinstance(each, click.Command)]
+        command = next(each for each in commands if each.name == cmd_name)
         gc.enable()
         imported()
         examples = "\n".join(f"  {each}" for each in COMMANDS[cmd_name].examples)
@@ -95,11 +91,14 @@ class Commands(click.Group):
         formatter.write(f"{named}: {', '.join(HEADINGS[named])}\nOptions: {', '.join(names)}\n")
 
     def invoke(self, ctx: click.Context) -> Any:
-        """Run the command; click would end with 1 where a reader left."""
+        """Run the command; click would end with 1 where who read standard output has left, as `head` does."""
         try:
             return super().invoke(ctx)
-        except BrokenPipeError as fault:
-            raise ReaderLeftError from fault
+        except BrokenPipeError:
+            from judge.report.screen import hush
+
+            hush(sys.stdout)
+            sys.exit(_CLOSED_PIPE)
 
     def main(  # type: ignore[override]
         self, args: Sequence[str] | None = None, prog_name: str | None = None, **settings: Any
@@ -117,9 +116,6 @@ class Commands(click.Group):
         except Exception as fault:
             from judge.report.screen import hush, note  # only for the one who is told
 
-            if isinstance(fault, ReaderLeftError):
-                hush(sys.stdout)
-                sys.exit(_CLOSED_PIPE)
             if kept != words and not isinstance(fault, UsageError | click.ClickException):
                 import traceback
 

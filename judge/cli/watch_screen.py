@@ -1,17 +1,18 @@
-"""The loop of `judge start` on a terminal: the last verdict, what a key asks for, and the keys."""
+"""The loop of `judge start` on a terminal: a kata's file is judged on every save, and keys ask for more.
+
+All of it is one thread. A timer interrupts it while it judges: to say so, to take keys, and to break off what
+is out of date.
+"""
 
 from __future__ import annotations
 
 import signal
 import sys
 import tempfile
-import threading
-import time
-from collections.abc import Callable, Iterator
-from contextlib import closing, contextmanager, redirect_stderr, suppress
+from collections.abc import Callable
+from contextlib import closing, redirect_stderr, suppress
 from io import StringIO
-from queue import Empty, SimpleQueue
-from types import FrameType
+from time import monotonic
 from typing import Any, NoReturn
 
 from msgspec.structs import replace
@@ -30,151 +31,112 @@ from judge.languages import language_of
 from judge.practice.progress import solved
 from judge.practice.stub import make_stub, usual_name, write_stub
 from judge.practice.syllabus import Course, read_course
+from judge.report import watch as texts
 from judge.report.parts import faint, good, warning
 from judge.report.picture import has_room, statement
+from judge.report.published_practise import HintShown
 from judge.report.published_result import Judged
-from judge.report.result import explained, magnified, screenful, told_of, verdict_line
+from judge.report.result import magnified, screenful, told_of, verdict_line
 from judge.report.screen import Screen, drawn, out
 from judge.report.tell import shown_failure
 from judge.report.views import view
-from judge.report.watch import GONE, begun, keys, keys_line, place, redraw, reprompt, waiting_line
 
-_RESIZED = "resized"
-_END = ("q", "\x04", GONE)
-_LOOK = 0.1  # seconds between two looks at the file
+_END = ("q", "\x04", texts.GONE)
+_ASKED = {  # what is done when the key is pressed again
+    "n": "Not solved yet. Press n again to skip it.",
+    "x": "Start over? Your text will be kept as a .bak file. Press x again.",
+}
+_LOOK = 0.1  # seconds between two looks at the file and the keys
 _AGAIN = 2.0  # seconds after which what was broken off is broken off again, if an import has swallowed it
 _BELOW = 2  # rows that the keys take, and one to spare
 
-View = Callable[[Screen], RenderableType]
+
+class _OutdatedError(KeyboardInterrupt):
+    """What is being judged is wanted no more; it ends as Ctrl-C would end it."""
 
 
 def loop(kata: Kata, level: str | None, common: Common) -> None:
     """Judge a kata on every save, and those that are gone on to, until the person has enough."""
     screen = out()
-    screen.write("\n" * (screen.height - 1))  # what stood there can be scrolled back to
     following: Kata | None = kata
-    with _handled(_leave, signal.SIGTERM, signal.SIGHUP):
-        while following is not None:
-            following = _Loop(following, level, common).watch()
+    screen.write("\n" * (screen.height - 1))  # what stood there can be scrolled back to
+    signal.signal(signal.SIGTERM, _leave)
+    signal.signal(signal.SIGHUP, _leave)
+    take = texts.single_keys(sys.stdin.fileno())
+    try:
+        while following:
+            following = _Loop(following, level, common, take).watch()
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        texts.reprompt(out(), Text())
 
 
-def _leave(number: int, _frame: FrameType | None) -> NoReturn:
+def _leave(number: int, _frame: object) -> NoReturn:
     """End like any program that was asked to, but after clearing up."""
     raise SystemExit(128 + number)
-
-
-@contextmanager
-def _handled(handler: Callable[[int, FrameType | None], None], *signals: signal.Signals) -> Iterator[None]:
-    """Have these signals handled while the block runs."""
-    before = [(each, signal.signal(each, handler)) for each in signals]
-    try:
-        yield
-    finally:
-        for each in before:
-            signal.signal(*each)
-
-
-class _Judging:
-    """A context in which the main thread judges, and another may break that off as Ctrl-C does."""
-
-    def __init__(self) -> None:
-        self._turn = threading.Lock()  # so that no interrupt comes when judging is over
-        self._begun: float | None = None
-        self._broken_off: float | None = None
-
-    def __enter__(self) -> None:
-        self._broken_off, self._begun = None, time.monotonic()
-
-    def __exit__(self, kind: type[BaseException] | None, *_: object) -> bool:
-        """Judging is over; no error comes of breaking it off."""
-        try:
-            self._over()
-        except KeyboardInterrupt:  # it came at the last moment
-            self._over()
-            if self._broken_off is None:
-                raise
-        return kind is KeyboardInterrupt and self._broken_off is not None
-
-    def _over(self) -> None:
-        with self._turn:
-            self._begun = None
-
-    def tick(self, say: Callable[[float], None], *, outdated: Callable[[], bool]) -> None:
-        """If the main thread is judging, say for how many seconds, or break that off."""
-        with self._turn:
-            if self._begun is None:
-                return
-            now = time.monotonic()
-            if outdated() and (self._broken_off is None or now - self._broken_off > _AGAIN):
-                self._broken_off = now
-                signal.pthread_kill(threading.main_thread().ident or 0, signal.SIGINT)
-            with suppress(OSError):  # the terminal is gone
-                say(now - self._begun)
 
 
 class _Loop:
     """One kata on the screen."""
 
-    def __init__(self, kata: Kata, level: str | None, common: Common) -> None:
-        self._kata, self._common = kata, common
+    def __init__(self, kata: Kata, level: str | None, common: Common, take: Callable[[], None]) -> None:
+        self._kata, self._common, self._take = kata, common, take
         options = RunOptions(isolation=common.isolation, level=level)
         self._file = WatchedFile(kata, Wish(options, db=common.db))
         self._stub = make_stub(kata.problem, language_of(kata.path)).encode()
-        self._events: SimpleQueue[str] = SimpleQueue()
-        self._judging = _Judging()
-        self._found: Judged | None = None
-        self._text = ""  # why there is no result
-        self._notes = ""
-        self._view: View = self._report
-        self._views: dict[str, View] = {
-            "s": self._statement,
-            "l": self._list,
-            "p": self._picture,
-            " ": self._report,
-            "\n": self._report,
-        }
+        self._since: float | None = None  # when judging began, while it goes on
+        self._result: Judged | str | None = None  # or why there is none; None before the first
+        self._notes = ""  # that came with it
+        self._shown: str | Text | HintShown = ""  # the key of a view, or what it says; "" for the result
+        self._covered = False  # whether it must be drawn anew
+        self._pressed: list[str] = []
         self._asked = ""  # the key before, where it asks for confirmation
-        self._leaving = False
 
     def watch(self) -> Kata | None:
         """Judge on every save and obey the keys; the kata to go on to, or None to end."""
-        try:
-            with closing(self._file), keys(sys.stdin.fileno(), self._pressed, self._tick) as take:
+        signal.signal(signal.SIGALRM, self._tick)
+        signal.signal(signal.SIGWINCH, self._cover)
+        signal.signal(signal.SIGCONT, self._cover)
+        with closing(self._file):
+            while not self._is_left:
+                with suppress(_OutdatedError):
+                    if following := self._turn():
+                        return following
+                self._since = None  # here too: it may have been broken off at the last moment
+        return None
 
-                def resized(number: int, _frame: object) -> None:
-                    if number == signal.SIGCONT:
-                        take()
-                    self._events.put(_RESIZED)
+    @property
+    def _is_left(self) -> bool:
+        return any(key in _END for key in self._pressed)
 
-                with _handled(resized, signal.SIGWINCH, signal.SIGCONT):
-                    return self._obey()
-        finally:
-            reprompt(out(), Text())
+    def _cover(self, *_: object) -> None:
+        """The window has another size, or somebody else had it meanwhile."""
+        self._covered = True
+        self._take()
 
-    def _pressed(self, key: str) -> None:
-        """A key, in the thread that reads them: the one that ends it does so in the middle of judging too."""
-        self._leaving = self._leaving or key in _END
-        self._events.put(key)
+    def _tick(self, *_: object) -> None:
+        """Again and again while it judges: say for how long, unless that is to be broken off."""
+        if self._since is None:
+            return
+        self._pressed += texts.read_keys(sys.stdin.fileno(), 0)
+        outdated = self._is_left or self._file.changed
+        signal.setitimer(signal.ITIMER_REAL, _AGAIN if outdated else _LOOK)
+        if outdated:
+            raise _OutdatedError
+        with suppress(OSError):  # the terminal is gone
+            screen = out()
+            texts.reprompt(screen, texts.waiting_line(self._kata.name, monotonic() - self._since, screen))
 
-    def _tick(self) -> None:
-        """In that thread too, all the time: say what is being judged, unless that is out of date."""
-        screen, name = out(), self._kata.name
-        self._judging.tick(
-            lambda seconds: reprompt(screen, waiting_line(name, seconds, screen)),
-            outdated=lambda: self._leaving or self._file.changed,
-        )
-
-    def _obey(self) -> Kata | None:
-        while not self._leaving:
-            if self._file.saved():
-                self._judge()
-            event = ""
-            with suppress(Empty):
-                event = self._events.get(timeout=_LOOK)
-            if event == _RESIZED:
-                self._draw()
-            elif event and not self._leaving and (following := self._key(event)):
-                return following
+    def _turn(self) -> Kata | None:
+        """Do one thing, or wait a moment for it; the kata to go on to, if a key says so."""
+        if self._file.saved():
+            self._judge()
+        elif self._covered:
+            self._draw()
+        elif self._pressed:
+            return self._obey(self._pressed.pop(0))
+        else:
+            self._pressed += texts.read_keys(sys.stdin.fileno(), _LOOK)
         return None
 
     def _judge(self) -> None:
@@ -183,69 +145,71 @@ class _Loop:
         with suppress(OSError):  # judging says so
             untouched = self._kata.path.read_bytes() == self._stub
         if untouched:
-            self._found, self._text, self._notes = None, "", ""
-            self._show(self._begun)
+            self._result, self._notes = None, ""
+            self._show("")
             return
-        screen = out()
-        if not (self._found or self._text):
-            redraw(screen, drawn(self._place(screen), screen), Text())
-        notes = StringIO()
-        found: Judged | str | None = None
-        with self._judging, redirect_stderr(notes):  # a bar would be drawn over
-            if not self._leaving:
+        screen, notes = out(), StringIO()
+        if self._result is None:
+            texts.redraw(
+                screen, drawn(texts.place(self._kata.problem, self._course(), screen), screen), Text()
+            )
+        self._since = monotonic()
+        signal.setitimer(signal.ITIMER_REAL, _LOOK)
+        try:
+            with redirect_stderr(notes):  # a bar would be drawn over
                 found = self._file.judge()
-        if found is None:  # what was judged is out of date: what is there now comes next
-            return
-        self._found, self._text = None, ""
-        if isinstance(found, str):
-            self._text = found
-        else:
-            self._found = replace(found, commands=False, key="n")
+        finally:
+            self._since = None
+        self._result = found if isinstance(found, str) else replace(found, commands=False, key="n")
         self._notes, self._asked = notes.getvalue(), ""
-        self._show(self._report)
-        if self._found and self._solved:  # the verdict stands there already, and is worth more
+        self._show("")
+        if self._judged and self._judged.result.solved:  # it stands there already, and is worth more
             with suppress(JudgeError):
-                self._found = replace(self._found, standing=standing(self._kata.problem.id, self._common))
+                took = standing(self._kata.problem.id, self._common)
+                self._result = replace(self._judged, standing=took)
                 self._draw()
 
-    def _begun(self, screen: Screen) -> RenderableType:
-        """The kata, whose file is still to be written."""
-        rows = screen.height - _BELOW
-        return begun(self._place(screen), self._kata.problem, self._kata.name, screen, rows)
-
-    def _place(self, screen: Screen) -> RenderableType:
-        return place(self._kata.problem, self._course(), screen)
+    @property
+    def _judged(self) -> Judged | None:
+        return None if isinstance(self._result, str) else self._result
 
     def _course(self) -> Course:
         with history_at(self._common.db, reading=True) as history:
             return read_course(solved(history.runs()), self._common.problems)
 
-    def _key(self, key: str) -> Kata | None:
+    def _place(self, screen: Screen) -> RenderableType:
+        return texts.place(self._kata.problem, self._course(), screen)
+
+    def _obey(self, key: str) -> Kata | None:
         """Do what a key says; the kata to go on to, if it says so."""
         sure, self._asked = key == self._asked, ""
         try:
-            if key == "n" and (sure or self._solved):
+            if key == "n" and (sure or (self._judged and self._judged.result.solved)):
                 return self._next()
             if key == "x" and sure:
                 write_stub(self._kata.problem, self._kata.path, over=True)
             elif key in _ASKED:
                 self._asked = key
-                self._say(warning(_ASKED[key]))
+                self._show(warning(_ASKED[key]))
             elif key == "h":
-                self._hint()
+                (hint,) = hints(self._kata.problem, HintAsk(), self._common.db)
+                note_seen(hint, self._common.db)
+                self._show(hint)
             elif key == "e":
-                self._browse()
-            elif key in self._views:
-                self._show(self._views[key])
+                self._show(self._browse())
+            elif key in "slp":
+                self._show(key)
+            elif key in " \n":
+                self._show("")
         except JudgeError as fault:
-            self._say(warning(str(fault)))
+            self._show(warning(str(fault)))
         return None
 
     def _next(self) -> Kata | None:
         """The kata to go on to, taken up; None where all others are solved."""
         following = self._course().next(self._kata.problem.id)
         if following is None:
-            self._say(good("All other katas are solved."))
+            self._show(good("All other katas are solved."))
             return None
         kata = Kata(following, self._kata.path.with_name(usual_name(following.id)))
         if not kata.path.exists():
@@ -253,82 +217,72 @@ class _Loop:
         take_up(kata, self._common.db)
         return kata
 
-    def _hint(self) -> None:
-        """Show the next hint."""
-        (hint,) = hints(self._kata.problem, HintAsk(), self._common.db)
-        note_seen(hint, self._common.db)
-        self._show(lambda screen: view(hint, screen))
-
     def _case(self) -> dict[str, Any] | None:
         """The arguments of the case that is shown; None where no case failed."""
-        failure = shown_failure(self._found.result) if self._found else None
+        failure = shown_failure(self._judged.result) if self._judged else None
         return failure.input if failure else None
 
-    def _browse(self) -> None:
-        """Open the failing case in the browser, on a page where it can be dragged."""
+    def _browse(self) -> Text:
+        """Open the failing case in the browser, on a page where it can be dragged; what to say of that."""
         problem, page = self._kata.problem, None
-        if self._found and self._found.data and (explore := self._found.data.module.hooks.explore):
+        if self._judged and self._judged.data and (explore := self._judged.data.module.hooks.explore):
             page = explore(problem, self._case())
         if page is None:
-            self._say(warning(f"There is no page for {problem.id} yet."))
-            return
+            return warning(f"There is no page for {problem.id} yet.")
         import click
 
         with tempfile.NamedTemporaryFile("w", suffix=".html", delete=False, encoding="utf-8") as file:
             file.write(page)
         click.launch(file.name)
-        self._say(faint(f"Opened {file.name}"))
+        return faint(f"Opened {file.name}")
 
-    def _statement(self, screen: Screen) -> RenderableType:
-        return statement(self._kata.problem, screen)
-
-    def _list(self, screen: Screen) -> RenderableType:
-        from judge.cli.commands.look import ListAsk, listed
-
-        return view(listed(None, ListAsk(), self._common), screen)
-
-    def _picture(self, screen: Screen) -> RenderableType:
-        """The failing case, drawn below its arguments."""
-        if self._found and not has_room(screen):
-            return warning("A picture needs a terminal of 60 columns that knows braille.")
-        told, drawing = explained(self._found, screen) if self._found else (None, None)
-        if told is None or drawing is None:
-            return warning("There is no failing case to draw.")
-        return magnified(told, drawing, screen.height - _BELOW - 2, screen.width)
-
-    def _report(self, screen: Screen) -> RenderableType:
-        if self._found is None:
-            return warning(self._text)
-        return screenful(self._found, screen, screen.height - _BELOW - self._notes.count("\n"))
-
-    def _end(self) -> RenderableType | None:
-        """The last line, whatever else is shown: the verdict."""
-        if self._found is not None:
-            return verdict_line(told_of(self._found), self._kata.name)
-        return warning(self._text) if self._text else None
-
-    @property
-    def _solved(self) -> bool:
-        return self._found is not None and self._found.result.solved
-
-    def _say(self, text: Text) -> None:
-        self._show(lambda _screen: text)
-
-    def _show(self, view: View) -> None:
-        self._view = view
+    def _show(self, shown: str | Text | HintShown) -> None:
+        self._shown = shown
         self._draw()
 
     def _draw(self) -> None:
         """All of it at once; the verdict is last, above the keys."""
-        screen = out()
-        text = self._notes + drawn(self._view(screen), screen)
-        if self._view != self._report and (end := self._end()):
+        self._covered, screen, result = False, out(), self._result
+        text = self._notes + drawn(self._view(screen, screen.height - _BELOW), screen)
+        if self._shown != "" and result is not None:
+            end = (
+                warning(result) if isinstance(result, str) else verdict_line(told_of(result), self._kata.name)
+            )
             apart = () if text.endswith("\n\n") else ("",)
             text += drawn(Group(*apart, end), screen)
-        redraw(screen, f"{text}\n", keys_line(screen, failed=bool(self._case())))
+        texts.redraw(screen, f"{text}\n", texts.keys_line(screen, failed=bool(self._case())))
 
+    def _verdict(self) -> Text:
+        """The last line, whatever else is shown."""
+        if isinstance(self._result, Judged):
+            return verdict_line(told_of(self._result), self._kata.name)
+        return warning(self._result or "")
 
-_ASKED = {  # what is done when the key is pressed again
-    "n": "Not solved yet. Press n again to skip it.",
-    "x": "Start over? Your text will be kept as a .bak file. Press x again.",
-}
+    def _view(self, screen: Screen, rows: int) -> RenderableType:
+        """What is shown, in so many rows if that can be."""
+        problem, result = self._kata.problem, self._result
+        match self._shown:
+            case "s":
+                return statement(problem, screen)
+            case "l":
+                from judge.cli.commands.look import ListAsk, listed
+
+                return view(listed(None, ListAsk(), self._common), screen)
+            case "p":
+                return self._picture(screen, rows)
+            case HintShown() as hint:
+                return view(hint, screen)
+            case Text() as said:
+                return said
+        if isinstance(result, Judged):
+            return screenful(result, screen, rows - self._notes.count("\n"))
+        if result is not None:
+            return warning(result)
+        return texts.begun(self._place(screen), problem, self._kata.name, screen, rows)
+
+    def _picture(self, screen: Screen, rows: int) -> RenderableType:
+        """The failing case, drawn below its arguments."""
+        if self._judged and not has_room(screen):
+            return warning("A picture needs a terminal of 60 columns that knows braille.")
+        drawn = magnified(self._judged, screen, rows - 4) if self._judged else None
+        return drawn or warning("There is no failing case to draw.")

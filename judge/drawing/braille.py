@@ -5,6 +5,7 @@ The points of the case stand as their letters, a wanted one as `o`, a given one 
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from itertools import groupby, pairwise
 from math import hypot
 from typing import NamedTuple
@@ -86,38 +87,28 @@ Cell = tuple[str, Role | None]
 
 
 def grid(panel: Panel, raster: Raster) -> list[list[Cell]]:
-    """The characters of a panel by row, each with the role that colours it."""
-    dots = [[0] * raster.wide for _ in range(raster.high)]
-    roles: list[list[Role | None]] = [[None] * raster.wide for _ in range(raster.high)]
-    for stroke in panel.strokes:
-        if not stroke.filled:
-            _draw(stroke, raster, dots, roles)
-    cells: list[list[Cell]] = [
-        [(chr(_BLANK + bits) if bits else " ", role) for bits, role in zip(*pair, strict=True)]
-        for pair in zip(dots, roles, strict=True)
-    ]
-    for role in _ORDER:
-        for mark in panel.marks:
-            if mark.role is role:
-                _set(mark, raster, cells)
+    """The characters of a panel by row, each with the role that colours it: the last in the order."""
+    bits = [[0] * raster.wide for _ in range(raster.high)]
+    cells: list[list[Cell]] = [[(" ", None)] * raster.wide for _ in range(raster.high)]
+    for stroke in sorted(panel.strokes, key=lambda stroke: _ORDER.index(stroke.role)):
+        for x, y in _dots(stroke, raster):
+            row, column = y // 4, x // 2
+            bits[row][column] |= _BITS[y % 4][x % 2]
+            cells[row][column] = chr(_BLANK + bits[row][column]), stroke.role
+    for mark in sorted(panel.marks, key=lambda mark: _ORDER.index(mark.role)):
+        _set(mark, raster, cells)
     return cells
 
 
-def _draw(stroke: Stroke, raster: Raster, dots: list[list[int]], roles: list[list[Role | None]]) -> None:
-    """Set the dots of a stroke, those beyond a line's ends two on, two off."""
+def _dots(stroke: Stroke, raster: Raster) -> Iterator[tuple[int, int]]:
+    """The dots of a stroke, those beyond a line's ends two on, two off."""
     travelled = 0
-    for (x1, y1), (x2, y2) in pairwise(map(raster.fine, stroke.dots)):
+    for (x1, y1), (x2, y2) in pairwise(() if stroke.filled else map(raster.fine, stroke.dots)):
         steps = max(1, int(hypot(x2 - x1, y2 - y1) * 1.5))
         for i in range(steps + 1):
             travelled += 1
-            if stroke.role is Role.BEYOND and travelled % 8 >= 3:
-                continue
-            x, y = raster.cell(x1 + (x2 - x1) * i / steps, y1 + (y2 - y1) * i / steps)
-            row, column = y // 4, x // 2
-            dots[row][column] |= _BITS[y % 4][x % 2]
-            before = roles[row][column]
-            if before is None or _ORDER.index(stroke.role) > _ORDER.index(before):
-                roles[row][column] = stroke.role
+            if stroke.role is not Role.BEYOND or travelled % 8 < 3:
+                yield raster.cell(x1 + (x2 - x1) * i / steps, y1 + (y2 - y1) * i / steps)
 
 
 def _set(mark: Mark, raster: Raster, cells: list[list[Cell]]) -> None:

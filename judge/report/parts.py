@@ -11,13 +11,12 @@ from functools import partial
 from typing import NamedTuple
 
 from rich.console import Console, ConsoleOptions, Group, RenderableType, RenderResult
-from rich.measure import Measurement
 from rich.padding import Padding
 from rich.table import Table
 from rich.text import Text
 
 from judge.problem import Verdict
-from judge.report.screen import ENDLESS, Screen, is_terminal
+from judge.report.screen import ENDLESS, Screen, drawn, is_terminal
 from judge.report.words import counted, printable
 
 Cell = str | Text
@@ -26,6 +25,7 @@ STRONG, FAINT, GOOD, BAD, WARNING = "bold", "dim", "green", "red", "yellow"
 READABLE = 100  # columns that prose has at most, however wide the screen is
 _LEAST = 20  # columns of prose below which it goes under its row
 _BAR = 40
+_GAP = 3  # columns between a drawing and what stands beside it
 _STATEMENT = 88  # columns of a statement
 _VERDICTS = dict.fromkeys((Verdict.TLE, Verdict.MLE, Verdict.OLE, Verdict.JE), WARNING) | {Verdict.AC: GOOD}
 FIGURE = re.compile(r"^!\[[^]]*\]\([^)]*\)\n\n?", re.MULTILINE)
@@ -70,6 +70,27 @@ def indented(what: RenderableType, columns: int = 2) -> Padding:
     return Padding(what, (0, 0, 0, columns))
 
 
+def first_that_fits(layouts: Iterable[RenderableType], screen: Screen, rows: int | None) -> RenderableType:
+    """The first of the layouts that takes at most so many rows, or else the last; None for any number."""
+    laid: RenderableType = Text()
+    for laid in layouts:
+        if rows is None or drawn(laid, screen).count("\n") <= rows:
+            break
+    return laid
+
+
+def beside(left: RenderableType, rows: Sequence[Text], width: int | None) -> RenderableType:
+    """A drawing to the right of what belongs to it, or below that where it would take more than half."""
+    wide = max((row.cell_len for row in rows), default=0)
+    if width is None or width - wide - _GAP < width // 2:
+        return Group(left, Text(), *rows)
+    both = Table.grid(expand=True, padding=(0, 0, 0, _GAP))
+    both.add_column(ratio=1)
+    both.add_column(width=wide + _GAP, no_wrap=True)
+    both.add_row(left, Group(*rows))
+    return both
+
+
 class _Table(NamedTuple):
     """Lays a table out for the width that it is given."""
 
@@ -90,9 +111,6 @@ class _Table(NamedTuple):
             yield self._laid(kept, [row], options)
             if row[prose].plain:
                 yield indented(row[prose])
-
-    def __rich_measure__(self, console: Console, options: ConsoleOptions) -> Measurement:
-        return Measurement(1, options.max_width)
 
     def _widths(self) -> list[int]:
         """How many columns of the screen each column would take."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -102,9 +102,6 @@ def result_picture(found: Judged) -> Picture | Chart | None:
     return case_picture(found.data.problem, found.data.module, shown, failure.group)
 
 
-GAP = 3  # columns between a drawing and what stands beside it
-
-
 def figure(problem: Problem) -> str | None:
     """The SVG of a statement; None where the problem draws none of its examples."""
     from judge.drawing.svg import panel_svg
@@ -143,21 +140,6 @@ def statement(problem: Problem, screen: Screen) -> RenderableType:
         drawn(prose(after[0], screen), screen).strip("\n")
     )  # a list begins with a blank row
     return blocks(prose(before, screen), indented(Group(*rows(ROWS))), rest)
-
-
-def beside(left: RenderableType, rows: Sequence[Text], width: int | None) -> RenderableType | None:
-    """A drawing to the right of what belongs to it; None where it would take more than half of the width."""
-    from rich.console import Group
-    from rich.table import Table
-
-    wide = max((row.cell_len for row in rows), default=0)
-    if width is None or width - wide - GAP < width // 2:
-        return None
-    both = Table.grid(expand=True, padding=(0, 0, 0, GAP))
-    both.add_column(ratio=1)
-    both.add_column(width=wide + GAP, no_wrap=True)
-    both.add_row(left, Group(*rows))
-    return both
 
 
 def case_picture(

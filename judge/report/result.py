@@ -13,10 +13,12 @@ from judge.problem import Verdict
 from judge.report.parts import (
     Cell,
     bad,
+    beside,
     blocks,
     commands,
     facts,
     faint,
+    first_that_fits,
     good,
     indented,
     joined,
@@ -28,7 +30,7 @@ from judge.report.parts import (
     verdict_style,
 )
 from judge.report.published_result import Judged, Several
-from judge.report.screen import Screen, drawn
+from judge.report.screen import Screen
 from judge.report.tell import Told, place_of, tell, with_why
 from judge.report.words import counted, shown_name, times
 from judge.run.result import GroupResult, Result
@@ -49,7 +51,6 @@ class _Cut(Struct, frozen=True):
     fails: bool = True
 
 
-_PICTURES = _MOST - _LEAST + 1  # that come first
 _CUTS = (
     *(_Cut(picture=rows) for rows in range(_MOST, _LEAST - 1, -1)),
     _Cut(),
@@ -75,23 +76,21 @@ def told_of(found: Judged) -> Told:
     return tell(found.data.problem if found.data else None, found.result, found.source)
 
 
-def explained(found: Judged, screen: Screen) -> tuple[Told, Drawing | None]:
+def _explained(found: Judged, screen: Screen) -> tuple[Told, Drawing | None]:
     """The result in words, and what draws it: None where there is nothing to draw, or no room."""
     told, result = told_of(found), found.result
     if result.hurdle or (result.failure is None and result.time.growth is None):
         return told, None
-    from judge.report import picture as pictures  # only where something failed
+    from judge.report.picture import has_room, made, picture_rows, result_picture  # where something failed
 
-    picture = pictures.made(partial(pictures.result_picture, found), "the failing case")
+    picture = made(partial(result_picture, found), "the failing case")
     told = with_why(told, getattr(picture, "why", ""))
-    if picture is None or not pictures.has_room(screen):
-        return told, None
-    return told, partial(pictures.picture_rows, picture)
+    return told, partial(picture_rows, picture) if picture and has_room(screen) else None
 
 
 def screenful(found: Judged, screen: Screen, rows: int | None) -> RenderableType:
     """One result in at most so many rows, if that can be; all there is where they are None."""
-    (told, drawing), width = explained(found, screen), screen.width
+    (told, drawing), width = _explained(found, screen), screen.width
     top = joined(
         label(told.verdict),
         f"  {told.meaning}  ",
@@ -99,12 +98,8 @@ def screenful(found: Judged, screen: Screen, rows: int | None) -> RenderableType
         f"  {told.stars}" if told.stars else "",
         faint(f"  {told.how}" if told.how else ""),
     )
-    laid: RenderableType = Text()
-    for cut in _CUTS if drawing else _CUTS[_PICTURES:]:
-        laid = blocks(top, *_parts(found, told, drawing, cut, width), verdict_line(told))
-        if rows is None or drawn(laid, screen).count("\n") <= rows:
-            break
-    return laid
+    laid = (blocks(top, *_parts(found, told, drawing, cut, width), verdict_line(told)) for cut in _CUTS)
+    return first_that_fits(laid, screen, rows)
 
 
 def verdict_line(told: Told, name: str = "") -> Text:
@@ -123,7 +118,7 @@ def _parts(
         source = [indented(text(each), 4) for each in told.source]
         yield Group(indented(text(_cut(told.happened, cut.values, width))), *source)
     if told.case:
-        yield indented(_with_picture(_case(told, cut, width), drawing, cut, width))
+        yield _case(told, drawing, cut, width)
     elif cut.picture and drawing is not None:
         yield indented(Group(*drawing(cut.picture)))
     if told.mistake:
@@ -145,31 +140,24 @@ def _parts(
         yield indented(commands(told.commands))
 
 
-def magnified(told: Told, drawing: Drawing, rows: int, width: int | None) -> RenderableType:
-    """The failing case, and its picture as large as so many rows allow, beside it or below it."""
-    case = _case(told, _Cut(values=2), width)
-    return indented(_with_picture(case, drawing, _Cut(picture=max(_LEAST, rows - 2)), width))
+def magnified(found: Judged, screen: Screen, rows: int) -> RenderableType | None:
+    """The failing case, and its picture as large as so many rows allow; None where there is none to draw."""
+    told, drawing = _explained(found, screen)
+    cut = _Cut(picture=max(_LEAST, rows), values=2)
+    return _case(told, drawing, cut, screen.width) if drawing else None
 
 
-def _case(told: Told, cut: _Cut, width: int | None) -> RenderableType:
+def _case(told: Told, drawing: Drawing | None, cut: _Cut, width: int | None) -> RenderableType:
+    """The failing case, and its picture where one is to be drawn."""
     rows: list[tuple[Cell, Cell]] = []
     if told.input:
         rows.append(("", text(_cut("   ".join(told.input), cut.values, width))))
     for name, said in told.facts:
         rows.append((faint(name), _LABELS.get(name, text)(_cut(said, cut.values, width))))
-    return Group(strong(told.case), *([indented(table(rows))] if rows else []))
-
-
-def _with_picture(
-    case: RenderableType, drawing: Drawing | None, cut: _Cut, width: int | None
-) -> RenderableType:
-    """The picture beside the case where both have room, or else below it."""
+    case = Group(strong(told.case), *([indented(table(rows))] if rows else []))
     if drawing is None or not cut.picture:
-        return case
-    from judge.report.picture import beside
-
-    rows = drawing(cut.picture)
-    return beside(case, rows, width and width - 4) or Group(case, Text(), *rows)
+        return indented(case)
+    return indented(beside(case, drawing(cut.picture), width and width - 4))
 
 
 def _cut(said: str, rows: int | None, width: int | None) -> str:

@@ -1,7 +1,4 @@
-"""The loop of `judge start` on a terminal: what is drawn again and again, single keys, and the texts.
-
-The terminal is given back as it was.
-"""
+"""The loop of `judge start` on a terminal: what is drawn again and again, single keys, and the texts."""
 
 from __future__ import annotations
 
@@ -9,10 +6,12 @@ import atexit
 import os
 import re
 import select
-import threading
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager, suppress
+import termios
+import tty
+from collections.abc import Callable
+from contextlib import suppress
 from functools import partial
+from itertools import chain
 
 from rich.console import Group, RenderableType
 from rich.text import Text
@@ -20,8 +19,8 @@ from rich.text import Text
 from judge.drawing.braille import LEAST_ROWS, ROWS
 from judge.practice.syllabus import Course
 from judge.problem import Problem
-from judge.report.parts import faint, joined, prose, solved_bar, strong, text
-from judge.report.picture import beside, drawing, example_picture
+from judge.report.parts import beside, faint, first_that_fits, joined, prose, solved_bar, strong, text
+from judge.report.picture import drawing, example_picture
 from judge.report.screen import Screen, drawn
 from judge.report.words import shown_name
 
@@ -41,7 +40,6 @@ _KEYS = {
     "x": "start over",
     "q": "quit",
 }
-_TICK = 0.1
 _OF_A_CASE = "pe"  # keys that need a case that failed
 
 
@@ -63,16 +61,14 @@ def begun(place: RenderableType, problem: Problem, file: str, screen: Screen, ro
     above = Group(place, Text(), created, Text())
     below = Group(Text(), text("  Write the function, then save. I judge it on every save."))
     statement = problem.statement.partition("\n")[2].partition("\n## ")[0].strip()  # the task alone
+    task = prose(statement, screen)
     room = max(rows - drawn(Group(above, below), screen).count("\n"), 2)
+    cut = [*Text.from_ansi(drawn(task, screen)).split()[: room - 1], faint("  … press s for the rest")]
     picture = drawing(partial(example_picture, problem), screen, "the figure")
-    for size in range(min(room, ROWS), LEAST_ROWS - 1, -1) if picture else ():
-        both = picture and beside(prose(statement, screen), picture(size), screen.width)
-        if both and drawn(both, screen).count("\n") <= room:
-            return Group(above, both, below)
-    task = list(Text.from_ansi(drawn(prose(statement, screen), screen)).split())
-    if len(task) > room:
-        task[room - 1 :] = [faint("  … press s for the rest")]
-    return Group(above, *task, below)
+    sizes = range(min(room, ROWS), LEAST_ROWS - 1, -1)
+    pictured = (beside(task, picture(size), screen.width) for size in sizes) if picture else ()
+    fitting = first_that_fits(chain(pictured, (task, Group(*cut))), screen, room)
+    return Group(above, fitting, below)
 
 
 def waiting_line(file: str, seconds: float, screen: Screen) -> Text:
@@ -104,8 +100,9 @@ def redraw(screen: Screen, text: str, prompt: Text) -> None:
 
 
 def reprompt(screen: Screen, prompt: Text) -> None:
-    """Replace the prompt alone."""
-    screen.write(f"\r{_open(prompt, screen)}{_REST_OF_SCREEN}")
+    """Replace the prompt alone, unless the terminal takes nothing now, as after Ctrl-S."""
+    if select.select([], [screen.stream], [], 0)[1]:
+        screen.write(f"\r{_open(prompt, screen)}{_REST_OF_SCREEN}")
 
 
 def _open(prompt: Text, screen: Screen) -> str:
@@ -113,62 +110,28 @@ def _open(prompt: Text, screen: Screen) -> str:
     return drawn(prompt, screen).rstrip("\n")
 
 
-@contextmanager
-def keys(
-    terminal: int, tell: Callable[[str], None], tick: Callable[[], None]
-) -> Iterator[Callable[[], None]]:
-    """Tells every key that is pressed, from a thread of its own, while the block runs.
+def single_keys(terminal: int) -> Callable[[], None]:
+    """Have the terminal give keys at once, and not show them, until the judge ends. Ctrl-C stays as it is.
 
-    `tick` is called there ten times a second.
-
-    The terminal gives keys at once and does not show them meanwhile, and is what it was afterwards. What is
-    given has that done again, after the process was stopped and goes on. Ctrl-C stays as it is.
+    What is returned has that done again, after the process was stopped and goes on.
     """
-    import termios
-    import tty
-
     before = termios.tcgetattr(terminal)
-    end, stop = os.pipe()
-
-    def take() -> None:
-        tty.setcbreak(terminal, termios.TCSANOW)
 
     def give_back() -> None:
         with suppress(termios.error):  # the terminal is gone
             termios.tcsetattr(terminal, termios.TCSANOW, before)
 
-    def read() -> None:
-        watched = [terminal, end]
-        while end not in (ready := select.select(watched, [], [], _TICK)[0]):
-            if ready:
-                found = b""
-                with suppress(OSError):
-                    found = os.read(terminal, 64)
-                for key in _keys(found):
-                    tell(key)
-                if not found:
-                    watched.remove(terminal)
-            tick()
-
-    thread = threading.Thread(target=read, name="keys", daemon=True)
-    atexit.register(give_back)  # should a second Ctrl-C come before the first is dealt with
+    atexit.register(give_back)  # however it ends
+    take = partial(tty.setcbreak, terminal, termios.TCSANOW)
     take()
-    thread.start()
-    try:
-        yield take
-    finally:
-        try:
-            give_back()
-            atexit.unregister(give_back)
-        finally:
-            os.write(stop, b"\0")  # closing would not do: a child may hold a copy
-            thread.join()
-            os.close(stop)
-            os.close(end)
+    return take
 
 
-def _keys(read: bytes) -> Sequence[str]:
-    """The keys of what was read at once; those that send a sequence are none of ours."""
-    if not read:
-        return [GONE]
-    return list(_SEQUENCE.sub("", read.decode("ascii", "ignore")).lower())
+def read_keys(terminal: int, seconds: float) -> list[str]:
+    """The keys that are pressed within so many seconds; those that send a sequence are none of ours."""
+    if not select.select([terminal], [], [], seconds)[0]:
+        return []
+    found = b""
+    with suppress(OSError):
+        found = os.read(terminal, 64)
+    return list(_SEQUENCE.sub("", found.decode("ascii", "ignore")).lower()) if found else [GONE]

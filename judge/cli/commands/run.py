@@ -7,7 +7,7 @@ import os
 import random
 import sys
 from collections.abc import Generator, Iterator, Sequence
-from contextlib import closing, nullcontext, suppress
+from contextlib import closing, suppress
 from pathlib import Path
 
 import click
@@ -98,25 +98,23 @@ def run(words: tuple[str, ...], ask: RunAsk, common: Common) -> Iterator[Struct]
         yield from _fresh(*tasks[0], ask, common)
         return
     found: list[Result] = []
-
-    def together() -> Iterator[Several]:
-        if total > 1 and found and ask.form == TEXT:
-            yield Several(tuple(found), total - len(found))
-
+    pressed: KeyboardInterrupt | None = None
     try:
-        with closing(_judged(tasks, unjudged, ask, common)) as results:
-            for each in results:
-                found.append(each.result)
-                yield each if ask.form == TEXT else replace(each, plain=_lines(each, ask.form))
-    except KeyboardInterrupt:
-        yield from together()
-        raise
+        with closing(_judged(tasks, unjudged, ask, common)) as rows:
+            for row in rows:
+                found.append(row.result)
+                yield row if ask.form == TEXT else replace(row, plain=_lines(row, ask.form))
+    except KeyboardInterrupt as ctrl_c:
+        pressed = ctrl_c
     finally:
         if junit.path is not None and found:
             from judge.report.formats import junit as written
 
             junit.write(written(found))
-    yield from together()
+    if total > 1 and found and ask.form == TEXT:
+        yield Several(tuple(found), total - len(found))
+    if pressed:
+        raise pressed
 
 
 def _lines(judged: Judged, form: str) -> str:
@@ -133,48 +131,33 @@ def _judged(
 ) -> Generator[Judged, None, None]:
     """Every result in order, one kata after another; last what could not be read or has no kata.
 
-    Of several katas, one that is broken costs its own submissions only. A fault of the judge's own is the
-    result of each submission that is left, for whoever reads the results as data.
+    Of several katas, one that is broken costs its own submissions only. What ends the judging of a single one
+    is also the result of each submission that is left, for whoever reads the results as data.
     """
     from judge.cli.judging import Wish, judged
 
-    waiting = [(problem.id, each) for problem, submissions in tasks for each in submissions]
-    total, done = len(waiting) + len(unjudged), 0
-    plain = ask.is_plain(common)
-    brief = ask.quiet and plain
+    plain, done = ask.is_plain(common), 0
+    total = len(unjudged) + sum(len(submissions) for _, submissions in tasks)
     wish = Wish(ask.options(common), ask.jobs, kept=not ask.unrecorded, db=common.db, total=total)
     several = len(tasks) if total > 1 else 0
-
-    def faulty(end: int, why: str) -> Iterator[Judged]:
-        nonlocal done
-        while done < end:
-            kata, each = waiting[done]
-            done += 1
-            yield Judged(judge_fault(kata, each.name, why), each.source, several=several)
-
-    try:
-        with progress("judging") if brief and ask.jobs > 1 and total > 1 else nullcontext() as advance:
-            for problem, submissions in tasks:
-                end = done + len(submissions)
-                try:
-                    with closing(judged(problem, submissions, replace(wish, before=done))) as drawn:
-                        for found in drawn:
-                            done += 1
-                            if advance:
-                                advance(done, total)
-                            row = replace(found, several=several, quiet=ask.quiet, whole=ask.whole)
-                            alone = total == 1 and not (ask.quiet or common.json)
-                            yield _with_standing(row, ask, common) if alone else row
-                            if not (common.isolation or brief) and plain:
-                                _say_that_full_is_missing(row.result)
-                except JudgeError as fault:
-                    if isinstance(fault, UsageError) or len(tasks) == 1:
-                        raise
-                    yield from faulty(end, str(fault))
-    except Exception as fault:
-        if not (plain or isinstance(fault, UsageError | OSError)):
-            yield from faulty(len(waiting), told(fault))
-        raise
+    for problem, submissions in tasks:
+        left = list(submissions)
+        try:
+            with closing(judged(problem, submissions, replace(wish, before=done))) as results:
+                for found in results:
+                    left.pop(0)
+                    row = replace(found, several=several, quiet=ask.quiet, whole=ask.whole)
+                    yield row if several or ask.quiet or common.json else _with_standing(row, ask, common)
+                    if plain and not (common.isolation or ask.quiet):
+                        _say_that_full_is_missing(row.result)
+        except Exception as fault:
+            if isinstance(fault, UsageError | OSError) or (plain and len(tasks) == 1):
+                raise
+            for each in left:
+                yield Judged(judge_fault(problem.id, each.name, told(fault)), each.source, several=several)
+            if len(tasks) == 1:
+                raise
+        done += len(submissions)
     for entry in unjudged:
         yield Judged(judge_fault(entry.problem, entry.name, entry.why), several=several)
 
