@@ -6,7 +6,7 @@ Containers are started as early as can be: most of what judging and showing need
 from __future__ import annotations
 
 import atexit
-from collections.abc import Generator, Iterator, Sequence
+from collections.abc import Generator, Sequence
 from contextlib import AbstractContextManager, suppress
 from functools import cache, partial
 from importlib import import_module
@@ -63,8 +63,12 @@ def judged_by(
         with suppress(StoreError):  # which is said with the first result
             import_module("judge.practice.history")  # while the box boots
     if jobs > 1:
-        results, short = _at_once(session.problem, submissions, session.options, jobs)
-        said.say(short)
+        from judge.judging.pool import Processes, in_order  # most runs are of one file
+
+        problem, pool = session.problem, Processes(jobs)
+        work = partial(_judge_one, problem.folder, problem.solutions, session.options, pool.count)
+        results = in_order(pool, work, submissions, lambda each, why: judge_fault(problem.id, each.name, why))
+        said.say(filter(None, [pool.short]))
     else:
         session.prepare()
         results = (session.judge(each.source, each.name) for each in submissions)
@@ -75,18 +79,6 @@ def judged_by(
         said.say(result.notes)
         done += 1
         yield Judged(result, submission.source, session.data)
-
-
-def _at_once(
-    problem: Problem, submissions: Sequence[Submission], options: RunOptions, jobs: int
-) -> tuple[Iterator[Result], Sequence[str]]:
-    """The results, in order, of several processes; and what to say of them. Judging raises JudgeError."""
-    from judge.judging.pool import Processes, in_order  # most runs are of one file
-
-    pool = Processes(jobs)
-    work = partial(_judge_one, problem.folder, problem.solutions, options, pool.count)
-    results = in_order(pool, work, submissions, lambda each, why: judge_fault(problem.id, each.name, why))
-    return results, [pool.short] if pool.short else []
 
 
 def _judge_one(

@@ -24,8 +24,9 @@ from judge.run.result import Failure, GroupResult, Growth, Hurdle, LevelResult, 
 from judge.sandbox.boundary import IMPORTING
 
 _PLACE = re.compile(r" \(line (\d{1,9})\)")
+# As judge.run.execute writes a compiler's complaint, whose quotation of the line follows it.
+_COMPILED = re.compile(r" \(line (\d{1,9})(?:, column (\d{1,9}))?\)(?:: .*)?")
 _SPENT = re.compile(r"used more than (\S+ s) of CPU time")
-_COMPILED = re.compile(r" \(line \d{1,9}(?:, column \d{1,9})?\)(?:: .*)?$")
 _LIKELY = 0.9  # the score from which on a mistake is very likely
 _MOST_FAILS = 3  # groups that are named
 
@@ -279,10 +280,8 @@ def level_share(result: LevelResult) -> str:
     return f"{result.accepted} of {counted(result.groups, 'group')}{judged}"
 
 
-# As judge.run.execute writes a compiler's complaint, whose quotation of the line follows it …
-_COMPLAINT = re.compile(r"\(line (\d{1,9})(?:, column (\d{1,9}))?\)")
-# … and judge.sandbox.inside.child an exception, which may have such words in its own text before,
-# or the place where a call stood that did not end.
+# As judge.sandbox.inside.child writes an exception, which may have such words in its own text before, or the
+# place where a call stood that did not end.
 _RAISED = re.compile(r".*\(line (\d{1,9})\)(?:$|, after |, when |; its input|; it was run as a program)")
 
 
@@ -300,7 +299,7 @@ def fault_place(result: Result) -> FilePlace | None:
     """
     message = result.failure.message if result.failure else ""
     if result.verdict is Verdict.CE:
-        found = _COMPLAINT.search(message)
+        found = _COMPILED.search(message)
         return FilePlace(int(found[1]), int(found[2] or 0)) if found else None
     found = _RAISED.match(message) if result.verdict in (Verdict.RTE, Verdict.TLE) else None
     return FilePlace(int(found[1])) if found else None
