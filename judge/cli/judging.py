@@ -13,10 +13,12 @@ from importlib import import_module
 from pathlib import Path
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from judge.cli.files import Submission
+from judge.cli.options import Common
 from judge.cli.resolve import history_at
-from judge.errors import StoreError, told
+from judge.errors import JudgeError, StoreError, told
 from judge.judging.api import RunOptions
 from judge.judging.session import Session
 from judge.problem import Problem
@@ -25,6 +27,16 @@ from judge.report.published_result import Judged
 from judge.report.screen import Notes, note
 from judge.report.wait import Advance, progress
 from judge.run.result import Result, judge_fault
+
+
+def with_standing(found: Judged, common: Common) -> Judged:
+    """An accepted result with what it took the person, where the history can say that."""
+    if found.result.solved:
+        from judge.cli.home import standing
+
+        with suppress(JudgeError):  # the verdict is known, and worth more
+            return replace(found, standing=standing(found.result.problem, common))
+    return found
 
 
 class Wish(Struct, frozen=True):

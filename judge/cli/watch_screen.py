@@ -20,8 +20,7 @@ from rich.console import Group, RenderableType
 from rich.text import Text
 
 from judge.cli.commands.practise import HintAsk, hints, note_seen
-from judge.cli.home import standing
-from judge.cli.judging import Wish
+from judge.cli.judging import Wish, with_standing
 from judge.cli.options import Common
 from judge.cli.resolve import Kata, history_at, take_up
 from judge.cli.watching import WatchedFile
@@ -160,14 +159,10 @@ class _Loop:
                 found = self._file.judge()
         finally:
             self._since = None
-        self._result = found if isinstance(found, str) else replace(found, commands=False, key="n")
-        self._notes, self._asked = notes.getvalue(), ""
+        if isinstance(found, Judged):
+            found = with_standing(replace(found, commands=False, key="n"), self._common)
+        self._result, self._notes, self._asked = found, notes.getvalue(), ""
         self._show("")
-        if self._judged and self._judged.result.solved:  # it stands there already, and is worth more
-            with suppress(JudgeError):
-                took = standing(self._kata.problem.id, self._common)
-                self._result = replace(self._judged, standing=took)
-                self._draw()
 
     @property
     def _judged(self) -> Judged | None:
