@@ -84,6 +84,20 @@ _SHORTAGES = {
 }
 
 
+def printable(text: str) -> str:
+    r"""`text` with everything a terminal would obey, or hide, written out, such as `\x1b`.
+
+    A submission's name, message or answer must not steer the terminal it is shown on: no escape sequences,
+    no other control characters, no marks that reorder text.
+    """
+    if text.isprintable():
+        return text
+    return "".join(
+        character if character.isprintable() else character.encode("unicode_escape").decode("ascii")
+        for character in text
+    )
+
+
 def told(fault: Exception) -> str:
     """What to tell a person about a fault that costs less than the whole run: a line, whatever it was."""
     line = fault if isinstance(fault, JudgeError) else shortage(fault)

@@ -6,17 +6,19 @@ Containers are started as early as can be: most of what judging and showing need
 from __future__ import annotations
 
 import atexit
-from collections.abc import Generator, Iterator, Sequence
+from collections.abc import Generator, Sequence
 from contextlib import AbstractContextManager, suppress
 from functools import cache, partial
 from importlib import import_module
 from pathlib import Path
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from judge.cli.files import Submission
+from judge.cli.options import Common
 from judge.cli.resolve import history_at
-from judge.errors import StoreError, told
+from judge.errors import JudgeError, StoreError, told
 from judge.judging.api import RunOptions
 from judge.judging.session import Session
 from judge.problem import Problem
@@ -25,6 +27,16 @@ from judge.report.published_result import Judged
 from judge.report.screen import Notes, note
 from judge.report.wait import Advance, progress
 from judge.run.result import Result, judge_fault
+
+
+def with_standing(found: Judged, common: Common) -> Judged:
+    """An accepted result with what it took the person, where the history can say that."""
+    if found.result.solved:
+        from judge.cli.home import standing
+
+        with suppress(JudgeError):  # the verdict is known, and worth more
+            return replace(found, standing=standing(found.result.problem, common))
+    return found
 
 
 class Wish(Struct, frozen=True):
@@ -63,8 +75,12 @@ def judged_by(
         with suppress(StoreError):  # which is said with the first result
             import_module("judge.practice.history")  # while the box boots
     if jobs > 1:
-        results, short = _at_once(session.problem, submissions, session.options, jobs)
-        said.say(short)
+        from judge.judging.pool import Processes, in_order  # most runs are of one file
+
+        problem, pool = session.problem, Processes(jobs)
+        work = partial(_judge_one, problem.folder, problem.solutions, session.options, pool.count)
+        results = in_order(pool, work, submissions, lambda each, why: judge_fault(problem.id, each.name, why))
+        said.say(filter(None, [pool.short]))
     else:
         session.prepare()
         results = (session.judge(each.source, each.name) for each in submissions)
@@ -75,18 +91,6 @@ def judged_by(
         said.say(result.notes)
         done += 1
         yield Judged(result, submission.source, session.data)
-
-
-def _at_once(
-    problem: Problem, submissions: Sequence[Submission], options: RunOptions, jobs: int
-) -> tuple[Iterator[Result], Sequence[str]]:
-    """The results, in order, of several processes; and what to say of them. Judging raises JudgeError."""
-    from judge.judging.pool import Processes, in_order  # most runs are of one file
-
-    pool = Processes(jobs)
-    work = partial(_judge_one, problem.folder, problem.solutions, options, pool.count)
-    results = in_order(pool, work, submissions, lambda each, why: judge_fault(problem.id, each.name, why))
-    return results, [pool.short] if pool.short else []
 
 
 def _judge_one(

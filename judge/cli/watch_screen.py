@@ -20,8 +20,7 @@ from rich.console import Group, RenderableType
 from rich.text import Text
 
 from judge.cli.commands.practise import HintAsk, hints, note_seen
-from judge.cli.home import standing
-from judge.cli.judging import Wish
+from judge.cli.judging import Wish, with_standing
 from judge.cli.options import Common
 from judge.cli.resolve import Kata, history_at, take_up
 from judge.cli.watching import WatchedFile
@@ -85,8 +84,9 @@ class _Loop:
         self._file = WatchedFile(kata, Wish(options, db=common.db))
         self._stub = make_stub(kata.problem, language_of(kata.path)).encode()
         self._since: float | None = None  # when judging began, while it goes on
-        self._result: Judged | str | None = None  # or why there is none; None before the first
-        self._notes = ""  # that came with it
+        self._found: Judged | None = None
+        self._why = ""  # there is no result
+        self._notes = ""  # that came with either
         self._shown: str | Text | HintShown = ""  # the key of a view, or what it says; "" for the result
         self._covered = False  # whether it must be drawn anew
         self._pressed: list[str] = []
@@ -145,11 +145,11 @@ class _Loop:
         with suppress(OSError):  # judging says so
             untouched = self._kata.path.read_bytes() == self._stub
         if untouched:
-            self._result, self._notes = None, ""
+            self._found, self._why, self._notes = None, "", ""
             self._show("")
             return
         screen, notes = out(), StringIO()
-        if self._result is None:
+        if not (self._found or self._why):
             texts.redraw(
                 screen, drawn(texts.place(self._kata.problem, self._course(), screen), screen), Text()
             )
@@ -160,18 +160,16 @@ class _Loop:
                 found = self._file.judge()
         finally:
             self._since = None
-        self._result = found if isinstance(found, str) else replace(found, commands=False, key="n")
+        self._found, self._why = None, ""
+        if isinstance(found, str):
+            self._why = found
+        else:
+            self._found = replace(found, commands=False, key="n")
         self._notes, self._asked = notes.getvalue(), ""
         self._show("")
-        if self._judged and self._judged.result.solved:  # it stands there already, and is worth more
-            with suppress(JudgeError):
-                took = standing(self._kata.problem.id, self._common)
-                self._result = replace(self._judged, standing=took)
-                self._draw()
-
-    @property
-    def _judged(self) -> Judged | None:
-        return None if isinstance(self._result, str) else self._result
+        if self._found and self._found.result.solved:  # the verdict stands there already, and is worth more
+            self._found = with_standing(self._found, self._common)
+            self._draw()
 
     def _course(self) -> Course:
         with history_at(self._common.db, reading=True) as history:
@@ -184,7 +182,7 @@ class _Loop:
         """Do what a key says; the kata to go on to, if it says so."""
         sure, self._asked = key == self._asked, ""
         try:
-            if key == "n" and (sure or (self._judged and self._judged.result.solved)):
+            if key == "n" and (sure or (self._found and self._found.result.solved)):
                 return self._next()
             if key == "x" and sure:
                 write_stub(self._kata.problem, self._kata.path, over=True)
@@ -219,13 +217,13 @@ class _Loop:
 
     def _case(self) -> dict[str, Any] | None:
         """The arguments of the case that is shown; None where no case failed."""
-        failure = shown_failure(self._judged.result) if self._judged else None
+        failure = shown_failure(self._found.result) if self._found else None
         return failure.input if failure else None
 
     def _browse(self) -> Text:
         """Open the failing case in the browser, on a page where it can be dragged; what to say of that."""
         problem, page = self._kata.problem, None
-        if self._judged and self._judged.data and (explore := self._judged.data.module.hooks.explore):
+        if self._found and self._found.data and (explore := self._found.data.module.hooks.explore):
             page = explore(problem, self._case())
         if page is None:
             return warning(f"There is no page for {problem.id} yet.")
@@ -242,25 +240,17 @@ class _Loop:
 
     def _draw(self) -> None:
         """All of it at once; the verdict is last, above the keys."""
-        self._covered, screen, result = False, out(), self._result
+        self._covered, screen, found = False, out(), self._found
         text = self._notes + drawn(self._view(screen, screen.height - _BELOW), screen)
-        if self._shown != "" and result is not None:
-            end = (
-                warning(result) if isinstance(result, str) else verdict_line(told_of(result), self._kata.name)
-            )
+        if self._shown != "" and (found or self._why):
+            end = verdict_line(told_of(found), self._kata.name) if found else warning(self._why)
             apart = () if text.endswith("\n\n") else ("",)
             text += drawn(Group(*apart, end), screen)
         texts.redraw(screen, f"{text}\n", texts.keys_line(screen, failed=bool(self._case())))
 
-    def _verdict(self) -> Text:
-        """The last line, whatever else is shown."""
-        if isinstance(self._result, Judged):
-            return verdict_line(told_of(self._result), self._kata.name)
-        return warning(self._result or "")
-
     def _view(self, screen: Screen, rows: int) -> RenderableType:
         """What is shown, in so many rows if that can be."""
-        problem, result = self._kata.problem, self._result
+        problem = self._kata.problem
         match self._shown:
             case "s":
                 return statement(problem, screen)
@@ -274,15 +264,15 @@ class _Loop:
                 return view(hint, screen)
             case Text() as said:
                 return said
-        if isinstance(result, Judged):
-            return screenful(result, screen, rows - self._notes.count("\n"))
-        if result is not None:
-            return warning(result)
+        if self._found:
+            return screenful(self._found, screen, rows - self._notes.count("\n"))
+        if self._why:
+            return warning(self._why)
         return texts.begun(self._place(screen), problem, self._kata.name, screen, rows)
 
     def _picture(self, screen: Screen, rows: int) -> RenderableType:
         """The failing case, drawn below its arguments."""
-        if self._judged and not has_room(screen):
+        if self._found and not has_room(screen):
             return warning("A picture needs a terminal of 60 columns that knows braille.")
-        drawn = magnified(self._judged, screen, rows - 4) if self._judged else None
+        drawn = magnified(self._found, screen, rows - 4) if self._found else None
         return drawn or warning("There is no failing case to draw.")

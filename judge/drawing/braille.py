@@ -10,7 +10,7 @@ from itertools import groupby, pairwise
 from math import hypot
 from typing import NamedTuple
 
-from judge.drawing.shapes import Dot, Mark, Panel, Picture, Role, Stroke
+from judge.drawing.shapes import Dot, Panel, Picture, Role, Stroke
 
 COLUMNS = 60
 ROWS = 16
@@ -96,7 +96,11 @@ def grid(panel: Panel, raster: Raster) -> list[list[Cell]]:
             bits[row][column] |= _BITS[y % 4][x % 2]
             cells[row][column] = chr(_BLANK + bits[row][column]), stroke.role
     for mark in sorted(panel.marks, key=lambda mark: _ORDER.index(mark.role)):
-        _set(mark, raster, cells)
+        x, y = raster.cell(*raster.fine(mark.at))
+        row, column = y // 4, x // 2
+        if letter := LETTERS.get(mark.role) or mark.text[:1]:
+            both = mark.role is Role.GOT and cells[row][column][0] in ("o", "*")
+            cells[row][column] = ("*", Role.WANTED) if both else (letter, mark.role)
     return cells
 
 
@@ -109,14 +113,6 @@ def _dots(stroke: Stroke, raster: Raster) -> Iterator[tuple[int, int]]:
             travelled += 1
             if stroke.role is not Role.BEYOND or travelled % 8 < 3:
                 yield raster.cell(x1 + (x2 - x1) * i / steps, y1 + (y2 - y1) * i / steps)
-
-
-def _set(mark: Mark, raster: Raster, cells: list[list[Cell]]) -> None:
-    x, y = raster.cell(*raster.fine(mark.at))
-    row, column = cells[y // 4], x // 2
-    if letter := LETTERS.get(mark.role) or mark.text[:1]:
-        both = mark.role is Role.GOT and row[column][0] in ("o", "*")
-        row[column] = ("*", Role.WANTED) if both else (letter, mark.role)
 
 
 def _inked(cells: list[Cell]) -> bool:

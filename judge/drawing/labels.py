@@ -34,12 +34,10 @@ class Rectangle(NamedTuple):
 
 
 class Label(NamedTuple):
-    """A text in its place, of the mark at (x, y); `leader` says that a line must join them."""
+    """A text in its place; `leader` says that a line must join it to its mark."""
 
     box: Rectangle
     text: str
-    x: float
-    y: float
     leader: bool
 
 
@@ -70,7 +68,7 @@ def place_labels(
                 cost += _CROSSING * sum(box.holds(x, y) for y, x in rows[first:last])
             if cost < least:
                 least, best, far = cost, box, radius > _LEADER
-        placed.append(Label(best, text, x, y, far))
+        placed.append(Label(best, text, far))
         boxes.append(best)
     return placed
 

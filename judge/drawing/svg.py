@@ -15,6 +15,7 @@ from pathlib import Path
 
 from judge.drawing.labels import Rectangle, place_labels
 from judge.drawing.shapes import Bar, Dot, Fact, Panel, Picture, Role
+from judge.errors import printable
 
 _SHEET = Path(__file__).with_name("drawing.css")
 _SIDE = 400.0
@@ -102,13 +103,7 @@ def text(x: float | str, y: float | str, said: str, kind: str, anchor: str = "")
 
 def words(said: str) -> str:
     """Text that is safe in XML: markup escaped, and whatever does not print written out."""
-    return escape(_plain(said))
-
-
-def _plain(said: str) -> str:
-    return "".join(
-        letter if letter.isprintable() else letter.encode("unicode_escape").decode("ascii") for letter in said
-    )
+    return escape(printable(said))
 
 
 # -- a panel -----------------------------------------------------------------------------------------------
@@ -226,7 +221,7 @@ def _legend(picture: Picture, left: float, y: float) -> Iterator[str]:
 def _fact_rows(fact: Fact, room: float) -> list[tuple[str, str, str]]:
     """A fact in as many rows as it takes, cut after a few."""
     letters = int(room / _LETTER)
-    rows = textwrap.wrap(_plain(fact.text), letters, break_on_hyphens=False) or [""]
+    rows = textwrap.wrap(printable(fact.text), letters, break_on_hyphens=False) or [""]
     if len(rows) > _MOST_ROWS:
         rows = [*rows[: _MOST_ROWS - 1], rows[_MOST_ROWS - 1][: letters - 1] + "…"]
     labels = [fact.label, *[""] * (len(rows) - 1)]
@@ -234,7 +229,7 @@ def _fact_rows(fact: Fact, room: float) -> list[tuple[str, str, str]]:
 
 
 def _cut(said: str, room: float, letter: float = _LETTER) -> str:
-    said, most = _plain(said), int(room / letter)
+    said, most = printable(said), int(room / letter)
     return said if len(said) <= most else said[: most - 1] + "…"
 
 

@@ -207,8 +207,8 @@ def prose(markdown: str, screen: Screen) -> RenderableType:
     markdown = FIGURE.sub("", markdown)
     if not is_terminal(screen.stream):
         return Text("\n".join(map(printable, markdown.rstrip("\n").split("\n"))))
+    from rich.constrain import Constrain
     from rich.markdown import CodeBlock, Heading, Markdown
-    from rich.theme import Theme
 
     class Code(CodeBlock):
         def __rich_console__(self, console: Console, options: ConsoleOptions) -> RenderResult:
@@ -224,12 +224,7 @@ def prose(markdown: str, screen: Screen) -> RenderableType:
     class Statement(Markdown):
         elements = {**Markdown.elements, "fence": Code, "code_block": Code, "heading_open": Title}  # noqa: RUF012
 
-        def __rich_console__(self, console: Console, options: ConsoleOptions) -> RenderResult:
-            width = min(options.max_width, _STATEMENT)
-            with console.use_theme(Theme({"markdown.code": "cyan"})):
-                yield from super().__rich_console__(console, options.update(width=width))
-
-    return Statement(markdown, hyperlinks=False)
+    return Constrain(Statement(markdown, hyperlinks=False), _STATEMENT)
 
 
 def _unbroken(source: str, width: int) -> str:

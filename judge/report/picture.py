@@ -65,10 +65,7 @@ def picture_rows(picture: Picture | Chart, rows: int = ROWS, *, answered: bool =
         pieces = chart_braille(picture, rows)
     else:
         pieces = to_braille(picture, rows, answered=answered)
-    found = [Text.assemble(*((each.text, _COLOURS.get(each.role, "")) for each in row)) for row in pieces]
-    while found and not found[-1].plain.strip():
-        found.pop()
-    return found
+    return [Text.assemble(*((each.text, _COLOURS.get(each.role, "")) for each in row)) for row in pieces]
 
 
 def drawing(

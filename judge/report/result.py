@@ -31,7 +31,7 @@ from judge.report.parts import (
 )
 from judge.report.published_result import Judged, Several
 from judge.report.screen import Screen
-from judge.report.tell import Told, place_of, tell, with_why
+from judge.report.tell import Told, place_of, tell
 from judge.report.words import counted, shown_name, times
 from judge.run.result import GroupResult, Result
 
@@ -71,20 +71,20 @@ def judged(found: Judged, screen: Screen) -> RenderableType:
     return screenful(found, screen, None if found.whole else min(screen.height - 1, _ROWS))
 
 
-def told_of(found: Judged) -> Told:
-    """The result in words."""
-    return tell(found.data.problem if found.data else None, found.result, found.source)
+def told_of(found: Judged, why: str = "") -> Told:
+    """The result in words; `why` is what the failing case turns on."""
+    return tell(found.data.problem if found.data else None, found.result, found.source, why)
 
 
 def _explained(found: Judged, screen: Screen) -> tuple[Told, Drawing | None]:
     """The result in words, and what draws it: None where there is nothing to draw, or no room."""
-    told, result = told_of(found), found.result
+    result = found.result
     if result.hurdle or (result.failure is None and result.time.growth is None):
-        return told, None
+        return told_of(found), None
     from judge.report.picture import has_room, made, picture_rows, result_picture  # where something failed
 
     picture = made(partial(result_picture, found), "the failing case")
-    told = with_why(told, getattr(picture, "why", ""))
+    told = told_of(found, getattr(picture, "why", ""))
     return told, partial(picture_rows, picture) if picture and has_room(screen) else None
 
 

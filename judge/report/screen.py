@@ -85,6 +85,7 @@ def drawn(what: RenderableType, screen: Screen) -> str:
 
     from rich.console import Console
     from rich.segment import Segment
+    from rich.theme import Theme
 
     console = Console(
         file=StringIO(),
@@ -95,6 +96,7 @@ def drawn(what: RenderableType, screen: Screen) -> str:
         highlight=False,
         emoji=False,
         legacy_windows=False,
+        theme=Theme({"markdown.code": "cyan"}),
     )
     rows = Segment.split_lines(console.render(what))  # uncut: what must not be broken may be wider
     return "".join(f"{_row(row, screen)}\n" for row in rows)

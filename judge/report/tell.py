@@ -13,7 +13,6 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from msgspec import Struct
-from msgspec.structs import replace
 
 from judge.errors import nearest
 from judge.languages import file_name
@@ -24,8 +23,9 @@ from judge.run.result import Failure, GroupResult, Growth, Hurdle, LevelResult, 
 from judge.sandbox.boundary import IMPORTING
 
 _PLACE = re.compile(r" \(line (\d{1,9})\)")
+# As judge.run.execute writes a compiler's complaint, whose quotation of the line follows it.
+_COMPILED = re.compile(r" \(line (\d{1,9})(?:, column (\d{1,9}))?\)(?:: .*)?")
 _SPENT = re.compile(r"used more than (\S+ s) of CPU time")
-_COMPILED = re.compile(r" \(line \d{1,9}(?:, column \d{1,9})?\)(?:: .*)?$")
 _LIKELY = 0.9  # the score from which on a mistake is very likely
 _MOST_FAILS = 3  # groups that are named
 
@@ -68,8 +68,11 @@ class Told(Struct, frozen=True, kw_only=True):
         return [each for each in found if each]
 
 
-def tell(problem: Problem | None, result: Result, source: bytes = b"") -> Told:
-    """What the result says, as far as that can be said without the problem where there is none."""
+def tell(problem: Problem | None, result: Result, source: bytes = b"", why: str = "") -> Told:
+    """What the result says, as far as that can be said without the problem where there is none.
+
+    A wrong answer of which nothing more is known says `why`, what its case turns on.
+    """
     hurdle, pitfall = result.hurdle, result.pitfall
     shown = None if hurdle else shown_failure(result)
     failing = [] if hurdle else _failing(result)
@@ -84,7 +87,7 @@ def tell(problem: Problem | None, result: Result, source: bytes = b"") -> Told:
         source=() if hurdle else _source(result, source),
         case=_case(result, shown),
         input=tuple(f"{name} = {argument(value)}" for name, value in values.items()),
-        facts=tuple(_facts(result, shown)),
+        facts=tuple(_facts(result, shown, why)),
         mistake=mistake_text(pitfall) if pitfall else "",
         advice=_advice(pitfall) if pitfall else (),
         time=_time(result),
@@ -93,13 +96,6 @@ def tell(problem: Problem | None, result: Result, source: bytes = b"") -> Told:
         commands=tuple(_commands(problem, result, shown)),
         last=_last(result),
     )
-
-
-def with_why(told: Told, why: str) -> Told:
-    """A wrong answer of which nothing more is known says what the case turns on, if anything."""
-    if told.verdict is not Verdict.WA or not why or "why" in dict(told.facts):
-        return told
-    return replace(told, facts=(*told.facts, ("why", why)))
 
 
 def shown_failure(result: Result) -> Failure | None:
@@ -201,7 +197,7 @@ def _case(result: Result, shown: Failure | None) -> str:
     return f"Smallest failing case{place if small.input == first.input else ''}{later}"
 
 
-def _facts(result: Result, shown: Failure | None) -> Iterator[tuple[str, str]]:
+def _facts(result: Result, shown: Failure | None, why: str) -> Iterator[tuple[str, str]]:
     if shown is None:
         return
     wrong = result.verdict is Verdict.WA
@@ -213,7 +209,9 @@ def _facts(result: Result, shown: Failure | None) -> Iterator[tuple[str, str]]:
         yield "printed", shown.printed
     plain = (f"{shown.expected} expected, {shown.got} given", f"{shown.expected} expected, {shown.got} got")
     if wrong and shown.input is not None and shown.message not in plain:
-        yield "why", shown.message
+        why = shown.message
+    if wrong and why:
+        yield "why", why
     small = result.counterexample
     if wrong and small is not None and small.replay is None:
         yield "alone", small.message
@@ -279,10 +277,8 @@ def level_share(result: LevelResult) -> str:
     return f"{result.accepted} of {counted(result.groups, 'group')}{judged}"
 
 
-# As judge.run.execute writes a compiler's complaint, whose quotation of the line follows it …
-_COMPLAINT = re.compile(r"\(line (\d{1,9})(?:, column (\d{1,9}))?\)")
-# … and judge.sandbox.inside.child an exception, which may have such words in its own text before,
-# or the place where a call stood that did not end.
+# As judge.sandbox.inside.child writes an exception, which may have such words in its own text before, or the
+# place where a call stood that did not end.
 _RAISED = re.compile(r".*\(line (\d{1,9})\)(?:$|, after |, when |; its input|; it was run as a program)")
 
 
@@ -300,7 +296,7 @@ def fault_place(result: Result) -> FilePlace | None:
     """
     message = result.failure.message if result.failure else ""
     if result.verdict is Verdict.CE:
-        found = _COMPLAINT.search(message)
+        found = _COMPILED.search(message)
         return FilePlace(int(found[1]), int(found[2] or 0)) if found else None
     found = _RAISED.match(message) if result.verdict in (Verdict.RTE, Verdict.TLE) else None
     return FilePlace(int(found[1])) if found else None

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager, suppress
+from contextlib import AbstractContextManager, contextmanager, suppress
 from functools import partial
 from time import monotonic
 
@@ -24,8 +24,17 @@ def stages(label: str) -> Iterator[Stage | None]:
 
     A bar is shown while the block runs long; None where nobody is looking.
     """
+    begun = monotonic()
+
+    def stage(what: str, done: int, total: int) -> None:
+        if done >= total:  # what comes after it may have a bar of its own
+            live.hide()
+        elif monotonic() - begun >= _PATIENCE:
+            bar = f"[{'#' * (_BAR * done // total):.<{_BAR}}] {done}/{total}"
+            live.show(lambda: f"{bar}  {label}{f': {what}' if what else ''}")
+
     with Live() as live:
-        yield partial(_advance, live, label, monotonic()) if live.terminal else None
+        yield stage if live.terminal else None
 
 
 @contextmanager
@@ -35,15 +44,7 @@ def progress(label: str) -> Iterator[Advance | None]:
         yield partial(stage, "") if stage else None
 
 
-def _advance(live: Live, label: str, begun: float, what: str, done: int, total: int) -> None:
-    if done >= total:  # what comes after it may have a bar of its own
-        live.hide()
-    elif monotonic() - begun >= _PATIENCE:
-        bar = f"[{'#' * (_BAR * done // total):.<{_BAR}}] {done}/{total}"
-        live.show(lambda: f"{bar}  {label}{f': {what}' if what else ''}")
-
-
-class Live:
+class Live(AbstractContextManager["Live"]):
     """A context manager; `show` what is to be said now, `hide` it before anything else is written.
 
     On a terminal it is one line and leaves nothing behind. Elsewhere, into a file or a pipe, it is a line
@@ -55,10 +56,7 @@ class Live:
         self._shown = False
         self._last = -_EACH if self.terminal else monotonic()
 
-    def __enter__(self) -> Live:
-        return self
-
-    def __exit__(self, *exc: object) -> None:
+    def __exit__(self, *_: object) -> None:
         self.hide()
 
     def show(self, text: Callable[[], str]) -> None:

@@ -8,21 +8,9 @@ from collections.abc import Mapping
 from datetime import date, datetime
 from typing import Any
 
+from judge.errors import printable as printable
+
 _ITEMS = 40  # of a list that are shown
-
-
-def printable(text: str) -> str:
-    r"""`text` with everything a terminal would obey, or hide, written out, such as `\x1b`.
-
-    A submission's name, message or answer must not steer the terminal it is shown on: no escape sequences,
-    no other control characters, no marks that reorder text.
-    """
-    if text.isprintable():
-        return text
-    return "".join(
-        character if character.isprintable() else character.encode("unicode_escape").decode("ascii")
-        for character in text
-    )
 
 
 def arguments(values: Mapping[str, Any]) -> str:

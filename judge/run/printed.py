@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from msgspec.structs import replace
 
+from judge.errors import printable
 from judge.problem import Verdict
 from judge.sandbox.boundary import Usage
 
@@ -57,13 +58,5 @@ def message_of(message: str, got: str, printed: str) -> str:
 def text_of(printed: bytes) -> str:
     r"""The first lines of what was printed, each short and printable: `\x1b` is written out; "" for none."""
     lines = printed.decode(errors="replace").rstrip().splitlines()
-    shown = [_printable(line) for line in lines[:LINES]]
+    shown = [printable(line if len(line) <= LENGTH else f"{line[:LENGTH]}…") for line in lines[:LINES]]
     return "\n".join([*shown, "…"] if len(lines) > LINES else shown)
-
-
-def _printable(line: str) -> str:
-    cut = line if len(line) <= LENGTH else f"{line[:LENGTH]}…"
-    return "".join(
-        character if character.isprintable() else character.encode("unicode_escape").decode("ascii")
-        for character in cut
-    )

@@ -27,7 +27,7 @@ from judge.problem import Problem
 from judge.problem.declare import Shown
 from judge.problem.load import load_problem
 from judge.problem.model import case_of
-from judge.report.tell import shown_failure, tell, with_why
+from judge.report.tell import shown_failure, tell
 from judge.run.execute import judge_submission
 from judge.run.result import Result
 from judge.run.settings import Progress
@@ -125,7 +125,7 @@ class _Kata:
 
     def _told(self, result: Result, source: bytes, drawn: Mapping[str, Any] | None = None) -> str:
         drawn = drawn or {}
-        told = with_why(tell(self._session.problem, result, source), drawn.get("why", ""))
+        told = tell(self._session.problem, result, source, drawn.get("why", ""))
         line = result.hurdle.line if result.hurdle else 0
         return json.dumps({**msgspec.to_builtins(told), "solved": result.solved, "line": line, **drawn})
 

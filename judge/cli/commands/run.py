@@ -7,7 +7,7 @@ import os
 import random
 import sys
 from collections.abc import Generator, Iterator, Sequence
-from contextlib import closing, suppress
+from contextlib import closing
 from pathlib import Path
 
 import click
@@ -17,7 +17,7 @@ from msgspec.structs import replace
 from judge.cli.files import OutFile, Submission, Unjudged
 from judge.cli.options import Common, command, opt, seconds_of
 from judge.cli.resolve import Tasks, resolve
-from judge.errors import JudgeError, UsageError, told
+from judge.errors import UsageError, told
 from judge.judging.api import RunOptions
 from judge.problem import Problem
 from judge.problem.model import LEVELS, chosen_groups
@@ -134,12 +134,13 @@ def _judged(
     Of several katas, one that is broken costs its own submissions only. What ends the judging of a single one
     is also the result of each submission that is left, for whoever reads the results as data.
     """
-    from judge.cli.judging import Wish, judged
+    from judge.cli.judging import Wish, judged, with_standing
 
     plain, done = ask.is_plain(common), 0
     total = len(unjudged) + sum(len(submissions) for _, submissions in tasks)
     wish = Wish(ask.options(common), ask.jobs, kept=not ask.unrecorded, db=common.db, total=total)
     several = len(tasks) if total > 1 else 0
+    whole = is_terminal(sys.stdout) and not (several or ask.quiet or common.json or ask.unrecorded)
     for problem, submissions in tasks:
         left = list(submissions)
         try:
@@ -147,7 +148,7 @@ def _judged(
                 for found in results:
                     left.pop(0)
                     row = replace(found, several=several, quiet=ask.quiet, whole=ask.whole)
-                    yield row if several or ask.quiet or common.json else _with_standing(row, ask, common)
+                    yield with_standing(row, common) if whole else row
                     if plain and not (common.isolation or ask.quiet):
                         _say_that_full_is_missing(row.result)
         except Exception as fault:
@@ -160,16 +161,6 @@ def _judged(
         done += len(submissions)
     for entry in unjudged:
         yield Judged(judge_fault(entry.problem, entry.name, entry.why), several=several)
-
-
-def _with_standing(found: Judged, ask: RunAsk, common: Common) -> Judged:
-    """A terminal also shows what an accepted one took."""
-    if found.result.solved and is_terminal(sys.stdout) and not ask.unrecorded:
-        from judge.cli.home import standing
-
-        with suppress(JudgeError):  # the verdict is known, and worth more
-            return replace(found, standing=standing(found.result.problem, common))
-    return found
 
 
 def _fresh(problem: Problem, submissions: list[Submission], ask: RunAsk, common: Common) -> Iterator[Judged]:

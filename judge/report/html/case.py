@@ -17,7 +17,7 @@ from judge.problem.model import case_of
 from judge.problem.module import Module, load_module
 from judge.report.html import rendered
 from judge.report.picture import case_picture
-from judge.report.tell import shown_failure, tell, with_why
+from judge.report.tell import shown_failure, tell
 from judge.report.words import arguments, shown_name
 from judge.run.result import Result
 from judge.values import parameters
@@ -63,7 +63,7 @@ class Cases:
         if result is None:
             return Case(anchor, title, verdict)
         picture, shown = self.picture(known, result), shown_failure(result)
-        told = with_why(tell(known, result), picture.why if picture else "")
+        told = tell(known, result, why=picture.why if picture else "")
         facts = [*told.facts, ("why", told.happened)]
         if shown and shown.input:
             facts.insert(0, ("input", arguments(_as_called(known, shown.input))))
