@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-import os
-from pathlib import Path
 from typing import TYPE_CHECKING
 
-from judge.cli.resolve import current, history_at, this_folder
+from judge.cli.resolve import current, history_at, is_there, this_folder
 from judge.practice import events
-from judge.practice.events import Answer, Help
-from judge.practice.progress import levels_passed, skills, solved, tried
-from judge.practice.syllabus import Course, Skill, read_course
-from judge.report.published_look import Again, Home, Next, Now, Standing
+from judge.practice.progress import read_learner, skills
+from judge.practice.syllabus import Skill
+from judge.report.published_look import Home, Standing
 
 if TYPE_CHECKING:
     from judge.cli.options import Common
@@ -20,59 +17,32 @@ if TYPE_CHECKING:
 def home(common: Common) -> Home:
     """Where a person stands, and what to do now. Raises StoreError."""
     with history_at(common.db, reading=True) as history:
-        runs, answers, helps = history.runs(), history.events(Answer), history.events(Help)
-        here, places = current(this_folder(), history), history.places()
-    course, own = read_course(solved(runs), common.problems), tried(runs)
-    today = events.now().astimezone()
-    won = [len(levels_passed(each, own.get(each.id, ()))) for each in course.problems]
-    at = here or next((each for each in places if os.path.isfile(each.path)), None)  # noqa: PTH113
-    now = again = None
-    if at and at.problem not in solved(runs):
-        path, last = Path(at.path), own[at.problem][-1] if at.problem in own else None
-        points, mistake = (last.score, last.mistake or "") if last else (None, "")
-        now = Now(at.problem, path.name, "" if here else str(path.parent), points, mistake)
-    if runs:
-        from judge.practice.review import reviews
-
-        names = {each.id for each in course.problems} - {now.problem if now else ""}
-        due = (each for each in reviews(runs, helps) if each.solved and each.is_due(today))
-        if found := next((each for each in due if each.name in names), None):
-            again = Again(found.name, (today.date() - found.last.astimezone().date()).days)
-    cards = []
-    if answers:
-        from judge.practice.cards import known_cards
-
-        cards = known_cards(answers, common.problems)
+        mine, places = read_learner(history, common.problems), history.places()
+        here = current(this_folder(), history)
+    at = here or next(filter(is_there, places), None)
+    done = at is not None and any(run.solved for run in mine.own.get(at.problem, ()))
     return Home(
-        katas=len(course.problems),
-        begun=bool(own or places or answers),
-        solved=len(course.solved),
-        stars=(won.count(1), won.count(2)),
-        now=now,
-        again=again,
-        next=_next(course, at.problem if at else ""),
-        cards_due=sum(each.is_due(today) for each in cards),
+        learner=mine,
+        due=mine.due(events.now().astimezone()),
+        begun=bool(mine.own or places or mine.answers),
+        now=None if done else at,
+        here=here is not None,
+        next=mine.next(at.problem if at else ""),
     )
 
 
 def standing(problem: str, common: Common) -> Standing:
     """What a kata took the person, and what comes after it. Raises JudgeError."""
     with history_at(common.db, reading=True) as history:
-        runs, hints = history.runs(), history.hints_seen(problem)
-    course, own = read_course(solved(runs), common.problems), tried(runs)
-    mine = own.get(problem, [])
-    shows = [Skill(each.name, "") for kata in course.problems if kata.id == problem for each in kata.skills]
-    found = skills(course.problems, own, shows) if mine else []
+        mine, hints = read_learner(history, common.problems), history.hints_seen(problem)
+    runs = mine.own.get(problem, ())
+    shows = [Skill(each.name, "") for kata in mine.problems if kata.id == problem for each in kata.skills]
+    found = skills(mine.problems, mine.own, shows) if runs else []
     return Standing(
-        runs=len(mine),
-        new=tuple(each.name for each in found if each.since == mine[-1].when),
+        runs=len(runs),
+        new=tuple(each.name for each in found if each.since == runs[-1].when),
         hints=hints,
-        next=_next(course, problem),
-        solved=len(course.solved),
-        katas=len(course.problems),
+        next=mine.next(problem),
+        solved=len(mine.solved),
+        katas=len(mine.problems),
     )
-
-
-def _next(course: Course, after: str) -> Next | None:
-    found = course.next(after)
-    return Next(found.id, found.title, found.summary) if found else None

@@ -130,7 +130,7 @@ def keep(event: Event, db: Path | None) -> None:
 
 def current(folder: Path, history: History) -> Started | None:
     """The file last started or judged in that folder, of those that are still there; None without one."""
-    return next(filter(_is_there, _in(folder, history.places())), None)
+    return next(filter(is_there, _in(folder, history.places())), None)
 
 
 def here(db: Path | None) -> Started:
@@ -138,13 +138,13 @@ def here(db: Path | None) -> Started:
     with history_at(db, reading=True) as history:
         places = history.places()
     mine = _in(this_folder(), places)
-    if found := next(filter(_is_there, mine), None):
+    if found := next(filter(is_there, mine), None):
         return found
     if mine:
         what = f"{shown(mine[0].path)} is not in this folder"
         raise UsageError(f"{what}. Create it: judge start {mine[0].problem}")
     what = "You have not started a kata here."
-    if last := next(filter(_is_there, places), None):
+    if last := next(filter(is_there, places), None):
         raise UsageError(f"{what} The last one is {last.path}. To start one in this folder: judge start")
     raise UsageError(f"{what} Type: judge start")
 
@@ -187,7 +187,8 @@ def _in(folder: Path, places: Sequence[Started]) -> list[Started]:
     return [each for each in places if os.path.normpath(os.path.dirname(each.path)) == str(folder)]  # noqa: PTH120
 
 
-def _is_there(place: Started) -> bool:
+def is_there(place: Started) -> bool:
+    """Whether its file still is."""
     return os.path.isfile(place.path)  # noqa: PTH113
 
 
@@ -276,7 +277,7 @@ def usual_file(problem: str, db: Path | None) -> str:
     usual = file_name(problem.replace("-", "_"))
     if os.path.lexists(usual):
         return usual
-    mine = [each for each in _places(db) if each.problem == problem and _is_there(each)]
+    mine = [each for each in _places(db) if each.problem == problem and is_there(each)]
     if own := _in(this_folder(), mine):
         return shown(own[0].path)
     where = f" The last one is {mine[0].path}." if mine else ""

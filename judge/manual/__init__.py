@@ -6,10 +6,10 @@ A page's name is its file's name, its title the line `# …`; each `## …` begi
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 
-from msgspec import Struct
+from judge.published import Published
 
 _FOLDER = Path(__file__).parent
 _FENCE = "```"
@@ -32,39 +32,19 @@ _FORMER = {  # a page's name in earlier versions -> the page that has its matter
 }
 
 
-class Section(Struct, frozen=True):
-    """A part of a page: its heading (empty for the part above the first one) and its lines."""
+class Page(Published, frozen=True):
+    """A page of the manual: `topic` is the word for `judge help`, `text` the whole Markdown."""
 
-    heading: str
-    lines: tuple[str, ...]
-
-
-class Page(Struct, frozen=True):
-    """A page of the manual: `name` is the word for `judge help`, `text` the whole Markdown."""
-
-    name: str
+    topic: str
     title: str
     text: str
 
-    @property
-    def sections(self) -> list[Section]:
-        """The parts of the page, in order; a line in a fenced block is not a heading."""
-        found: list[tuple[str, list[str]]] = [("", [])]
-        fenced = False
-        for row in self.text.splitlines():
-            fenced ^= row.startswith(_FENCE)
-            if row.startswith("## ") and not fenced:
-                found.append((row[3:], []))
-            elif fenced or not row.startswith("# "):
-                found[-1][1].append(row)
-        return [Section(heading, tuple(lines)) for heading, lines in found]
 
-
-class Hit(Struct, frozen=True):
+class Hit(Published, frozen=True):
     """Where words were found: the page, the section, and the line with most of them."""
 
-    page: str
-    heading: str
+    topic: str
+    section: str
     line: str
 
 
@@ -79,7 +59,8 @@ def page(name: str) -> Page:
     if name not in topics():
         raise KeyError(name)
     text = (_FOLDER / f"{name}.md").read_text(encoding="utf-8")
-    return Page(name, text.partition("\n")[0].removeprefix("# ").replace("`", ""), text)
+    title = text.partition("\n")[0].removeprefix("# ").replace("`", "")
+    return Page(topic=name, title=title, text=text)
 
 
 def pages() -> list[Page]:
@@ -87,25 +68,37 @@ def pages() -> list[Page]:
     return [page(name) for name in topics()]
 
 
-def search(words: Sequence[str]) -> Iterator[Hit]:
+def search(words: Sequence[str]) -> list[Hit]:
     """The sections that contain all the words, ignoring case; those with all in the heading come first."""
     wanted = [word.casefold() for word in words]
-    hits: list[tuple[bool, Hit]] = []
+    titled, others = list[Hit](), list[Hit]()
     for each in pages():
-        for section in each.sections:
-            head = f"{each.title} {section.heading}".casefold()
-            body = "\n".join((head, *section.lines)).casefold()
+        for heading, lines in _sections(each.text):
+            head = f"{each.title} {heading}".casefold()
+            body = "\n".join((head, *lines)).casefold()
             if all(word in body for word in wanted):
-                titled = all(word in head for word in wanted)
-                hits.append((not titled, Hit(each.name, section.heading, _telling(section, wanted))))
-    for _, hit in sorted(hits, key=lambda entry: entry[0]):
-        yield hit
+                found = titled if all(word in head for word in wanted) else others
+                found.append(Hit(topic=each.topic, section=heading, line=_telling(lines, wanted)))
+    return titled + others
 
 
-def _telling(section: Section, words: Sequence[str]) -> str:
+def _sections(text: str) -> list[tuple[str, list[str]]]:
+    """The heading and the lines of each part, the first without one; no line of a fenced block is one."""
+    found: list[tuple[str, list[str]]] = [("", [])]
+    fenced = False
+    for row in text.splitlines():
+        fenced ^= row.startswith(_FENCE)
+        if row.startswith("## ") and not fenced:
+            found.append((row[3:], []))
+        elif fenced or not row.startswith("# "):
+            found[-1][1].append(row)
+    return found
+
+
+def _telling(lines: Sequence[str], words: Sequence[str]) -> str:
     """The line with most of the words, without Markdown; the first line if none has any."""
-    lines = [text for row in section.lines if (text := _bare(row))]
-    return max(lines, key=lambda text: sum(word in text.casefold() for word in words), default="")
+    bare = filter(None, map(_bare, lines))
+    return max(bare, key=lambda text: sum(word in text.casefold() for word in words), default="")
 
 
 def _bare(row: str) -> str:

@@ -23,18 +23,23 @@ from collections import Counter, defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from datetime import datetime
 from enum import Enum
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
-from judge.errors import StoreError
-from judge.practice.events import Answer, Hack, Outcome, Run
-from judge.practice.syllabus import Checklist, Row, Skill
+from judge.errors import ProblemError, StoreError
+from judge.practice.events import Answer, Hack, Help, Outcome, Run
+from judge.practice.review import Review, reviews
+from judge.practice.syllabus import Checklist, Course, Row, Skill, sound_sets
 from judge.problem import Problem
+from judge.problem.find import problem_folders, sound_problems
 from judge.problem.model import KataLevel, Listed
+from judge.published import Published
 
 if TYPE_CHECKING:
     from judge.practice.cards import Card
+    from judge.practice.history import History
 
 
 Tried = Mapping[str, Sequence[Run]]  # a person's runs by problem, as `tried` gives them
@@ -49,17 +54,12 @@ class State(Enum):
 
 
 class Need(Struct, frozen=True):
-    """The groups of one problem that show a skill: since when, and which of them the latest run fails."""
+    """The groups of one problem that show a skill: since when, and which the latest run fails after that."""
 
     problem: str
     groups: tuple[str, ...]
     since: datetime | None = None
     failing: tuple[str, ...] = ()
-
-    @property
-    def lost(self) -> bool:
-        """Whether it was met once, and no longer is."""
-        return self.since is not None and bool(self.failing)
 
 
 class SkillProgress(Struct, frozen=True):
@@ -119,6 +119,81 @@ class Question(Struct, frozen=True):
         return tuple(dict.fromkeys(each.drill for each in waiting))
 
 
+class Unfinished(Struct, frozen=True):
+    """A kata that was tried and is not solved: its most points, and its last run."""
+
+    problem: str
+    best: int
+    last: datetime
+
+
+class Due(Published, frozen=True):
+    """What is unfinished `now`, what to do again, and the cards that were answered, the first due first."""
+
+    time: datetime
+    now: list[Unfinished]
+    due: list[Review]
+    later: list[Review]
+    cards: list[Review]
+
+    @property
+    def cards_due(self) -> int:
+        """How many cards are due."""
+        return sum(card.is_due(self.time) for card in self.cards)
+
+
+class Learner(Course, frozen=True):
+    """What a person did: all runs, those that say something of them by problem, help, and answers to cards.
+
+    `solved` says since when a kata is; `extra` are the folders that were looked in first, and `faults` are
+    the problems and sets that cannot be read.
+    """
+
+    solved: Mapping[str, datetime]
+    runs: Sequence[Run]
+    own: Tried
+    helps: Sequence[Help]
+    answers: Sequence[Answer]
+    extra: Sequence[Path]
+    faults: Sequence[ProblemError]
+
+    def stars(self, problems: Iterable[Problem]) -> tuple[int, int]:
+        """How many of these katas have one star, and how many two."""
+        won = [len(levels_passed(each, self.own.get(each.id, ()))) for each in problems]
+        return won.count(1), won.count(2)
+
+    def due(self, time: datetime) -> Due:
+        """What is to be done at that time; a kata that is unfinished is not repeated yet."""
+        here = {folder.name for folder in problem_folders(self.extra)}
+        unsolved = {
+            name: runs
+            for name, runs in self.own.items()
+            if name in here and not any(run.solved for run in runs)
+        }
+        known = [each for each in reviews(self.runs, self.helps) if each.name in here - unsolved.keys()]
+        cards: list[Review] = []
+        if self.answers:  # whoever has answered none waits for no deck
+            from judge.practice.cards import known_cards
+
+            cards = known_cards(self.answers, self.extra)
+        now = [
+            Unfinished(name, max(run.score for run in runs), runs[-1].when) for name, runs in unsolved.items()
+        ]
+        due = [each for each in known if each.is_due(time)]
+        return Due(time, now, due, [each for each in known if each not in due], cards)
+
+
+def read_learner(history: History, extra: Sequence[Path] = ()) -> Learner:
+    """What a history says of a person, with all katas and sets that can be read. Raises StoreError."""
+    problems, faults = sound_problems(extra)
+    sets, broken = sound_sets(problems, extra)
+    runs = history.runs()
+    done = solved(runs)
+    here = {each.id: done[each.id] for each in problems if each.id in done}
+    helps, answers = history.events(Help), history.events(Answer)
+    return Learner(problems, sets, here, runs, tried(runs), helps, answers, extra, [*faults, *broken])
+
+
 # -- katas, levels and skills ------------------------------------------------------------------------------
 
 
@@ -174,12 +249,12 @@ def _need(problem: str, groups: tuple[str, ...], runs: Iterable[Run]) -> Need:
         # a file that is begun anew passes nothing yet, and takes nothing away
         if run.passed and (fails or not wanted.isdisjoint(run.passed)):
             failing = fails
-    return Need(problem, groups, since, tuple(group for group in groups if group in failing))
+    return Need(problem, groups, since, tuple(group for group in groups if since and group in failing))
 
 
 def _skill(skill: Skill, needs: Sequence[Need]) -> SkillProgress:
     since = min((need.since for need in needs if need.since), default=None)
-    state = State.LOST if any(need.lost for need in needs) else State.SHOWN if since else State.OPEN
+    state = State.LOST if any(need.failing for need in needs) else State.SHOWN if since else State.OPEN
     return SkillProgress(skill.name, skill.about, state, since, tuple(needs))
 
 
@@ -211,7 +286,7 @@ def questions(
             if kata in here:
                 yield Evidence(Kind.KATA, kata, f"judge start {kata}", done.get(kata))
         for skill in (by_name[name] for name in row.skills if name in by_name):
-            needs = sorted(skill.needs, key=lambda need: need.since is not None and not need.lost)
+            needs = sorted(skill.needs, key=lambda need: need.since is not None and not need.failing)
             drill, lost = f"judge start {needs[0].problem}", skill.state is State.LOST
             yield Evidence(Kind.SKILL, skill.name, drill, skill.since, lost)
         for key in (card.key for card in there if row.id in card.rows):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
@@ -11,7 +12,9 @@ from rich.console import Group as Together
 from rich.console import RenderableType
 from rich.text import Text
 
+from judge.practice.events import Run
 from judge.problem import Group, Problem, Tolerance
+from judge.problem.model import FULL_SCORE
 from judge.report import published_look as published
 from judge.report.parts import (
     STRONG,
@@ -32,7 +35,7 @@ from judge.report.parts import (
     text,
 )
 from judge.report.screen import Screen
-from judge.report.words import counted, shown_command, shown_name
+from judge.report.words import counted, due_words, shown_command, shown_name
 from judge.values.answers import Words
 
 _WHAT = (
@@ -57,8 +60,9 @@ def home(found: published.Home, screen: Screen) -> RenderableType:
 
 def _newcomer(found: published.Home) -> RenderableType:
     title = found.next.title if found.next else "There is no kata here"
+    katas = counted(len(found.learner.problems), "kata")
     return blocks(
-        f"judge: practise circle and line geometry. {counted(found.katas, 'kata')}, offline.",
+        f"judge: practise circle and line geometry. {katas}, offline.",
         _rows([("Begin", "judge start", f"{title}: your first kata, 5 minutes")]),
         indented(paragraph(_WHAT)),
         _rows(_LOOK),
@@ -67,36 +71,38 @@ def _newcomer(found: published.Home) -> RenderableType:
 
 def _returning(found: published.Home, screen: Screen) -> RenderableType:
     rows: list[tuple[str, str, str]] = []
+    mine, due = found.learner, found.due
     if found.now:
-        rows += [("Now", found.now.problem, _last(found.now)), _go_on(found.now)]
-    if found.again:
-        days = found.again.days
-        ago = "today" if not days else "yesterday" if days == 1 else f"{days} days ago"
-        rows += [("Again", found.again.problem, f"solved {ago}; solve it once more from memory")]
-        rows += [("", "", f"judge start {found.again.problem} --reset")]
+        folder, name = os.path.split(found.now.path)
+        file, there = shown_name(name), shown_command("cd", file=folder)
+        rows += [("Now", found.now.problem, _last(mine.own.get(found.now.problem, ())))]
+        rows += [
+            ("", "judge start", f"goes on with {file} in this folder")
+            if found.here
+            else ("", "", f"{file} is in another folder: {there}")
+        ]
+    if again := next((each for each in due.due if each.solved), None):
+        ago = due_words(again.last, due.time)
+        rows += [("Again", again.name, f"solved {ago}; solve it once more from memory")]
+        rows += [("", "", f"judge start {again.name} --reset")]
     if found.next:
-        rows += [("Next", found.next.problem, found.next.summary)]
-        rows += [] if found.now and not found.now.folder else [("", "judge start", "creates its file")]
+        rows += [("Next", found.next.id, found.next.summary)]
+        rows += [] if found.now and found.here else [("", "judge start", "creates its file")]
     elif not found.now:
         rows += [("Next", "", "All katas are solved.")]
-    cards = found.cards_due
-    due = f"{counted(cards, 'card')} {'is' if cards == 1 else 'are'} due" if cards else "interview questions"
-    more = commands([("judge progress", "what you can do so far"), ("judge quiz", due)])
-    done = solved_bar(found.solved, found.katas, found.stars, screen.width)
+    cards = due.cards_due
+    quiz = f"{counted(cards, 'card')} {'is' if cards == 1 else 'are'} due" if cards else "interview questions"
+    more = commands([("judge progress", "what you can do so far"), ("judge quiz", quiz)])
+    done = solved_bar(len(mine.solved), len(mine.problems), mine.stars(mine.problems), screen.width)
     return blocks(done, _rows(rows, STRONG), indented(more))
 
 
-def _last(now: published.Now) -> str:
-    if now.points is None:
+def _last(runs: Sequence[Run]) -> str:
+    """What the last of the runs came to."""
+    if not runs:
         return "not judged yet"
-    return f"{now.points} of 100 points" + (f", likely mistake: {now.mistake}" if now.mistake else "")
-
-
-def _go_on(now: published.Now) -> tuple[str, str, str]:
-    file = shown_name(now.file)
-    if not now.folder:
-        return "", "judge start", f"goes on with {file} in this folder"
-    return "", "", f"{file} is in another folder: {shown_command('cd', file=now.folder)}"
+    likely = f", likely mistake: {runs[-1].mistake}" if runs[-1].mistake else ""
+    return f"{runs[-1].score} of {FULL_SCORE} points{likely}"
 
 
 def _rows(rows: Iterable[tuple[str, str, str]], style: str = "") -> RenderableType:
@@ -111,19 +117,20 @@ def kata_list(found: published.KataList, screen: Screen) -> RenderableType:
     """How many are solved, each set in a row, and the katas of one set; all of them where that is asked."""
     stars = Counter(row.stars for row in found.katas)
     done = solved_bar(_solved(found.katas), len(found.katas), (stars[1], stars[2]), screen.width)
-    sets, shown = [each for each in found.sets if each.katas], found.shown
-    if found.whole and not shown:
-        return blocks(done, *(Together(strong(each.name), *_katas(found, each.katas, None)) for each in sets))
+    sets = {name: katas for name, katas in found.sets.items() if katas}
+    if found.whole and not found.shown:
+        every = (Together(strong(name), *_katas(found, katas, None)) for name, katas in sets.items())
+        return blocks(done, *every)
     rows = [
-        (text(each.name, STRONG if each == shown else ""), f"{_solved(each.katas)} of {len(each.katas)}")
-        for each in sets
+        (text(name, STRONG if name == found.shown else ""), f"{_solved(katas)} of {len(katas)}")
+        for name, katas in sets.items()
     ]
-    about = [table([(faint(shown.about),)], prose=None)] if shown else []
+    about = [table([(faint(found.about),)], prose=None)] if found.shown else []
     room = None if screen.rows is None or found.whole else screen.rows - len(rows) - 8
     return blocks(
         done,
         table(rows, right=[1], prose=None) if len(rows) > 1 else None,
-        Together(*about, *_katas(found, shown.katas if shown else (), room)),
+        Together(*about, *_katas(found, found.sets.get(found.shown, ()), room)),
         commands([("judge list SET", "another set"), ("judge list --all", "all katas")]),
     )
 
@@ -133,7 +140,7 @@ def _solved(rows: Sequence[published.KataRow]) -> int:
 
 
 def _katas(
-    found: published.KataList, rows: tuple[published.KataRow, ...], room: int | None
+    found: published.KataList, rows: Sequence[published.KataRow], room: int | None
 ) -> Iterator[RenderableType]:
     """Those katas with their marks, as many as there is room for."""
     there = found.wanted(rows)
@@ -234,32 +241,29 @@ def _short(value: Fraction) -> str:
     return short if Fraction(short) == value else str(value)
 
 
-def topics(found: published.Topics, _screen: Screen) -> RenderableType:
+def topics(told: published.Topics, _screen: Screen) -> RenderableType:
     """Every topic with its title, and how to read one."""
-    rows = [(strong(each.topic), each.title) for each in found.published]
-    rows.append((strong("options"), "Options of every command"))
+    rows = [(each.topic, each.title) for each in told.published]
+    rows.append(("options", "Options of every command"))
     below = [("judge help TOPIC", "read one"), ("judge help WORDS", "find the pages that mention them")]
-    return blocks(table(rows), commands(below))
+    return blocks(table((strong(name), title) for name, title in rows), commands(below))
 
 
-def page_shown(found: published.PageShown, screen: Screen) -> RenderableType:
-    """A page, drawn for a person and as it is in a pipe."""
-    return prose(found.published[0].text, screen)
-
-
-def mentions(found: published.Mentions, _screen: Screen) -> RenderableType:
+def mentions(told: published.Mentions, _screen: Screen) -> RenderableType:
     """The sections that have the words, each below the name of its page."""
-    if not found.published:
-        remedy = f"Did you mean judge help {found.near}?" if found.near else "judge help lists the topics."
-        return text(f"No page mentions {found.words!r}. {remedy}")
-    parts: list[RenderableType] = [text(f"Pages that mention {found.words!r}:")]
-    for each in found.published[:_HITS]:
+    if not told.published:
+        remedy = f"Did you mean judge help {told.near}?" if told.near else "judge help lists the topics."
+        return text(f"No page mentions {told.words!r}. {remedy}")
+    parts: list[RenderableType] = [text(f"Pages that mention {told.words!r}:")]
+    for each in told.published[:_HITS]:
         parts += [head(each.topic, each.section), indented(text(each.line))]
-    if len(found.published) > _HITS:
-        parts.append(faint(f"and {len(found.published) - _HITS} more sections"))
+    if len(told.published) > _HITS:
+        parts.append(faint(f"and {len(told.published) - _HITS} more sections"))
     return Together(*parts)
 
 
-def document(found: published.Document, _screen: Screen) -> RenderableType:
-    """A text, line by line."""
-    return Together(*(Text(row) for row in found.text.rstrip("\n").split("\n")))
+def document(told: published.Document, screen: Screen) -> RenderableType:
+    """A page, drawn for a person and as it is in a pipe; or a text, line by line."""
+    if told.paged:
+        return prose(told.text, screen)
+    return Together(*(Text(row) for row in told.text.rstrip("\n").split("\n")))

@@ -12,7 +12,7 @@ from rich.text import Text
 from judge.errors import StoreError
 from judge.languages import file_name
 from judge.practice.events import Rating, Run
-from judge.practice.progress import Evidence, Kind, Question, SkillProgress, State
+from judge.practice.progress import Due, Evidence, Kind, Question, SkillProgress, State
 from judge.practice.review import Review
 from judge.practice.stub import usual_name
 from judge.problem.model import FULL_SCORE, Verdict
@@ -56,12 +56,12 @@ _LISTED = 3  # katas that are listed under Now and Again
 
 def progress_page(found: published.ProgressPage, screen: Screen) -> RenderableType:
     """How many katas are solved, a bar for each set or the skills of one, what to do now, what was made."""
-    told, sets = found.shown, None
-    solved = solved_bar(len(told.solved), len(told.katas), (told.one_star, told.two_stars), screen.width)
-    top = solved if told.sets else Group(strong(told.title), solved)
+    told, whole, sets = found.shown, found.shown.set, None
+    solved = solved_bar(len(whole.solved), len(whole.katas), whole.stars, screen.width)
+    top = solved if told.sets else Group(strong(whole.title), solved)
     if found.whole:
         return blocks(top, *_all(told))
-    below = [(f"judge progress {told.set} --all", "each skill and question")]
+    below = [(f"judge progress {whole.name} --all", "each skill and question")]
     if told.sets:
         narrow = screen.width is not None and screen.width < _NARROW
         rows = [_set(each)[: 2 if narrow else None] for each in told.sets]
@@ -72,11 +72,11 @@ def progress_page(found: published.ProgressPage, screen: Screen) -> RenderableTy
 
 
 def _set(part: published.SetShare) -> tuple[Cell, ...]:
-    stars = [f"★ {part.one_star}", f"★★ {part.two_stars}"] if part.levelled else ["", ""]
+    stars = [f"{'★' * at} {count}" for at, count in enumerate(part.stars, 1)] or ["", ""]
     skills = f"{part.shown} of {counted(part.skills, 'skill')}" if part.skills else ""
-    share = bar(part.solved, part.katas, f"{part.solved} of {part.katas}", 0)
-    name = text(part.name, GOOD if part.solved == part.katas else "")
-    return name, share, *stars, faint(skills)
+    done, katas = len(part.solved), len(part.katas)
+    share = bar(done, katas, f"{done} of {katas}", 0)
+    return text(part.name, GOOD if done == katas else ""), share, *stars, faint(skills)
 
 
 def _skills(told: published.ProgressShown) -> Iterator[tuple[Cell, Cell]]:
@@ -85,24 +85,23 @@ def _skills(told: published.ProgressShown) -> Iterator[tuple[Cell, Cell]]:
         more = f"; {len(names) - _NAMED} more" if len(names) > _NAMED else ""
         if names:
             yield text(label, _STYLES[state]), "; ".join(names[:_NAMED]) + more
-    if told.solved:
-        yield "solved", ", ".join(told.solved)
+    if told.set.solved:
+        yield "solved", ", ".join(told.set.solved)
 
 
 def _now(found: published.ProgressPage) -> Iterator[tuple[Cell, Cell]]:
     """What is unfinished, what comes again today, and the next kata."""
-    due = found.due
-    now = [joined(each.problem, "  ", faint(_points(each.best))) for each in due.now[-_LISTED:]]
+    now = [joined(each.problem, "  ", faint(_points(each.best))) for each in found.due.now[-_LISTED:]]
     again = [
         joined(each.name, faint(f"  last time {day(each.last)}; write it again from memory"))
-        for each in due.due[:_LISTED]
+        for each in found.due.due[:_LISTED]
     ]
     yield from under(strong("now"), now)
     yield from under(strong("again"), again)
-    if cards := due.cards_due:
+    if cards := found.due.cards_due:
         yield strong("cards"), f"{counted(cards, 'card')} due: judge quiz"
-    if following := found.shown.next:
-        yield strong("next"), joined(f"judge start {following.problem}", faint(f"  {following.title}"))
+    if found.next:
+        yield strong("next"), joined(f"judge start {found.next.id}", faint(f"  {found.next.title}"))
 
 
 def _points(best: int) -> str:
@@ -151,7 +150,7 @@ def _skill(skill: SkillProgress) -> tuple[Cell, ...]:
 
 def _failing(skill: SkillProgress) -> str:
     """The groups that were passed and no longer are, with their kata."""
-    return ", ".join(f"{need.problem} {group}" for need in skill.needs if need.lost for group in need.failing)
+    return ", ".join(f"{need.problem} {group}" for need in skill.needs for group in need.failing)
 
 
 def _question(each: Question) -> tuple[Cell, ...]:
@@ -180,7 +179,7 @@ def _evidence(each: Evidence) -> tuple[Cell, ...]:
     return faint(kind), _mark(state), faint(day(each.since)), each.name
 
 
-def due_shown(found: published.DueShown, _screen: Screen) -> RenderableType:
+def due(found: Due, _screen: Screen) -> RenderableType:
     """The katas that are unfinished, those that are due, the longest overdue first, and the others."""
     now, later, parts = found.time, found.later, list[RenderableType]()
     if found.now:
@@ -280,9 +279,9 @@ def _remark(run: Run) -> str:
 def run_row(run: published.RunRow, screen: Screen) -> RenderableType:
     """When it was, what it came to, and how to get its source back."""
     return blocks(
-        head(f"run {run.id}", faint(moment(run.when))),
+        head(f"run {run.run}", faint(moment(run.time))),
         judged(Judged(run.result, whole=True, commands=False), screen),
-        commands([(f"judge history {run.id} --restore", "write its source again")]),
+        commands([(f"judge history {run.run} --restore", "write its source again")]),
     )
 
 

@@ -2,15 +2,23 @@
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
 
 from msgspec import Struct
 
 from judge.errors import ExitCode
-from judge.problem import Problem
 from judge.problem.model import GroupLimits, GrowthRule, KataLevel, Source, Tier
 from judge.published import Published
-from judge.report.views import copied, in_words
+from judge.report.views import copied
+
+if TYPE_CHECKING:
+    from judge.manual import Hit, Page
+    from judge.practice.events import Started
+    from judge.practice.progress import Due, Learner
+    from judge.problem import Problem
+
+Words = dict[str, str]  # fields by name, each in words: numbers are exact, `n` or `n/d`
 
 
 class KataRow(Published, frozen=True):
@@ -23,64 +31,36 @@ class KataRow(Published, frozen=True):
     entry: str
     groups: int
     cases: int
-    points: int
     sets: tuple[str, ...]
     solved: bool
     stars: int
 
 
-class SetRow(Struct, frozen=True):
-    """A set of katas: its name, a sentence about it, and its katas in order."""
-
-    name: str
-    about: str
-    katas: tuple[KataRow, ...]
-
-
 class KataList(Struct, frozen=True):
-    """All katas, their sets, the set to show, and the current kata; `faults` katas or sets are broken."""
+    """All katas, the sets by name, of which one is shown, and the current kata; `faults` cannot be read."""
 
-    katas: tuple[KataRow, ...]
-    sets: tuple[SetRow, ...]
-    shown: SetRow | None = None
+    katas: Sequence[KataRow]
+    sets: Mapping[str, Sequence[KataRow]]
+    shown: str = ""
+    about: str = ""  # the set that is shown
     current: str = ""
     todo: bool = False
     whole: bool = False
     faults: int = 0
 
-    def wanted(self, rows: tuple[KataRow, ...]) -> tuple[KataRow, ...]:
+    def wanted(self, rows: Sequence[KataRow]) -> list[KataRow]:
         """Those of the katas that were asked for."""
-        return tuple(row for row in rows if not (self.todo and row.solved))
+        return [row for row in rows if not (self.todo and row.solved)]
 
     @property
-    def published(self) -> tuple[KataRow, ...]:
+    def published(self) -> list[KataRow]:
         """The katas that were asked for."""
-        return self.wanted(self.shown.katas if self.shown else self.katas)
+        return self.wanted(self.sets.get(self.shown, self.katas))
 
     @property
     def exit_code(self) -> ExitCode:
         """3 where a kata cannot be read."""
         return ExitCode.FAULT if self.faults else ExitCode.ACCEPTED
-
-
-class ParameterRow(Struct, frozen=True):
-    """A parameter; the bounds are exact, `n` or `n/d` as text."""
-
-    name: str
-    type: str
-    low: str
-    high: str
-    smallest: str
-    about: str
-
-
-class Accuracy(Struct, frozen=True):
-    """A tolerance; its parts are exact, `n` or `n/d` as text."""
-
-    extent: str
-    relative: str
-    zero: str
-    ulps: str
 
 
 class GroupRow(Struct, frozen=True):
@@ -91,7 +71,7 @@ class GroupRow(Struct, frozen=True):
     cases: int
     points: int
     seed: int | str
-    tolerance: Accuracy
+    tolerance: Words
     kills: tuple[str, ...]
     level: KataLevel | None
     size: int | None
@@ -99,15 +79,8 @@ class GroupRow(Struct, frozen=True):
     time_limit: float | None
 
 
-class ExampleRow(Struct, frozen=True):
-    """A worked example: the arguments by name, and the answer."""
-
-    input: dict[str, Any]
-    answer: Any
-
-
 class KataInFull(Published, frozen=True):
-    """A kata, whole; limits are in seconds and MB."""
+    """A kata, whole; limits are in seconds and MB. An example has the arguments by name, and the answer."""
 
     problem: str
     title: str
@@ -115,11 +88,11 @@ class KataInFull(Published, frozen=True):
     summary: str
     entry: str
     answer: str
-    parameters: tuple[ParameterRow, ...]
+    parameters: tuple[Words, ...]
     limits: GroupLimits
     growth: GrowthRule | None
     groups: tuple[GroupRow, ...]
-    examples: tuple[ExampleRow, ...]
+    examples: tuple[dict[str, Any], ...]
     statement: str
     source: Source
 
@@ -134,55 +107,46 @@ class KataShown(Struct, frozen=True):
     def published(self) -> tuple[KataInFull]:
         """Both, in one object."""
         problem = self.problem
+        groups = (
+            copied(GroupRow, each, cases=each.count, tolerance=_in_words(each.tolerance))
+            for each in problem.groups
+        )
+        examples = ({"input": problem.named(each.case), "answer": each.wanted} for each in problem.examples)
         full = copied(
             KataInFull,
             problem,
             problem=problem.id,
             answer=str(problem.answer),
-            parameters=tuple(in_words(ParameterRow, each) for each in problem.parameters),
-            groups=tuple(
-                copied(GroupRow, each, cases=each.count, tolerance=in_words(Accuracy, each.tolerance))
-                for each in problem.groups
-            ),
-            examples=tuple(ExampleRow(problem.named(each.case), each.wanted) for each in problem.examples),
+            parameters=tuple(map(_in_words, problem.parameters)),
+            groups=tuple(groups),
+            examples=tuple(examples),
         )
         return (full,)
 
 
-class PageText(Published, frozen=True):
-    """A page of the manual, as Markdown."""
+def _in_words(value: Struct) -> Words:
+    return {name: str(getattr(value, name)) for name in value.__struct_fields__}
 
-    topic: str
-    title: str
+
+class Document(Struct, frozen=True):
+    """A text that is shown as it is, or `paged` as a page of the manual; and what goes out with --json."""
+
     text: str
-
-
-class Mention(Published, frozen=True):
-    """A section of the manual that has the words, and its line that has most of them."""
-
-    topic: str
-    section: str
-    line: str
+    published: tuple[Any, ...]
+    paged: bool = False
 
 
 class Topics(Struct, frozen=True):
     """All pages of the manual, to choose from."""
 
-    published: tuple[PageText, ...]
-
-
-class PageShown(Struct, frozen=True):
-    """One page to read."""
-
-    published: tuple[PageText]
-    paged: bool = True
+    published: Sequence[Page]
 
 
 class Mentions(Struct, frozen=True):
     """Where the manual has the words; 1 where nowhere, as grep has it."""
 
     words: str
-    published: tuple[Mention, ...]
+    published: Sequence[Hit]
     near: str = ""  # the topic or command that was most likely meant
 
     @property
@@ -191,64 +155,27 @@ class Mentions(Struct, frozen=True):
         return ExitCode.ACCEPTED if self.published else ExitCode.NOT_ACCEPTED
 
 
-class Document(Struct, frozen=True):
-    """A text that is shown as it is, and what goes out with --json."""
-
-    text: str
-    published: tuple[Any, ...]
-
-
-class Next(Struct, frozen=True):
-    """A kata to take up: its id, its title and a sentence about it."""
-
-    problem: str
-    title: str
-    summary: str
-
-
-class Now(Struct, frozen=True):
-    """The kata a person is at, which is not solved: its file, and the folder where that is not this one.
-
-    `points` and `mistake` are those of the last run; None and "" where there was none.
-    """
-
-    problem: str
-    file: str
-    folder: str
-    points: int | None
-    mistake: str
-
-
-class Again(Struct, frozen=True):
-    """A kata to solve again today, and how many days ago it was solved."""
-
-    problem: str
-    days: int
-
-
 class Standing(Struct, frozen=True):
     """What a kata took a person, the skills that are new, the next kata, and how many of all are solved."""
 
     runs: int
     new: tuple[str, ...]
     hints: int
-    next: Next | None
+    next: Problem | None
     solved: int
     katas: int
 
 
-class Home(Published, frozen=True):
-    """Where a person stands: katas solved, those with one star and with two, and what to do now.
+class Home(Struct, frozen=True):
+    """Where a person stands, and what to do `now`: the file of a kata that is not solved; if it is `here`.
 
     Of a person who has not begun, `begun` is false, and `next` is the kata to begin with. `next` is None
     where all are solved.
     """
 
-    katas: int
+    learner: Learner
+    due: Due
     begun: bool
-    solved: int
-    stars: tuple[int, int]
-    now: Now | None
-    again: Again | None
-    next: Next | None
-    cards_due: int
+    now: Started | None
+    here: bool
+    next: Problem | None

@@ -7,80 +7,50 @@ from datetime import datetime
 from msgspec import Struct, to_builtins
 
 from judge.practice.events import Run
-from judge.practice.progress import Question, SkillProgress
-from judge.practice.review import Review
-from judge.problem import Verdict
-from judge.problem.model import Mode
+from judge.practice.progress import Due, Question, SkillProgress
+from judge.problem import Problem, Verdict
 from judge.published import Published
-from judge.report.published_look import Next
-from judge.report.views import copied
 from judge.run.result import Result
+
+_COLUMNS = (
+    *("run", "time", "problem", "submission", "path", "verdict", "score", "mode", "mistake", "ratio"),
+    *("passed", "failed", "levels", "source"),
+)
 
 
 class SetShare(Struct, frozen=True, kw_only=True):
-    """How many of a set's katas are solved, how many have one star or two, and its skills.
+    """A set's katas, those of them that are solved, how many have one star and two, and its skills.
 
-    One star is the interview level, two are production too; `levelled` katas have levels.
+    One star is the interview level, two are production too; there are none where no kata has levels.
     """
 
     name: str
-    katas: int
-    solved: int
-    levelled: int
-    one_star: int
-    two_stars: int
+    title: str
+    katas: tuple[str, ...]
+    solved: tuple[str, ...]
+    stars: tuple[int, ...]
     skills: int
     shown: int
 
 
-class Unfinished(Struct, frozen=True, kw_only=True):
-    """A kata that was tried and is not solved: its most points, and its last run."""
-
-    problem: str
-    best: int
-    last: datetime
-
-
-class DueShown(Published, frozen=True, kw_only=True):
-    """What is unfinished `now`, what to do again, and the cards that were answered, the first due first."""
-
-    time: datetime
-    now: tuple[Unfinished, ...]
-    due: tuple[Review, ...]
-    later: tuple[Review, ...]
-    cards: tuple[Review, ...]
-
-    @property
-    def cards_due(self) -> int:
-        """How many cards are due."""
-        return sum(card.is_due(self.time) for card in self.cards)
-
-
 class ProgressShown(Published, frozen=True, kw_only=True):
-    """What was learned in the katas of a set: `katas` are their names, `solved` those that are solved.
+    """What was learned in a set; `sets` are those that it consists of, where it stands for all katas."""
 
-    `sets` are those that it consists of, where it stands for all katas.
-    """
-
-    set: str
-    title: str
-    katas: tuple[str, ...]
-    solved: tuple[str, ...]
-    one_star: int
-    two_stars: int
+    set: SetShare
     sets: tuple[SetShare, ...]
     skills: tuple[SkillProgress, ...]
     mistakes: dict[str, int]
     rows: tuple[Question, ...]
-    next: Next | None
+    next: str | None
 
 
 class ProgressPage(Struct, frozen=True):
-    """The same with what is due; `whole` asks for each skill and question."""
+    """The same with what is due, and the next kata; `whole` asks for each skill and question."""
 
     shown: ProgressShown
-    due: DueShown
-    whole: bool = False
+    due: Due
+    next: Problem | None
+    whole: bool
 
     @property
     def published(self) -> tuple[ProgressShown]:
@@ -93,13 +63,13 @@ class ProgressPage(Struct, frozen=True):
         return self.whole
 
 
-class QuestionShown(Published, frozen=True, kw_only=True):
+class QuestionShown(Published, frozen=True):
     """One question, and all that may tick it."""
 
     question: Question
 
 
-class ProgressWritten(Published, frozen=True, kw_only=True):
+class ProgressWritten(Published, frozen=True):
     """A page that was written, of so many runs of these katas."""
 
     out: str
@@ -108,40 +78,33 @@ class ProgressWritten(Published, frozen=True, kw_only=True):
     problems: tuple[str, ...]
 
 
-class RunRow(
-    Published, frozen=True, kw_only=True, rename={"id": "run", "when": "time", "source_hash": "source"}
-):
-    """A run with its result; `source` is the sha256 of what was judged, `passed` and `failed` name groups."""
+class RunRow(Published, frozen=True):
+    """A run, which judged the file at `path`, with that sha256, and came to that result."""
 
-    id: int
-    when: datetime
-    problem: str
-    submission: str
+    run: int
+    time: datetime
     path: str
-    verdict: Verdict
-    score: int
-    mode: Mode
-    mistake: str | None
-    ratio: float | None
-    passed: tuple[str, ...]
-    failed: tuple[str, ...]
-    levels: tuple[str, ...]
-    source_hash: str
+    source: str
     result: Result
+
+
+def row_of(run: Run) -> RunRow:
+    """The run in full. Raises StoreError where its result is damaged."""
+    return RunRow(run.id, run.when, run.path, run.source_hash, run.result)
 
 
 class RunList(Struct, frozen=True):
     """Runs, the latest last; `more` says that older ones are left out, `csv` that CSV is wanted."""
 
-    runs: tuple[Run, ...]
-    problem: str = ""
-    more: bool = False
-    csv: bool = False
+    runs: list[Run]
+    problem: str
+    more: bool
+    csv: bool
 
     @property
-    def published(self) -> tuple[RunRow, ...]:
+    def published(self) -> list[RunRow]:
         """Each run in full."""
-        return tuple(copied(RunRow, run) for run in self.runs)
+        return list(map(row_of, self.runs))
 
     @property
     def plain(self) -> str:
@@ -150,9 +113,8 @@ class RunList(Struct, frozen=True):
             return ""
         from judge.report.formats import csv_text  # only who asks for it waits for it
 
-        columns = RunRow.__struct_encode_fields__[1:-1]  # without the schema and the result
-        rows = (to_builtins(run, enc_hook=str) for run in self.published)
-        return csv_text([columns, *([_cell(row[name]) for name in columns] for row in rows)], "\n")
+        rows = ({**to_builtins(run), "run": run.id, "levels": run.levels} for run in self.runs)
+        return csv_text([_COLUMNS, *([_cell(row[name]) for name in _COLUMNS] for row in rows)], "\n")
 
 
 def _cell(value: object) -> object:
@@ -168,7 +130,7 @@ class GroupChange(Struct, frozen=True):
     after: str | None
 
 
-class RunsCompared(Published, frozen=True, kw_only=True):
+class RunsCompared(Published, frozen=True):
     """Two runs of one kata: what became of its groups, and of the source (as a unified diff)."""
 
     problem: str
@@ -180,13 +142,12 @@ class RunsCompared(Published, frozen=True, kw_only=True):
     diff: tuple[str, ...]
 
 
-class Restored(Published, frozen=True, kw_only=True):
+class Restored(Published, frozen=True):
     """The source of a run in its file again; what was there is `kept_as`, unless it was the same."""
 
     run: int
     time: datetime
     problem: str
-    source: str
     file: str
     written: bool
     kept_as: str | None

@@ -215,7 +215,7 @@ def _accepted(found: Judged, width: int | None) -> RenderableType:
     hints = f", {counted(standing.hints, 'hint')}" if standing.hints else ""
     if following := standing.next:
         title = f"{following.title[:1].lower()}{following.title[1:]}"
-        onward.append((go_on, f"next: {following.problem}, {title}"))
+        onward.append((go_on, f"next: {following.id}, {title}"))
     named = "   ".join(f"✓ {name}" for name in standing.new[:_SKILLS])
     more = f", {len(standing.new) - _SKILLS} more" if len(standing.new) > _SKILLS else ""
     new = [("shown", joined(good(named), more))]

@@ -1,7 +1,8 @@
 """How the view of what a command says is found, and how its values are made of others.
 
 The view of a class `KataShown` of `published_look.py` is the function `kata_shown` of `look.py`, which is
-imported only then; that of a class of a room below is in `setter.py`. It takes the value and the screen and
+imported only then, that of one of `practice/progress.py` in `progress.py`; of a class of another room it is
+in `setter.py`. It takes the value and the screen and
 returns what rich can draw; it writes nothing.
 """
 
@@ -29,14 +30,9 @@ def copied(kind: type[S], of: object, **more: Any) -> S:
     return kind(**{name: value for name, value in found.items() if value is not _NONE}, **more)
 
 
-def in_words(kind: type[S], of: object) -> S:
-    """A value of that kind, whose fields are texts, with what `of` has by their names."""
-    return kind(*(str(getattr(of, name)) for name in kind.__struct_fields__))
-
-
 def view_of(kind: type) -> Callable[[Any, Screen], RenderableType]:
     """What draws the values of a class. Raises AttributeError for one that has no view."""
-    home = kind.__module__.replace("published_", "")
+    home = kind.__module__.replace("published_", "").replace("judge.practice.", "judge.report.")
     module = import_module(home if home.startswith("judge.report.") else "judge.report.setter")
     name = re.sub("(?<=[a-z])(?=[A-Z])", "_", kind.__name__).lower()
     found: Callable[[Any, Screen], RenderableType] = getattr(module, name)

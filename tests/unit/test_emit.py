@@ -80,9 +80,9 @@ def test_the_schema_is_made_of_the_type():
 SHOWN = {
     "cases": "CaseTried HackTurn PageWritten",
     "klass": "Cohort",
-    "look": "Document Home KataList KataShown Mentions PageShown Topics",
+    "look": "Document Home KataList KataShown Mentions Topics",
     "practise": "Begun HintShown SolutionShown",
-    "progress": "DueShown ProgressPage ProgressWritten QuestionShown Restored RunList RunRow RunsCompared",
+    "progress": "ProgressPage ProgressWritten QuestionShown Restored RunList RunRow RunsCompared",
     "quiz": "CardList Interviewed Quizzed",
     "result": "Judged Several",
     "setter": "Doctor Exported FilesWritten NewKata Verified VerifySummary",

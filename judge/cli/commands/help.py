@@ -15,7 +15,8 @@ from judge.cli.emit import schema_of
 from judge.cli.options import Common, Option, command, opt
 from judge.cli.table import COMMANDS
 from judge.errors import UsageError, nearest
-from judge.report.published_look import Document, Mention, Mentions, PageShown, PageText, Topics
+from judge.manual import Hit, Page
+from judge.report.published_look import Document, Mentions, Topics
 from judge.schema import files, schema_of_file
 
 if TYPE_CHECKING:
@@ -35,7 +36,7 @@ class HelpAsk(Struct, frozen=True):
     )
 
 
-@command("help", PageText, Mention, ask=HelpAsk)
+@command("help", Page, Hit, ask=HelpAsk)
 @click.argument("words", metavar="[TOPIC|WORDS]...", nargs=-1)
 @click.pass_context
 def read(context: click.Context, words: tuple[str, ...], ask: HelpAsk, common: Common) -> Struct:
@@ -55,22 +56,22 @@ def read(context: click.Context, words: tuple[str, ...], ask: HelpAsk, common: C
         complete = get_completion_class(ask.completion)
         assert complete is not None
         script = complete(app, {}, "judge", "_JUDGE_COMPLETE").source()
-        return Document(script, (PageText("completion", ask.completion, script),))
+        return Document(script, (Page(topic="completion", title=ask.completion, text=script),))
     if not words:
-        return Topics(tuple(map(_text, manual.pages())))
+        return Topics(manual.pages())
     name = "-".join(words).lower()
     with suppress(KeyError):
-        return PageShown((_text(manual.page(name)),))
+        return _shown(manual.page(name))
     if name in COMMANDS and not common.json:
         return Document(_usage_of(app, name), ())
     if name == _OPTIONS:
-        return PageShown((PageText(_OPTIONS, "Options of every command", _common_options()),))
-    hits = tuple(Mention(hit.page, hit.heading, hit.line) for hit in manual.search(words))
-    return Mentions(" ".join(words), hits, nearest(name, [*manual.topics(), *COMMANDS]) or "")
+        return _shown(Page(topic=_OPTIONS, title="Options of every command", text=_common_options()))
+    near = nearest(name, [*manual.topics(), *COMMANDS]) or ""
+    return Mentions(" ".join(words), manual.search(words), near)
 
 
-def _text(page: manual.Page) -> PageText:
-    return PageText(page.name, page.title, page.text)
+def _shown(page: Page) -> Document:
+    return Document(page.text, (page,), paged=True)
 
 
 def _schema(app: Commands, name: str) -> Document:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from itertools import chain
 from pathlib import Path
 
@@ -16,7 +16,7 @@ from judge.practice.progress import levels_passed, solved, tried
 from judge.practice.syllabus import USUAL, sound_sets
 from judge.problem.find import find_problem, listed_problems
 from judge.problem.model import Listed
-from judge.report.published_look import KataInFull, KataList, KataRow, KataShown, SetRow
+from judge.report.published_look import KataInFull, KataList, KataRow, KataShown
 from judge.report.screen import note
 from judge.report.views import copied
 
@@ -51,21 +51,21 @@ def listed(name: str | None, ask: ListAsk, common: Common) -> KataList:
     faults += broken
     for fault in faults:
         note(str(fault), bad=True)
-    shelves = [
-        SetRow(each.name, each.about, tuple(rows[problem.id] for problem in each.problems)) for each in sets
-    ]
-    inside = {row.problem for each in shelves for row in each.katas}
-    if others := tuple(row for row in rows.values() if row.problem not in inside):
-        shelves.append(SetRow(_OTHERS, "Katas that are in no set.", others))
-    named = {each.name: each for each in shelves}
-    if name is not None and name not in named:
+    about = {each.name: each.about for each in sets} | {_OTHERS: "Katas that are in no set."}
+    shelves = {each.name: [rows[problem.id] for problem in each.problems] for each in sets}
+    inside = {row.problem for katas in shelves.values() for row in katas}
+    if others := [row for row in rows.values() if row.problem not in inside]:
+        shelves[_OTHERS] = others
+    if name is not None and name not in shelves:
         from judge.problem.toml import meant  # hardly ever
 
-        raise UsageError(f"There is no set {name!r}", remedy=meant(name, list(named)))
-    parts = tuple(each for each in shelves if name == USUAL or each.name != USUAL)
-    opened = None if common.json or ask.whole else _opened(parts, at)
-    shown = named[name] if name else opened
-    return KataList(tuple(rows.values()), parts, shown, at, ask.todo, ask.whole, len(faults))
+        raise UsageError(f"There is no set {name!r}", remedy=meant(name, list(shelves)))
+    if name != USUAL:
+        shelves.pop(USUAL, None)
+    shown = name or ("" if common.json or ask.whole else _opened(shelves, at))
+    return KataList(
+        [*rows.values()], shelves, shown, about.get(shown, ""), at, ask.todo, ask.whole, len(faults)
+    )
 
 
 def _rows(problems: Sequence[Listed], db: Path | None) -> tuple[dict[str, KataRow], str]:
@@ -84,7 +84,6 @@ def _rows(problems: Sequence[Listed], db: Path | None) -> tuple[dict[str, KataRo
             problem=each.id,
             groups=len(each.groups),
             cases=sum(group.count for group in each.groups),
-            points=sum(group.points for group in each.groups),
             solved=each.id in done,
             stars=len(levels_passed(each, own.get(each.id, ()))),
         )
@@ -93,11 +92,11 @@ def _rows(problems: Sequence[Listed], db: Path | None) -> tuple[dict[str, KataRo
     return rows, taken_up.problem if taken_up else ""
 
 
-def _opened(sets: Sequence[SetRow], at: str) -> SetRow | None:
-    """The set of the current kata; failing that, the first with something to do; None where there is none."""
-    current = (each for each in sets if at in [row.problem for row in each.katas])
-    todo = (each for each in sets if not all(row.solved for row in each.katas))
-    return next(chain(current, todo, sets), None)
+def _opened(sets: Mapping[str, Sequence[KataRow]], at: str) -> str:
+    """The set of the current kata; failing that, the first with something to do; "" where there is none."""
+    current = (name for name, katas in sets.items() if at in [row.problem for row in katas])
+    todo = (name for name, katas in sets.items() if not all(row.solved for row in katas))
+    return next(chain(current, todo, sets), "")
 
 
 class ShowAsk(Struct, frozen=True):
@@ -118,8 +117,7 @@ def show(name: str, ask: ShowAsk, common: Common) -> KataShown:
     if ask.opened:
         figure = problem.folder / "figure.svg"
         if not figure.is_file():
-            raise UsageError(
-                f"{problem.id} has no figure", remedy=f"leave out --open: judge show {problem.id}"
-            )
+            remedy = f"leave out --open: judge show {problem.id}"
+            raise UsageError(f"{problem.id} has no figure", remedy=remedy)
         click.launch(str(figure))
     return KataShown(problem, ask.groups)

@@ -5,33 +5,30 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from difflib import unified_diff
 from pathlib import Path
 
 import click
 from msgspec import Struct
 
-from judge.cli.files import OutFile, check_place, moment
+from judge.cli.files import OutFile, check_place, moment, writing
 from judge.cli.options import Common, command, opt
 from judge.cli.resolve import history_at, shown
-from judge.errors import ProblemError, UsageError, unwritable
+from judge.errors import UsageError
 from judge.files import new_file
 from judge.practice import events, syllabus
 from judge.practice import progress as learned
-from judge.practice.cards import known_cards, read_decks
-from judge.practice.events import Answer, Hack, Help, Run
+from judge.practice.cards import read_decks
+from judge.practice.events import Hack, Run
 from judge.practice.history import History
-from judge.practice.progress import State, Tried
-from judge.practice.review import reviews
+from judge.practice.progress import Due, Learner, State
 from judge.practice.stub import write_over
-from judge.practice.syllabus import USUAL, Checklist, PracticeSet
+from judge.practice.syllabus import USUAL, PracticeSet, Skill
 from judge.problem import Problem
-from judge.problem.find import find_problem, problem_folders, sound_problems
+from judge.problem.find import find_problem
 from judge.report import published_progress as published
-from judge.report.published_look import Next
 from judge.report.screen import note
-from judge.report.views import copied
 
 _ON_SCREEN = 18  # runs, unless it is said how many
 _PAGE = Path("judge-report.html")
@@ -52,7 +49,7 @@ class ProgressAsk(Struct, frozen=True):
 @command(
     "progress",
     published.ProgressShown,
-    published.DueShown,
+    Due,
     published.QuestionShown,
     published.ProgressWritten,
     ask=ProgressAsk,
@@ -68,122 +65,86 @@ def progress(name: str, ask: ProgressAsk, common: Common) -> Struct:
     A kata that you solve at once comes again after 1, 3, 8, 21, 60, then 180 days, a step sooner if you
     needed failed runs or hints. Running an accepted file again changes nothing.
     """
-    if ask.whole + ask.due + ask.html + (ask.question is not None) > 1:
-        raise UsageError("--all, --due, --question and --html exclude each other", remedy="give one of them")
-    if not ask.html and (ask.out != _PAGE or ask.person or ask.opened):
-        raise UsageError("--out, --name and --open go with --html", remedy="add --html")
-    if ask.html:
-        return _page(ask, common)
+    asked_for = ask.whole + ask.due + ask.html + (ask.question is not None)
+    of_page = ask.out != _PAGE or ask.person or ask.opened
+    _refuse(
+        (asked_for > 1, "--all, --due, --question and --html exclude each other; give one of them"),
+        (of_page and not ask.html, "--out, --name and --open go with --html; add --html"),
+    )
     folders = common.problems
     with history_at(common.db, reading=True) as history:
-        runs, helps = history.runs(), history.events(Help)
-        answers, hacks = history.events(Answer), history.events(Hack)
-    due = _due(runs, helps, answers, folders)
+        mine, hacks = learned.read_learner(history, folders), history.events(Hack)
+        if ask.html:
+            return _page(ask, mine, history)
+    due = mine.due(events.now().astimezone())
     if ask.due:
         return due
-    problems, broken = sound_problems(folders)
-    chosen = syllabus.find_set(name, problems, folders)
+    chosen = syllabus.find_set(name, mine.problems, folders)
     checklist = syllabus.read_checklist(folders)
     cards, faults = read_decks(folders)
-    for fault in (*broken, *syllabus.unknown_names(problems, folders), *faults):
+    for fault in (*mine.faults, *syllabus.unknown_names(mine.problems, folders), *faults):
         note(str(fault), bad=True)
-    own, done = learned.tried(runs), learned.solved(runs)
-    every = learned.skills(problems, own, checklist.skills)
-    asked = learned.questions(problems, done, every, checklist, cards, answers, hacks)
+    every = learned.skills(mine.problems, mine.own, checklist.skills)
+    asked = learned.questions(mine.problems, mine.solved, every, checklist, cards, mine.answers, hacks)
     if ask.question is not None:
         row = syllabus.find_row(ask.question, checklist.rows).id
-        return published.QuestionShown(question=next(each for each in asked if each.row == row))
-    sets = syllabus.sound_sets(problems, folders)[0] if name == USUAL else []
+        return published.QuestionShown(next(each for each in asked if each.row == row))
     parts = {each.title for each in checklist.sections if name in (USUAL, *each.sets)}
-    won = _stars(chosen.problems, own)
-    ids = tuple(problem.id for problem in chosen.problems)
-    following = next((each for each in chosen.problems if each.id not in own), None)
+    sets = [each for each in mine.sets if each.problems and name == USUAL != each.name]
+    runs = [run for each in chosen.problems for run in mine.own.get(each.id, ())]
+    following = next((each for each in chosen.problems if each.id not in mine.own), None)
     told = published.ProgressShown(
-        set=name,
-        title=chosen.title,
-        katas=ids,
-        solved=tuple(each for each in ids if each in done),
-        one_star=won.count(1),
-        two_stars=won.count(2),
-        sets=tuple(_share(each, own, checklist) for each in sets if each.problems and each.name != USUAL),
-        skills=tuple(learned.skills(chosen.problems, own, checklist.skills)),
-        mistakes=dict(
-            learned.mistakes(run for name in own if name in ids for run in own[name]).most_common()
-        ),
+        set=_share(chosen, mine, checklist.skills),
+        sets=tuple(_share(each, mine, checklist.skills) for each in sets),
+        skills=tuple(learned.skills(chosen.problems, mine.own, checklist.skills)),
+        mistakes=dict(learned.mistakes(runs).most_common()),
         rows=tuple([each for each in asked if each.section in parts] or asked),
-        next=Next(following.id, following.title, following.summary) if following else None,
+        next=following.id if following else None,
     )
-    return published.ProgressPage(told, due, ask.whole)
+    return published.ProgressPage(told, due, following, ask.whole)
 
 
-def _share(part: PracticeSet[Problem], own: Tried, checklist: Checklist) -> published.SetShare:
-    won, shown = _stars(part.problems, own), learned.skills(part.problems, own, checklist.skills)
+def _refuse(*rules: tuple[object, str]) -> None:
+    """Raise UsageError with what the first of these rules says that is broken."""
+    for broken, said in rules:
+        if broken:
+            raise UsageError(said)
+
+
+def _share(part: PracticeSet[Problem], mine: Learner, named: Sequence[Skill]) -> published.SetShare:
+    names, shown = [each.id for each in part.problems], learned.skills(part.problems, mine.own, named)
     return published.SetShare(
         name=part.name,
-        katas=len(part.problems),
-        solved=sum(any(run.solved for run in own.get(each.id, ())) for each in part.problems),
-        levelled=sum(bool(each.levels) for each in part.problems),
-        one_star=won.count(1),
-        two_stars=won.count(2),
+        title=part.title,
+        katas=tuple(names),
+        solved=tuple(each for each in names if each in mine.solved),
+        stars=mine.stars(part.problems) if any(each.levels for each in part.problems) else (),
         skills=len(shown),
         shown=sum(skill.state is State.SHOWN for skill in shown),
     )
 
 
-def _stars(problems: Iterable[Problem], own: Tried) -> list[int]:
-    """How many levels of each of these katas were passed."""
-    return [len(learned.levels_passed(each, own.get(each.id, ()))) for each in problems]
-
-
-def _due(
-    runs: Sequence[Run], helps: Sequence[Help], answers: Sequence[Answer], folders: Sequence[Path]
-) -> published.DueShown:
-    """What is unfinished, and what comes again when; a kata that is unfinished is not repeated yet."""
-    today, here = events.now().astimezone(), {folder.name for folder in problem_folders(folders)}
-    own, done = learned.tried(runs), learned.solved(runs)
-    unsolved = {name: tries for name, tries in own.items() if name in here and name not in done}
-    known = [each for each in reviews(runs, helps) if each.name in here and each.name not in unsolved]
-    return published.DueShown(
-        time=today,
-        now=tuple(
-            published.Unfinished(problem=name, best=max(run.score for run in tries), last=tries[-1].when)
-            for name, tries in unsolved.items()
-        ),
-        due=tuple(each for each in known if each.is_due(today)),
-        later=tuple(each for each in known if not each.is_due(today)),
-        cards=tuple(known_cards(answers, folders)),
-    )
-
-
-def _page(ask: ProgressAsk, common: Common) -> published.ProgressWritten:
+def _page(ask: ProgressAsk, mine: Learner, history: History) -> published.ProgressWritten:
     """Write the page. Raises UsageError where there is nothing to write, or something else is there."""
     from judge.report.html import is_page
     from judge.report.html.learner import MARK, learner_page
 
     target = OutFile(ask.out, "--out", "a page of judge progress", lambda start: is_page(start, MARK))
-    with history_at(common.db, reading=True) as history:
-        runs = [run for run in history.runs() if run.counts]
-        if not runs:
-            raise UsageError("You have no runs yet", remedy="judge a file first: judge run FILE")
-        last = {run.problem: run.id for run in runs if run.solved}
-        sources = {name: history.source(number) for name, number in last.items()}
-        problems, faults = sound_problems(common.problems)
-        for fault in faults:  # its runs are shown all the same
-            note(f"a kata is left out: {fault}")
-        try:
-            shown_skills = learned.skills(
-                problems, learned.tried(runs), syllabus.read_checklist(common.problems).skills
-            )
-        except ProblemError as fault:
-            note(f"the skills are left out: {fault}")
-            shown_skills = []
-    generated = moment().astimezone()
-    page = learner_page(runs, problems, shown_skills, sources, person=ask.person, generated=generated)
+    runs = [run for run in mine.runs if run.counts]
+    if not runs:
+        raise UsageError("You have no runs yet", remedy="judge a file first: judge run FILE")
+    last = {run.problem: run.id for run in runs if run.solved}
+    sources = {name: history.source(number) for name, number in last.items()}
+    for fault in mine.faults:  # its runs are shown all the same
+        note(f"left out: {fault}")
+    skills = learned.skills(mine.problems, mine.own, syllabus.read_checklist(mine.extra).skills)
+    page = learner_page(
+        runs, mine.problems, skills, sources, person=ask.person, generated=moment().astimezone()
+    )
     target.write(page)
     if ask.opened:
         click.launch(str(ask.out))
-    names = tuple(sorted({run.problem for run in runs}))
-    return published.ProgressWritten(out=shown(ask.out), bytes=len(page), runs=len(runs), problems=names)
+    return published.ProgressWritten(shown(ask.out), len(page), len(runs), tuple(sorted(mine.own)))
 
 
 class HistoryAsk(Struct, frozen=True):
@@ -206,37 +167,34 @@ def history(words: tuple[str, ...], ask: HistoryAsk, common: Common) -> Struct:
     With --restore, the source that a run judged is written to its file again. If that file has changed since,
     it is kept as FILE.bak. A damaged run is left out, and a note says so.
     """
-    if ask.csv and common.json:
-        raise UsageError("--json and --csv exclude each other", remedy="give one of them")
     numbers = [int(word) for word in words if word.isdecimal()]
-    if len(words) > max(len(numbers), 1) or len(words) > 2:
-        raise UsageError("Give one kata, one run or two runs", remedy="such as judge history 3 5")
-    if ask.restore != (len(numbers) == 1 and ask.restore):
-        raise UsageError("Which run? --restore takes one", remedy="such as judge history 3 --restore")
-    if ask.out is not None and not ask.restore:
-        raise UsageError("--out goes with --restore", remedy="such as judge history 3 --restore --out old.py")
-    if numbers and (ask.csv or ask.limit is not None):
-        raise UsageError("--csv and --limit are for the list of runs", remedy="leave them out")
+    many, one = len(words) > min(max(len(numbers), 1), 2), len(numbers) == 1
+    _refuse(
+        (ask.csv and common.json, "--json and --csv exclude each other; give one of them"),
+        (many, "Give one kata, one run or two runs; such as judge history 3 5"),
+        (ask.restore and not one, "Which run? --restore takes one; such as judge history 3 --restore"),
+        (ask.out and not ask.restore, "--out goes with --restore: judge history 3 --restore --out old.py"),
+        (numbers and (ask.csv or ask.limit), "--csv and --limit are for the list of runs; leave them out"),
+    )
     with history_at(common.db, reading=True) as found:
         if not numbers:
             return _listed(words[0] if words else "", ask, common, found)
         runs = [(found.run(number), found.source(number)) for number in numbers]
     if ask.restore:
         return _restored(*runs[0], ask.out)
-    return _compared(*runs) if len(runs) == 2 else copied(published.RunRow, runs[0][0])
+    return _compared(*runs) if len(runs) == 2 else published.row_of(runs[0][0])
 
 
 def _listed(name: str, ask: HistoryAsk, common: Common, history: History) -> published.RunList:
     """The last runs, of that kata if one is named, which may be gone since. Raises UsageError."""
-    on_screen = not (common.json or ask.csv)
-    short = on_screen and ask.limit is None
-    runs = history.runs(name or None, _ON_SCREEN + 1 if short else ask.limit)
-    if not on_screen:
-        runs = history.with_results(runs)
+    whole = common.json or ask.csv
+    most = ask.limit or (None if whole else _ON_SCREEN)
+    runs = history.runs(name or None, most and most + 1)
     if not runs and name:
         find_problem(name, common.problems)
-    kept = runs[-_ON_SCREEN:] if short else runs
-    return published.RunList(tuple(kept), name, more=len(kept) < len(runs), csv=ask.csv)
+    kept = runs[-most:] if most else runs
+    more = ask.limit is None and len(kept) < len(runs)
+    return published.RunList(history.with_results(kept) if whole else kept, name, more, ask.csv)
 
 
 def _compared(first: tuple[Run, bytes], second: tuple[Run, bytes]) -> published.RunsCompared:
@@ -248,6 +206,7 @@ def _compared(first: tuple[Run, bytes], second: tuple[Run, bytes]) -> published.
     ended, now = (
         dict.fromkeys(run.passed, "passed") | dict.fromkeys(run.failed, "failed") for run in (before, after)
     )
+    changes = ((name, ended.get(name), now.get(name)) for name in ended | now)
     old_lines, new_lines = (text.decode("utf-8", "backslashreplace").splitlines() for text in (old, new))
     diff = unified_diff(old_lines, new_lines, f"run {before.id}", f"run {after.id}", lineterm="")
     return published.RunsCompared(
@@ -256,11 +215,7 @@ def _compared(first: tuple[Run, bytes], second: tuple[Run, bytes]) -> published.
         after=after.id,
         verdicts=(before.verdict, after.verdict),
         scores=(before.score, after.score),
-        groups=tuple(
-            published.GroupChange(name, ended.get(name), now.get(name))
-            for name in ended | now
-            if ended.get(name) != now.get(name)
-        ),
+        groups=tuple(published.GroupChange(*each) for each in changes if each[1] != each[2]),
         diff=tuple(diff),
     )
 
@@ -272,19 +227,12 @@ def _restored(run: Run, source: bytes, target: Path | None) -> published.Restore
     target = target or Path(run.path)
     check_place(target, "--out")
     there, kept = target.exists(), None
-    try:
+    with writing(target, "name another file with --out"):
         if there:
             kept = write_over(target, source)
         else:
             new_file(target, source)
-    except OSError as fault:
-        raise unwritable(target, fault, "name another file with --out") from fault
+    kept_as = shown(kept) if kept else None
     return published.Restored(
-        run=run.id,
-        time=run.when,
-        problem=run.problem,
-        source=run.source_hash,
-        file=shown(target),
-        written=kept is not None or not there,
-        kept_as=shown(kept) if kept else None,
+        run.id, run.when, run.problem, shown(target), not there or kept is not None, kept_as
     )
