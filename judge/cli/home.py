@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING
 
 from judge.cli.resolve import current, history_at, is_there, this_folder
 from judge.practice import events
-from judge.practice.progress import read_learner, skills
+from judge.practice.progress import skills
+from judge.practice.review import read_learner
 from judge.practice.syllabus import Skill
 from judge.report.published_look import Home, Standing
 

@@ -23,23 +23,18 @@ from collections import Counter, defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from datetime import datetime
 from enum import Enum
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
-from judge.errors import ProblemError, StoreError
-from judge.practice.events import Answer, Hack, Help, Outcome, Run
-from judge.practice.review import Review, reviews
-from judge.practice.syllabus import Checklist, Course, Row, Skill, sound_sets
+from judge.errors import StoreError
+from judge.practice.events import Answer, Hack, Outcome, Run
+from judge.practice.syllabus import Checklist, Row, Skill
 from judge.problem import Problem
-from judge.problem.find import problem_folders, sound_problems
 from judge.problem.model import KataLevel, Listed
-from judge.published import Published
 
 if TYPE_CHECKING:
     from judge.practice.cards import Card
-    from judge.practice.history import History
 
 
 Tried = Mapping[str, Sequence[Run]]  # a person's runs by problem, as `tried` gives them
@@ -117,81 +112,6 @@ class Question(Struct, frozen=True):
         """The commands that practise it, what does not tick it yet first; each once."""
         waiting = sorted(self.by, key=lambda each: each.since is not None and not each.lost)
         return tuple(dict.fromkeys(each.drill for each in waiting))
-
-
-class Unfinished(Struct, frozen=True):
-    """A kata that was tried and is not solved: its most points, and its last run."""
-
-    problem: str
-    best: int
-    last: datetime
-
-
-class Due(Published, frozen=True):
-    """What is unfinished `now`, what to do again, and the cards that were answered, the first due first."""
-
-    time: datetime
-    now: list[Unfinished]
-    due: list[Review]
-    later: list[Review]
-    cards: list[Review]
-
-    @property
-    def cards_due(self) -> int:
-        """How many cards are due."""
-        return sum(card.is_due(self.time) for card in self.cards)
-
-
-class Learner(Course, frozen=True):
-    """What a person did: all runs, those that say something of them by problem, help, and answers to cards.
-
-    `solved` says since when a kata is; `extra` are the folders that were looked in first, and `faults` are
-    the problems and sets that cannot be read.
-    """
-
-    solved: Mapping[str, datetime]
-    runs: Sequence[Run]
-    own: Tried
-    helps: Sequence[Help]
-    answers: Sequence[Answer]
-    extra: Sequence[Path]
-    faults: Sequence[ProblemError]
-
-    def stars(self, problems: Iterable[Problem]) -> tuple[int, int]:
-        """How many of these katas have one star, and how many two."""
-        won = [len(levels_passed(each, self.own.get(each.id, ()))) for each in problems]
-        return won.count(1), won.count(2)
-
-    def due(self, time: datetime) -> Due:
-        """What is to be done at that time; a kata that is unfinished is not repeated yet."""
-        here = {folder.name for folder in problem_folders(self.extra)}
-        unsolved = {
-            name: runs
-            for name, runs in self.own.items()
-            if name in here and not any(run.solved for run in runs)
-        }
-        known = [each for each in reviews(self.runs, self.helps) if each.name in here - unsolved.keys()]
-        cards: list[Review] = []
-        if self.answers:  # whoever has answered none waits for no deck
-            from judge.practice.cards import known_cards
-
-            cards = known_cards(self.answers, self.extra)
-        now = [
-            Unfinished(name, max(run.score for run in runs), runs[-1].when) for name, runs in unsolved.items()
-        ]
-        due = [each for each in known if each.is_due(time)]
-        return Due(time, now, due, [each for each in known if each not in due], cards)
-
-
-def read_learner(history: History, extra: Sequence[Path] = ()) -> Learner:
-    """What a history says of a person, with all katas and sets that can be read. Raises StoreError."""
-    problems, faults = sound_problems(extra)
-    sets, broken = sound_sets(problems, extra)
-    runs = history.runs()
-    done = solved(runs)
-    here = {each.id: done[each.id] for each in problems if each.id in done}
-    helps, answers = history.events(Help), history.events(Answer)
-    return Learner(problems, sets, here, runs, tried(runs), helps, answers, extra, [*faults, *broken])
 
 
 # -- katas, levels and skills ------------------------------------------------------------------------------

@@ -15,12 +15,21 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from datetime import datetime, timedelta
-from typing import TypeVar
+from pathlib import Path
+from typing import TYPE_CHECKING, TypeVar
 
 from msgspec import Struct
 
+from judge.errors import ProblemError
 from judge.practice.events import Answer, Help, Rating, Run
-from judge.problem import Verdict
+from judge.practice.progress import Tried, levels_passed, solved, tried
+from judge.practice.syllabus import Course, sound_sets
+from judge.problem import Problem, Verdict
+from judge.problem.find import problem_folders, sound_problems
+from judge.published import Published
+
+if TYPE_CHECKING:
+    from judge.practice.history import History
 
 LADDER = (1, 3, 8, 21, 60, 180)  # days until it comes again
 _SITTING = timedelta(hours=8)  # without an event: then the next one has to be remembered
@@ -111,3 +120,81 @@ def _reviews(
             due = last + timedelta(days=LADDER[step])
             found.append(Review(name, due, last, rating, len(rated), in_a_row, LADDER[step], solved))
     return sorted(found, key=lambda review: (review.due, review.name))
+
+
+# -- all of it together -------------------------------------------------------------------------------------
+
+
+class Unfinished(Struct, frozen=True):
+    """A kata that was tried and is not solved: its most points, and its last run."""
+
+    problem: str
+    best: int
+    last: datetime
+
+
+class Due(Published, frozen=True):
+    """What is unfinished `now`, what to do again, and the cards that were answered, the first due first."""
+
+    time: datetime
+    now: list[Unfinished]
+    due: list[Review]
+    later: list[Review]
+    cards: list[Review]
+
+    @property
+    def cards_due(self) -> int:
+        """How many cards are due."""
+        return sum(card.is_due(self.time) for card in self.cards)
+
+
+class Learner(Course, frozen=True):
+    """What a person did: all runs, those that say something of them by problem, help, and answers to cards.
+
+    `solved` says since when a kata is; `extra` are the folders that were looked in first, and `faults` are
+    the problems and sets that cannot be read.
+    """
+
+    solved: Mapping[str, datetime]
+    runs: Sequence[Run]
+    own: Tried
+    helps: Sequence[Help]
+    answers: Sequence[Answer]
+    extra: Sequence[Path]
+    faults: Sequence[ProblemError]
+
+    def stars(self, problems: Iterable[Problem]) -> tuple[int, int]:
+        """How many of these katas have one star, and how many two."""
+        won = [len(levels_passed(each, self.own.get(each.id, ()))) for each in problems]
+        return won.count(1), won.count(2)
+
+    def due(self, time: datetime) -> Due:
+        """What is to be done at that time; a kata that is unfinished is not repeated yet."""
+        here = {folder.name for folder in problem_folders(self.extra)}
+        unsolved = {
+            name: runs
+            for name, runs in self.own.items()
+            if name in here and not any(run.solved for run in runs)
+        }
+        known = [each for each in reviews(self.runs, self.helps) if each.name in here - unsolved.keys()]
+        cards: list[Review] = []
+        if self.answers:  # whoever has answered none waits for no deck
+            from judge.practice.cards import known_cards
+
+            cards = known_cards(self.answers, self.extra)
+        now = [
+            Unfinished(name, max(run.score for run in runs), runs[-1].when) for name, runs in unsolved.items()
+        ]
+        due = [each for each in known if each.is_due(time)]
+        return Due(time, now, due, [each for each in known if each not in due], cards)
+
+
+def read_learner(history: History, extra: Sequence[Path] = ()) -> Learner:
+    """What a history says of a person, with all katas and sets that can be read. Raises StoreError."""
+    problems, faults = sound_problems(extra)
+    sets, broken = sound_sets(problems, extra)
+    runs = history.runs()
+    done = solved(runs)
+    here = {each.id: done[each.id] for each in problems if each.id in done}
+    helps, answers = history.events(Help), history.events(Answer)
+    return Learner(problems, sets, here, runs, tried(runs), helps, answers, extra, [*faults, *broken])

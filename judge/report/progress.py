@@ -12,8 +12,8 @@ from rich.text import Text
 from judge.errors import StoreError
 from judge.languages import file_name
 from judge.practice.events import Rating, Run
-from judge.practice.progress import Due, Evidence, Kind, Question, SkillProgress, State
-from judge.practice.review import Review
+from judge.practice.progress import Evidence, Kind, Question, SkillProgress, State
+from judge.practice.review import Due, Review
 from judge.practice.stub import usual_name
 from judge.problem.model import FULL_SCORE, Verdict
 from judge.report import published_progress as published

@@ -15,7 +15,7 @@ from judge.report.views import copied
 if TYPE_CHECKING:
     from judge.manual import Hit, Page
     from judge.practice.events import Started
-    from judge.practice.progress import Due, Learner
+    from judge.practice.review import Due, Learner
     from judge.problem import Problem
 
 Words = dict[str, str]  # fields by name, each in words: numbers are exact, `n` or `n/d`

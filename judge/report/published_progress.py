@@ -7,7 +7,8 @@ from datetime import datetime
 from msgspec import Struct, to_builtins
 
 from judge.practice.events import Run
-from judge.practice.progress import Due, Question, SkillProgress
+from judge.practice.progress import Question, SkillProgress
+from judge.practice.review import Due
 from judge.problem import Problem, Verdict
 from judge.published import Published
 from judge.run.result import Result

@@ -1,7 +1,7 @@
 """How the view of what a command says is found, and how its values are made of others.
 
 The view of a class `KataShown` of `published_look.py` is the function `kata_shown` of `look.py`, which is
-imported only then, that of one of `practice/progress.py` in `progress.py`; of a class of another room it is
+imported only then, that of one of `practice/review.py` in `progress.py`; of a class of another room it is
 in `setter.py`. It takes the value and the screen and
 returns what rich can draw; it writes nothing.
 """
@@ -32,7 +32,7 @@ def copied(kind: type[S], of: object, **more: Any) -> S:
 
 def view_of(kind: type) -> Callable[[Any, Screen], RenderableType]:
     """What draws the values of a class. Raises AttributeError for one that has no view."""
-    home = kind.__module__.replace("published_", "").replace("judge.practice.", "judge.report.")
+    home = kind.__module__.replace("published_", "").replace("practice.review", "report.progress")
     module = import_module(home if home.startswith("judge.report.") else "judge.report.setter")
     name = re.sub("(?<=[a-z])(?=[A-Z])", "_", kind.__name__).lower()
     found: Callable[[Any, Screen], RenderableType] = getattr(module, name)

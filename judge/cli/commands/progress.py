@@ -22,7 +22,8 @@ from judge.practice import progress as learned
 from judge.practice.cards import read_decks
 from judge.practice.events import Hack, Run
 from judge.practice.history import History
-from judge.practice.progress import Due, Learner, State
+from judge.practice.progress import State
+from judge.practice.review import Due, Learner, read_learner
 from judge.practice.stub import write_over
 from judge.practice.syllabus import USUAL, PracticeSet, Skill
 from judge.problem import Problem
@@ -73,7 +74,7 @@ def progress(name: str, ask: ProgressAsk, common: Common) -> Struct:
     )
     folders = common.problems
     with history_at(common.db, reading=True) as history:
-        mine, hacks = learned.read_learner(history, folders), history.events(Hack)
+        mine, hacks = read_learner(history, folders), history.events(Hack)
         if ask.html:
             return _page(ask, mine, history)
     due = mine.due(events.now().astimezone())
