@@ -57,12 +57,7 @@ def resolve(words: Sequence[str], common: Common) -> tuple[Tasks, list[Unjudged]
 
     Raises JudgeError: no file is meant, or the only one cannot be read or fits none.
     """
-    if words:
-        name, files = _split(words, common)
-        problem = find_problem(name, common.problems) if name else None
-    else:
-        found = here(common.db)
-        problem, files = problem_of(found, common.problems), (shown(found.path),)
+    problem, files = _meant(words, common)
     submissions, unjudged = gathered(files, problem.id if problem else "")
     tasks: dict[str, tuple[Problem, list[Submission]]] = {}
     for each in submissions:
@@ -113,10 +108,11 @@ def history_at(path: Path | None, *, reading: bool = False) -> Iterator[History]
 
 
 def take_up(kata: Kata, db: Path | None) -> None:
-    """Note that the kata was started."""
+    """Note that the kata was started; the folder of one that every judge finds by itself is not kept."""
     from judge.practice.events import Started
 
-    keep(Started(kata.problem.id, str(kata.path), folder_to_keep(kata.problem)), db)
+    folder = kata.problem.folder.parent.absolute()
+    keep(Started(kata.problem.id, str(kata.path), "" if folder == shipped_problems() else str(folder)), db)
 
 
 def keep(event: Event, db: Path | None) -> None:
@@ -161,12 +157,6 @@ def problem_of(found: Started, folders: Sequence[Path]) -> Problem:
         raise UsageError(what, where=str(kept), remedy="name its folder with --problems") from fault
 
 
-def folder_to_keep(problem: Problem) -> str:
-    """Where a kata must be looked for later: "" where every judge finds it by itself."""
-    folder = problem.folder.parent.absolute()
-    return "" if folder == shipped_problems() else str(folder)
-
-
 def this_folder() -> Path:
     """The current folder; one that is gone stands for no folder at all."""
     try:
@@ -202,26 +192,28 @@ def _places(db: Path | None) -> list[Started]:
 # -- words ---------------------------------------------------------------------------------------------------
 
 
-def _split(words: Sequence[str], common: Common) -> tuple[str | None, Sequence[str]]:
-    """The kata's name, None where the files tell it, and the files, at least one.
+def _meant(words: Sequence[str], common: Common) -> tuple[Problem | None, Sequence[str]]:
+    """The kata, None where each file tells its own, and the files, at least one.
 
-    Raises:
-        UsageError: the first word is neither a kata nor a file, or there is no file.
+    Raises JudgeError: the first word is neither a kata nor a file, or there is no file.
     """
+    if not words:
+        found = here(common.db)
+        return problem_of(found, common.problems), (shown(found.path),)
     first, *rest = words
     own = is_problem(first, common)
     for word in rest if own else words:
         if _is_file(f"{word}/problem.yaml") or (word.endswith((".zip", ".kpp")) and _is_file(word)):
             remedy = "bt run and verifyproblem judge on it; see 'judge help packages'"
             raise UsageError("this is a package of another judge", where=word, remedy=remedy)
-    if own and rest:
-        return first, rest
     if own:
         try:
-            return first, (usual_file(first, common.db),)
+            files = rest or [usual_file(first, common.db)]
         except UsageError:
             if not os.path.lexists(first):
                 raise
+        else:
+            return find_problem(first, common.problems), files
     elif not (is_program(first) or _is_file(first)):
         find_problem(first, common.problems)  # which says what is near
     for word in rest:
@@ -250,16 +242,16 @@ def problem_of_file(submission: Submission, command: str, common: Common) -> Pro
             return find_problem(name, folders)
     if known := next((each for each in _places(common.db) if each.path == str(path)), None):
         return problem_of(known, folders)
-    near = None if names else meant_problem(found, folders)
-    chosen = shown_command("judge", command, names[0] if names else near[2] if near else "KATA", file=file)
+    what, name, how = "I cannot tell which kata this file is for", "KATA", "say it: {}"
     if names:
-        what, remedy = f"this file fits {' and '.join(names)}", f"'{chosen}' takes the first"
-    elif near:
-        what = f"this file defines {near[0]}; did you mean {near[1]}, of {near[2]}?"
-        remedy = f"rename it, or write '{chosen}'"
-    else:
-        what, remedy = "I cannot tell which kata this file is for", f"say it: {chosen}"
-    raise UsageError(what, where=file, remedy=remedy)
+        what, name, how = f"this file fits {' and '.join(names)}", names[0], "'{}' takes the first"
+    elif near := meant_problem(found, folders):
+        defined, entry, name = near
+        what, how = (
+            f"this file defines {defined}; did you mean {entry}, of {name}?",
+            "rename it, or write '{}'",
+        )
+    raise UsageError(what, where=file, remedy=how.format(shown_command("judge", command, name, file=file)))
 
 
 def is_problem(word: str, common: Common) -> bool:
@@ -280,8 +272,8 @@ def usual_file(problem: str, db: Path | None) -> str:
     mine = [each for each in _places(db) if each.problem == problem and is_there(each)]
     if own := _in(this_folder(), mine):
         return shown(own[0].path)
-    where = f" The last one is {mine[0].path}." if mine else ""
-    raise UsageError(f"{usual} is not in this folder.{where} Create it: judge start {problem}")
+    last = f" The last one is {mine[0].path}." if mine else ""
+    raise UsageError(f"{usual} is not in this folder.{last} Create it: judge start {problem}")
 
 
 def _is_file(word: str) -> bool:

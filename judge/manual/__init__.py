@@ -13,22 +13,15 @@ from judge.published import Published
 
 _FOLDER = Path(__file__).parent
 _FENCE = "```"
-_FORMER = {  # a page's name in earlier versions -> the page that has its matter now
-    "answers": "programs",
-    "cluster": "class",
-    "commands": "start",
-    "containment": "sandbox",
-    "explore": "failures",
-    "failure": "failures",
-    "hack": "interview",
-    "katas": "start",
-    "languages": "programs",
-    "library": "testing",
-    "new-type": "problem",
-    "problem-py": "problem",
-    "problem-toml": "problem",
-    "quiz": "interview",
-    "security": "sandbox",
+_FORMER = {  # a page -> the names of those of earlier versions whose matter it has now
+    "class": ("cluster",),
+    "failures": ("explore", "failure"),
+    "interview": ("hack", "quiz"),
+    "problem": ("new-type", "problem-py", "problem-toml"),
+    "programs": ("answers", "languages"),
+    "sandbox": ("containment", "security"),
+    "start": ("commands", "katas"),
+    "testing": ("library",),
 }
 
 
@@ -55,7 +48,7 @@ def topics() -> list[str]:
 
 def page(name: str) -> Page:
     """The page of that name, or the one that replaced it. Raises KeyError if there is none."""
-    name = _FORMER.get(name, name)
+    name = next((now for now, former in _FORMER.items() if name in former), name)
     if name not in topics():
         raise KeyError(name)
     text = (_FOLDER / f"{name}.md").read_text(encoding="utf-8")

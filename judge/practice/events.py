@@ -165,13 +165,7 @@ class Answer(Event, frozen=True):
         return self.rating is not Rating.AGAIN
 
 
-TABLES: Mapping[type[Event], str] = {
-    Run: "runs",
-    Started: "started",
-    Help: "help",
-    Hack: "hacks",
-    Answer: "answers",
-}
+TABLES = {Run: "runs", Started: "started", Help: "help", Hack: "hacks", Answer: "answers"}
 
 
 def to_row(event: Event) -> dict[str, Any]:

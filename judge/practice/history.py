@@ -251,8 +251,6 @@ def run_of(result: Result, source: bytes, path: str) -> Run:
     import json
 
     published = json.dumps(result.as_json(), separators=(",", ":")).encode()
-    accepted = [group.name for group in result.groups if group.verdict is Verdict.AC]
-    rejected = [group.name for group in result.groups if group.verdict is not Verdict.AC]
     return Run(
         problem=result.problem,
         submission=result.submission,
@@ -262,8 +260,8 @@ def run_of(result: Result, source: bytes, path: str) -> Run:
         mode=result.mode,
         mistake=result.pitfall.name if result.pitfall else None,
         ratio=result.time.ratio.median if result.time.ratio else None,
-        passed=tuple(accepted),
-        failed=tuple(rejected),
+        passed=tuple(group.name for group in result.groups if group.verdict is Verdict.AC),
+        failed=tuple(group.name for group in result.groups if group.verdict is not Verdict.AC),
         source_hash=hashlib.sha256(source).hexdigest(),
         packed=zlib.compress(published),
     )

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import re
 from collections import Counter
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from fractions import Fraction
 
 from rich.console import Group as Together
@@ -17,7 +17,6 @@ from judge.problem import Group, Problem, Tolerance
 from judge.problem.model import FULL_SCORE
 from judge.report import published_look as published
 from judge.report.parts import (
-    STRONG,
     Cell,
     bad,
     blocks,
@@ -70,31 +69,27 @@ def _newcomer(found: published.Home) -> RenderableType:
 
 
 def _returning(found: published.Home, screen: Screen) -> RenderableType:
+    mine, due, now, following = found.learner, found.due, found.now, found.next
     rows: list[tuple[str, str, str]] = []
-    mine, due = found.learner, found.due
-    if found.now:
-        folder, name = os.path.split(found.now.path)
-        file, there = shown_name(name), shown_command("cd", file=folder)
-        rows += [("Now", found.now.problem, _last(mine.own.get(found.now.problem, ())))]
-        rows += [
-            ("", "judge start", f"goes on with {file} in this folder")
-            if found.here
-            else ("", "", f"{file} is in another folder: {there}")
-        ]
+    if now:
+        folder, name = os.path.split(now.path)
+        go_on = ("judge start", f"goes on with {shown_name(name)} in this folder")
+        if not found.here:
+            go_on = ("", f"{shown_name(name)} is in another folder: {shown_command('cd', file=folder)}")
+        rows += [("Now", now.problem, _last(mine.own.get(now.problem, ()))), ("", *go_on)]
     if again := next((each for each in due.due if each.solved), None):
         ago = due_words(again.last, due.time)
         rows += [("Again", again.name, f"solved {ago}; solve it once more from memory")]
         rows += [("", "", f"judge start {again.name} --reset")]
-    if found.next:
-        rows += [("Next", found.next.id, found.next.summary)]
-        rows += [] if found.now and found.here else [("", "judge start", "creates its file")]
-    elif not found.now:
+    if following:
+        rows += [("Next", following.id, following.summary)]
+        rows += [] if now and found.here else [("", "judge start", "creates its file")]
+    elif not now:
         rows += [("Next", "", "All katas are solved.")]
-    cards = due.cards_due
-    quiz = f"{counted(cards, 'card')} {'is' if cards == 1 else 'are'} due" if cards else "interview questions"
-    more = commands([("judge progress", "what you can do so far"), ("judge quiz", quiz)])
+    cards = f"{counted(due.cards_due, 'card')} due" if due.cards_due else "interview questions"
+    more = commands([("judge progress", "what you can do so far"), ("judge quiz", cards)])
     done = solved_bar(len(mine.solved), len(mine.problems), mine.stars(mine.problems), screen.width)
-    return blocks(done, _rows(rows, STRONG), indented(more))
+    return blocks(done, _rows(rows, strong), indented(more))
 
 
 def _last(runs: Sequence[Run]) -> str:
@@ -105,11 +100,11 @@ def _last(runs: Sequence[Run]) -> str:
     return f"{runs[-1].score} of {FULL_SCORE} points{likely}"
 
 
-def _rows(rows: Iterable[tuple[str, str, str]], style: str = "") -> RenderableType:
+def _rows(rows: Iterable[tuple[str, str, str]], named: Callable[[str], Text] = text) -> RenderableType:
     """Labels, names and what is said of them, in columns that are the same for all."""
-    laid = [
-        (faint(f"{name:<9}"), text(f"{what:<15}", style if name else ""), about) for name, what, about in rows
-    ]
+    laid = (
+        (faint(f"{name:<9}"), (named if name else text)(f"{what:<15}"), about) for name, what, about in rows
+    )
     return indented(table(laid))
 
 
@@ -122,7 +117,7 @@ def kata_list(found: published.KataList, screen: Screen) -> RenderableType:
         every = (Together(strong(name), *_katas(found, katas, None)) for name, katas in sets.items())
         return blocks(done, *every)
     rows = [
-        (text(name, STRONG if name == found.shown else ""), f"{_solved(katas)} of {len(katas)}")
+        ((strong if name == found.shown else text)(name), f"{_solved(katas)} of {len(katas)}")
         for name, katas in sets.items()
     ]
     about = [table([(faint(found.about),)], prose=None)] if found.shown else []
@@ -155,7 +150,7 @@ def _katas(
 
 def _kata(row: published.KataRow, *, current: bool) -> tuple[Cell, ...]:
     mark = "★" * row.stars or ("✓" if row.solved else "")
-    return ">" if current else "", good(mark), text(row.problem, STRONG if current else ""), row.title
+    return ">" if current else "", good(mark), (strong if current else text)(row.problem), row.title
 
 
 def kata_shown(found: published.KataShown, screen: Screen) -> RenderableType:
@@ -163,10 +158,9 @@ def kata_shown(found: published.KataShown, screen: Screen) -> RenderableType:
     problem, source, limits = found.problem, found.problem.source, found.problem.limits
     if found.groups:
         return blocks(*_levels(problem))
-    if screen.rows is None:  # nobody looks
-        task = prose(problem.statement, screen)
-    else:
-        from judge.report.picture import statement  # others do without
+    task = prose(problem.statement, screen)
+    if screen.rows is not None:
+        from judge.report.picture import statement  # only for somebody who looks
 
         task = statement(problem, screen)
     said = (
@@ -184,16 +178,12 @@ def _levels(problem: Problem) -> Iterator[RenderableType]:
     """What the groups of a problem test, and the mistakes that they find."""
     top = [head(problem.id, problem.title)]
     if rule := problem.growth:
-        over = ", ".join(rule.groups)
-        top.append(
-            text(f"CPU time may grow at most n^{rule.slope:g} faster than the reference, over {over}.")
-        )
+        faster = f"n^{rule.slope:g} faster than the reference, over {', '.join(rule.groups)}"
+        top.append(text(f"CPU time may grow at most {faster}."))
     yield Together(*top)
     for level in problem.levels or (None,):
         own = [group for group in problem.groups if group.level is level]
-        rows = [
-            (strong(group.name), str(group.count), str(group.points), _about(problem, group)) for group in own
-        ]
+        rows = [(strong(each.name), str(each.count), str(each.points), _about(problem, each)) for each in own]
         title = f"{level.value.capitalize()} level" if level else "Test groups"
         below = table(rows, "group", "cases", "points", "tests", right=[1, 2])
         if own:
@@ -202,14 +192,12 @@ def _levels(problem: Problem) -> Iterator[RenderableType]:
 
 def _about(problem: Problem, group: Group) -> Text:
     """What one group tests and allows, and on a line of its own the mistakes it finds."""
-    about = [group.about]
-    time = [f"{group.limits.cpu_seconds:g} s"] if group.limits else []
-    time += [f"{group.time_limit:g} × the reference"] if group.time_limit is not None else []
-    if time:
-        about.append(f"CPU time: at most {' and '.join(time)}.")
-    if group.tolerance != _usual(problem):
-        about.append(f"Tolerance: {_tolerance(group.tolerance, problem.answer.words)}.")
-    said = text(" ".join(about))
+    limits = [f"{group.limits.cpu_seconds:g} s"] if group.limits else []
+    limits += [f"{group.time_limit:g} × the reference"] if group.time_limit is not None else []
+    time = f" CPU time: at most {' and '.join(limits)}." if limits else ""
+    usual = group.tolerance == _usual(problem)
+    tolerance = "" if usual else f" Tolerance: {_tolerance(group.tolerance, problem.answer.words)}."
+    said = text(f"{group.about}{time}{tolerance}")
     return Text("\n").join([said, bad(", ".join(group.kills))]) if group.kills else said
 
 
@@ -243,10 +231,9 @@ def _short(value: Fraction) -> str:
 
 def topics(told: published.Topics, _screen: Screen) -> RenderableType:
     """Every topic with its title, and how to read one."""
-    rows = [(each.topic, each.title) for each in told.published]
-    rows.append(("options", "Options of every command"))
+    rows = [(strong(each.topic), each.title) for each in told.published]
     below = [("judge help TOPIC", "read one"), ("judge help WORDS", "find the pages that mention them")]
-    return blocks(table((strong(name), title) for name, title in rows), commands(below))
+    return blocks(table(rows), commands(below))
 
 
 def mentions(told: published.Mentions, _screen: Screen) -> RenderableType:

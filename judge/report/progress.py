@@ -12,16 +12,12 @@ from rich.text import Text
 from judge.errors import StoreError
 from judge.languages import file_name
 from judge.practice.events import Rating, Run
-from judge.practice.progress import Evidence, Kind, Question, SkillProgress, State
+from judge.practice.progress import Evidence, Question, SkillProgress, State
 from judge.practice.review import Due, Review
 from judge.practice.stub import usual_name
 from judge.problem.model import FULL_SCORE, Verdict
 from judge.report import published_progress as published
 from judge.report.parts import (
-    BAD,
-    FAINT,
-    GOOD,
-    WARNING,
     Cell,
     bad,
     bar,
@@ -40,15 +36,18 @@ from judge.report.parts import (
     text,
     under,
     verdict_style,
+    warning,
 )
 from judge.report.published_result import Judged
 from judge.report.result import judged
 from judge.report.screen import Screen
 from judge.report.words import counted, day, due_words, moment, shown_name, times
 
-_DIFFERENT = {"+": GOOD, "-": BAD, "@": FAINT}  # how a line of a diff is shown, by its first character
-_STYLES = {State.OPEN: FAINT, State.SHOWN: GOOD, State.LOST: BAD}
-_MARKS = {State.OPEN: "", State.SHOWN: "✓", State.LOST: "lost"}
+_DIFFERENT = {"+": good, "-": bad, "@": faint}  # how a line of a diff is shown, by its first character
+_ENDED = {"passed": good, "failed": bad}
+_MARKS = {State.OPEN: faint(""), State.SHOWN: good("✓"), State.LOST: bad("lost")}
+_RATED = {Rating.AGAIN: (bad, "not solved"), Rating.HARD: (warning, "solved, but not at once")}
+_RUNS = ("run", "when", "kata", "file", "result", "mistake or failed group")
 _NAMED = 12  # skills that are named in a row
 _NARROW = 64  # columns that the table of sets needs
 _LISTED = 3  # katas that are listed under Now and Again
@@ -59,7 +58,7 @@ def progress_page(found: published.ProgressPage, screen: Screen) -> RenderableTy
     told, whole, sets = found.shown, found.shown.set, None
     solved = solved_bar(len(whole.solved), len(whole.katas), whole.stars, screen.width)
     top = solved if told.sets else Group(strong(whole.title), solved)
-    if found.whole:
+    if found.paged:
         return blocks(top, *_all(told))
     below = [(f"judge progress {whole.name} --all", "each skill and question")]
     if told.sets:
@@ -76,15 +75,15 @@ def _set(part: published.SetShare) -> tuple[Cell, ...]:
     skills = f"{part.shown} of {counted(part.skills, 'skill')}" if part.skills else ""
     done, katas = len(part.solved), len(part.katas)
     share = bar(done, katas, f"{done} of {katas}", 0)
-    return text(part.name, GOOD if done == katas else ""), share, *stars, faint(skills)
+    return (good if done == katas else text)(part.name), share, *stars, faint(skills)
 
 
 def _skills(told: published.ProgressShown) -> Iterator[tuple[Cell, Cell]]:
-    for state, label in ((State.SHOWN, "shown"), (State.OPEN, "open")):
+    for state, label in ((State.SHOWN, good("shown")), (State.OPEN, faint("open"))):
         names = [each.name for each in told.skills if each.state is state]
         more = f"; {len(names) - _NAMED} more" if len(names) > _NAMED else ""
         if names:
-            yield text(label, _STYLES[state]), "; ".join(names[:_NAMED]) + more
+            yield label, "; ".join(names[:_NAMED]) + more
     if told.set.solved:
         yield "solved", ", ".join(told.set.solved)
 
@@ -130,31 +129,25 @@ def _all(told: published.ProgressShown) -> Iterator[RenderableType]:
     yield table(map(_skill, told.skills), "skill", "", "since", "what it asks")
     for section, grouped in groupby(told.rows, lambda each: each.section):
         questions = list(grouped)
-        below = table(map(_question, questions), "id", "", "practise with", "question")
+        rows = [
+            (strong(each.row), _MARKS[each.state], faint(next(iter(each.drills), "")), each.ask)
+            for each in questions
+        ]
+        below = table(rows, "id", "", "practise with", "question")
         yield Group(head(section, _ticked(questions)), below)
-
-
-def _mark(state: State) -> Text:
-    return text(_MARKS[state], _STYLES[state])
 
 
 def _skill(skill: SkillProgress) -> tuple[Cell, ...]:
     some = skill.state is State.SHOWN and skill.met < len(skill.needs)
-    return (
-        text(skill.name, FAINT if skill.state is State.OPEN else ""),
-        good(f"✓ {skill.met} of {len(skill.needs)}") if some else _mark(skill.state),
-        faint(day(skill.since)),
-        faint(f"Fails {_failing(skill)}." if skill.state is State.LOST else skill.about),
-    )
+    mark = good(f"✓ {skill.met} of {len(skill.needs)}") if some else _MARKS[skill.state]
+    said = f"Fails {_failing(skill)}." if skill.state is State.LOST else skill.about
+    name = faint(skill.name) if skill.state is State.OPEN else skill.name
+    return name, mark, faint(day(skill.since)), faint(said)
 
 
 def _failing(skill: SkillProgress) -> str:
     """The groups that were passed and no longer are, with their kata."""
     return ", ".join(f"{need.problem} {group}" for need in skill.needs for group in need.failing)
-
-
-def _question(each: Question) -> tuple[Cell, ...]:
-    return strong(each.row), _mark(each.state), faint(next(iter(each.drills), "")), each.ask
 
 
 def _ticked(rows: Sequence[Question | SkillProgress]) -> str:
@@ -175,54 +168,44 @@ def question_shown(found: published.QuestionShown, _screen: Screen) -> Renderabl
 
 def _evidence(each: Evidence) -> tuple[Cell, ...]:
     state = State.LOST if each.lost else State.SHOWN if each.since else State.OPEN
-    kind = "mistake found" if each.kind is Kind.BROKEN else each.kind.value
-    return faint(kind), _mark(state), faint(day(each.since)), each.name
+    return faint(each.kind.value), _MARKS[state], faint(day(each.since)), each.name
 
 
 def due(found: Due, _screen: Screen) -> RenderableType:
     """The katas that are unfinished, those that are due, the longest overdue first, and the others."""
-    now, later, parts = found.time, found.later, list[RenderableType]()
-    if found.now:
-        rows = [
-            (strong(each.problem), _points(each.best), f"last run {day(each.last)}") for each in found.now
-        ]
-        parts.append(heading("Now: not solved yet", table(rows)))
+    now, cards = found.time, found.cards
+    unsolved = [
+        (strong(each.problem), _points(each.best), f"last run {day(each.last)}") for each in found.now
+    ]
+    today = Group(text("Nothing is due today."), commands([("judge progress", "the next kata")]))
     if found.due:
         first = found.due[0].name
         fresh = file_name(f"{first.replace('-', '_')}_{now:%m%d}")
         again = commands([(f"judge start {first} {fresh}", "write it again, from an empty file")])
         title = f"Due today: {counted(len(found.due), 'kata')}"
-        parts.append(Group(heading(title, _reviews(found.due, now)), again))
-    elif not (later or found.now):
-        none = text("Nothing is due: you have solved no kata yet.")
-        parts.append(Group(none, commands([("judge progress", "the next kata")])))
-    if later:
-        nothing = joined(good("Nothing is due today."), " Next:")
-        parts.append(Group(strong("Later") if found.due else nothing, indented(_reviews(later, now))))
-    if cards := found.cards:
-        when = "judge quiz" if found.cards_due else f"the next one {due_words(cards[0].due, now)}"
-        parts.append(text(f"Cards: {found.cards_due} due of {len(cards)} answered; {when}"))
-    return blocks(*parts)
+        today = Group(heading(title, _reviews(found.due, now)), again)
+    told = f"Cards: {found.cards_due} due of {len(cards)} answered; "
+    told += (
+        "judge quiz" if found.cards_due else f"the next one {due_words(cards[0].due, now)}" if cards else ""
+    )
+    return blocks(
+        heading("Now: not solved yet", table(unsolved)) if unsolved else None,
+        today if found.due or not unsolved else None,
+        heading("Later", _reviews(found.later, now)) if found.later else None,
+        told if cards else None,
+    )
 
 
 def _reviews(rows: Sequence[Review], now: datetime) -> RenderableType:
-    styles = {Rating.AGAIN: BAD, Rating.HARD: WARNING}
-    last = [text(f"{day(each.last)}: {_why(each)}", styles.get(each.rating, "")) for each in rows]
-    told = zip(rows, last, strict=True)
-    laid = [(strong(each.name), due_words(each.due, now), said) for each, said in told]
+    laid = [(strong(each.name), due_words(each.due, now), _last(each)) for each in rows]
     return table(laid, "kata", "due", "last time")
 
 
-def _why(each: Review) -> str:
-    """What happened, and after how many days it therefore comes again."""
-    if each.rating is Rating.AGAIN:
-        how = "not solved"
-    elif each.rating is Rating.HARD:
-        how = "solved, but not at once"
-    else:
-        row = {1: "", 2: " twice in a row"}.get(each.in_a_row, f" {each.in_a_row} times in a row")
-        how = f"solved at once{row}"
-    return f"{how}, so again after {counted(each.days, 'day')}"
+def _last(each: Review) -> Text:
+    """When it was, what happened, and after how many days it therefore comes again."""
+    row = f" {each.in_a_row} times in a row" if each.in_a_row > 1 else ""
+    styled, how = _RATED.get(each.rating, (text, f"solved at once{row}"))
+    return styled(f"{day(each.last)}: {how}, so again after {counted(each.days, 'day')}")
 
 
 def progress_written(found: published.ProgressWritten, _screen: Screen) -> RenderableType:
@@ -234,26 +217,22 @@ def progress_written(found: published.ProgressWritten, _screen: Screen) -> Rende
 
 
 def run_list(found: published.RunList, _screen: Screen) -> RenderableType:
-    """One row a run, the latest last; its file only where one is not called as its kata's usually is."""
+    """One row a run, the latest last; its file only where that is not called as its kata's usually is."""
     runs = found.runs
     if not runs:
         file = f"{found.problem} FILE" if found.problem else "FILE"
         return Group(text("No runs yet."), commands([(f"judge run {file}", "adds one")]))
-    year = runs[-1].when.astimezone().year
-    usual = all(shown_name(run.submission) == usual_name(run.problem) for run in runs)
-    rows = [_run(run, year, usual=usual) for run in runs]
-    remarks = "mistake or failed group" if any(row[-1] for row in rows) else ""
-    titles = ("run", "when", "kata", "" if usual else "file", "result", remarks)
+    rows = [_run(run) for run in runs]
+    titles = [title if any(row[at] for row in rows) else "" for at, title in enumerate(_RUNS)]
     more = faint(f"The last {counted(len(runs), 'run')}; --limit N shows more.") if found.more else None
     return blocks(table(rows, *titles, right=[0]), more)
 
 
-def _run(run: Run, year: int, *, usual: bool) -> tuple[Cell, ...]:
-    here = run.when.astimezone()
-    when = here.strftime("%m-%d %H:%M") if here.year == year else day(run.when)
+def _run(run: Run) -> tuple[Cell, ...]:
+    name, when = shown_name(run.submission), faint(moment(run.when))
+    file = "" if name == usual_name(run.problem) else name
     came_to = text(_result(run), verdict_style(run.verdict))
-    file = "" if usual else shown_name(run.submission)
-    return strong(str(run.id)), faint(when), run.problem, file, came_to, _remark(run)
+    return strong(str(run.id)), when, run.problem, file, came_to, _remark(run)
 
 
 def _result(run: Run) -> str:
@@ -270,10 +249,9 @@ def _remark(run: Run) -> str:
         passed: Sequence[str] = () if run.whole else run.levels
     except StoreError:  # of a damaged result the other columns are still true
         passed = ()
-    partial = run.verdict is Verdict.AC and not run.whole
-    left_out = f"only {', '.join(run.passed)}" if partial else ""
-    why = run.mistake or (run.failed[0] if run.failed else left_out)
-    return ", ".join([*(f"{level} level passed" for level in passed), *([why] if why else [])])
+    only = f"only {', '.join(run.passed)}" if run.verdict is Verdict.AC and not run.whole else ""
+    why = run.mistake or next(iter(run.failed), only)
+    return ", ".join(filter(None, [*(f"{level} level passed" for level in passed), why]))
 
 
 def run_row(run: published.RunRow, screen: Screen) -> RenderableType:
@@ -291,22 +269,18 @@ def runs_compared(found: published.RunsCompared, _screen: Screen) -> RenderableT
         joined(text(verdict.value, verdict_style(verdict)), f" {score}")
         for verdict, score in zip(found.verdicts, found.scores, strict=True)
     ]
-    titles = ("group", f"run {found.before}", f"run {found.after}")
     rows: list[tuple[Cell, ...]] = [(strong(found.problem), *ends)]
-    rows += [(each.group, _ended(each.before), _ended(each.after)) for each in found.groups]
-    lines = [text(row.expandtabs(4), _DIFFERENT.get(row[:1], "")) for row in found.diff]
-    changed = Group(*lines) if lines else text("The sources are the same.")
-    return blocks(table(rows, *titles, prose=None), indented(changed))
-
-
-def _ended(how: str | None) -> Text:
-    return text(how or "not run", {"passed": GOOD, "failed": BAD}.get(how or "", FAINT))
+    for group, both in found.groups.items():
+        rows.append((group, *(_ENDED.get(end or "", faint)(end or "not run") for end in both)))
+    lines = [_DIFFERENT.get(row[:1], text)(row.expandtabs(4)) for row in found.diff]
+    changed = Group(*lines or [text("The sources are the same.")])
+    return blocks(table(rows, "group", *(f"run {run}" for run in found.runs), prose=None), indented(changed))
 
 
 def restored(found: published.Restored, _screen: Screen) -> RenderableType:
     """Where a run's source is again, and where what was there is kept."""
-    said = f"the source of run {found.run}, {moment(found.time)}, {found.problem}"
     became = "" if found.written else "It was there already."
     if found.kept_as is not None:
         became = f"What was there is kept as {shown_name(found.kept_as)}."
-    return Group(head(shown_name(found.file), said), *([indented(faint(became))] if became else []))
+    said = f"the source of run {found.run}, {moment(found.time)}, {found.problem}"
+    return heading(head(shown_name(found.file), said), *([faint(became)] if became else []))

@@ -16,21 +16,24 @@ if TYPE_CHECKING:
     from judge.manual import Hit, Page
     from judge.practice.events import Started
     from judge.practice.review import Due, Learner
-    from judge.problem import Problem
+    from judge.problem import Group, Problem
 
 Words = dict[str, str]  # fields by name, each in words: numbers are exact, `n` or `n/d`
 
 
-class KataRow(Published, frozen=True):
-    """A kata in a list; `stars` is 1 once the interview level is passed, 2 with production."""
+class Named(Published, frozen=True):
+    """What is said of a kata wherever it is named."""
 
     problem: str
     title: str
     tier: Tier
     summary: str
     entry: str
-    groups: int
-    cases: int
+
+
+class KataRow(Named, frozen=True):
+    """A kata in a list; `stars` is 1 once the interview level is passed, 2 with production."""
+
     sets: tuple[str, ...]
     solved: bool
     stars: int
@@ -79,20 +82,15 @@ class GroupRow(Struct, frozen=True):
     time_limit: float | None
 
 
-class KataInFull(Published, frozen=True):
+class KataInFull(Named, frozen=True):
     """A kata, whole; limits are in seconds and MB. An example has the arguments by name, and the answer."""
 
-    problem: str
-    title: str
-    tier: Tier
-    summary: str
-    entry: str
     answer: str
-    parameters: tuple[Words, ...]
+    parameters: list[Words]
     limits: GroupLimits
     growth: GrowthRule | None
-    groups: tuple[GroupRow, ...]
-    examples: tuple[dict[str, Any], ...]
+    groups: list[GroupRow]
+    examples: list[dict[str, Any]]
     statement: str
     source: Source
 
@@ -107,21 +105,22 @@ class KataShown(Struct, frozen=True):
     def published(self) -> tuple[KataInFull]:
         """Both, in one object."""
         problem = self.problem
-        groups = (
-            copied(GroupRow, each, cases=each.count, tolerance=_in_words(each.tolerance))
-            for each in problem.groups
-        )
-        examples = ({"input": problem.named(each.case), "answer": each.wanted} for each in problem.examples)
         full = copied(
             KataInFull,
             problem,
             problem=problem.id,
             answer=str(problem.answer),
-            parameters=tuple(map(_in_words, problem.parameters)),
-            groups=tuple(groups),
-            examples=tuple(examples),
+            parameters=[_in_words(each) for each in problem.parameters],
+            groups=[_group_row(each) for each in problem.groups],
+            examples=[
+                {"input": problem.named(each.case), "answer": each.wanted} for each in problem.examples
+            ],
         )
         return (full,)
+
+
+def _group_row(group: Group) -> GroupRow:
+    return copied(GroupRow, group, cases=group.count, tolerance=_in_words(group.tolerance))
 
 
 def _in_words(value: Struct) -> Words:

@@ -46,22 +46,17 @@ class ProgressShown(Published, frozen=True, kw_only=True):
 
 
 class ProgressPage(Struct, frozen=True):
-    """The same with what is due, and the next kata; `whole` asks for each skill and question."""
+    """The same with what is due, and the next kata; `paged` with each skill and question."""
 
     shown: ProgressShown
     due: Due
     next: Problem | None
-    whole: bool
+    paged: bool
 
     @property
     def published(self) -> tuple[ProgressShown]:
         """What was learned."""
         return (self.shown,)
-
-    @property
-    def paged(self) -> bool:
-        """All of it is longer than most terminals."""
-        return self.whole
 
 
 class QuestionShown(Published, frozen=True):
@@ -71,12 +66,11 @@ class QuestionShown(Published, frozen=True):
 
 
 class ProgressWritten(Published, frozen=True):
-    """A page that was written, of so many runs of these katas."""
+    """A page that was written, of so many runs."""
 
     out: str
     bytes: int
     runs: int
-    problems: tuple[str, ...]
 
 
 class RunRow(Published, frozen=True):
@@ -123,24 +117,18 @@ def _cell(value: object) -> object:
     return " ".join(value) if isinstance(value, tuple) else value
 
 
-class GroupChange(Struct, frozen=True):
-    """A test group that the two runs did not end alike: `passed`, `failed`, or null where it was not run."""
-
-    group: str
-    before: str | None
-    after: str | None
-
-
 class RunsCompared(Published, frozen=True):
-    """Two runs of one kata: what became of its groups, and of the source (as a unified diff)."""
+    """Two runs of one kata, the groups that did not end alike, and the sources as a unified diff.
+
+    A group `passed`, `failed`, or is null where it was not run.
+    """
 
     problem: str
-    before: int
-    after: int
+    runs: tuple[int, int]
     verdicts: tuple[Verdict, Verdict]
     scores: tuple[int, int]
-    groups: tuple[GroupChange, ...]
-    diff: tuple[str, ...]
+    groups: dict[str, tuple[str | None, str | None]]
+    diff: list[str]
 
 
 class Restored(Published, frozen=True):

@@ -117,7 +117,7 @@ def test_what_is_due_again_and_the_cards(judge, submit, tmp_path):
     ended = judge()
     assert label(ended, "Again") == "crossings        solved 8 days ago; solve it once more from memory"
     assert "judge start crossings --reset" in ended.out
-    assert "1 card is due" in ended.out
+    assert "1 card due" in ended.out
     assert ended.lines[0].endswith("2 of 38 katas")
 
 

@@ -118,7 +118,7 @@ def due(judge):
 def test_what_is_due(judge, monkeypatch):
     monkeypatch.setattr(events, "now", lambda: START)
     passed("middle", when=START)
-    assert judge("progress", "--due").lines[0] == "Nothing is due today. Next:"
+    assert judge("progress", "--due").lines[0] == "Nothing is due today."
     monkeypatch.setattr(events, "now", lambda: START + timedelta(days=3, hours=1))
     shown = judge("progress", "--due")
     assert shown.lines[0] == "Due today: 1 kata"

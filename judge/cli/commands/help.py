@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from contextlib import suppress
-from typing import TYPE_CHECKING, Any, cast
+from typing import Any, cast
 
 import click
 from msgspec import Struct
@@ -18,9 +18,6 @@ from judge.errors import UsageError, nearest
 from judge.manual import Hit, Page
 from judge.report.published_look import Document, Mentions, Topics
 from judge.schema import files, schema_of_file
-
-if TYPE_CHECKING:
-    from judge.cli.app import Commands
 
 _OPTIONS = "options"  # the page that is made of Common
 
@@ -58,14 +55,16 @@ def read(context: click.Context, words: tuple[str, ...], ask: HelpAsk, common: C
         script = complete(app, {}, "judge", "_JUDGE_COMPLETE").source()
         return Document(script, (Page(topic="completion", title=ask.completion, text=script),))
     if not words:
-        return Topics(manual.pages())
+        return Topics([*manual.pages(), _options_page()])
     name = "-".join(words).lower()
     with suppress(KeyError):
         return _shown(manual.page(name))
     if name in COMMANDS and not common.json:
-        return Document(_usage_of(app, name), ())
+        made = app.get_command(None, name)
+        with click.Context(made, info_name=f"judge {name}", **app.context_settings) as shown:
+            return Document(made.get_help(shown), ())
     if name == _OPTIONS:
-        return _shown(Page(topic=_OPTIONS, title="Options of every command", text=_common_options()))
+        return _shown(_options_page())
     near = nearest(name, [*manual.topics(), *COMMANDS]) or ""
     return Mentions(" ".join(words), manual.search(words), near)
 
@@ -74,12 +73,12 @@ def _shown(page: Page) -> Document:
     return Document(page.text, (page,), paged=True)
 
 
-def _schema(app: Commands, name: str) -> Document:
+def _schema(app: Any, name: str) -> Document:
     """The schema of a command's JSON, or of a file that a setter writes. Raises UsageError."""
     if name in files():
         schema = schema_of_file(name)
-    elif name in COMMANDS and (made := app.get_command(None, name)) is not None:
-        schema = schema_of(made)
+    elif name in COMMANDS:
+        schema = schema_of(app.get_command(None, name))
     else:
         near = nearest(name, [*COMMANDS, *files()])
         remedy = f"did you mean {near}?" if near else f"name a command, or {' or '.join(files())}"
@@ -87,19 +86,12 @@ def _schema(app: Commands, name: str) -> Document:
     return Document(json.dumps(schema, indent=2), (schema,))
 
 
-def _usage_of(app: Commands, name: str) -> str:
-    made = app.get_command(None, name)
-    assert made is not None
-    with click.Context(made, info_name=f"judge {name}", **app.context_settings) as context:
-        return made.get_help(context)
-
-
-def _common_options() -> str:
+def _options_page() -> Page:
     """The page of the options of every command."""
-    rows = []
+    title, rows = "Options of every command", list[str]()
     for field in fields(Common):
         option = cast("Option", field.default_factory)
         shown = " ".join(filter(None, (*option.names, option.settings.get("metavar"))))
         rows.append(f"- `{shown}`: {option.settings['help']}")
-    rows.append("- `--debug`: Show the traceback of a fault.")
-    return "\n".join(("# Options of every command", "", *rows, ""))
+    text = "\n".join((f"# {title}", "", *rows, "- `--debug`: Show the traceback of a fault.", ""))
+    return Page(topic=_OPTIONS, title=title, text=text)

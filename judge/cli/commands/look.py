@@ -82,8 +82,6 @@ def _rows(problems: Sequence[Listed], db: Path | None) -> tuple[dict[str, KataRo
             KataRow,
             each,
             problem=each.id,
-            groups=len(each.groups),
-            cases=sum(group.count for group in each.groups),
             solved=each.id in done,
             stars=len(levels_passed(each, own.get(each.id, ()))),
         )

@@ -93,7 +93,10 @@ def progress(name: str, ask: ProgressAsk, common: Common) -> Struct:
     parts = {each.title for each in checklist.sections if name in (USUAL, *each.sets)}
     sets = [each for each in mine.sets if each.problems and name == USUAL != each.name]
     runs = [run for each in chosen.problems for run in mine.own.get(each.id, ())]
-    following = next((each for each in chosen.problems if each.id not in mine.own), None)
+    if name == USUAL:  # as judge start goes on
+        following = mine.next(mine.runs[-1].problem if mine.runs else "")
+    else:
+        following = next((each for each in chosen.problems if each.id not in mine.own), None)
     told = published.ProgressShown(
         set=_share(chosen, mine, checklist.skills),
         sets=tuple(_share(each, mine, checklist.skills) for each in sets),
@@ -145,7 +148,7 @@ def _page(ask: ProgressAsk, mine: Learner, history: History) -> published.Progre
     target.write(page)
     if ask.opened:
         click.launch(str(ask.out))
-    return published.ProgressWritten(shown(ask.out), len(page), len(runs), tuple(sorted(mine.own)))
+    return published.ProgressWritten(shown(ask.out), len(page), len(runs))
 
 
 class HistoryAsk(Struct, frozen=True):
@@ -207,17 +210,16 @@ def _compared(first: tuple[Run, bytes], second: tuple[Run, bytes]) -> published.
     ended, now = (
         dict.fromkeys(run.passed, "passed") | dict.fromkeys(run.failed, "failed") for run in (before, after)
     )
-    changes = ((name, ended.get(name), now.get(name)) for name in ended | now)
+    groups = {name: (ended.get(name), now.get(name)) for name in ended | now}
     old_lines, new_lines = (text.decode("utf-8", "backslashreplace").splitlines() for text in (old, new))
     diff = unified_diff(old_lines, new_lines, f"run {before.id}", f"run {after.id}", lineterm="")
     return published.RunsCompared(
         problem=before.problem,
-        before=before.id,
-        after=after.id,
+        runs=(before.id, after.id),
         verdicts=(before.verdict, after.verdict),
         scores=(before.score, after.score),
-        groups=tuple(published.GroupChange(*each) for each in changes if each[1] != each[2]),
-        diff=tuple(diff),
+        groups={name: ends for name, ends in groups.items() if ends[0] != ends[1]},
+        diff=[*diff],
     )
 
 
@@ -233,7 +235,5 @@ def _restored(run: Run, source: bytes, target: Path | None) -> published.Restore
             kept = write_over(target, source)
         else:
             new_file(target, source)
-    kept_as = shown(kept) if kept else None
-    return published.Restored(
-        run.id, run.when, run.problem, shown(target), not there or kept is not None, kept_as
-    )
+    written, kept_as = not there or kept is not None, shown(kept) if kept else None
+    return published.Restored(run.id, run.when, run.problem, shown(target), written, kept_as)
