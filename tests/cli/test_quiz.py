@@ -68,7 +68,7 @@ def test_known_cards_come_later_and_missed_ones_sooner(typing, judge, monkeypatc
     assert "Nothing is due today" in judge("quiz", "halves").out
     monkeypatch.setattr("judge.practice.events.now", lambda: noon + timedelta(days=1))
     assert "judge quiz" in judge("progress", "--due").out
-    assert "judge quiz      1 card is due" in judge().out
+    assert "judge quiz      1 card due" in judge().out
     again = typing(["b"], "quiz", "halves", "--seed", "3")
     assert again.out.startswith("Question 1 of 1\n  What is 7 // 2")
 
