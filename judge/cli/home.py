@@ -2,17 +2,13 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
+from judge.cli.options import Common
 from judge.cli.resolve import current, history_at, is_there, this_folder
 from judge.practice import events
 from judge.practice.progress import skills
 from judge.practice.review import read_learner
 from judge.practice.syllabus import Skill
 from judge.report.published_look import Home, Standing
-
-if TYPE_CHECKING:
-    from judge.cli.options import Common
 
 
 def home(common: Common) -> Home:

@@ -29,7 +29,7 @@ from judge.problem import Problem
 from judge.problem.find import find_problem, problem_folders, shipped_problems
 from judge.problem.model import is_name
 from judge.report.screen import note
-from judge.report.words import shown_command, shown_name
+from judge.report.words import counted, shown_command, shown_name
 
 if TYPE_CHECKING:
     from judge.cli.options import Common
@@ -99,8 +99,7 @@ def history_at(path: Path | None, *, reading: bool = False) -> Iterator[History]
             context = click.get_current_context(silent=True)
             said: set[object] = set() if context is None else context.meta.setdefault(__name__, set())
             if found := len(history.left_out - said):
-                what = "1 damaged row is" if found == 1 else f"{found} damaged rows are"
-                note(f"{what} left out of the history")
+                note(f"{counted(found, 'damaged row')} left out of the history")
             said |= history.left_out
             if history.set_aside is not None:
                 name = shown_name(str(history.set_aside))
@@ -133,16 +132,11 @@ def here(db: Path | None) -> Started:
     """The current file of this folder. Raises UsageError, which says where the last one is; StoreError."""
     with history_at(db, reading=True) as history:
         places = history.places()
-    mine = _in(this_folder(), places)
-    if found := next(filter(is_there, mine), None):
-        return found
-    if mine:
-        what = f"{shown(mine[0].path)} is not in this folder"
-        raise UsageError(f"{what}. Create it: judge start {mine[0].problem}")
-    what = "You have not started a kata here."
-    if last := next(filter(is_there, places), None):
-        raise UsageError(f"{what} The last one is {last.path}. To start one in this folder: judge start")
-    raise UsageError(f"{what} Type: judge start")
+    gone, remedy = "You have not started a kata here", "Type: judge start"
+    last = next(iter(_in(this_folder(), places)), None)
+    if last is not None:
+        gone, remedy = f"{shown(last.path)} is not in this folder", f"Create it: judge start {last.problem}"
+    return _found_here(places, gone, remedy)
 
 
 def problem_of(found: Started, folders: Sequence[Path]) -> Problem:
@@ -175,6 +169,15 @@ def shown(path: str | Path) -> str:
 
 def _in(folder: Path, places: Sequence[Started]) -> list[Started]:
     return [each for each in places if os.path.normpath(os.path.dirname(each.path)) == str(folder)]  # noqa: PTH120
+
+
+def _found_here(places: Sequence[Started], gone: str, remedy: str) -> Started:
+    """The first of these files in this folder. Raises UsageError, which says where the last one is."""
+    there = list(filter(is_there, places))
+    for each in _in(this_folder(), there):
+        return each
+    last = f" The last one is {there[0].path}." if there else ""
+    raise UsageError(f"{gone}.{last} {remedy}")
 
 
 def is_there(place: Started) -> bool:
@@ -269,11 +272,9 @@ def usual_file(problem: str, db: Path | None) -> str:
     usual = file_name(problem.replace("-", "_"))
     if os.path.lexists(usual):
         return usual
-    mine = [each for each in _places(db) if each.problem == problem and is_there(each)]
-    if own := _in(this_folder(), mine):
-        return shown(own[0].path)
-    last = f" The last one is {mine[0].path}." if mine else ""
-    raise UsageError(f"{usual} is not in this folder.{last} Create it: judge start {problem}")
+    mine = [each for each in _places(db) if each.problem == problem]
+    gone = f"{usual} is not in this folder"
+    return shown(_found_here(mine, gone, f"Create it: judge start {problem}").path)
 
 
 def _is_file(word: str) -> bool:

@@ -163,10 +163,8 @@ class History:
         """The run of that number. Raises UsageError if there is none."""
         rows = self._rows("SELECT * FROM runs WHERE id = ?", number) if 0 < number <= _MOST else []
         if not rows:
-            last = max((run.id for run in self.runs(limit=1)), default=0)
-            known = (
-                f"the last one is {last}; see 'judge history'" if last else "'judge run' adds the first one"
-            )
+            last, known = self.runs(limit=1), "'judge run' adds the first one"
+            known = f"the last one is {last[0].id}; see 'judge history'" if last else known
             raise UsageError(f"there is no run {number}", remedy=known)
         try:
             return from_row(Run, dict(rows[0]))

@@ -266,9 +266,8 @@ def broken(hacks: Iterable[Hack]) -> dict[str, datetime]:
 
 def was_shown(mistake: str, case: str, hacks: Iterable[Hack]) -> bool:
     """Whether the case was shown to whoever gave up that mistake of one problem."""
-    return any(
-        hack.outcome is Outcome.GIVEN_UP and (hack.mistake, hack.case) == (mistake, case) for hack in hacks
-    )
+    given_up = [hack for hack in hacks if hack.outcome is Outcome.GIVEN_UP]
+    return (mistake, case) in [(hack.mistake, hack.case) for hack in given_up]
 
 
 def hack_states(mistakes: Iterable[str], hacks: Sequence[Hack]) -> dict[str, HackState]:

@@ -16,12 +16,12 @@ from collections import defaultdict
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from datetime import datetime, timedelta
 from pathlib import Path
-from typing import TYPE_CHECKING, TypeVar
+from typing import TYPE_CHECKING, Any
 
 from msgspec import Struct
 
 from judge.errors import ProblemError
-from judge.practice.events import Answer, Help, Rating, Run
+from judge.practice.events import Answer, Event, Help, Rating, Run
 from judge.practice.progress import Tried, levels_passed, solved, tried
 from judge.practice.syllabus import Course, sound_sets
 from judge.problem import Problem, Verdict
@@ -33,7 +33,6 @@ if TYPE_CHECKING:
 
 LADDER = (1, 3, 8, 21, 60, 180)  # days until it comes again
 _SITTING = timedelta(hours=8)  # without an event: then the next one has to be remembered
-_Event = TypeVar("_Event", Run | Help, Answer)
 _Rated = tuple[datetime, Rating]
 
 
@@ -66,8 +65,8 @@ def reviews(runs: Iterable[Run], helps: Iterable[Help]) -> list[Review]:
         events[help_.problem].append(help_)
     known: set[tuple[str, str]] = set()
     for run in runs:
-        tried = run.passed or run.verdict not in (Verdict.CE, Verdict.RTE)
-        if run.counts and tried and (run.problem, run.source_hash) not in known:
+        attempt = run.passed or run.verdict not in (Verdict.CE, Verdict.RTE)
+        if run.counts and attempt and (run.problem, run.source_hash) not in known:
             events[run.problem].append(run)
         if run.whole:  # a model solution too, which may be copied
             known.add((run.problem, run.source_hash))
@@ -98,12 +97,10 @@ def _rated(events: Sequence[Run | Help]) -> _Rated | None:
     return (when, Rating.AGAIN) if when else None
 
 
-def _reviews(
-    named: Mapping[str, list[_Event]], rate: Callable[[Sequence[_Event]], _Rated | None]
-) -> list[Review]:
+def _reviews(named: Mapping[str, list[Any]], rate: Callable[[list[Any]], _Rated | None]) -> list[Review]:
     found = []
     for name, events in named.items():
-        sittings: list[list[_Event]] = []
+        sittings: list[list[Event]] = []
         for event in sorted(events, key=lambda event: event.when):
             if not sittings or event.when - sittings[-1][-1].when >= _SITTING:
                 sittings.append([])
@@ -171,22 +168,20 @@ class Learner(Course, frozen=True):
     def due(self, time: datetime) -> Due:
         """What is to be done at that time; a kata that is unfinished is not repeated yet."""
         here = {folder.name for folder in problem_folders(self.extra)}
-        unsolved = {
-            name: runs
-            for name, runs in self.own.items()
-            if name in here and not any(run.solved for run in runs)
-        }
+        own = ((name, runs) for name, runs in self.own.items() if name in here)
+        unsolved = {name: runs for name, runs in own if not any(run.solved for run in runs)}
         known = [each for each in reviews(self.runs, self.helps) if each.name in here - unsolved.keys()]
+        due = [each for each in known if each.is_due(time)]
+        later = [each for each in known if each not in due]
+        now = [
+            Unfinished(name, max(run.score for run in runs), runs[-1].when) for name, runs in unsolved.items()
+        ]
         cards: list[Review] = []
         if self.answers:  # whoever has answered none waits for no deck
             from judge.practice.cards import known_cards
 
             cards = known_cards(self.answers, self.extra)
-        now = [
-            Unfinished(name, max(run.score for run in runs), runs[-1].when) for name, runs in unsolved.items()
-        ]
-        due = [each for each in known if each.is_due(time)]
-        return Due(time, now, due, [each for each in known if each not in due], cards)
+        return Due(time, now, due, later, cards)
 
 
 def read_learner(history: History, extra: Sequence[Path] = ()) -> Learner:

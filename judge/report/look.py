@@ -215,11 +215,10 @@ def _totals(groups: Sequence[Group]) -> str:
 def _tolerance(value: Tolerance, words: Words) -> str:
     """A tolerance in words, such as `1e-9 relative + 4 ulp`; what it counts in has the problem's own name."""
     unit = words.unit or "the answer's unit"
-    wide = [f"{_short(value.extent)} of {unit}"] if value.extent else []
-    wide += [f"{_short(value.relative)} relative"] if value.relative else []
-    parts = [" or ".join(wide)] if wide else []
-    parts += [f"{_short(value.ulps)} ulp"] if value.ulps else []
-    said = " + ".join(parts) or "exact"
+    bounds = ((value.extent, f"of {unit}"), (value.relative, "relative"))
+    wide = " or ".join(f"{_short(number)} {what}" for number, what in bounds if number)
+    ulps = f"{_short(value.ulps)} ulp" if value.ulps else ""
+    said = " + ".join(filter(None, (wide, ulps))) or "exact"
     return f"{said}; where the exact number is 0, {_short(value.zero)} of {unit}" if value.zero else said
 
 

@@ -12,7 +12,7 @@ from rich.text import Text
 from judge.errors import StoreError
 from judge.languages import file_name
 from judge.practice.events import Rating, Run
-from judge.practice.progress import Evidence, Question, SkillProgress, State
+from judge.practice.progress import Evidence, Kind, Question, SkillProgress, State
 from judge.practice.review import Due, Review
 from judge.practice.stub import usual_name
 from judge.problem.model import FULL_SCORE, Verdict
@@ -55,7 +55,8 @@ _LISTED = 3  # katas that are listed under Now and Again
 
 def progress_page(found: published.ProgressPage, screen: Screen) -> RenderableType:
     """How many katas are solved, a bar for each set or the skills of one, what to do now, what was made."""
-    told, whole, sets = found.shown, found.shown.set, None
+    (told,), sets = found.published, None
+    whole = told.set
     solved = solved_bar(len(whole.solved), len(whole.katas), whole.stars, screen.width)
     top = solved if told.sets else Group(strong(whole.title), solved)
     if found.paged:
@@ -118,10 +119,7 @@ def _made(told: published.ProgressShown) -> Iterator[tuple[Cell, Cell]]:
         often = ((name, f" {number} ×" if number > 1 else "") for name, number in told.mistakes.items())
         yield "mistakes", ", ".join(map("".join, often))
     if any(each.state is not State.OPEN for each in told.rows):
-        first = told.rows[0].section
-        own = [each for each in told.rows if each.section == first]
-        more = f", {_ticked(told.rows)} in all" if len(own) < len(told.rows) else ""
-        yield "questions", f"{first} {_ticked(own)}{more}"
+        yield "questions", _ticked(told.rows)
 
 
 def _all(told: published.ProgressShown) -> Iterator[RenderableType]:
@@ -157,8 +155,7 @@ def _ticked(rows: Sequence[Question | SkillProgress]) -> str:
 def question_shown(found: published.QuestionShown, _screen: Screen) -> RenderableType:
     """One question with all that may tick it, and every command that practises it."""
     asked = found.question
-    said = "lost" if asked.state is State.LOST else "not yet"
-    said = f"since {day(asked.since)}" if asked.since else said
+    said = f"since {day(asked.since)}" if asked.since else "lost" if asked.state is State.LOST else "not yet"
     return blocks(
         table([(strong(asked.row), head(asked.ask, said))]),
         indented(table(map(_evidence, asked.by), "by", "", "since", "name")),
@@ -168,7 +165,8 @@ def question_shown(found: published.QuestionShown, _screen: Screen) -> Renderabl
 
 def _evidence(each: Evidence) -> tuple[Cell, ...]:
     state = State.LOST if each.lost else State.SHOWN if each.since else State.OPEN
-    return faint(each.kind.value), _MARKS[state], faint(day(each.since)), each.name
+    kind = "mistake found" if each.kind is Kind.BROKEN else each.kind.value
+    return faint(kind), _MARKS[state], faint(day(each.since)), each.name
 
 
 def due(found: Due, _screen: Screen) -> RenderableType:
@@ -279,8 +277,7 @@ def runs_compared(found: published.RunsCompared, _screen: Screen) -> RenderableT
 
 def restored(found: published.Restored, _screen: Screen) -> RenderableType:
     """Where a run's source is again, and where what was there is kept."""
-    became = "" if found.written else "It was there already."
-    if found.kept_as is not None:
-        became = f"What was there is kept as {shown_name(found.kept_as)}."
+    kept = f"What was there is kept as {shown_name(found.kept_as)}." if found.kept_as else ""
+    became = kept or ("" if found.written else "It was there already.")
     said = f"the source of run {found.run}, {moment(found.time)}, {found.problem}"
     return heading(head(shown_name(found.file), said), *([faint(became)] if became else []))

@@ -40,7 +40,7 @@ class KataRow(Named, frozen=True):
 
 
 class KataList(Struct, frozen=True):
-    """All katas, the sets by name, of which one is shown, and the current kata; `faults` cannot be read."""
+    """All katas, the sets by name, of which one is shown, and the current kata."""
 
     katas: Sequence[KataRow]
     sets: Mapping[str, Sequence[KataRow]]
@@ -49,7 +49,7 @@ class KataList(Struct, frozen=True):
     current: str = ""
     todo: bool = False
     whole: bool = False
-    faults: int = 0
+    exit_code: ExitCode = ExitCode.ACCEPTED
 
     def wanted(self, rows: Sequence[KataRow]) -> list[KataRow]:
         """Those of the katas that were asked for."""
@@ -59,11 +59,6 @@ class KataList(Struct, frozen=True):
     def published(self) -> list[KataRow]:
         """The katas that were asked for."""
         return self.wanted(self.sets.get(self.shown, self.katas))
-
-    @property
-    def exit_code(self) -> ExitCode:
-        """3 where a kata cannot be read."""
-        return ExitCode.FAULT if self.faults else ExitCode.ACCEPTED
 
 
 class GroupRow(Struct, frozen=True):

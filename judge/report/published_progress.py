@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from datetime import datetime
 
 from msgspec import Struct, to_builtins
@@ -48,15 +49,10 @@ class ProgressShown(Published, frozen=True, kw_only=True):
 class ProgressPage(Struct, frozen=True):
     """The same with what is due, and the next kata; `paged` with each skill and question."""
 
-    shown: ProgressShown
+    published: tuple[ProgressShown]
     due: Due
     next: Problem | None
     paged: bool
-
-    @property
-    def published(self) -> tuple[ProgressShown]:
-        """What was learned."""
-        return (self.shown,)
 
 
 class QuestionShown(Published, frozen=True):
@@ -89,27 +85,25 @@ def row_of(run: Run) -> RunRow:
 
 
 class RunList(Struct, frozen=True):
-    """Runs, the latest last; `more` says that older ones are left out, `csv` that CSV is wanted."""
+    """Runs, the latest last; `more` says that older ones are left out, and `plain` is their CSV."""
 
     runs: list[Run]
     problem: str
     more: bool
-    csv: bool
+    plain: str
 
     @property
     def published(self) -> list[RunRow]:
         """Each run in full."""
         return list(map(row_of, self.runs))
 
-    @property
-    def plain(self) -> str:
-        """The CSV, where that is wanted."""
-        if not self.csv:
-            return ""
-        from judge.report.formats import csv_text  # only who asks for it waits for it
 
-        rows = ({**to_builtins(run), "run": run.id, "levels": run.levels} for run in self.runs)
-        return csv_text([_COLUMNS, *([_cell(row[name]) for name in _COLUMNS] for row in rows)], "\n")
+def csv_of(runs: Iterable[Run]) -> str:
+    """The runs as CSV. Raises StoreError where a result is damaged."""
+    from judge.report.formats import csv_text  # only who asks for it waits for it
+
+    rows = ({**to_builtins(run), "run": run.id, "levels": run.levels} for run in runs)
+    return csv_text([_COLUMNS, *([_cell(row[name]) for name in _COLUMNS] for row in rows)], "\n")
 
 
 def _cell(value: object) -> object:

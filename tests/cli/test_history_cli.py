@@ -21,7 +21,7 @@ from judge.problem import Verdict
 from judge.run import Result
 
 pytestmark = pytest.mark.slow
-SAID = "1 damaged row is left out of the history"
+SAID = "1 damaged row left out of the history"
 
 
 @pytest.fixture

@@ -11,7 +11,7 @@ from msgspec import Struct
 
 from judge.cli.options import Common, command, opt
 from judge.cli.resolve import current, history_at, this_folder
-from judge.errors import StoreError, UsageError
+from judge.errors import ExitCode, StoreError, UsageError
 from judge.practice.progress import levels_passed, solved, tried
 from judge.practice.syllabus import USUAL, sound_sets
 from judge.problem.find import find_problem, listed_problems
@@ -63,9 +63,9 @@ def listed(name: str | None, ask: ListAsk, common: Common) -> KataList:
     if name != USUAL:
         shelves.pop(USUAL, None)
     shown = name or ("" if common.json or ask.whole else _opened(shelves, at))
-    return KataList(
-        [*rows.values()], shelves, shown, about.get(shown, ""), at, ask.todo, ask.whole, len(faults)
-    )
+    status = ExitCode.FAULT if faults else ExitCode.ACCEPTED
+    every = [*rows.values()]
+    return KataList(every, shelves, shown, about.get(shown, ""), at, ask.todo, ask.whole, status)
 
 
 def _rows(problems: Sequence[Listed], db: Path | None) -> tuple[dict[str, KataRow], str]:

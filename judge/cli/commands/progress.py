@@ -105,7 +105,7 @@ def progress(name: str, ask: ProgressAsk, common: Common) -> Struct:
         rows=tuple([each for each in asked if each.section in parts] or asked),
         next=following.id if following else None,
     )
-    return published.ProgressPage(told, due, following, ask.whole)
+    return published.ProgressPage((told,), due, following, ask.whole)
 
 
 def _refuse(*rules: tuple[object, str]) -> None:
@@ -142,9 +142,8 @@ def _page(ask: ProgressAsk, mine: Learner, history: History) -> published.Progre
     for fault in mine.faults:  # its runs are shown all the same
         note(f"left out: {fault}")
     skills = learned.skills(mine.problems, mine.own, syllabus.read_checklist(mine.extra).skills)
-    page = learner_page(
-        runs, mine.problems, skills, sources, person=ask.person, generated=moment().astimezone()
-    )
+    when = moment().astimezone()
+    page = learner_page(runs, mine.problems, skills, sources, person=ask.person, generated=when)
     target.write(page)
     if ask.opened:
         click.launch(str(ask.out))
@@ -198,7 +197,8 @@ def _listed(name: str, ask: HistoryAsk, common: Common, history: History) -> pub
         find_problem(name, common.problems)
     kept = runs[-most:] if most else runs
     more = ask.limit is None and len(kept) < len(runs)
-    return published.RunList(history.with_results(kept) if whole else kept, name, more, ask.csv)
+    shown_runs = history.with_results(kept) if whole else kept
+    return published.RunList(shown_runs, name, more, published.csv_of(shown_runs) if ask.csv else "")
 
 
 def _compared(first: tuple[Run, bytes], second: tuple[Run, bytes]) -> published.RunsCompared:

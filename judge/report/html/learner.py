@@ -24,8 +24,8 @@ from judge.report.words import counted
 
 MARK = "circle-line-judge report"  # in the head of every such page, also of older ones
 _MOST_RUNS = 300  # of one kata in its table
-_FIRST_RUNS = 8  # that are in sight; the earlier ones are folded away
 _MOST_CASES = 12  # of one kata
+_Failed = tuple[Case, datetime, int, datetime | None]
 _LONGEST_SOURCE = 12_000  # characters
 
 
@@ -61,15 +61,14 @@ def learner_page(
     shown = [skill for skill in skills if skill.state is State.SHOWN]
     failed = [each for kata in katas for each in kata["failed"]]
     overcome = [when is not None for case, *_, when in failed if case.advice]
-    days = len({run.when.date() for run in runs})
+    days = counted(len({run.when.date() for run in runs}), "day")
     tiles = [(f"{len(solved)} of {len(own)}", "katas solved")]
     if skills:
         tiles.append((f"{len(shown)} of {len(skills)}", "skills shown"))
-    tiles.append((f"{len(runs):,}", f"{'run' if len(runs) == 1 else 'runs'} on {counted(days, 'day')}"))
+    tiles.append((f"{len(runs):,}", f"{'run' if len(runs) == 1 else 'runs'} on {days}"))
     if overcome:
         tiles.append((f"{sum(overcome)} of {len(overcome)}", "mistakes overcome"))
     moments = [skill.since.astimezone(zone) for skill in shown if skill.since]
-    chart = _chart([run.when for run in runs], solved, moments)
     return page(
         "learner.html.j2",
         MARK,
@@ -78,21 +77,19 @@ def learner_page(
         title=f"Progress: {person}" if person else "Progress",
         person=person,
         generated=generated,
-        first=runs[0].when,
-        last=runs[-1].when,
+        runs=runs,
         tiles=tiles,
-        chart=chart_svg(chart) if chart else "",
+        chart=_chart([run.when for run in runs], solved, moments),
         katas=katas,
         skills=skills,
-        first_runs=_FIRST_RUNS,
     )
 
 
-def _chart(runs: Sequence[datetime], solved: Sequence[datetime], skills: Sequence[datetime]) -> Chart | None:
-    """Katas solved and skills shown by day; None where nothing is, or all is of one day."""
+def _chart(runs: Sequence[datetime], solved: Sequence[datetime], skills: Sequence[datetime]) -> str:
+    """Katas solved and skills shown by day, as an SVG; "" where nothing is, or all is of one day."""
     first, last = runs[0].date().toordinal(), runs[-1].date().toordinal()
     if first == last or not solved:
-        return None
+        return ""
 
     def series(name: str, moments: Sequence[datetime], role: Role) -> Series:
         days = sorted(when.date().toordinal() for when in moments)
@@ -110,7 +107,7 @@ def _chart(runs: Sequence[datetime], solved: Sequence[datetime], skills: Sequenc
 
     about = f"{counted(len(solved), 'kata')} solved and {counted(len(skills), 'skill')} shown."
     title = "Katas solved and skills shown"
-    return Chart(title, tuple(both), Axis("time", shown), Axis("katas and skills"), about)
+    return chart_svg(Chart(title, tuple(both), Axis("time", shown), Axis("katas and skills"), about))
 
 
 def _kata(anchor: str, runs: Sequence[Run], cases: Cases, source: bytes) -> dict[str, Any]:
@@ -135,9 +132,7 @@ def _kata(anchor: str, runs: Sequence[Run], cases: Cases, source: bytes) -> dict
     }
 
 
-def _failed(
-    anchor: str, runs: Sequence[Run], cases: Cases
-) -> Iterator[tuple[Case, datetime, int, datetime | None]]:
+def _failed(anchor: str, runs: Sequence[Run], cases: Cases) -> Iterator[_Failed]:
     """The latest run of every mistake, or of every verdict and first group where none is named.
 
     Beside its case: when it was, how many such runs there are, and when the kata was solved after it.
