@@ -36,7 +36,7 @@ from judge.practice.syllabus import (
     toml_files,
 )
 from judge.problem.find import problem_folders
-from judge.problem.model import Name
+from judge.problem.model import TEXT, Name
 from judge.problem.toml import TomlFile, meant, refusal
 
 _QUOTED = 40  # characters of what is typed
@@ -44,7 +44,7 @@ _NUMBER = re.compile(r"(?ai)[+-]?\d{1,40}((\.\d{0,40})?(e[+-]?\d{1,3})?|/0*[1-9]
 LETTERS = "abcdefgh"  # of options
 NONE = "none"
 NUMBER = "4, 0.5, 1e-9 or 2/3"
-_Text = Annotated[str, Meta(min_length=1, max_length=2_000)]
+_Text = Annotated[str, Meta(pattern=TEXT, max_length=2_000)]
 
 
 class WrongOption(Table, frozen=True):
@@ -77,8 +77,10 @@ class Choice(Content, tag="choice", frozen=True):
     def __post_init__(self) -> None:
         if not 1 <= len(self.wrong) < len(LETTERS):
             raise refusal(f"there are {len(self.wrong)} wrong options", f"write 1 to {len(LETTERS) - 1}")
-        if len({self.right, *(each.text for each in self.wrong)}) <= len(self.wrong):
-            raise refusal("two options say the same", "change one of them")
+        texts = [self.right, *(each.text for each in self.wrong)]
+        for place, text in enumerate(texts):
+            if text in texts[:place]:
+                raise refusal(f"two options say {text!r}", "change one of them")
 
 
 class Number(Content, tag="number", frozen=True):

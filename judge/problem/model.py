@@ -30,7 +30,9 @@ _PYTHON = rf"^(?!(?:{'|'.join(keyword.kwlist)})\Z)[A-Za-z_]\w*\Z"
 _FILE = r"^[^./\\][^/\\]*\Z"
 _LINE = r"^(\S[^\x00-\x1f]*)?\Z"
 _AUTHOR = r"^\S[^\x00-\x1f,&]*\Z"
+TEXT = r"\S"
 FORMS = {
+    TEXT: "a sentence",
     NAME: "small letters, digits and single hyphens",
     _PYTHON: "a plain Python name",
     _FILE: "the name of a file of the accepted solutions",

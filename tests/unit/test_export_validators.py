@@ -68,7 +68,7 @@ def test_a_validator_is_for_python_3_6_and_needs_nothing(name):
     tree = ast.parse((FOLDER / name).read_text(encoding="utf-8"), feature_version=(3, 6))
     modules = {each.module for each in ast.walk(tree) if isinstance(each, ast.ImportFrom)}
     modules |= {alias.name for each in ast.walk(tree) if isinstance(each, ast.Import) for alias in each.names}
-    assert modules <= {"fractions", "hashlib", "itertools", "json", "os", "re", "sys", "typing"}
+    assert modules <= {"fractions", "hashlib", "json", "os", "re", "sys", "typing"}
     types = ("real", "int", "tuple", "list", "optional")
     assert all(f'["{each}"' in VALIDATOR["__doc__"] for each in types)
 

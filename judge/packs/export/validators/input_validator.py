@@ -16,8 +16,7 @@ Needs Python 3.6 or newer, CPython or PyPy, and nothing else.
 import re
 import sys
 from fractions import Fraction
-from itertools import chain
-from typing import Any, Iterator
+from typing import Any, List
 
 PARAMETERS = []  # type: Any  # the problem's, in order
 INTEGER = re.compile(r"0|-?[1-9][0-9]*")
@@ -47,14 +46,14 @@ def number(kind: Any, token: str) -> None:
         raise Invalid("%s is too small" % token)
 
 
-def parameter(kind: Any, tokens: Iterator[str]) -> None:
-    """Raises Invalid unless the next tokens are a value of that type."""
+def parameter(kind: Any, tokens: List[str]) -> None:
+    """Takes a value of that type from the tokens, of which the next is last. Raises Invalid, IndexError."""
     name = kind[0]
     if name == "tuple":
         for part in kind[1]:
             parameter(part, tokens)
     elif name == "list":
-        count = next(tokens)
+        count = tokens.pop()
         if not INTEGER.fullmatch(count) or len(count) > MOST_CASES or not kind[2] <= int(count):
             raise Invalid("%r is not a length" % count[:60])
         if kind[3] is not None and int(count) > kind[3]:
@@ -62,15 +61,16 @@ def parameter(kind: Any, tokens: Iterator[str]) -> None:
         for _ in range(int(count)):
             parameter(kind[1], tokens)
     elif name == "optional":
-        first = next(tokens)
-        if first != "none":
-            parameter(kind[1], chain([first], tokens))
+        if tokens[-1] != "none":
+            parameter(kind[1], tokens)
+        else:
+            tokens.pop()
     elif name == "word":
-        word = next(tokens)
+        word = tokens.pop()
         if word not in kind[1]:
             raise Invalid("%r is none of the words" % word[:60])
     else:
-        number(kind, next(tokens))
+        number(kind, tokens.pop())
 
 
 def validate(data: bytes) -> None:
@@ -85,15 +85,15 @@ def validate(data: bytes) -> None:
     if len(lines) != int(first) + 2 or lines[-1]:
         raise Invalid("%s cases, then each on a line of its own, are expected" % first)
     for at, line in enumerate(lines[1:-1]):
-        tokens = iter(line.split(" "))
+        tokens = line.split(" ")[::-1]
         try:
             for kind in PARAMETERS:
                 parameter(kind, tokens)
-        except StopIteration:
+        except IndexError:
             raise Invalid("case %d: the line ends too early" % (at + 1)) from None
         except Invalid as why:
             raise Invalid("case %d: %s" % (at + 1, why)) from None
-        if next(tokens, None) is not None:
+        if tokens:
             raise Invalid("case %d: the line holds more than the case" % (at + 1))
 
 
