@@ -189,6 +189,22 @@ def test_the_terminal_is_given_back_however_it_ends(ending, status, watch, submi
     busy.leaves(ending, status)
 
 
+def test_it_is_drawn_anew_after_a_resize_and_after_it_was_stopped(watch, submit):
+    terminal = watch("middle", submit(MEAN))
+    assert not [row for row in terminal.sees("AC  Accepted", "katas") if row.startswith("[#.........]")]
+    terminal.written = ""
+    terminal.resize(64, 24)
+    assert [row for row in terminal.sees("AC  Accepted", "katas") if row.startswith("[#.........]")]
+    taken = termios.tcgetattr(terminal.ours)
+    os.kill(terminal.process.pid, signal.SIGSTOP)
+    termios.tcsetattr(terminal.ours, termios.TCSANOW, terminal.before)  # as a shell does then
+    terminal.written = ""
+    os.kill(terminal.process.pid, signal.SIGCONT)
+    terminal.sees("AC  Accepted")
+    assert termios.tcgetattr(terminal.ours) == taken != terminal.before
+    terminal.leaves()
+
+
 def test_an_accepted_save_is_told_where_the_history_cannot_be_read(watch, submit):
     terminal = watch("middle", submit(FLOOR))
     terminal.sees("WA  Wrong answer")
