@@ -84,7 +84,8 @@ def shrink(
 
     trial = Trial(data.module, box, runner, verdict, budget, judge_box, coarse=coarse)
     opening = data.groups[0]
-    if failure.case is None or verdict in LIMITED:  # what a process takes in any case
+    fails = opening.group.name == failure.group and failure.case == 1
+    if failure.case is None or (verdict in LIMITED and not fails):  # what does an answer take?
         trial.ask(opening.cases[0], opening.group)
     if failure.case is None:  # a program's lines are too few or too many: is there a case for which they are?
         first = trial.simplest(group_data.cases[:_SOUGHT], group_data.group, fair=False)

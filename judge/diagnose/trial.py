@@ -36,10 +36,11 @@ Clock = Callable[[], float]
 MOST_LOSSES = 6  # calls of a batch that may take their process with them
 SHORT_SECONDS = 0.1  # of CPU time, after which a call that once ran out of time is not waited for
 _QUICK_SECONDS = 0.005  # CPU time a case is worth when nothing points to slowness
-_PATIENCE = 1.0  # seconds for the case that is shown, where a call may never end
+_PATIENCE = 1.0  # more seconds than an answer takes, for the case that is shown where a call may never end
 _WAITING = 1.0  # seconds in which a machine that has much else to do goes on with a call
 _BATCH = 100  # cases of one process
 _SLOW = 0.5  # of those limits: a first call or an import that takes more is slow
+_BUSY = 5  # times its CPU time, which a machine that has much else to do lets a process wait
 _SLOW_SECONDS = 4.0  # that the processes of a search may take where each is slow
 _RUN_COSTS = 20  # calls that starting a process is worth
 _LOSS_COSTS = 5000  # calls that SHORT_SECONDS of a call in vain are worth
@@ -159,6 +160,7 @@ class Trial:
         self._kind: tuple[str, ...] | None = None
         self._used = Usage()  # by the last process
         self._slow = Usage()  # what every process needs before its first answer, where that is much
+        self._patience = runner.problem.limits.cpu_seconds  # until it is known what an answer takes
 
     def look_for(self, finding: Finding | None) -> None:
         """From now on only cases that fail in this way count: another mistake would explain nothing.
@@ -193,14 +195,17 @@ class Trial:
     def ask(self, case: Case, group: Group) -> Finding | Outcome:
         """What the case comes to when it is called by itself, now and under the problem's own limits.
 
-        A call that never ends is waited for a second; what is shown says how long. What an answer takes here,
-        every process may take from now on: it may be the import, or a first call that builds a table.
+        What an answer takes here, every process may take from now on: it may be the import, or a first call
+        that builds a table. Once that is known, a call that never ends is waited for a second; what is shown
+        says how long.
         """
         (ended,) = self._asked(self._box, [case], [self._target(case, group)], group, whole=True) or [None]
         if ended is None or ended.verdict not in LIMITED:
             cpu, waiting = self._used.cpu_seconds, self._used.waiting_seconds
-            cpu, waiting = cpu * (cpu > _SLOW * SHORT_SECONDS), waiting * (waiting > _SLOW * _WAITING)
+            sleeps = waiting > max(_SLOW * _WAITING, _BUSY * cpu)
+            cpu, waiting = cpu * (cpu > _SLOW * SHORT_SECONDS), waiting * sleeps
             self._slow = Usage(cpu, cpu + waiting)
+            self._patience = _PATIENCE
             self.budget.slow(self.slow_seconds)
         if ended is None:
             return Outcome.PASSES
@@ -295,7 +300,7 @@ class Trial:
         cpu, waiting = usual.cpu_seconds, 1e9
         if not whole or self.verdict in LIMITED:
             quick = SHORT_SECONDS + _QUICK_SECONDS * (0 if self.verdict is Verdict.TLE else cases)
-            cpu = min(cpu, 2 * slow.cpu_seconds + (_PATIENCE if whole else quick))
+            cpu = min(cpu, 2 * slow.cpu_seconds + (self._patience if whole else quick))
             waiting = 2 * slow.waiting_seconds + _WAITING + cpu
         return Limits(
             cpu,
