@@ -99,8 +99,9 @@ def shrink(
         asked = [trial.ask(case, group_data.group) for _ in range(2)]  # twice: it may answer at random
         if verdict is Verdict.WA and Outcome.PASSES in asked:
             return replace(failure, input=named_input(problem, case), message=_PASSING)
-        first = next((each for each in asked if isinstance(each, Outcome)), asked[0])
-    if first is None or isinstance(first, Outcome):
+        first, again = (each if isinstance(each, Finding) else None for each in asked)
+        first = first if again else None
+    if first is None:
         return None
     trial.look_for(first)
     number = group_data.cases.index(case)

@@ -33,7 +33,7 @@ MIDDLE = "def middle(a, b):\n    {}\n    return (a + b) / 2\n"
 
 
 def shrunk(name, source, *, budget=None, cpu_seconds=2.0, later=None):
-    """The result of judging the source, and its counterexample; `later` are the CPU seconds of that search."""
+    """The result of judging the source, and its counterexample; that search has `later` CPU seconds."""
     problem = find_problem(name, PACKS)
     problem = replace(problem, limits=replace(problem.limits, cpu_seconds=cpu_seconds))
     data = ProblemData(problem, load_data(problem).groups)
