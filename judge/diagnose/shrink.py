@@ -1,6 +1,7 @@
 """From the first failing case to the simplest one that fails: what a person can work out on paper.
 
-    1. The failing case is called alone. If it is right then, its message says so, and that is all.
+    1. The failing case is called alone. If it is right then, its message says so, and that is all. If that
+       cannot be decided, nothing is said.
     2. The ladder (simple.py): seeded cases of few digits, the simplest kinds first, in batches.
     3. Where they all pass: the failing group's own builder, shrunk by its parameters (search.py).
     4. What was found, or the failing case itself, is polished, value by value (polish.py).
@@ -26,7 +27,7 @@ from judge.diagnose.polish import polished, rounded
 from judge.diagnose.replay import LONGEST, encode
 from judge.diagnose.simple import ladder
 from judge.diagnose.simplicity import items_of
-from judge.diagnose.trial import LIMITED, Finding, SearchBudget, Trial, sort_of
+from judge.diagnose.trial import LIMITED, Finding, Outcome, SearchBudget, Trial, sort_of
 from judge.problem import Case, Group, Problem, Verdict
 from judge.problem.model import EXAMPLES
 from judge.run.group import named_input
@@ -82,6 +83,10 @@ def shrink(
         return reference.open(name) if reference else None
 
     trial = Trial(data.module, box, runner, verdict, budget, judge_box, coarse=coarse)
+    opening = data.groups[0]
+    fails = opening.group.name == failure.group and failure.case == 1
+    if failure.case is None or (verdict in LIMITED and not fails):  # what does an answer take?
+        trial.ask(opening.cases[0], opening.group)
     if failure.case is None:  # a program's lines are too few or too many: is there a case for which they are?
         first = trial.simplest(group_data.cases[:_SOUGHT], group_data.group, fair=False)
         if first is None:
@@ -89,12 +94,15 @@ def shrink(
         case = first.case
     else:
         case = group_data.cases[failure.case - 1]
-        first = trial.alone(case, group_data.group)
-    steady = verdict in LIMITED or trial.again(case, group_data.group) is not None
-    if first is None or not steady:
-        if verdict is not Verdict.WA:
-            return None
-        return replace(failure, input=named_input(problem, case), message=_PASSING)
+        first = trial.alone(case, group_data.group) if verdict in LIMITED else None
+    if verdict not in LIMITED:
+        asked = [trial.ask(case, group_data.group) for _ in range(2)]  # twice: it may answer at random
+        if verdict is Verdict.WA and Outcome.PASSES in asked:
+            return replace(failure, input=named_input(problem, case), message=_PASSING)
+        first, again = (each if isinstance(each, Finding) else None for each in asked)
+        first = first if again else None
+    if first is None:
+        return None
     trial.look_for(first)
     number = group_data.cases.index(case)
     return _Search(problem, trial, group_data, first, number, choices or choices_of).run()
@@ -184,14 +192,18 @@ class _Search:
 
     def _confirmed(self, best: Finding) -> Finding:
         """What is shown fails under the problem's own limits too; the search was less patient."""
-        return self._trial.again(best.case, best.group) or self._first
+        found = self._trial.ask(best.case, best.group)
+        return found if isinstance(found, Finding) else self._first
 
     def _told(self, best: Finding) -> Failure | None:
         replay = encode(self._problem, best.group, best.case)
         if len(replay) > LONGEST:  # nobody would look at it, nor type it
             return None
+        trial, message = self._trial, best.message
+        if best.case == self._first.case and trial.budget.cut_short and trial.slow_seconds:
+            message += f"; not made smaller: one call takes {trial.slow_seconds:.1g} s"
         return Failure(
-            best.message,
+            message,
             group=best.group.name,
             case=None,
             input=named_input(self._problem, best.case),
@@ -200,7 +212,7 @@ class _Search:
             given=short_answer(best.given),
             printed=best.printed,
             replay=replay,
-            cut_short=self._trial.budget.cut_short,
+            cut_short=trial.budget.cut_short,
         )
 
 

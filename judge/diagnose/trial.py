@@ -1,13 +1,15 @@
 """Trying cases on a submission, contained: which of them it gets wrong, in the way that it is known to fail.
 
 Nothing is tried that breaks the bounds or the promise. A case that fails among others is called once more by
-itself before it is believed: a function may keep something between its calls, or answer at random.
+itself before it is believed: a function may keep something between its calls, or answer at random. A call
+that was stopped, or ended otherwise than is looked for, is undecided: it neither fails nor passes.
 """
 
 from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterable, Sequence
+from enum import Enum
 from typing import Any
 
 from msgspec import Struct
@@ -34,9 +36,12 @@ Clock = Callable[[], float]
 MOST_LOSSES = 6  # calls of a batch that may take their process with them
 SHORT_SECONDS = 0.1  # of CPU time, after which a call that once ran out of time is not waited for
 _QUICK_SECONDS = 0.005  # CPU time a case is worth when nothing points to slowness
-_PATIENCE = 1.0  # seconds for the case that is shown, where a call may never end
+_PATIENCE = 1.0  # more seconds than an answer takes, for the case that is shown where a call may never end
 _WAITING = 1.0  # seconds in which a machine that has much else to do goes on with a call
 _BATCH = 100  # cases of one process
+_SLOW = 0.5  # of those limits: a first call or an import that takes more is slow
+_BUSY = 5  # times its CPU time, which a machine that has much else to do lets a process wait
+_SLOW_SECONDS = 4.0  # that the processes of a search may take where each is slow
 _RUN_COSTS = 20  # calls that starting a process is worth
 _LOSS_COSTS = 5000  # calls that SHORT_SECONDS of a call in vain are worth
 _NOT_A_LINE = "no line, or more than one"
@@ -58,6 +63,13 @@ class Finding(Struct, frozen=True):
     printed: str = ""  # what the function printed, where it was called alone
 
 
+class Outcome(Enum):
+    """What a trial says of a case that is not known to fail."""
+
+    PASSES = "passes"
+    UNDECIDED = "undecided"
+
+
 class SearchBudget:
     """What the search may cost, counted in calls, so that it comes to the same on every machine.
 
@@ -70,13 +82,18 @@ class SearchBudget:
         self._most = most
         self._guard = guard or Guard()
         self._cost = 0
+        self._run_costs = _RUN_COSTS
         self._warned = False
         self.calls = 0
+
+    def slow(self, seconds: float) -> None:
+        """From now on each process takes so long, whatever is called in it."""
+        self._run_costs = _RUN_COSTS + round(self._most * seconds / _SLOW_SECONDS)
 
     def asked(self, calls: int, lost_seconds: float, usage: Usage) -> None:
         """Book one process: the calls made in it, the limit of the time that was used up, if one was."""
         self.calls += calls
-        self._cost += calls + _RUN_COSTS + round(_LOSS_COSTS * lost_seconds / SHORT_SECONDS)
+        self._cost += calls + self._run_costs + round(_LOSS_COSTS * lost_seconds / SHORT_SECONDS)
         self._guard.used(usage)
 
     def looked_at(self) -> None:
@@ -141,6 +158,9 @@ class Trial:
         self._answers: dict[str, Exact | InvalidCase] = {}
         self._targets: dict[tuple[str, str], Target] = {}
         self._kind: tuple[str, ...] | None = None
+        self._used = Usage()  # by the last process
+        self._slow = Usage()  # what every process needs before its first answer, where that is much
+        self._patience = runner.problem.limits.cpu_seconds  # until it is known what an answer takes
 
     def look_for(self, finding: Finding | None) -> None:
         """From now on only cases that fail in this way count: another mistake would explain nothing.
@@ -172,12 +192,29 @@ class Trial:
             self._known[key] = next(iter(self._try([case], group)), None)
         return self._known[key]
 
-    def again(self, case: Case, group: Group) -> Finding | None:
-        """How the case fails when it is called by itself, now and under the problem's own limits.
+    def ask(self, case: Case, group: Group) -> Finding | Outcome:
+        """What the case comes to when it is called by itself, now and under the problem's own limits.
 
-        A call that never ends is waited for a second; what is shown says how long.
+        What an answer takes here, every process may take from now on: it may be the import, or a first call
+        that builds a table. Once that is known, a call that never ends is waited for a second; what is shown
+        says how long.
         """
-        return next(iter(self._try([case], group, whole=True)), None)
+        (ended,) = self._asked(self._box, [case], [self._target(case, group)], group, whole=True) or [None]
+        if ended is None or ended.verdict not in LIMITED:
+            cpu, waiting = self._used.cpu_seconds, self._used.waiting_seconds
+            sleeps = waiting > max(_SLOW * _WAITING, _BUSY * cpu)
+            cpu, waiting = cpu * (cpu > _SLOW * SHORT_SECONDS), waiting * sleeps
+            self._slow = Usage(cpu, cpu + waiting)
+            self._patience = _PATIENCE
+            self.budget.slow(self.slow_seconds)
+        if ended is None:
+            return Outcome.PASSES
+        return ended if self._counts(ended) else Outcome.UNDECIDED
+
+    @property
+    def slow_seconds(self) -> float:
+        """What a process takes for a single call, where that is long; 0 for the usual."""
+        return self._slow.wall_seconds
 
     def simplest(self, cases: Iterable[Case], group: Group, *, fair: bool = True) -> Finding | None:
         """The simplest of the cases that fails, also by itself; invalid cases are passed over.
@@ -259,14 +296,12 @@ class Trial:
 
     def _limits(self, cases: int, *, whole: bool) -> Limits:
         """What calls of so many cases may use: the same on every machine."""
-        usual = self.problem.limits
+        usual, slow = self.problem.limits, self._slow
         cpu, waiting = usual.cpu_seconds, 1e9
-        if not whole:
-            cpu = min(cpu, SHORT_SECONDS + _QUICK_SECONDS * (0 if self.verdict is Verdict.TLE else cases))
-            waiting = _WAITING + cpu
-        elif self.verdict in LIMITED:
-            cpu = min(cpu, _PATIENCE)
-            waiting = _WAITING + cpu
+        if not whole or self.verdict in LIMITED:
+            quick = SHORT_SECONDS + _QUICK_SECONDS * (0 if self.verdict is Verdict.TLE else cases)
+            cpu = min(cpu, 2 * slow.cpu_seconds + (self._patience if whole else quick))
+            waiting = 2 * slow.waiting_seconds + _WAITING + cpu
         return Limits(
             cpu,
             usual.wall_seconds,
@@ -285,6 +320,7 @@ class Trial:
         """
         limits = self._limits(len(cases), whole=whole)
         replies = self._runner.answers(box, cases, limits)
+        self._used = replies.usage
         lost = {
             Stop.CPU: limits.cpu_seconds,
             Stop.WAITING: limits.waiting_seconds,

@@ -10,7 +10,7 @@ import re
 import signal
 import sys
 import threading
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 from judge.errors import LIMIT_ON_TASKS, NO_THREAD, JudgeError, ShortageError, shortage_of
@@ -108,7 +108,7 @@ class ForkServerBox:
         done = self._ask_trusted(wire.INSPECT, b"")
         replies = self._holder.here().replies(b"", _INSPECTION.output_bytes, 1)
         over = outcome.overrun(done, _INSPECTION, 0, self._note())
-        if done.reason == wire.FOR_WALL:  # no compiler waits
+        if done.reason not in (wire.NOT_KILLED, wire.FOR_CPU):  # no compiler waits
             raise ShortageError("the machine is too busy to compile it", remedy=_BUSY)
         if over or done.status or not replies.endswith(b",\n"):
             text = over[1] if over else outcome.end_of(done, self._note())[1]
@@ -127,7 +127,7 @@ class ForkServerBox:
                     done = self._ask(kind, stdio, payload, _INSPECTION)
             except Lost:
                 continue
-            if done.reason or not _killed(done):
+            if done.reason or not outcome.is_from_outside(done):
                 return done
         raise ShortageError("the container ended before the submission was run", remedy=_BUSY)
 
@@ -166,7 +166,7 @@ class ForkServerBox:
             replies = [*kept, Reply(Stop.TAMPERED, detail=_LOST)]
             return outcome.by_series(replies, series, outcome.usages_of_lost(lost))
         replies = self._ended(done, payload, limits, printed, counts)
-        self._check_threads(reply.detail for reply in replies)
+        replies = [reply._replace(detail=self._with_threads(reply.detail)) for reply in replies]
         results = outcome.by_series(replies, series, outcome.usages_of(done))
         return [results[0]._replace(printed=text), *results[1:]] if text else results
 
@@ -238,8 +238,7 @@ class ForkServerBox:
         note = self._note()
         over = outcome.overrun(done, limits, printed, note, self._stood_at())
         stop, detail = over or outcome.end_of(done, note)
-        detail = "" if stop is Stop.ANSWERED else detail
-        self._check_threads([detail])
+        detail = "" if stop is Stop.ANSWERED else self._with_threads(detail)
         return ProgramResult(stop, out, err, detail, outcome.usage_of(done))
 
     def _prepare(self, kind: bytes) -> str:
@@ -293,11 +292,15 @@ class ForkServerBox:
         if room.oom_kills() != self._oom_kills:
             raise shortage_of(errno.ENOMEM, "the kernel has killed the submission's process")
 
-    def _check_threads(self, details: Iterable[str]) -> None:
-        """Raise ShortageError if a submission that may have fewer threads than elsewhere wanted more."""
-        if self._share.short and any(NO_THREAD in detail for detail in details):
-            what = f"it may have {self._share.each} threads at once here, and not {room.THREADS} as elsewhere"
-            raise ShortageError(what, remedy=LIMIT_ON_TASKS)
+    def _with_threads(self, detail: str) -> str:
+        """What it says of its own end, with how many threads it may have where that is fewer than elsewhere.
+
+        Whether it wanted more is its own word, which decides nothing.
+        """
+        if not self._share.short or NO_THREAD not in detail:
+            return detail
+        most = f"it may have {self._share.each} threads at once here, and not {room.THREADS} as elsewhere"
+        return f"{detail}; {most}: {LIMIT_ON_TASKS}"
 
     def _stood_at(self) -> int:
         return int(self._holder.here().region.words[wire.STOOD_AT])

@@ -6,6 +6,7 @@ but for the folder that it fills and the processes that it starts.
 
 from __future__ import annotations
 
+import errno
 import marshal
 import os
 import re
@@ -14,8 +15,8 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from judge.errors import ShortageError
-from judge.sandbox import shared
+from judge.errors import ShortageError, shortage_of
+from judge.sandbox import outcome, room, shared
 from judge.sandbox.boundary import Limits, SourceFault
 from judge.sandbox.container import Done, Lost
 from judge.sandbox.holder import Holder
@@ -24,7 +25,7 @@ from judge.sandbox.launch import RESULT, SCRATCH, Workplace
 from judge.sandbox.recipe import Files, Recipe, Sources, filled
 
 SOURCE = "/source"
-LIMITS = Limits(cpu_seconds=10.0, wall_seconds=20.0, memory_bytes=1 << 30, output_bytes=64 << 20)
+LIMITS = Limits(cpu_seconds=10.0, wall_seconds=60.0, memory_bytes=1 << 30, output_bytes=64 << 20)
 ARTIFACT_BYTES = 64 << 20
 ARTIFACT_FILES = 2000
 PROCESSES = 256  # of all that the compiler starts, where they have a user of their own
@@ -88,9 +89,10 @@ def compiled(recipe: Recipe, sources: Sources, holder: Holder, place: Workplace,
     """Compile the sources that are shown in the holder's container; `processes` bound those it may have.
 
     Raises:
-        ShortageError: the container ended, or is too busy.
+        ShortageError: the container ended or is too busy, or the compiler ends for want of something.
         JudgeError: no container can be had.
     """
+    room.check_memory(LIMITS.memory_bytes)
     container = holder.here()
     level = holder.level
     scratch, source = place.where(SCRATCH, level), place.where(SOURCE, level)
@@ -116,7 +118,7 @@ def compiled(recipe: Recipe, sources: Sources, holder: Holder, place: Workplace,
         "RLIMIT_NPROC": processes,
         "RLIMIT_STACK": 64 << 20,
     }
-    used = 0.0
+    used, kills = 0.0, room.oom_kills()
     for step in recipe.steps:
         payload = marshal.dumps((filled(step, places, names), environment, scratch, limits))
         with shared.stdio(b"") as stdio:
@@ -124,12 +126,14 @@ def compiled(recipe: Recipe, sources: Sources, holder: Holder, place: Workplace,
             said = shared.head(stdio[2], _SAID) + b"\n" + shared.head(stdio[1], _SAID)
         kind, note = container.region.note()
         if kind == wire.BROKEN_BOX:
-            return Compiled((), SourceFault(f"{step[0]} cannot be started: {note}"))
+            raise ShortageError(f"{step[0]} cannot be started: {note}", remedy=_BUSY)
         used += done.cpu_ns / 1e9
         fault = _fault(
             done, said.decode(errors="replace"), sources, recipe.complaint, (f"{source}/", f"{scratch}/")
         )
         if fault:
+            if not fault.line and room.oom_kills() != kills:
+                raise shortage_of(errno.ENOMEM, "the kernel has killed the compiler")
             return Compiled((), fault, used)
     if recipe.keeps:
         return Compiled(sources.files, None, used)
@@ -166,17 +170,18 @@ def _collected(holder: Holder, folder: str) -> Compiled:
 def _fault(
     done: Done, said: str, sources: Sources, complaint: str, places: Sequence[str]
 ) -> SourceFault | None:
-    """Why a step failed, for a person; None where it did not."""
-    if done.reason == wire.FOR_CPU:
-        return SourceFault(f"the compiler took more than {LIMITS.cpu_seconds:g} s of CPU time")
-    if done.reason:
-        return SourceFault(f"the compiler took more than {LIMITS.wall_seconds:g} s")
+    """Why a step failed, for a person; None where it did not. Raises ShortageError."""
     if not done.status:
         return None
+    if done.reason == wire.FOR_CPU or done.cpu_ns / 1e9 > LIMITS.cpu_seconds:  # of all that it has started
+        return SourceFault(f"the compiler took more than {LIMITS.cpu_seconds:g} s of CPU time")
+    if done.reason:
+        took = f"{done.wall_ns / 1e9:.3g} s for {done.cpu_ns / 1e9:.2g} s of CPU time"
+        raise ShortageError(f"the machine is too busy to compile it: that took {took}", remedy=_BUSY)
+    if outcome.is_from_outside(done):
+        raise ShortageError("the compiler was killed", remedy=_BUSY)
     if os.WIFSIGNALED(done.status):
         number = os.WTERMSIG(done.status)
-        if number in (signal.SIGXCPU, signal.SIGKILL):
-            return SourceFault("the compiler did not survive it: too much time or memory")
         return SourceFault(f"the compiler did not survive it: {signal.strsignal(number) or number}")
     if "File size limit exceeded" in said:  # an assembler's, or a linker's, of which the compiler tells
         return SourceFault(_TOO_LARGE)

@@ -127,14 +127,23 @@ class NativeBox:
         return digest.hexdigest()
 
     def _compile(self) -> tuple[Files, SourceFault | None]:
+        files, fault = self._compiled(self._sources)
+        if fault and not fault.line:  # no place in the source: is it the machine that lacks something?
+            name, source = self._recipe.empty
+            why = self._compiled(Sources(((name, source),), name))[1]
+            if why:
+                raise _empty_fails(self._recipe, why.message)
+        return files, fault
+
+    def _compiled(self, sources: Sources) -> tuple[Files, SourceFault | None]:
         with TemporaryFolder() as folder:
-            written(folder / "source", [*self._sources.files, *self._recipe.help])
+            written(folder / "source", [*sources.files, *self._recipe.help])
             (folder / "scratch").mkdir(mode=0o755)
             place = place_of(self._recipe, folder)
             more = (*self._recipe.compile_reads, *self._recipe.compile_runs)
             holder = self._holder(self._level, place, more)
             try:
-                made = compiled(self._recipe, self._sources, holder, place, self._processes())
+                made = compiled(self._recipe, sources, holder, place, self._processes())
             except Lost:
                 raise ShortageError("the compiler's container has ended", remedy=_BUSY) from None
             finally:
@@ -335,7 +344,11 @@ def measured(recipe: Recipe, boxes: Boxes, store: Store) -> Usage:
         why = (
             fault.message if fault else f"{failed.detail} {ends.last_words(failed.stderr)}" if failed else ""
         )
-        raise ShortageError(f"the empty {recipe.name} program fails: {why}", remedy="see 'judge doctor'")
+        raise _empty_fails(recipe, why)
     costs = sorted(run.usage.cpu_seconds for run in runs)
     walls = sorted(run.usage.wall_seconds for run in runs)
     return Usage(costs[1], walls[1], max(run.usage.memory_bytes for run in runs))
+
+
+def _empty_fails(recipe: Recipe, why: str) -> ShortageError:
+    return ShortageError(f"the empty {recipe.name} program fails: {why}", remedy="see 'judge doctor'")

@@ -25,6 +25,17 @@ _MOST_LINES = 10**6  # of a source
 LONG = 1 << 18  # bytes of replies that are parsed line by line: what is forged need not be parsed twice
 
 
+_CRASHES = (
+    *(signal.SIGSEGV, signal.SIGABRT, signal.SIGBUS, signal.SIGILL, signal.SIGFPE, signal.SIGTRAP),
+    *(signal.SIGSYS, signal.SIGXCPU, signal.SIGXFSZ),
+)
+
+
+def is_from_outside(done: Done) -> bool:
+    """Whether a signal has ended it that is no crash of its own: in trusted code, no fault of a source."""
+    return os.WIFSIGNALED(done.status) and os.WTERMSIG(done.status) not in _CRASHES
+
+
 def usage_of(done: Done) -> Usage:
     """The boundary's figures."""
     return Usage(done.cpu_ns / 1e9, done.wall_ns / 1e9, done.peak_bytes)

@@ -32,7 +32,7 @@ ITERATORS = (
 SETS = {"set", "frozenset"}
 _SHOWN = 60
 
-_DECIMAL = re.compile(r"([+-]?)([0-9]+)(?:\.([0-9]+))?(?:[eE]([+-]?[0-9]+))?", re.ASCII)
+_DECIMAL = re.compile(r"[+-]?(?=\.?[0-9])[0-9]*(?:\.[0-9]*)?(?:[eE]([+-]?[0-9]+))?", re.ASCII)
 _HEX = re.compile(r"-?[0-9a-f]+", re.ASCII)
 _INTEGER = re.compile(r"[+-]?[0-9]{1,400}", re.ASCII)
 _FOREIGN = re.compile(r"[^\t -~]")
@@ -80,14 +80,14 @@ Raw = Any  # JSON of any shape
 
 
 def decimal(text: str) -> Written | Fault:
-    """A plain ASCII decimal, `[+-]?digits[.digits][e[+-]digits]`, or why it is none."""
+    """A plain ASCII decimal, such as `+1`, `1.`, `.5` or `1E+05`, or why it is none."""
     if len(text) > MOST_DIGITS:
         return Fault(f"a number of {len(text)} characters", f"write at most {MOST_DIGITS}")
     match = _DECIMAL.fullmatch(text)
     if match is None:
         why = (why for begun, why in _NO_DECIMALS.items() if re.match(begun, text, re.IGNORECASE | re.DOTALL))
         return Fault(quoted(text), next(why))
-    power = match[4]
+    power = match[1]
     if power and abs(int(power)) > MOST_EXPONENT:
         return Fault(quoted(text), f"its exponent is beyond ±{MOST_EXPONENT}")
     return Written(text, float(text))

@@ -50,7 +50,10 @@ def render(answer):
         ("0", ("points", [])),
         ("2 1.0 1.0000000000 3e0 10E-1", TWO),
         ("2 1.000000001 1 3 1", TWO),
+        ("2 1. +1 .3e1 1.E+00", TWO),
         ("0.5", parameter(Surd(1, 0, 0, 2), 1)),
+        (".5", parameter(Surd(1, 0, 0, 2), 1)),
+        ("-.5", parameter(Surd(-1, 0, 0, 2), 1)),
         ("none", parameter(None, 1)),
         ("-0.0", parameter(Surd(0), 1)),
         ("1e-12", parameter(Surd(0), 1)),
@@ -66,6 +69,7 @@ def test_accepted(line, answer):
     [
         ("2", count(1), "1 expected, 2 given"),
         ("2", count(None), "none expected, 2 given"),
+        ("1.", count(1), '"1." where 0, 1, 2 or none is expected: write a plain integer'),
         ("1.0", count(1), '"1.0" where 0, 1, 2 or none is expected: write a plain integer'),
         ("None", count(None), "write none in lower case"),
         ("0x1", count(1), "write a plain integer"),
@@ -85,8 +89,9 @@ def test_accepted(line, answer):
         ("2 1 1 nan 1", TWO, '"nan" where a coordinate is expected: it is not a finite number'),
         ("2 1 1 3_0 1", TWO, "it has an underscore"),
         ("2 1 1 0x1.8p1 1", TWO, "it is hexadecimal"),
-        ("2 1 1 .3 1", TWO, "it is not a plain decimal number"),
-        ("2 1 1 3. 1", TWO, "it is not a plain decimal number"),
+        ("2 1 1 . 1", TWO, "it is not a plain decimal number"),
+        ("2 1 1 .e1 1", TWO, "it is not a plain decimal number"),
+        ("2 1 1 3.. 1", TWO, "it is not a plain decimal number"),
         ("2 1 1 1e999999999 1", TWO, "its exponent is beyond"),
         ("2 1 1 " + "3" * 5000 + " 1", TWO, "a number of 5000 characters"),
         ("2 1 1 1e99999 1", TWO, "its exponent is beyond"),
@@ -120,6 +125,9 @@ def test_decimals_are_decided_as_written_not_as_doubles():
     assert accepted(edge[:-1])
     assert not accepted(edge + "00001")
     assert not accepted("2.00000000000000044408920985006262")
+    assert accepted(f".{edge.replace('.', '')}e1")
+    assert not accepted(f".{edge.replace('.', '')}00001e1")
+    assert accepted(f"{edge.replace('.', '')}.e-52")
     assert float("2.00000000000000044408920985006262") == 2 + 2**-51
 
 

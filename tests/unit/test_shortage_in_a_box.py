@@ -9,12 +9,15 @@ import signal
 import tempfile
 
 import pytest
+from native import box_of
 from sandboxed import LIMITS, children, require
 
 from judge.errors import JudgeError, ShortageError, shortage, told
-from judge.sandbox import Stop, open_box, room
+from judge.sandbox import Boxes, Stop, open_box, room
+from judge.sandbox import compile as compile_
 from judge.sandbox.box import ForkServerBox
 from judge.sandbox.inside import wire
+from judge.sandbox.native import NativeBox
 from judge.sandbox.room import BASE_FILES, BASE_TASKS, OWN_FILES, OWN_TASKS, SLACK, THREADS, Room
 
 pytestmark = pytest.mark.slow
@@ -40,14 +43,22 @@ def test_a_kill_for_want_of_memory_is_a_shortage_and_any_other_is_not(level, mon
             box.run_program(b"", LIMITS)
 
 
-@pytest.mark.parametrize("reason", [wire.FOR_WALL, wire.FOR_CPU])
-def test_a_compiler_that_is_kept_waiting_or_killed_is_no_compile_error(reason, monkeypatch):
+@pytest.mark.parametrize(
+    ("reason", "end"),
+    [
+        (wire.FOR_WALL, signal.SIGKILL),
+        (wire.FOR_BEING_SLOW, signal.SIGKILL),
+        (wire.NOT_KILLED, signal.SIGTERM),
+        (wire.FOR_CPU, signal.SIGKILL),
+    ],
+)
+def test_a_compiler_that_is_kept_waiting_or_killed_is_no_compile_error(reason, end, monkeypatch):
     """One that takes all its time is."""
     real = ForkServerBox._ask
 
     def disturbed(self, kind, *arguments):
         done = real(self, kind, *arguments)
-        return done._replace(status=int(signal.SIGKILL), reason=reason) if kind == wire.INSPECT else done
+        return done._replace(status=int(end), reason=reason) if kind == wire.INSPECT else done
 
     monkeypatch.setattr(ForkServerBox, "_ask", disturbed)
     with open_box(b"def f(n): return n", "f.py") as box:
@@ -58,6 +69,80 @@ def test_a_compiler_that_is_kept_waiting_or_killed_is_no_compile_error(reason, m
             box.inspect()
         monkeypatch.undo()
         assert box.inspect().fault is None
+
+
+C = "int main(void) { return 0; }"
+
+
+@pytest.fixture(autouse=True)
+def _nothing_compiled_before(monkeypatch, tmp_path):
+    monkeypatch.setenv("JUDGE_CACHE", str(tmp_path))
+
+
+def test_a_compiler_that_waits_for_the_processor_is_no_compile_error(monkeypatch):
+    monkeypatch.setattr(compile_, "LIMITS", compile_.LIMITS._replace(wall_seconds=0.003))
+    with box_of("a.c", C) as box, pytest.raises(ShortageError, match="too busy to compile it: that took"):
+        box.inspect()
+
+
+def ended(monkeypatch, **more):
+    """What a compiler that ends so comes to."""
+    real = compile_._asked
+
+    def disturbed(holder, kind, *arguments):
+        done = real(holder, kind, *arguments)
+        return done._replace(**more) if kind == wire.EXECUTE else done
+
+    monkeypatch.setattr(compile_, "_asked", disturbed)
+    with box_of("a.c", C) as box:
+        return box.inspect().fault.message
+
+
+@pytest.mark.parametrize(
+    ("reason", "status", "why"),
+    [
+        (wire.FOR_BEING_SLOW, signal.SIGKILL, "the machine is too busy to compile it"),
+        (wire.NOT_KILLED, signal.SIGKILL, "the compiler was killed"),
+        (wire.NOT_KILLED, signal.SIGTERM, "the compiler was killed"),
+        (wire.NOT_KILLED, 1 << 8, "the empty C program fails"),
+    ],
+)
+def test_an_end_of_the_compiler_that_the_machine_brought_about_is_a_shortage(
+    reason, status, why, monkeypatch
+):
+    with pytest.raises(ShortageError, match=why):
+        ended(monkeypatch, reason=reason, status=int(status))
+
+
+def test_a_compiler_that_is_killed_for_want_of_memory_is_a_shortage(monkeypatch):
+    kills = iter(range(9))
+    monkeypatch.setattr(room, "oom_kills", lambda: next(kills))
+    with pytest.raises(ShortageError, match="the kernel has killed the compiler: there is no memory left"):
+        ended(monkeypatch, status=1 << 8)
+
+
+@pytest.mark.parametrize("more", [{"reason": wire.FOR_CPU}, {"cpu_ns": 11 * 10**9}])
+def test_a_compiler_that_takes_all_its_time_is_a_compile_error(more, monkeypatch):
+    monkeypatch.setattr(NativeBox, "_compiled", once(NativeBox._compiled, ((), None)))
+    assert "more than 10 s of CPU time" in ended(monkeypatch, status=int(signal.SIGKILL), **more)
+
+
+def once(act, later):
+    """What acts at its first call alone."""
+    left = [act]
+    return lambda *arguments: left.pop()(*arguments) if left else later
+
+
+@pytest.mark.parametrize("each", [room.THREADS, 70])
+def test_no_word_of_a_submission_is_believed_about_the_machine(each):
+    source = b"def f(n): raise RuntimeError(\"can't start new thread\")\nif __name__ == '__main__': f(1)"
+    with Boxes(share=room.Share(each=each))(source, "f.py") as box:
+        (reply,) = box.call_many("f", [(1,)], LIMITS).replies
+        run = box.run_program(b"", LIMITS)
+    assert (reply.stop, run.stop) == (Stop.EXCEPTION, Stop.EXCEPTION)
+    for detail in (reply.detail, run.detail):
+        assert "RuntimeError: can't start new thread" in detail
+        assert ("it may have 70 threads at once here, and not 128 as elsewhere" in detail) is (each == 70)
 
 
 def test_on_linux_no_temporary_file_is_needed(monkeypatch):

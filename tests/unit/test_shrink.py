@@ -32,16 +32,20 @@ PACKS = [FIXTURES / "problems", FIXTURES / "pack" / "problems"]
 MIDDLE = "def middle(a, b):\n    {}\n    return (a + b) / 2\n"
 
 
-def shrunk(name, source, *, budget=None, cpu_seconds=2.0):
-    """The result of judging the source, and its counterexample."""
+def shrunk(name, source, *, budget=None, cpu_seconds=2.0, later=None):
+    """The result of judging the source, and its counterexample; that search has `later` CPU seconds."""
     problem = find_problem(name, PACKS)
     problem = replace(problem, limits=replace(problem.limits, cpu_seconds=cpu_seconds))
     data = ProblemData(problem, load_data(problem).groups)
     source = source.encode() if isinstance(source, str) else source
     result = judge_submission(data, source, "mine.py", Settings(measured=False)).result
     with ExitStack() as stack:
+        if later is not None:
+            data = ProblemData(
+                replace(problem, limits=replace(problem.limits, cpu_seconds=later)), data.groups
+            )
         box = stack.enter_context(open_box(source, "mine.py"))
-        runner = runner_for(problem, box.inspect(), source)
+        runner = runner_for(data.problem, box.inspect(), source)
         reference = stack.enter_context(Reference(problem, open_box))
         found = shrink(
             data,
@@ -134,6 +138,66 @@ def test_what_is_right_when_called_alone_is_told_so():
     assert found.replay is None
     assert found.message.startswith("called alone it is right")
     assert found.input == result.failure.input
+
+
+BURN = """\
+import time
+def burn(seconds):
+    while time.process_time() < seconds: pass
+{}
+def middle(a, b):
+    {}
+    {}
+    return (a + b) / 2
+"""
+AT_IMPORT, AT_FIRST_CALL = ("burn({0})", "pass"), ("", "burn({0})")
+ASLEEP_AT_FIRST_CALL = ("", "if not burn.__doc__: time.sleep(1.2)")
+
+
+def slow(place, seconds, deed):
+    """A program that is slow once, in its import or its first call."""
+    module, call = (each.format(seconds) for each in place)
+    return BURN.format(module, call, f"{deed}\n    burn.__doc__ = 'was slow'")
+
+
+@pytest.mark.parametrize(
+    ("place", "deed"),
+    [
+        (AT_IMPORT, "return 7.0"),
+        (AT_FIRST_CALL, "raise KeyError(a)"),
+        (ASLEEP_AT_FIRST_CALL, "return 7.0"),
+    ],
+)
+def test_a_slow_first_call_or_import_is_not_told_to_be_right(place, deed):
+    _, result, found = shrunk("middle", slow(place, 0.15, f"if abs(a) + abs(b) > 50: {deed}"))
+    assert found.replay
+    assert "alone" not in found.message
+    first, smallest = (measure(tuple(each.input.values())) for each in (result.failure, found))
+    assert smallest < first or "not made smaller: one call takes " in found.message
+
+
+@pytest.mark.parametrize("place", [AT_IMPORT, AT_FIRST_CALL])
+def test_what_cannot_be_decided_neither_fails_nor_passes(place):
+    source = slow(place, 0.6, "if a * b > 100_000: return 7.0")
+    assert shrunk("middle", source, later=0.3)[2] is None
+
+
+def test_time_that_every_process_takes_makes_no_case_fail():
+    source = slow(AT_FIRST_CALL, 1.1, "while a * b > 100_000: pass")
+    _, result, found = shrunk("middle", source, cpu_seconds=1.4)
+    assert result.verdict is Verdict.TLE
+    assert found.input["a"] * found.input["b"] > 100_000
+
+
+def test_a_slow_program_that_is_right_when_called_alone_is_told_so():
+    source = "seen = []\n" + slow(AT_FIRST_CALL, 0.2, "seen.append(a)\n    if seen[1:]: return 0.25")
+    assert shrunk("middle", source)[2].message.startswith("called alone it is right")
+
+
+def test_where_each_call_is_slow_a_case_that_is_not_made_smaller_says_so():
+    source = MIDDLE.format("if a * b > 100_000: return sum(range(8_000_000))")
+    found = shrunk("middle", source, budget=SearchBudget(0))[2]
+    assert "not made smaller: one call takes 0." in found.message
 
 
 @pytest.mark.parametrize(

@@ -92,7 +92,7 @@ class ExecServer(server.Server):
             if sum(size for _, size in answer) > most or len(answer) > count:
                 answer = "what was compiled is larger than allowed"
         except OSError as fault:
-            answer = f"what was compiled cannot be read: {fault.strerror}"
+            raise server.Lacking(fault.errno or 0) from None
         data = marshal.dumps(answer)
         start = self._region.words[wire.USED]
         self._region.memory[start : start + len(data)] = data

@@ -23,7 +23,7 @@ import re
 import sys
 from typing import Any, List, Tuple
 
-DECIMAL = re.compile(r"([+-]?)([0-9]+)(?:\.([0-9]+))?(?:[eE]([+-]?[0-9]+))?")
+DECIMAL = re.compile(r"([+-]?)(?=\.?[0-9])([0-9]*)(?:\.([0-9]*))?(?:[eE]([+-]?[0-9]+))?")
 INTEGER = re.compile(r"[+-]?[0-9]{1,400}")
 FOREIGN = re.compile(r"[^\t -~]")
 MOST_DIGITS, MOST_EXPONENT, LONGEST_WORD = 2000, 5000, 32
