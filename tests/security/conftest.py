@@ -71,6 +71,8 @@ def resident(attacker: Attacker) -> Resident:
     """The attacker as somebody who has the judge installed."""
     if attacker.resident is None:
         attacker.resident = Resident(attacker)
+    if attacker.resident.lacking:
+        pytest.skip(f"{attacker.python} cannot import the judge's packages: {attacker.resident.lacking}")
     return attacker.resident
 
 

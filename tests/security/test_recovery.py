@@ -43,7 +43,7 @@ HARMLESS = {
     "exits": "sys.exit(3)",
     "interrupts": "raise KeyboardInterrupt",
     "raises_what_cannot_be_shown": "raise Mute",
-    "recurses": "return f(x)",
+    "recurses": "def deeper(): return deeper()\nreturn deeper()",  # 3.13.0 does not count calls with *more
 }
 
 

@@ -87,16 +87,17 @@ for name in sys.argv[1:]:
     before = state()
     __import__(name)
     after = state()
-    print(*[name + " changes " + what for what in before if before[what] != after[what]], sep="\\n", end="")
+    for what in before:
+        if before[what] != after[what]:
+            print(name, "changes", what)
 """
 
 
-PLAIN = [name for name in STANDARD if name != "logging"]
-LOGGING = ["string", "traceback", "weakref", "logging"]  # it only adds the exit function that flushes it
+# Each only adds an exit function: one flushes its handlers, one lets go of readline's completer (Python 3.13).
+HARMLESS = {"logging changes exit functions", "doctest changes exit functions"}
 
 
-@pytest.mark.parametrize(("names", "told"), [(PLAIN, ""), (LOGGING, "logging changes exit functions")])
-def test_nothing_happens_when_they_are_imported(names, told):
-    command = [sys.executable, "-s", "-P", "-S", "-B", "-c", WATCH, *names]
+def test_nothing_happens_when_they_are_imported():
+    command = [sys.executable, "-s", "-P", "-S", "-B", "-c", WATCH, *STANDARD]
     run = subprocess.run(command, capture_output=True, text=True, check=True, timeout=60)
-    assert run.stdout == told
+    assert set(run.stdout.splitlines()) - HARMLESS == set()

@@ -358,7 +358,7 @@ def _cpu_clock(pid: int) -> int:
     """The CPU time of another process, all its threads, from the kernel; 0 where there is no such clock."""
     try:
         return time.clock_gettime_ns((~pid << 3) | 2)
-    except (OSError, OverflowError):
+    except OSError:
         return 0
 
 
