@@ -23,11 +23,12 @@ from msgspec.structs import replace
 from judge.data.build import choices_of
 from judge.data.draw import Draw, seeded
 from judge.data.load import GroupData, ProblemData
+from judge.diagnose.budget import SearchBudget
 from judge.diagnose.polish import polished, rounded
 from judge.diagnose.replay import LONGEST, encode
 from judge.diagnose.simple import ladder
 from judge.diagnose.simplicity import items_of
-from judge.diagnose.trial import LIMITED, Finding, Outcome, SearchBudget, Trial, sort_of
+from judge.diagnose.trial import LIMITED, Finding, Outcome, Trial, sort_of
 from judge.problem import Case, Group, Problem, Verdict
 from judge.problem.model import EXAMPLES
 from judge.run.group import named_input

@@ -7,7 +7,6 @@ that was stopped, or ended otherwise than is looked for, is undecided: it neithe
 
 from __future__ import annotations
 
-import time
 from collections.abc import Callable, Iterable, Sequence
 from enum import Enum
 from typing import Any
@@ -16,6 +15,7 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from judge.data.build import target_of, validate
+from judge.diagnose.budget import SHORT_SECONDS, SearchBudget
 from judge.diagnose.simplicity import Simplicity, measure
 from judge.errors import ProblemError
 from judge.problem import Case, Group, Tolerance, Verdict
@@ -31,19 +31,13 @@ from judge.values.check import Rejection
 from judge.values.outline import Outline
 from judge.values.wire import Raw
 
-Clock = Callable[[], float]
-
 MOST_LOSSES = 6  # calls of a batch that may take their process with them
-SHORT_SECONDS = 0.1  # of CPU time, after which a call that once ran out of time is not waited for
 _QUICK_SECONDS = 0.005  # CPU time a case is worth when nothing points to slowness
 _PATIENCE = 1.0  # more seconds than an answer takes, for the case that is shown where a call may never end
 _WAITING = 1.0  # seconds in which a machine that has much else to do goes on with a call
 _BATCH = 100  # cases of one process
 _SLOW = 0.5  # of those limits: a first call or an import that takes more is slow
 _BUSY = 5  # times its CPU time, which a machine that has much else to do lets a process wait
-_SLOW_SECONDS = 4.0  # that the processes of a search may take where each is slow
-_RUN_COSTS = 20  # calls that starting a process is worth
-_LOSS_COSTS = 5000  # calls that SHORT_SECONDS of a call in vain are worth
 _NOT_A_LINE = "no line, or more than one"
 LIMITED = (Verdict.TLE, Verdict.MLE, Verdict.OLE)  # what a call has used, not what it said
 
@@ -68,67 +62,6 @@ class Outcome(Enum):
 
     PASSES = "passes"
     UNDECIDED = "undecided"
-
-
-class SearchBudget:
-    """What the search may cost, counted in calls, so that it comes to the same on every machine.
-
-    `most` calls may be made; a process that is begun, and a call that is waited for in vain, count as so
-    many. A guard by the clocks is for submissions whose every call takes long, and for machines that stand
-    still.
-    """
-
-    def __init__(self, most: int = 60_000, guard: Guard | None = None) -> None:
-        self._most = most
-        self._guard = guard or Guard()
-        self._cost = 0
-        self._run_costs = _RUN_COSTS
-        self._warned = False
-        self.calls = 0
-
-    def slow(self, seconds: float) -> None:
-        """From now on each process takes so long, whatever is called in it."""
-        self._run_costs = _RUN_COSTS + round(self._most * seconds / _SLOW_SECONDS)
-
-    def asked(self, calls: int, lost_seconds: float, usage: Usage) -> None:
-        """Book one process: the calls made in it, the limit of the time that was used up, if one was."""
-        self.calls += calls
-        self._cost += calls + self._run_costs + round(_LOSS_COSTS * lost_seconds / SHORT_SECONDS)
-        self._guard.used(usage)
-
-    def looked_at(self) -> None:
-        """Book a case that was only looked at."""
-        self._cost += 1
-
-    @property
-    def spent(self) -> bool:
-        """Whether nothing more may be begun."""
-        self._warned = self._warned or self._cost >= self._most or self._guard.over
-        return self._warned
-
-    @property
-    def cut_short(self) -> bool:
-        """Whether the search wanted to go on when it was spent."""
-        return self._warned
-
-
-class Guard:
-    """The clocks' last word: CPU seconds of the search with the submission's own, and seconds on the wall."""
-
-    def __init__(self, cpu: float = 8.0, wall: float = 40.0, clock: Clock = time.monotonic) -> None:
-        self._clock = clock
-        self._end = clock() + wall
-        self._left = cpu
-        self._began = time.process_time()
-
-    def used(self, usage: Usage) -> None:
-        """Book what the submission has used."""
-        self._left -= usage.cpu_seconds
-
-    @property
-    def over(self) -> bool:
-        """Whether either is up."""
-        return time.process_time() - self._began >= self._left or self._clock() >= self._end
 
 
 class Trial:

@@ -106,7 +106,7 @@ def hack(session: Session, puzzle: Puzzle, tried: Tried) -> tuple[Said, str]:
         return said, "the program answers this case correctly"
     if puzzle.special and tried.problem.time:
         model = accepted_source(tried.problem, tried.problem.time.function)
-        if model is not None and ask(session, tried, model, _NAME).verdict is not Verdict.AC:
+        if model is not None and ask(session, tried, model, _NAME).verdict is Verdict.WA:
             return said, f"with the tolerance of {puzzle.group.name}, a right program fails this case too"
     return said, ""
 

@@ -8,7 +8,7 @@
     numpy scalars and arrays, array.array      the numbers they hold
     many numbers of one type                   {"array": ["d", "000000000000f03f…"]}: the code of the type as
                                                in array.array, the bytes, little-endian, in hexadecimal
-    a short str                                {"word": "enter"}
+    a str                                      {"word": "enter"}
     a tuple of a single item                   {"tuple": [item]}
     anything else, a wrong type                {"type": "bool", "text": "True"}
 
@@ -27,11 +27,11 @@ if TYPE_CHECKING:  # importing typing takes longer than starting the interpreter
 
 MOST_ITEMS = 20_000  # where the type of the answer says nothing else
 MANY = 1_000  # numbers of one type, above which they are sent as bytes
-MOST_WORD = 32
+MOST_WORD = 20_000  # characters of a str or bytes that are sent whole
 MOST_DEPTH = 6
 MOST_BITS = 4096  # of an integer, and of a fraction's two
 MOST_DIGITS = 2000  # of a Decimal
-MOST_TEXT = 80
+MOST_TEXT = 80  # of what is sent to be shown alone
 
 IMPORTING = ", while the module was imported"  # what the detail of such an exception ends in
 
@@ -77,7 +77,8 @@ def _encode(value: Any, depth: int, budget: list[int]) -> Any:
     if kind is str and len(value) <= MOST_WORD and value.isprintable():
         return {"word": value}
     if kind in _SHOWN:
-        return _wrong(kind.__name__, repr(value[:MOST_TEXT] if kind in (str, bytes) else value))
+        whole = kind in (bool, complex) or len(value) <= MOST_WORD
+        return {"type": kind.__name__, "text": repr(value) if whole else f"{value[:MOST_TEXT]!r}…"}
     return _unusual(value, kind, depth, budget)
 
 

@@ -23,7 +23,7 @@ from msgspec import Struct
 MOST_DIGITS = 2000  # of a decimal: a double's full expansion has 767 significant digits
 MOST_EXPONENT = 5000
 MOST_HEX = 1100  # hexadecimal digits of an integer
-LONGEST_WORD = 32
+LONGEST_WORD = 20_000
 CODES = tuple("bhiqBHIQfd")  # of arrays, as Python's `array` has them
 ITERATORS = (
     "generator zip map filter range reversed enumerate list_iterator tuple_iterator dict_values dict_keys "
@@ -153,7 +153,7 @@ def numbers(raw: Raw) -> array[Any] | None:
 def fault(raw: Raw) -> Fault:
     """What a wrong `raw` is, in words, and the remedy for the mistakes people make."""
     kind = type(raw)
-    text = raw[:_SHOWN] if kind is str else word(raw)
+    text = raw if kind is str else word(raw)
     if raw is None or kind in (int, float, Written):
         return Fault(show(raw))
     if kind in (list, tuple):
@@ -161,7 +161,7 @@ def fault(raw: Raw) -> Fault:
     if kind is bool:
         return _typed("bool", repr(raw))
     if text is not None:
-        return _typed("str", repr(text))
+        return _typed("str", show(raw))
     if items(raw) is not None:
         return Fault("an array" if "array" in raw else f"the tuple {show(raw)}")
     if kind is dict and set(raw) == {"type", "text"} and set(map(type, raw.values())) == {str}:
@@ -180,13 +180,17 @@ def _typed(name: str, text: str) -> Fault:
 
 def _clean(text: str) -> str:
     """A forged name or text, cut and with nothing in it that could move a terminal's cursor."""
-    cut = text[:_SHOWN]
-    return cut if cut.isprintable() else ascii(cut)[1:-1]
+    return cut(text if text.isprintable() else ascii(text)[1:-1])
 
 
 def quoted(text: str) -> str:
     """A token between quotation marks, cut and harmless."""
-    return f'"{_clean(text)}{"…" if len(text) > _SHOWN else ""}"'
+    return f'"{_clean(text)}"'
+
+
+def cut(text: str, most: int = _SHOWN) -> str:
+    """A text to be shown: its end is left out where it is long."""
+    return text if len(text) <= most else f"{text[:most]}…"
 
 
 def show(raw: Raw, depth: int = 3) -> str:
@@ -202,7 +206,7 @@ def show(raw: Raw, depth: int = 3) -> str:
         point = len(found) == 2 and not any(type(item) in (list, tuple) for item in found)
         return f"({', '.join(parts)})" if point else f"[{', '.join(parts)}]"
     if text is not None or raw is None or kind is float or kind is str:
-        return repr(raw[:_SHOWN] if kind is str else raw if text is None else text)
+        return cut(repr(raw if text is None else text))
     read = number(raw)
     if isinstance(read, Fault):
         return read.text.rstrip(",")

@@ -14,7 +14,7 @@ from array import array
 import numpy as np
 import pytest
 
-from judge.sandbox.encode import MOST_ITEMS, encode
+from judge.sandbox.encode import MOST_ITEMS, MOST_TEXT, MOST_WORD, encode
 from judge.values.wire import Fault, Written, exactly, number, numbers
 
 
@@ -96,6 +96,15 @@ def test_forms(value, form):
     assert through(value) == form
 
 
+def test_a_text_is_sent_whole_or_marked_as_cut():
+    whole, long = "a" * MOST_WORD, "a" * (MOST_WORD + 1)
+    assert through(whole) == {"word": whole}
+    assert through(f"\n{whole[1:]}") == wrong("str", repr(f"\n{whole[1:]}"))
+    assert through(whole.encode()) == wrong("bytes", repr(whole.encode()))
+    assert through(long) == wrong("str", f"'{'a' * MOST_TEXT}'…")
+    assert through(long.encode()) == wrong("bytes", f"b'{'a' * MOST_TEXT}'…")
+
+
 @pytest.mark.parametrize(
     ("value", "form"),
     [
@@ -140,7 +149,7 @@ def test_bounds_of_depth_and_items():
     assert through([None] * (MOST_ITEMS + 1)) == many
     assert encode([None] * 5, 4) == wrong("list", "of more than 4 items")
     assert encode([None] * (MOST_ITEMS + 1), MOST_ITEMS + 1) == [None] * (MOST_ITEMS + 1)
-    assert len(through("x" * 10**6)["text"]) <= 80
+    assert len(through("x" * 10**6)["text"]) <= MOST_TEXT + len("''…")
     assert len(through(type("N" * 10**5, (), {})())["type"]) <= 80
 
 

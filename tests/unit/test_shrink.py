@@ -14,10 +14,10 @@ from mistaken import mistaken
 from msgspec.structs import replace
 
 from judge.data.load import ProblemData, load_data
+from judge.diagnose.budget import Guard, SearchBudget
 from judge.diagnose.replay import decode
 from judge.diagnose.shrink import shrink
 from judge.diagnose.simplicity import measure, numbers_of
-from judge.diagnose.trial import Guard, SearchBudget
 from judge.problem import Verdict
 from judge.problem.find import find_problem
 from judge.problem.module import load_module

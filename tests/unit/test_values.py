@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import ast
+import json
 import pickle
 from array import array
 from fractions import Fraction
@@ -13,8 +15,10 @@ from judge.data.build import bounds_fault
 from judge.errors import ProblemError
 from judge.exact import Surd
 from judge.problem import Parameter
-from judge.values import check, parameters, reading, show
+from judge.sandbox.encode import encode
+from judge.values import check, parameters, reading, show, wire
 from judge.values.answers import AnyOf, Judged, Real, Tolerance, Words, vector
+from judge.values.atoms import Atom
 from judge.values.check import Accepted, Rejection, is_right
 from judge.values.grammar import TypeFault, parse
 
@@ -150,6 +154,45 @@ def test_wrong_answers_say_why(text, exact, raw, message):
     outcome = judged(text, exact, raw)
     assert isinstance(outcome, Rejection)
     assert message in outcome.message
+
+
+class Text(Atom):
+    """A type of a pack's own, of any text."""
+
+    text, noun = "text", "a text"
+
+    def why_not(self, value):
+        return None if type(value) is str else "not a text"
+
+    def value_of(self, raw):
+        if (found := wire.word(raw)) is None:
+            try:
+                return ast.literal_eval(raw["text"])
+            except (KeyError, SyntaxError):
+                raise ValueError("no text") from None
+        return found
+
+    def sent(self, value):
+        return {"word": value}
+
+
+LETTERS = [each * times for each in ("a", "é") for times in (32, 33, 81, wire.LONGEST_WORD)]
+
+
+@pytest.mark.parametrize("right", [*LETTERS, "a\n" * 100], ids=len)
+def test_a_text_is_compared_whole_and_shown_cut(right):
+    target = check.target(Text(), right, None)
+    for given in (right, f"{right[:-1]}b", right[:-1], f"{right}b", right[:80]):
+        outcome = check.check(Text(), json.loads(json.dumps(encode(given))), target, None)
+        assert isinstance(outcome, Accepted) is (given == right)
+        assert given == right or len(outcome.message) + len(outcome.got) + len(outcome.wanted) < 1000
+        if given.isascii() and given.isprintable():
+            assert isinstance(check.check_line(Text(), given, target, None), Accepted) is (given == right)
+
+
+def test_an_answer_that_no_submission_could_send_is_the_setters_fault():
+    with pytest.raises(ProblemError, match="a text of 20,001 characters, where 20,000 may be sent"):
+        check.target(Text(), "a" * (wire.LONGEST_WORD + 1), None)
 
 
 def test_a_wrapper_is_no_word_of_that_name():
