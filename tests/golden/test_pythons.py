@@ -1,4 +1,4 @@
-"""A right and a wrong program of each kata come to the same verdict, smallest case and name on every Python."""
+"""A right and a wrong program of each kata have one verdict, smallest case and name on every Python."""
 
 from __future__ import annotations
 
