@@ -1,4 +1,4 @@
-"""A right and a wrong program of each kata come to the same verdict, smallest case and name on every Python."""
+"""A right and a wrong program of each kata have one verdict, smallest case and name on every Python."""
 
 from __future__ import annotations
 
@@ -27,6 +27,7 @@ def told(python, cache, kata):
     return [json.loads(line) for line in run.stdout.splitlines()]
 
 
+@pytest.mark.timeout(1800)  # several interpreters, each of which draws the data
 @pytest.mark.skipif(not OTHERS, reason="$PYTHONS names no other Python")
 @pytest.mark.parametrize("kata", daily(NAMES, ["exact-count", "on-circle"]))
 def test_a_right_and_a_wrong_program_come_to_the_same_on_every_python(kata, shared, built):

@@ -40,7 +40,8 @@ def main() -> None:
                     "kata": kata,
                     "verdict": result.verdict.value,
                     "groups": [(group.name, group.verdict.value, group.passed) for group in result.groups],
-                    "smallest": smallest and (smallest.group, smallest.input, smallest.expected, smallest.got),
+                    "smallest": smallest
+                    and (smallest.group, smallest.input, smallest.expected, smallest.got),
                     "name": result.pitfall and result.pitfall.names,
                 }
                 print(json.dumps(row))

@@ -93,7 +93,7 @@ for name in sys.argv[1:]:
 """
 
 
-# Each only adds an exit function: one flushes its handlers, one lets go of readline's completer (Python 3.13).
+# Each only adds an exit function: it flushes handlers, or lets go of readline's completer (Python 3.13).
 HARMLESS = {"logging changes exit functions", "doctest changes exit functions"}
 
 
