@@ -9,6 +9,7 @@ from shlex import quote
 from rich.console import Group, RenderableType
 from rich.text import Text
 
+from judge.holes.model import Hole, Holes
 from judge.packs.export.job import Exported
 from judge.practice.setter import NewKata
 from judge.report import published_setter as published
@@ -75,6 +76,39 @@ def verified(found: Verified, _screen: Screen) -> RenderableType:
     )
     below = (indented(table(rows, *titles, right=right)) for titles, rows, right in tables if rows)
     return blocks(Group(top, indented(table(faults))) if faults else top, *below)
+
+
+def holes(found: Holes, _screen: Screen) -> RenderableType:
+    """The mutants in numbers; each hole as a diff, its case, and what would draw such cases."""
+    said = f"{counted(found.mutants, 'mutant')} of {counted(found.programs, 'program')}: "
+    said += f"{found.rejected:,} rejected, {found.accepted:,} accepted; {counted(found.cases, 'case')} tried"
+    count = bad(counted(len(found.holes), "hole")) if found.holes else good("no hole")
+    faults = [(bad("fault"), str(each)) for each in found.faults]
+    top = head(found.problem, count, said)
+    told = Group(top, indented(table(faults))) if faults else top
+    left = [f"{counted(found.unknown, 'accepted mutant')} without a witness"] if found.unknown else []
+    left += [f"{found.edge} wrong only at the very edge of the promise"] if found.edge else []
+    left += [f"{found.marked} marked in same.toml"] if found.marked else []
+    more = "Again to look longer; --seed 1 looks at other cases." if found.unknown or found.edge else ""
+    below = [faint(". ".join(filter(None, (", ".join(left), more))))] if left else []
+    return blocks(told, *(_hole(found.problem, each) for each in found.holes), *below)
+
+
+def _hole(problem: str, hole: Hole) -> RenderableType:
+    others = f", and {counted(hole.others, 'more mutant')}" if hole.others else ""
+    place = f"{hole.file}:{hole.line}" if hole.line else hole.file
+    change = [bad(f"  - {row}") for row in hole.was.splitlines()]
+    change += [good(f"  + {row}") for row in hole.becomes.splitlines()]
+    rows = [joined(strong(place), faint(f"  {hole.kind}{others}")), *change]
+    rows.append(text(f"  judge try {problem} {quote(hole.case)}"))
+    rows.append(text(f"  right {hole.right}, it gives {hole.given}"))
+    if hole.near:
+        rows.append(text(f"  No group holds this; nearest is {hole.near}."))
+    if hole.row:
+        rows.append(text(f"  Drawn by a changed row: {hole.row}"))
+    remedy = "Add a group that draws it" if not hole.row else "Add such a row to a group"
+    rows.append(faint(f"  {remedy}, or mark it in solutions/{problem}/same.toml and say why it is right."))
+    return Group(*rows)
 
 
 def verify_summary(found: published.VerifySummary, _screen: Screen) -> RenderableType:

@@ -27,7 +27,19 @@ MOST_LINES = 400
 MOST_PARAMETERS = 6
 # A room knows only those that stand after it.
 ROOMS = [
-    *("cli", "site", "batch", "judging", "report", "practice", "geometry", "packs", "mistakes", "diagnose"),
+    *(
+        "cli",
+        "site",
+        "batch",
+        "judging",
+        "report",
+        "practice",
+        "geometry",
+        "packs",
+        "holes",
+        "mistakes",
+        "diagnose",
+    ),
     *("run", "data", "problem", "drawing", "manual", "languages", "values", "exact", "database"),
     *("cache", "files", "published", "errors"),
 ]
@@ -116,7 +128,7 @@ def test_every_room_has_its_place():
 
 def test_the_engine_has_no_word_of_its_topic():
     """SVG's own element apart, and what the package itself is called."""
-    rooms = ("values", "exact", "data", "problem", "run", "judging", "diagnose", "mistakes", "sandbox")
+    rooms = ("values", "exact", "data", "problem", "run", "judging", "diagnose", "mistakes", "holes")
     told = {
         f"{path.relative_to(PACKAGE)}:{number}": row
         for room in rooms

@@ -11,12 +11,16 @@ import click
 from msgspec import Struct
 from msgspec.structs import replace
 
+from judge.cache import DISK
 from judge.cli.files import writing
-from judge.cli.options import Common, command, opt
+from judge.cli.options import Common, command, opt, seconds_of
 from judge.data.load import ProblemData, load_data
 from judge.errors import ProblemError, UsageError
 from judge.files import replace_file
-from judge.judging.containment import kept_level
+from judge.holes.hunt import look_for_holes
+from judge.holes.model import Holes, Search
+from judge.judging.api import RunOptions
+from judge.judging.containment import contained, kept_level
 from judge.languages.boxes import AnyBoxes
 from judge.languages.signature import signature_of
 from judge.mistakes.verified import ChoicesReport, verify_choices
@@ -36,6 +40,7 @@ from judge.run.verify import Fault, Verified, fault_of, fresh_data, verify_probl
 from judge.sandbox import Boxes
 
 _BOTH = "both"
+_LOOK = "30s"  # of a search for holes
 _REMEDY = "name another folder with --out"
 
 
@@ -66,9 +71,12 @@ class VerifyAsk(Struct, frozen=True):
     groups: tuple[str, ...] = opt("--group G", "Look at this group alone.", default=())
     solution: str = opt("--solution FILE", "Judge this solution alone, as accepted/exact.py.", default="")
     jobs: int = opt("-j --jobs N", "Check N katas at once.", type=click.IntRange(1, 64), default=1)
+    holes: bool = opt("--holes", "Look for wrong programs that the data accept.")
+    lasting: str | None = opt("--for TIME", "Look so long at each kata, as 20s or 2m; 30s is usual.")
+    seed: int | None = opt("--seed N", "Look at other cases.")
 
 
-@command("verify", Verified, ask=VerifyAsk)
+@command("verify", Verified, Holes, ask=VerifyAsk)
 @click.argument("names", metavar="[KATA]...", nargs=-1)
 def verify(names: tuple[str, ...], ask: VerifyAsk, common: Common) -> Iterator[Struct]:
     """Check katas from the setter's side.
@@ -79,17 +87,25 @@ def verify(names: tuple[str, ...], ask: VerifyAsk, common: Common) -> Iterator[S
 
     With --group or --solution only a part is checked, as you work on it.
 
+    With --holes right programs are changed in thousands of small ways instead. Those that the data accept
+    are tried on cases of all kinds: one that is wrong on a valid case is a hole in the data. The same
+    command goes on where it ended; Ctrl-C keeps what was found.
+
     Exit status: 0 sound, 2 usage, 3 something is wrong.
     """
     narrow = bool(ask.groups or ask.solution)
     if ask.pin and narrow:
         raise UsageError("--pin is for the whole kata", remedy="leave out --group and --solution")
+    _check_holes(ask)
     for name in names:
         with suppress(ProblemError):  # which is in the report then
             find_problem(name, common.problems)
     # without a name a setter means their own, not all that can be found
     mine = folders_within(common.problems) if common.problems else problem_folders()
     chosen = tuple(dict.fromkeys(names or sorted(folder.name for folder in mine)))
+    if ask.holes:
+        yield from _look(chosen, ask, common)
+        return
     check, faults = partial(_verify, ask, common.problems), 0
     checked: Iterator[Verified] = map(check, chosen)
     if ask.jobs > 1 and len(chosen) > 1:
@@ -114,6 +130,58 @@ def verify(names: tuple[str, ...], ask: VerifyAsk, common: Common) -> Iterator[S
             yield decks
     if len(chosen) > 1:
         yield VerifySummary(len(chosen), faults)
+
+
+def _check_holes(ask: VerifyAsk) -> None:
+    """Refuse what --holes goes without, and what goes with it alone."""
+    if ask.holes:
+        seconds_of(ask.lasting or _LOOK, "--for")
+        for name, given in (("--pin", ask.pin), ("--matrix", ask.matrix), ("--figures", ask.figures)):
+            if given:
+                raise UsageError(f"--holes and {name} contradict each other", remedy="leave one out")
+    for name, value in (("--for", ask.lasting), ("--seed", ask.seed)):
+        if value is not None and not ask.holes:
+            raise UsageError(f"{name} is for --holes", remedy="add --holes")
+
+
+def _look(chosen: Sequence[str], ask: VerifyAsk, common: Common) -> Iterator[Struct]:
+    """The holes of each kata."""
+    look, count = partial(_holes, ask, common), 0
+    checked: Iterator[Holes | Verified] = map(look, chosen)
+    if ask.jobs > 1 and len(chosen) > 1:
+        from judge.judging.pool import Processes, in_order
+
+        checked = in_order(
+            Processes(ask.jobs), look, chosen, lambda name, what: Verified(name, (Fault(what, name),))
+        )
+    try:
+        for found in checked:
+            count += len(found.faults) + len(found.holes if isinstance(found, Holes) else ())
+            yield found
+            if isinstance(found, Holes) and found.stopped:
+                raise KeyboardInterrupt
+    except KeyboardInterrupt:
+        note("stopped; what was found is kept, and the same command goes on")
+        raise
+    if len(chosen) > 1:
+        yield VerifySummary(len(chosen), count)
+
+
+def _holes(ask: VerifyAsk, common: Common, name: str) -> Holes | Verified:
+    try:
+        problem = find_problem(name, common.problems)
+        if ask.groups:
+            problem = replace(problem, groups=chosen_groups(problem, ask.groups))
+        with stages(name) as advance:
+            sets = [
+                fresh_data(problem, advance, seed) if seed or ask.groups else load_data(problem)
+                for seed in (None, *range(1, ask.seeds))
+            ]
+            search = Search(ask.seed or 0, seconds_of(ask.lasting or _LOOK, "--for"), program=ask.solution)
+            boxes = contained(problem, RunOptions(isolation=common.isolation), ask.jobs)
+            return look_for_holes(problem, sets, boxes, search, DISK, advance)
+    except ProblemError as error:
+        return Verified(name, (fault_of(error, name),))
 
 
 def _verify(ask: VerifyAsk, folders: Sequence[Path], name: str) -> Verified:

@@ -1,0 +1,233 @@
+"""The bench that mutants are judged on: which of them the data accept, and which are wrong on a case."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import chain
+from typing import NamedTuple
+
+from judge.cache import digest
+from judge.data.build import target_of, validate
+from judge.data.load import ProblemData
+from judge.data.pins import hash_of
+from judge.holes.cases import Solved
+from judge.holes.model import Kept
+from judge.holes.programs import GIVEN_UP, Base, Candidate, Crowd, original
+from judge.holes.rows import suppressed_after
+from judge.problem import Case, Group, Problem, Tolerance
+from judge.problem.declare import decisions
+from judge.run.verify import Progress
+from judge.sandbox.boundary import Reply, Stop
+from judge.values.answers import Exact, Target, within
+from judge.values.check import is_right
+
+_WAVES = (8, 24, 96, 384)  # cases that are asked before the rest: most mutants die there
+_KEPT = 4  # groups that are remembered to reject a mutant
+_FEW = 4  # answers of a mutant that are looked at first: most are wrong at once
+_RUNGS = 8  # of a ladder that are judged at once
+_ENOUGH = 3  # accepted rungs, below which all others are taken for accepted
+_NEARLY = 1e-5  # a gap below it may be the promise's own
+_EDGE = 1.1  # times the least gap, below which a rounding decides
+_MOST_KNOWN = 50_000  # cases whose answers are remembered
+
+
+class Aimed(NamedTuple):
+    """A case of the data, or one that was found, and what an answer to it is held against."""
+
+    case: Case
+    target: Target
+    group: Group
+    place: str = ""  # hash of its group
+    exact: Exact = None  # the answer, where it is known
+
+
+class Bench:
+    """The data of a kata, a crowd to ask, and what is known of its mutants from earlier runs."""
+
+    def __init__(
+        self, problem: Problem, sets: Sequence[ProblemData], crowd: Crowd, kept: Kept, progress: Progress
+    ) -> None:
+        self.problem, self.crowd = problem, crowd
+        self.module = sets[0].module
+        self._kept, self._progress = kept, progress
+        self._sets = [_mixed(data) for data in sets]
+        self._usual = _usual(sets[0])
+        self._memo: dict[str, Solved | None] = {}
+        self._least: dict[str, float] = {}
+
+    def is_right(self, base: Base) -> bool:
+        """Whether all sets of data accept it."""
+        return not any(self.failing(base, aimed) for aimed in self._sets)
+
+    def judged(self, made: Sequence[Candidate]) -> tuple[list[Candidate], int]:
+        """Those that are accepted, and how many were judged: of a ladder none below a few accepted rungs."""
+        ladders: dict[tuple[str, str, str], list[Candidate]] = {}
+        batch = []
+        for each in made:
+            if each.mutant.ladder:
+                ladder = each.base.file, each.mutant.kind, each.mutant.ladder
+                ladders.setdefault(ladder, []).append(each)
+            else:
+                batch.append(each)
+        accepted: list[Candidate] = []
+        judged, high = 0, dict.fromkeys(ladders, 0)
+        while True:
+            for ladder, rungs in ladders.items():
+                if high[ladder] < _ENOUGH:
+                    batch += rungs[:_RUNGS]
+                    del rungs[:_RUNGS]
+            if not batch:
+                return accepted, judged
+            passed = self.accepted(batch, judged, len(made))
+            judged += len(batch)
+            accepted += passed
+            for each in passed:
+                if each.mutant.ladder:
+                    high[each.base.file, each.mutant.kind, each.mutant.ladder] += 1
+            batch = []
+
+    def accepted(self, some: Sequence[Candidate], done: int = 0, total: int = 0) -> list[Candidate]:
+        """Those of them that one of the sets of data accepts."""
+        kept, left, accepted = self._kept, list(some), list[Candidate]()
+        for aimed in self._sets:
+            places = {each.place for each in aimed}
+            whole = digest("".join(sorted(places)).encode())[:24]
+            dead = [each for each in left if places.intersection(kept.killed.get(each.key, ()))]
+            accepted += [each for each in left if kept.passed.get(each.key) == whole]
+            known = {each.key for each in (*dead, *accepted)}
+            alive = [each for each in left if each.key not in known]
+            for part in _waves(aimed):
+                self._progress("judging mutants", done + len(some) - len(alive), total)
+                alive, more = self._survivors(alive, part)
+                dead += more
+            kept.passed |= dict.fromkeys([each.key for each in alive], whole)
+            accepted += alive
+            left = dead
+        return accepted
+
+    def _survivors(
+        self, some: Sequence[Candidate], aimed: Sequence[Aimed]
+    ) -> tuple[list[Candidate], list[Candidate]]:
+        """Those that answer all of the cases rightly, and the others."""
+        alive, dead = list[Candidate](), list[Candidate]()
+        for candidate, wrong in zip(some, self.wrong(some, aimed, 1), strict=True):
+            if not wrong:
+                alive.append(candidate)
+                continue
+            dead.append(candidate)
+            kept = self._kept.killed.setdefault(candidate.key, [])
+            kept.append(aimed[wrong[0]].place)
+            del kept[:-_KEPT]
+        return alive, dead
+
+    def wrong(self, some: Sequence[Candidate], aimed: Sequence[Aimed], most: int = 0) -> Iterator[list[int]]:
+        """The places of the cases that each answers wrongly, and not as its base; `most` of them, or all."""
+        cases = [each.case for each in aimed]
+        others = [*self.crowd.differing(some, cases)]
+        found: list[list[int]] = [[] for _ in some]
+        asked = [0] * len(some)
+        size = _FEW if most else len(cases)
+        while True:
+            work = [
+                (at, others[at][asked[at] : asked[at] + size])
+                for at in range(len(some))
+                if asked[at] < len(others[at]) and not (most and len(found[at]) >= most)
+            ]
+            if not work:
+                return iter(found)
+            replies = self.crowd.answers([(some[at], [cases[i] for i in places]) for at, places in work])
+            for (at, places), own in zip(work, replies, strict=True):
+                found[at] += [
+                    i for i, reply in zip(places, own, strict=False) if not self._right(reply, aimed[i])
+                ]
+                asked[at] += size
+                if len(own) < len(places) or own[-1:] == [GIVEN_UP]:  # its process ended
+                    asked[at] = len(cases)
+            size *= 4
+
+    def _right(self, reply: Reply, aimed: Aimed) -> bool:
+        """Whether it is the right answer; an exception is none, nor a call that was stopped."""
+
+        def truth() -> tuple[Exact, Tolerance]:
+            exact = aimed.exact if aimed.place == "" else self.module.solve(*aimed.case)
+            return within(exact, aimed.group.name), aimed.group.tolerance
+
+        answered = reply.stop is Stop.ANSWERED
+        return answered and is_right(self.problem.answer, reply.answer, aimed.target, truth)
+
+    def failing(self, base: Base, aimed: Sequence[Aimed]) -> set[int]:
+        """The places of the cases on which a right program is wrong."""
+        parts = [aimed[at : at + self.crowd.most] for at in range(0, len(aimed), self.crowd.most)]
+        work = [(original(base), [each.case for each in part]) for part in parts]
+        replies = chain.from_iterable(self.crowd.answers(work))
+        pairs = zip(replies, aimed, strict=False)
+        return {at for at, (reply, each) in enumerate(pairs) if not self._right(reply, each)}
+
+    def solved(self, case: Case) -> Solved | None:
+        """What a valid case comes to; None for any other, and for one that takes too long."""
+        key = repr(case)
+        if key in self._memo:
+            return self._memo[key]
+        if len(self._memo) > _MOST_KNOWN:
+            self._memo.clear()
+        found = None
+        with suppressed_after(1.0), decisions() as told:
+            exact = validate(self.problem, self.module, case)
+            gaps: dict[str, float] = {}
+            for each in told:
+                if each.gap:
+                    gaps[each.what] = min(gaps.get(each.what, 1.0), abs(each.gap))
+            found = Solved(exact, gaps)
+        for what, gap in found.gaps.items() if found else ():
+            self._least[what] = min(self._least.get(what, _NEARLY), gap)
+        self._memo[key] = found
+        return found
+
+    def clear(self, solved: Solved) -> bool:
+        """Whether no decision is at the very edge of what is promised."""
+        return all(gap >= min(_EDGE * self._least[what], _NEARLY) for what, gap in solved.gaps.items())
+
+    def aimed(self, case: Case, solved: Solved) -> Aimed:
+        """A case that was found, under the tolerance that most groups have."""
+        group = self._usual
+        target = target_of(self.problem, within(solved.exact, group.name), group.tolerance)
+        return Aimed(case, target, group, exact=solved.exact)
+
+    def shows(self, some: Mapping[str, Candidate], cases: Sequence[Case]) -> list[set[str]]:
+        """For each case the mutants that are wrong on it, and their base is right."""
+        aimed = [self.aimed(case, solved) for case in cases if (solved := self.solved(case))]
+        if not aimed:
+            return []
+        failing = {base: self.failing(base, aimed) for base in {each.base for each in some.values()}}
+        found: list[set[str]] = [set() for _ in cases]
+        for (key, each), places in zip(some.items(), self.wrong([*some.values()], aimed), strict=True):
+            for at in set(places) - failing[each.base]:
+                found[at].add(key)
+        return found
+
+
+def _mixed(data: ProblemData) -> list[Aimed]:
+    """The cases of its small groups, of each group in turn."""
+    rows = []
+    for each in data.groups:
+        if each.group.size is None:
+            place = hash_of(each)
+            pairs = zip(each.cases, each.targets, strict=True)
+            rows.append([Aimed(case, target, each.group, place) for case, target in pairs])
+    most = max(map(len, rows), default=0)
+    return [row[at] for at in range(most) for row in rows if at < len(row)]
+
+
+def _waves(aimed: Sequence[Aimed]) -> Iterator[Sequence[Aimed]]:
+    at = 0
+    for size in (*_WAVES, len(aimed)):
+        if at < len(aimed):
+            yield aimed[at : at + size]
+        at += size
+
+
+def _usual(data: ProblemData) -> Group:
+    """A small group with the tolerance that most of them have."""
+    groups = [each.group for each in data.groups if each.group.size is None]
+    kinds = [repr(each.tolerance) for each in groups]
+    return groups[kinds.index(max(kinds, key=kinds.count))]

@@ -1,0 +1,316 @@
+"""Holes in a kata's data: changed programs that they accept, and for each a valid case on which it is wrong.
+
+What survives without such a case is right in another way, or nobody knows. Whatever was found is kept, so
+that the next search goes on where this one ended: of a mutant the groups that rejected it, of a stream its
+place.
+"""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from heapq import nsmallest
+from itertools import chain, islice
+from time import monotonic
+
+import msgspec
+from msgspec import Struct
+
+from judge.cache import Store, code_key
+from judge.data.load import ProblemData, kept_place
+from judge.diagnose.polish import fewer, steps
+from judge.diagnose.simplicity import measure
+from judge.errors import ProblemError, UsageError
+from judge.holes.bench import Bench
+from judge.holes.cases import Found, Place, Stream
+from judge.holes.model import Hole, Holes, Kept, Search
+from judge.holes.programs import SOURCE, Base, Candidate, Crowd, bases
+from judge.problem import Case, Problem
+from judge.problem.solutions import MISTAKES
+from judge.problem.toml import TomlFile
+from judge.run.verify import Fault, Progress, fault_of
+from judge.sandbox.boundary import LEVELS, BoxFactory, Reply, Stop
+from judge.values import parameters
+from judge.values.show import shown, wanted
+
+MARKS = "same.toml"  # beside the folders of solutions: mutants that nobody wants to hold
+_SAVED = 5.0  # seconds between two times that a search is kept
+_TURNS = 64  # of a batch of cases, at most
+_AT_ONCE = 40_000  # calls of a batch of cases
+_ROUNDS = 20  # of steps to a shorter case
+_SHORTER = 120  # cases that are tried for a shorter one in a round
+_MOST_SHOWN = 64  # witnesses of which the fewest are chosen
+
+
+class Mark(Struct, frozen=True, forbid_unknown_fields=True):
+    """A row of same.toml: a change after which the program is right as well; … stands for anything."""
+
+    file: str
+    was: str
+    becomes: str
+    why: str
+
+    def marks(self, candidate: Candidate) -> bool:
+        """Whether it is this change."""
+        mutant = candidate.mutant
+        wanted = ".*".join(map(re.escape, self.becomes.split("…")))
+        same = (self.file, self.was) == (candidate.base.file, mutant.was)
+        return same and re.fullmatch(wanted, mutant.becomes, re.DOTALL) is not None
+
+
+class _Marks(Struct, frozen=True, forbid_unknown_fields=True):
+    same: tuple[Mark, ...] = ()
+
+
+def look_for_holes(
+    problem: Problem,
+    sets: Sequence[ProblemData],
+    box_factory: BoxFactory,
+    search: Search,
+    store: Store,
+    progress: Progress | None = None,
+) -> Holes:
+    """Change right programs, and look for cases on which those are wrong that one of the `sets` accepts.
+
+    Ctrl-C ends the search, and what was found is returned. Raises UsageError where mutants cannot be held
+    well enough, JudgeError where nothing can be run, ProblemError where the kata is broken.
+    """
+    programs = bases(problem, search.program)
+    if not programs:
+        remedy = f"write a function {problem.entry} in Python into accepted"
+        fault = Fault("no accepted program can be changed", f"{problem.solutions.name}/accepted", remedy)
+        return Holes(problem.id, 0, 0, 0, 0, 0, 0, (), 0, 0, (fault,))
+    place = f"{kept_place('holes', problem, None)[0]}-{search.seed}", code_key("holes")
+    kept = store.read(*place, Kept) or Kept()
+    with box_factory(SOURCE, "holes.py") as box:
+        if box.isolation not in LEVELS[:2]:
+            what = f"mutants need the isolation {' or '.join(LEVELS[:2])}, and here is {box.isolation}"
+            raise UsageError(what, remedy="see 'judge doctor'")
+        bench = Bench(problem, sets, Crowd(problem, box), kept, progress or (lambda *_: None))
+        hunt = _Hunt(bench, sets[0], search, kept, progress or (lambda *_: None))
+        hunt.keep = lambda: store.write(*place, msgspec.json.encode(kept), "searches for holes")
+        return hunt.holes(programs)
+
+
+def _said(reply: Reply) -> str:
+    """What ended a call; the line is one of the box's own."""
+    return reply.detail.partition(" (line ")[0] or "no answer"
+
+
+class _Hunt:
+    """One search; `found` and `edge` are by mutant, `faults` are right programs that fail."""
+
+    def __init__(
+        self, bench: Bench, data: ProblemData, search: Search, kept: Kept, progress: Progress
+    ) -> None:
+        self._bench, self._problem, self._data = bench, data.problem, data
+        self._search, self._kept, self._progress = search, kept, progress
+        self._found: dict[str, Found] = {}
+        self._edge: dict[str, Found] = {}
+        self._faults: dict[str, Fault] = {}
+        self._stopped = False
+        self.keep: Callable[[], object] = lambda: None
+
+    def holes(self, programs: Sequence[Base]) -> Holes:
+        """All that was found."""
+        problem, answer = self._problem, self._problem.answer
+        right = [each for each in programs if self._bench.is_right(each)]
+        measured = answer.measured or any(each.type.measured for each in problem.parameters)
+        made = {each.key: each for base in right for each in base.mutants(measured)}
+        try:
+            accepted, count = self._bench.judged([*made.values()])
+        finally:
+            self.keep()
+        marked, stale = self._marked([*made.values()], accepted)
+        left = {each.key: each for each in accepted if each.key not in marked}
+        if problem.parameters and left:
+            self._look(right, left)
+        found = {key: each for key, each in left.items() if key in self._found}
+        return Holes(
+            problem=problem.id,
+            programs=len(right),
+            mutants=count,
+            rejected=count - len(accepted),
+            accepted=len(accepted),
+            marked=len(marked),
+            cases=self._kept.cases,
+            holes=tuple(self._told(found)),
+            edge=len(self._edge),
+            unknown=len(left) - len(found) - len(self._edge),
+            faults=(*stale, *self._faults.values()),
+            stopped=self._stopped,
+        )
+
+    # -- marks -------------------------------------------------------------------------------------------
+
+    def _marked(
+        self, made: Sequence[Candidate], accepted: Sequence[Candidate]
+    ) -> tuple[set[str], list[Fault]]:
+        """The accepted mutants that same.toml marks, and what is wrong with its rows."""
+        path = self._problem.solutions / MARKS
+        if not path.exists() or self._search.program:
+            return set(), []
+        try:
+            file = TomlFile(path)
+            rows = file.read(_Marks).same
+        except ProblemError as fault:
+            return set(), [fault_of(fault, MARKS)]
+        marked, faults = set[str](), []
+        for at, mark in enumerate(rows):
+            keys = {each.key for each in accepted if mark.marks(each)}
+            marked |= keys
+            if not keys:
+                there = any(mark.marks(each) for each in made)
+                what = "this mutant is rejected now" if there else "no mutant is like this"
+                faults.append(Fault(what, file.place(("same", at)), "remove the row"))
+        return marked, faults
+
+    # -- cases on which they are wrong -------------------------------------------------------------------
+
+    def _look(self, right: Sequence[Base], left: Mapping[str, Candidate]) -> None:
+        """Try cases until the time is up, all are found to be wrong, or Ctrl-C is pressed."""
+        kept, bench, search = self._kept, self._bench, self._search
+        place = Place(kept.turns, kept.tried, [ast.literal_eval(each) for each in kept.near])
+        stream = Stream(self._data, bench.solved, search.seed, place)
+        rows = [kept.witnesses[key] for key in left if key in kept.witnesses]
+        self._ask(right, left, [Found(ast.literal_eval(case), way, row) for case, way, row in rows])
+        begun = saved = monotonic()
+        last = kept.cases + search.cases
+        try:
+            while len(self._found) < len(left) and kept.cases < last:
+                now = monotonic()
+                if now - begun >= search.seconds:
+                    break
+                if now > saved + _SAVED:  # who is killed has lost no more than this
+                    saved = now
+                    self._keep_place(place)
+                self._progress("looking for holes", int(now - begun), int(search.seconds) + 1)
+                batch: list[Found] = []
+                asked = len(left) - len(self._found)
+                for _ in range(_TURNS):
+                    batch += (each for each in stream.turn() if bench.solved(each.case) is not None)
+                    if len(batch) * asked >= _AT_ONCE:
+                        break
+                if not batch:
+                    break
+                kept.cases += len(batch)
+                place.near += self._ask(right, left, batch)
+        except KeyboardInterrupt:
+            self._stopped = True
+        for key, each in [*self._edge.items()]:  # the edge is where the least gaps are, and those come late
+            solved = bench.solved(each.case)
+            if key in self._found or (solved is not None and bench.clear(solved)):
+                self._found.setdefault(key, each)
+                del self._edge[key]
+        self._keep_place(place)
+
+    def _ask(
+        self, right: Sequence[Base], left: Mapping[str, Candidate], batch: Sequence[Found]
+    ) -> list[Case]:
+        """Ask all that are not found wrong yet; the cases that show something new."""
+        bench = self._bench
+        pairs = [(each, solved) for each in batch if (solved := bench.solved(each.case)) is not None]
+        if not pairs:
+            return []
+        aimed = [bench.aimed(each.case, solved) for each, solved in pairs]
+        clear = [bench.clear(solved) for _, solved in pairs]
+        failing = {base.file: bench.failing(base, aimed) for base in right}
+        for file, failed in failing.items():
+            bad = next((at for at in sorted(failed) if clear[at]), None)
+            if bad is not None:
+                self._faults.setdefault(file, self._failed(file, aimed[bad].case))
+        asked = [each for key, each in left.items() if key not in self._found]
+        telling: list[Case] = []
+        for candidate, places in zip(asked, bench.wrong(asked, aimed), strict=True):
+            wrong = [at for at in places if at not in failing[candidate.base.file]]
+            at = next((at for at in wrong if clear[at]), None)
+            if at is not None:
+                self._found[candidate.key] = pairs[at][0]
+                telling.append(aimed[at].case)
+            elif wrong:
+                self._edge.setdefault(candidate.key, pairs[wrong[0]][0])
+        return telling
+
+    def _failed(self, file: str, case: Case) -> Fault:
+        what = f"it is wrong on a valid case: judge try {self._problem.id} {self._literal(case)!r}"
+        return Fault(what, file, "correct it, or promise that there is no such case")
+
+    # -- what is told of them ----------------------------------------------------------------------------
+
+    def _told(self, holes: Mapping[str, Candidate]) -> Iterator[Hole]:
+        """An entry for each of a few cases that show all of them, the one that shows most first."""
+        cases = list({repr(self._found[key].case): self._found[key] for key in holes}.values())
+        cases = sorted(cases, key=lambda each: measure(each.case))[:_MOST_SHOWN]
+        wrong = self._bench.shows(holes, [each.case for each in cases])
+        left = dict(holes)
+        while left:
+            at = max(range(len(cases)), key=lambda each: (len(wrong[each] & left.keys()), -each))
+            members, found = [left[key] for key in left if key in wrong[at]], cases[at]
+            if not members:  # its case is beyond those that were compared
+                members = [next(iter(left.values()))]
+                found = self._found[members[0].key]
+            lead = min(members, key=lambda each: (each.mutant.kind == "tolerance", len(each.mutant.becomes)))
+            short = self._shorter(lead, found.case)
+            gone = {lead.key} | self._bench.shows(left, [short])[0]
+            left = {key: each for key, each in left.items() if key not in gone}
+            yield self._entry(lead, found, short, len(gone) - 1)
+
+    def _entry(self, lead: Candidate, found: Found, case: Case, others: int) -> Hole:
+        solved = self._bench.solved(case)
+        assert solved is not None  # it was valid before
+        reply = next(self._bench.crowd.answers([(lead, [case])]))[0]
+        answer, mutant = self._problem.answer, lead.mutant
+        given = shown(answer, reply.answer) if reply.stop is Stop.ANSWERED else _said(reply)
+        return Hole(
+            file=lead.base.file,
+            line=0 if lead.base.file.startswith(MISTAKES) else mutant.line,
+            kind=mutant.kind,
+            was=mutant.was,
+            becomes=mutant.becomes,
+            case=self._literal(case),
+            right=wanted(answer, self._bench.aimed(case, solved).target),
+            given=given,
+            off=solved.least if solved.gaps else None,
+            way=found.way,
+            row=found.row,
+            near=self._nearest(case),
+            others=others,
+        )
+
+    def _shorter(self, lead: Candidate, case: Case) -> Case:
+        """A simpler case that shows the same, clear of the edge."""
+        simpler = self._data.module.hooks.simpler
+        for _ in range(_ROUNDS):
+            own, size = simpler(self._problem, case) if simpler else (), measure(case)
+            tried = islice(chain(own, fewer(self._problem, case), steps(case)), 4 * _SHORTER)
+            chosen = nsmallest(_SHORTER, (each for each in tried if measure(each) < size), key=measure)
+            pairs = [(each, self._bench.solved(each)) for each in chosen]
+            valid = [each for each, solved in pairs if solved and self._bench.clear(solved)]
+            showing = zip(valid, self._bench.shows({lead.key: lead}, valid), strict=True)
+            better = next((each for each, keys in showing if keys), None)
+            if better is None:
+                break
+            case = better
+        return case
+
+    def _nearest(self, case: Case) -> str:
+        """The case of the data that differs in the fewest arguments: where such a case belongs."""
+        names = [each.name for each in self._problem.parameters]
+        best: tuple[int, str] = len(names) + 1, ""
+        for data in self._data.groups:
+            for number, each in enumerate(data.cases if data.group.size is None else (), 1):
+                differ = [name for name, a, b in zip(names, case, each, strict=True) if a != b]
+                if len(differ) < best[0]:
+                    best = len(differ), f"{data.group.name}, case {number} ({' and '.join(differ)} differ)"
+        return best[1] if best[0] < len(names) else ""
+
+    def _literal(self, case: Case) -> str:
+        pairs = zip(self._problem.parameters, case, strict=True)
+        return ", ".join(parameters.literal(each.type, value) for each, value in pairs)
+
+    def _keep_place(self, place: Place) -> None:
+        found = self._edge | self._found
+        self._kept.near = [repr(each) for each in place.near]
+        self._kept.witnesses = {key: (repr(each.case), each.way, each.row) for key, each in found.items()}
+        self.keep()

@@ -1,0 +1,79 @@
+"""What a search for holes is asked, what it says, and what is kept of it from run to run."""
+
+from __future__ import annotations
+
+from msgspec import Struct
+
+from judge.errors import ExitCode
+from judge.published import Published
+from judge.run.verify import Fault
+
+
+class Hole(Struct, frozen=True):
+    """A mutant that the data accept, and a valid case on which it is wrong.
+
+    `off` is the case's least gap that is not 0, null where nothing was decided; `way` is how the case was
+    found, `row` a draw of such cases where one is known, `near` the case of the data that is most alike. The
+    same case shows so many `others`.
+    """
+
+    file: str
+    line: int
+    kind: str
+    was: str
+    becomes: str
+    case: str
+    right: str
+    given: str
+    off: float | None
+    way: str
+    row: str
+    near: str
+    others: int
+
+
+class Holes(Published, frozen=True):
+    """What came of it; of the `accepted` mutants `edge` are wrong only at the very edge of the promise.
+
+    `unknown` are those without any witness, and `marked` those that same.toml says to be right. `stopped`
+    says that Ctrl-C ended the search.
+    """
+
+    problem: str
+    programs: int
+    mutants: int
+    rejected: int
+    accepted: int
+    marked: int
+    cases: int
+    holes: tuple[Hole, ...]
+    edge: int
+    unknown: int
+    faults: tuple[Fault, ...] = ()
+    stopped: bool = False
+
+    @property
+    def exit_code(self) -> ExitCode:
+        """3 where there is a hole."""
+        return ExitCode.FAULT if self.holes or self.faults else ExitCode.ACCEPTED
+
+
+class Kept(Struct):
+    """What is known of a kata from run to run; a case is written as Python."""
+
+    killed: dict[str, list[str]] = {}  # by mutant: hashes of groups that reject it
+    passed: dict[str, str] = {}  # by mutant: hash of the set that accepts it
+    witnesses: dict[str, tuple[str, str, str]] = {}  # by mutant: a case, its way, its row
+    turns: dict[str, int] = {}
+    tried: dict[str, int] = {}
+    near: list[str] = []
+    cases: int = 0
+
+
+class Search(Struct, frozen=True):
+    """How to look: the seed of the cases, so long or at so many more of them, and at which program alone."""
+
+    seed: int = 0
+    seconds: float = 30.0
+    cases: int = 1 << 60
+    program: str = ""
