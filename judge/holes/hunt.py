@@ -76,11 +76,13 @@ def look_for_holes(
     Ctrl-C ends the search, and what was found is returned. Raises UsageError where mutants cannot be held
     well enough, JudgeError where nothing can be run, ProblemError where the kata is broken.
     """
+    if not problem.parameters:  # there is nothing to try
+        return Holes(problem.id)
     programs = bases(problem, search.program)
     if not programs:
         remedy = f"write a function {problem.entry} in Python into accepted"
         fault = Fault("no accepted program can be changed", f"{problem.solutions.name}/accepted", remedy)
-        return Holes(problem.id, 0, 0, 0, 0, 0, 0, (), 0, 0, (fault,))
+        return Holes(problem.id, faults=(fault,))
     place = f"{kept_place('holes', problem, None)[0]}-{search.seed}", code_key("holes")
     kept = store.read(*place, Kept) or Kept()
     with box_factory(SOURCE, "holes.py") as box:
@@ -124,7 +126,7 @@ class _Hunt:
             self.keep()
         marked, stale = self._marked([*made.values()], accepted)
         left = {each.key: each for each in accepted if each.key not in marked}
-        if problem.parameters and left:
+        if left:
             self._look(right, left)
         found = {key: each for key, each in left.items() if key in self._found}
         return Holes(
@@ -302,7 +304,8 @@ class _Hunt:
             for number, each in enumerate(data.cases if data.group.size is None else (), 1):
                 differ = [name for name, a, b in zip(names, case, each, strict=True) if a != b]
                 if len(differ) < best[0]:
-                    best = len(differ), f"{data.group.name}, case {number} ({' and '.join(differ)} differ)"
+                    verb = "differs" if len(differ) == 1 else "differ"
+                    best = len(differ), f"{data.group.name}, case {number} ({' and '.join(differ)} {verb})"
         return best[1] if best[0] < len(names) else ""
 
     def _literal(self, case: Case) -> str:

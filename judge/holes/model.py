@@ -40,15 +40,15 @@ class Holes(Published, frozen=True):
     """
 
     problem: str
-    programs: int
-    mutants: int
-    rejected: int
-    accepted: int
-    marked: int
-    cases: int
-    holes: tuple[Hole, ...]
-    edge: int
-    unknown: int
+    programs: int = 0
+    mutants: int = 0
+    rejected: int = 0
+    accepted: int = 0
+    marked: int = 0
+    cases: int = 0
+    holes: tuple[Hole, ...] = ()
+    edge: int = 0
+    unknown: int = 0
     faults: tuple[Fault, ...] = ()
     stopped: bool = False
 

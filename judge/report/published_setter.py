@@ -16,6 +16,7 @@ class VerifySummary(Struct, frozen=True):
 
     katas: int
     faults: int
+    holes: int | None = None
     published: tuple[()] = ()
 
 

@@ -82,6 +82,8 @@ def holes(found: Holes, _screen: Screen) -> RenderableType:
     """The mutants in numbers; each hole as a diff, its case, and what would draw such cases."""
     said = f"{counted(found.mutants, 'mutant')} of {counted(found.programs, 'program')}: "
     said += f"{found.rejected:,} rejected, {found.accepted:,} accepted; {counted(found.cases, 'case')} tried"
+    if not found.programs:
+        said = "" if found.faults else "its cases have no input"
     count = bad(counted(len(found.holes), "hole")) if found.holes else good("no hole")
     faults = [(bad("fault"), str(each)) for each in found.faults]
     top = head(found.problem, count, said)
@@ -113,7 +115,11 @@ def _hole(problem: str, hole: Hole) -> RenderableType:
 
 def verify_summary(found: published.VerifySummary, _screen: Screen) -> RenderableType:
     """What all of it comes to."""
-    return joined(_sound(found.faults), f"  {counted(found.katas, 'kata')} checked")
+    katas = f"  {counted(found.katas, 'kata')} checked"
+    if found.holes is None:
+        return joined(_sound(found.faults), katas)
+    count = bad(counted(found.holes, "hole")) if found.holes else good("no hole")
+    return joined(count, katas, bad(f", {counted(found.faults, 'fault')}") if found.faults else "")
 
 
 def files_written(found: published.FilesWritten, _screen: Screen) -> RenderableType:

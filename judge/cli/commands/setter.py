@@ -146,7 +146,7 @@ def _check_holes(ask: VerifyAsk) -> None:
 
 def _look(chosen: Sequence[str], ask: VerifyAsk, common: Common) -> Iterator[Struct]:
     """The holes of each kata."""
-    look, count = partial(_holes, ask, common), 0
+    look, faults, holes = partial(_holes, ask, common), 0, 0
     checked: Iterator[Holes | Verified] = map(look, chosen)
     if ask.jobs > 1 and len(chosen) > 1:
         from judge.judging.pool import Processes, in_order
@@ -156,7 +156,8 @@ def _look(chosen: Sequence[str], ask: VerifyAsk, common: Common) -> Iterator[Str
         )
     try:
         for found in checked:
-            count += len(found.faults) + len(found.holes if isinstance(found, Holes) else ())
+            faults += len(found.faults)
+            holes += len(found.holes) if isinstance(found, Holes) else 0
             yield found
             if isinstance(found, Holes) and found.stopped:
                 raise KeyboardInterrupt
@@ -164,7 +165,7 @@ def _look(chosen: Sequence[str], ask: VerifyAsk, common: Common) -> Iterator[Str
         note("stopped; what was found is kept, and the same command goes on")
         raise
     if len(chosen) > 1:
-        yield VerifySummary(len(chosen), count)
+        yield VerifySummary(len(chosen), faults, holes)
 
 
 def _holes(ask: VerifyAsk, common: Common, name: str) -> Holes | Verified:
