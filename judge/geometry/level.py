@@ -2,14 +2,15 @@
 
 In a level figure the line is parallel to the x axis and all that is exact is whole. A word is a height of a
 line over a circle (`touch`), a place on it (`before`), or what a scene adds; "~" after a word puts the figure
-just off it: by 3 to 8 times 1e-7 of its size.
+just off it: by 1 to 2, or by 3 to 8, times 1e-7 of its size.
 """
 
 from __future__ import annotations
 
 import difflib
 from collections.abc import Callable, Iterable, Sequence
-from math import isqrt
+from fractions import Fraction
+from math import ceil, isqrt
 from typing import Any, NamedTuple
 
 from judge.data.draw import Draw, Rejected
@@ -19,7 +20,7 @@ from judge.geometry.pose import Atom, Length, Point, Vector, posed, root_up, tri
 Scene = Callable[[Draw], tuple[Any, ...]]
 HEIGHTS = ("cut", "chord", "through", "off-centre", "touch", "miss", "dot", "dot-miss")
 PLACES = ("before", "in", "after", "first", "last", "foot", "near", "by", "far", "very-far", "remote", "=")
-_FINE = 27  # bits of the size where a figure is nudged: 1e-7 of it is 13 units and more
+_FINE = 30  # bits of the size where a figure is nudged: 1e-7 of it is 53 units and more
 _LEVEL = ("size", "uneven")  # keys of a pose that are the level figure's
 
 
@@ -29,7 +30,7 @@ class Nudge(NamedTuple):
     atom: int
     coordinate: int
     side: int = 0
-    times: int = 1
+    times: Fraction | int = 1
 
 
 Level = Callable[..., tuple[list[Atom], list[Nudge]]]  # (draw, words, size=…) to a level figure
@@ -170,7 +171,7 @@ def over_circle(
     off = draw.sign()
     for at in ends:
         # Across the circle a step along the line counts half/R of itself, and none at a touch.
-        times = -(-R // half) if half else 1
+        times = Fraction(R, half) if half else 1
         nudges += (
             [Nudge(i, 0, off, times) for i, x in enumerate(xs) if x == xs[at]]
             if "=" in words
@@ -189,10 +190,16 @@ def _nudge(draw: Draw, atoms: list[Atom], nudges: Sequence[Nudge]) -> None:
         if not isinstance(each, Vector):
             each[:] = [n * fine for n in each]
     size = max(reach) * fine
-    gap = draw.integer(3 * size, 8 * size) // 10**7 + 1
+    gap = near_gap(draw, size)
     for nudge in nudges:
         side = nudge.side or draw.sign()
-        atoms[nudge.atom][nudge.coordinate] += side * nudge.times * gap
+        atoms[nudge.atom][nudge.coordinate] += side * ceil(nudge.times * gap)
+
+
+def near_gap(draw: Draw, size: int) -> int:
+    """1 to 2, or 3 to 8, times 1e-7 of the size, rounded up: nearly a touch, and clear of it."""
+    least, most = draw.choice(((1, 2), (3, 8)))
+    return draw.integer(least * size, most * size) // 10**7 + 1
 
 
 # -- plain numbers ------------------------------------------------------------------------------------
