@@ -19,7 +19,7 @@ from judge.data.draw import Draw
 from judge.geometry.level import HEIGHTS, PLACES, Nudge, Scene, checked, over_circle, scene
 from judge.geometry.pose import Atom, Length, Point, Vector, posed
 
-_POINTS = ("in", "on", "out", "centre", "far", "dot-on", "dot-out")
+_POINTS = ("in", "on", "out", "close", "centre", "far", "dot-on", "dot-out")
 _FEET = ("between", "beyond", "end", "on", "near", "close", "same")
 _Level = tuple[list[Atom], list[Nudge]]
 
@@ -60,6 +60,8 @@ def _level_point(draw: Draw, words: Sequence[str], size: int = 30, uneven: int =
         x = draw.integer(1, max(1, R - 1))
     elif word == "on":
         x = R
+    elif word == "close":  # outside, by 2**-2 to 2**-20 of the radius
+        x = R + max(1, R >> draw.integer(2, 20))
     elif word == "far":
         x = reach * draw.integer(100, 20_000)
     elif word in ("out", "dot-out"):

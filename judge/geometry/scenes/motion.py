@@ -10,6 +10,7 @@ judge.geometry.level; "=" for the second place is no way at all. Words after the
     along, together   both run along one line, or both far in one direction
     rush              each runs to where the other one began, and as far again
     dot, tiny         one radius is 0, or a small part of the other one
+    grain             both are so small that just a hit is no graze; the height is "dot"
 
 Of a wall, the first word says what happens, the second one where: at its side, a cap (a round end), or a
 post.
@@ -27,11 +28,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from judge.data.draw import Draw
-from judge.geometry.level import HEIGHTS, PLACES, Nudge, checked, over_circle, scene
+from judge.geometry.level import HEIGHTS, PLACES, Nudge, checked, near_gap, over_circle, scene
 from judge.geometry.pose import Atom, Length, Point, triple
 
 _DRIFTS = ("rest", "alone", "along", "together", "rush")
-_RADII = ("dot", "tiny")
+_RADII = ("dot", "tiny", "grain")
+_FINE = 30  # bits by which a way grows beside grains
 _WHAT = (
     *("hit", "fast", "flat", "graze", "slide", "start", "end", "short", "away", "past", "overlap", "rest"),
     "broad",
@@ -44,6 +46,9 @@ def _level_balls(draw: Draw, words: Sequence[str], size: int = 30) -> tuple[list
     R, (start, end), nudges = over_circle(draw, words[:3], size)
     if start == end and words[2] != "=":
         draw.reject()
+    if "grain" in words:
+        start[0], end[0] = start[0] << _FINE, end[0] << _FINE
+        R = near_gap(draw, max(abs(start[0]), abs(end[0] - start[0])))
     if "rush" in words:
         end = Point([-2 * start[0], start[1]])
     far = draw.integer(20, 100) * size
