@@ -22,9 +22,9 @@ from judge.geometry.pose import (
     TILTED,
     TINY,
 )
-from judge.geometry.scenes.crowds import anywhere, crowd_of, crowds, solids
+from judge.geometry.scenes.crowds import aligned, anywhere, crowd_of, crowds, solids
 from judge.geometry.scenes.frames import anything, frames
-from judge.geometry.scenes.lights import lights, shaded
+from judge.geometry.scenes.lights import lights, shaded, topped
 from judge.geometry.scenes.lines import closed_up, feet, lines, points, rays, spheres
 from judge.geometry.scenes.motion import balls, walls
 from judge.geometry.scenes.outlines import cornered, pairs, polygons, polygons_of
@@ -43,6 +43,7 @@ __all__ = [
     "STEEP",
     "TILTED",
     "TINY",
+    "aligned",
     "any_columns",
     "anything",
     "anywhere",
@@ -69,6 +70,7 @@ __all__ = [
     "solids",
     "spheres",
     "telling",
+    "topped",
     "uniform",
     "walls",
     "whole",

@@ -7,13 +7,13 @@ from fractions import Fraction
 from typing import Any
 
 from judge.data.draw import Draw
-from judge.geometry.level import Scene, checked
-from judge.geometry.pose import Atom, Length, Point, Vector, posed
+from judge.geometry.level import Scene, checked, near_gap
+from judge.geometry.pose import Atom, Length, Point, Vector, posed, root_up
 
 _PLACES = ("in", "less", "more", "out", "low", "high", "centre", "dot", "dot-miss")
 _SHARES = 0.01, 0.02, 0.05, 0.1, 0.2, 0.25, 0.4
 _PARTS = 64  # of a radius: a threshold with h = j/64 is exact
-_FINE = 14  # bits by which a radius grows where a threshold is nearly met
+_FINE = 20  # bits by which a radius grows where a threshold is nearly met
 
 Row = tuple[list[int], int]  # a centre and a radius
 
@@ -53,18 +53,21 @@ def frames(
         unit = _PARTS << (_FINE if any(word[-1] == "~" for word in words) else 0)
         radius = unit * draw.integer(size // 4 + 1, size)
 
+        start = draw.integer(-3 * radius, 3 * radius)
+
         def row(plan: Sequence[str]) -> Row:
             r = unit * draw.integer(size // 4 + 1, size) if grows else radius
-            word = draw.choice(plan)
-            d = _distance(draw, word, r, Fraction(h)) * draw.sign()
-            return [draw.integer(-away * r, away * r), d], 0 if word.startswith("dot") else r
+            word, x = draw.choice(plan), draw.integer(-away * r, away * r)
+            d = _distance(draw, word, r, Fraction(h))
+            if word[-1] == "~":
+                d += near_gap(draw, max(r, root_up((x - start) ** 2 + d * d))) * draw.sign()
+            return [x, d * draw.sign()], 0 if word.startswith("dot") else r
 
         rows = [row(first)]
         pool = [row(words) for _ in range(3)] if again else []
         more = draw.integer(*count) - 1
         rows += [draw.choice(pool) if again else row(words) for _ in range(more)]
-        origin = Point([draw.integer(-3 * radius, 3 * radius), 0])
-        atoms: list[Atom] = [origin, Vector([draw.integer(1, 9) * draw.sign(), 0])]
+        atoms: list[Atom] = [Point([start, 0]), Vector([draw.integer(1, 9) * draw.sign(), 0])]
         for centre, r in rows:
             atoms += [Point(centre), Length([r])]
         O, D, *rest = posed(draw, atoms, **how)
@@ -89,8 +92,7 @@ def _distance(draw: Draw, word: str, r: int, h: Fraction) -> int:
         "dot": lambda: 0,
         "dot-miss": lambda: r * part,
     }
-    found = places[word.rstrip("~")]()
-    return int(found) + (draw.sign() * (r >> draw.integer(17, 20)) if word[-1] == "~" else 0)
+    return int(places[word.rstrip("~")]())
 
 
 def anything(reach: int, most: int) -> Scene:

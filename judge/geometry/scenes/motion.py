@@ -11,9 +11,11 @@ judge.geometry.level; "=" for the second place is no way at all. Words after the
     rush              each runs to where the other one began, and as far again
     dot, tiny         one radius is 0, or a small part of the other one
     grain             both are so small that just a hit is no graze; the height is "dot"
+    home              P0 is the origin, or P1, or Q0
 
 Of a wall, the first word says what happens, the second one where: at its side, a cap (a round end), or a
-post.
+post. Others may follow: "dot", the radius is 0; "grain", it is tiny beside way and wall; "level", the way runs
+along an axis; "afar", from far away; "home".
 
     hit, fast, flat       the disc comes to it: from near, from far, nearly along it
     graze, slide          it passes just in touch; along the side
@@ -39,6 +41,7 @@ _WHAT = (
     "broad",
 )
 _WHERE = ("side", "cap", "post")
+_HOW = ("dot", "grain", "level", "afar", "home")
 
 
 def _level_balls(draw: Draw, words: Sequence[str], size: int = 30) -> tuple[list[Atom], list[Nudge]]:
@@ -64,24 +67,39 @@ def _level_balls(draw: Draw, words: Sequence[str], size: int = 30) -> tuple[list
     r = R - r if draw.boolean() else r
     last = Point([end[0] + way[0], end[1] + way[1]])
     atoms: list[Atom] = [start, last, Length([r]), Point([0, 0]), Point(way), Length([R - r])]
+    if "home" in words:
+        _home(draw, atoms, (0, 1, 3))
     return atoms, nudges
+
+
+def _home(draw: Draw, atoms: list[Atom], those: Sequence[int]) -> None:
+    """Move all points so that one of those is the origin."""
+    x, y = atoms[draw.choice(those)]
+    for each in atoms:
+        if isinstance(each, Point):
+            each[:] = [each[0] - x, each[1] - y]
 
 
 def _level_wall(draw: Draw, words: Sequence[str], size: int = 30) -> tuple[list[Atom], list[Nudge]]:
     """The wall from (0, 0) to (W, 0). The touch is laid out first, and the way goes through it."""
     what, where, near = words[0].rstrip("~"), words[1], words[0][-1] == "~"
-    W = 0 if where == "post" else draw.integer(1, 3 * size) * (10 if what == "flat" else 1)
+    W = 0 if where == "post" else draw.integer(1, 3 * size) << (_FINE if "grain" in words else 0)
+    if what == "flat":
+        W *= draw.choice((10, 3000))
     if where == "side":
         R = draw.integer(size // 4 + 1, size) * (draw.integer(100, 600) if what == "broad" else 1)
+        R = 0 if "dot" in words else R
         x = W + R + draw.integer(1, size) if what == "past" else draw.integer(0, W)
         spot, away, across = (x, R), (0, 1), (1, 0)
     else:
         p, q, c = triple(draw, max(5, min(size, 4_418)))
         k = draw.integer(max(1, size // c // 2), max(1, size // c))
         away, R = (-p, q * draw.sign()), c * k
+        if "dot" in words:
+            R = k = 0
         spot, across = (away[0] * k, away[1] * k), (-away[1], away[0])
-    stride = max(1, R // max(map(abs, away)) // 4)
-    way = _way(draw, away, what)
+    stride = max(1, R // max(map(abs, away)) // 4, W >> 6 if "grain" in words else 0)
+    way = _way(draw, away, "level" if "level" in words else what)
     if what == "flat":
         stride = 1
 
@@ -92,6 +110,8 @@ def _level_wall(draw: Draw, words: Sequence[str], size: int = 30) -> tuple[list[
     a, b = draw.integer(1, most), draw.integer(1, most)
     if what == "fast":
         a, b = a * draw.integer(100, 1000), b * draw.integer(100, 1000)
+    if "afar" in words:
+        a *= 10 ** draw.integer(3, 7)
     rests = at(way, draw.choice((0, -3)))
     deep = draw.integer(1, max(1, R // 2)) if where == "side" else 1
     inside = Point([spot[0] - away[0] * deep, spot[1] - away[1] * deep])
@@ -108,9 +128,13 @@ def _level_wall(draw: Draw, words: Sequence[str], size: int = 30) -> tuple[list[
     }[what]
     outwards = draw.sign() if what in ("graze", "slide", "end", "start") else 1
     moved = {"graze": (0, 1), "slide": (0, 1), "end": (1,), "start": (0,)}.get(what, ()) if near else ()
-    nudges = [Nudge(at, i, outwards * (1 if n > 0 else -1)) for at in moved for i, n in enumerate(away) if n]
+    along = way if "level" in words and not R else away  # a point is just off on its own line
+    nudges = [Nudge(at, i, outwards * (1 if n > 0 else -1)) for at in moved for i, n in enumerate(along) if n]
     ends = [Point([0, 0]), Point([W, 0])]
-    return [start, end, Length([R]), *(ends if draw.boolean() else ends[::-1])], nudges
+    atoms: list[Atom] = [start, end, Length([R]), *(ends if draw.boolean() else ends[::-1])]
+    if "home" in words:
+        _home(draw, atoms, (0, 1, 3))
+    return atoms, nudges
 
 
 def _way(draw: Draw, away: Sequence[int], what: str) -> tuple[int, int]:
@@ -120,6 +144,8 @@ def _way(draw: Draw, away: Sequence[int], what: str) -> tuple[int, int]:
     if what == "flat":
         return draw.integer(100, 9_000) * draw.sign(), -1
     x, y = draw.integer(-12, 12), draw.integer(-12, 12)
+    if what == "level":
+        x, y = (draw.sign(), 0) if draw.boolean() else (0, draw.sign())
     towards = x * away[0] + y * away[1]
     if abs(towards) * 100 <= (abs(x) + abs(y)) * (abs(away[0]) + abs(away[1])):
         draw.reject()  # nearly along the wall
@@ -131,12 +157,14 @@ def _check_balls(words: list[str]) -> None:
     for word in words[1:3]:
         checked(word, PLACES, "a place on a line")
     for word in words[3:]:
-        checked(word, (*_DRIFTS, *_RADII), "how discs move")
+        checked(word, (*_DRIFTS, *_RADII, "home"), "how discs move")
 
 
 def _check_wall(words: list[str]) -> None:
     checked(words[0], _WHAT, "what happens at a wall")
     checked(words[1], _WHERE, "a place of a wall")
+    for word in words[2:]:
+        checked(word, _HOW, "how a disc comes to a wall")
 
 
 balls = scene(_level_balls, lambda P0, P1, r, Q0, Q1, s: (P0, P1, r, Q0, Q1, s), _check_balls)
