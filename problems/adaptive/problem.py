@@ -11,7 +11,7 @@ seven = doubles.seven
 
 
 def solve(cx, cy, r, ax, ay, bx, by):
-    return whole.discriminant(cx, cy, r, ax, ay, bx, by).sign
+    return whole.discriminant(*whole.held(cx, cy, r, ax, ay, bx, by)).sign
 
 
 INTERVIEW = [

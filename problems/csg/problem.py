@@ -27,7 +27,7 @@ INTERVIEW = [
     group("inside", "The ray begins inside discs, and leaves others behind it: a span begins at t = 0.", solids(crowds("around behind cut", "around around behind", "around cut", "around exit1 behind", **PLAIN)), skills="origin inside"),
     group("touch", "Discs that the ray only touches: they hold nothing of it and take nothing away.", solids(crowds("cut touch", "touch around", "enter1 exit3 touch2", "touch0 cut", "touch touch", **PLAIN)), skills="collapse the tangent"),
     group("holes", "A large disc less the union of several small ones: several holes in one interval.", solids(crowd_of("enter", "exit", "cut", count=(2, 5), first="around", **PLAIN), form="holes"), skills="a solid is intervals"),
-    group("radius-zero", "Discs of radius 0: points, which hold nothing.", solids(crowds("cut dot", "dot enter", "around dot2", "dot0 enter", "dot dot", **PLAIN)), skills="r = 0"),
+    group("radius-zero", "Discs of radius 0: points, which hold nothing.", solids(crowds("dot0 dot0", "cut dot", "dot enter", "around dot2", "dot0 enter", "dot dot", **PLAIN)), skills="r = 0"),
     group("repeated", "Neighbouring calls differ in one argument.", solids(anywhere(4, (2, 3))), turns=True, skills="nothing kept between calls"),
 ]
 

@@ -37,7 +37,7 @@ INTERVIEW = [
     group("touch", "Circles that the ray touches: one hit each, be it ahead, at the origin or behind.", crowds("touch cut", "touch touch0", "touch-behind touch", "around touch", **PLAIN), skills=("collapse the tangent", "enter, touch, exit")),
     group("on-circle", "The origin on circles, entering or leaving them: a hit at t = 0.", crowds(*ORIGIN, "exit0", "enter0 cut", **PLAIN), skills="origin on the circle"),
     group("copies", "The same circle several times, and circles about one centre.", crowds("cut copy", "cut copy copy cut", "cut room copy", "enter within cut", "around copy", **PLAIN), skills="hits at one place"),
-    group("radius-zero", "Circles of radius 0: points on the ray, beside it, behind it or at its origin.", crowds("dot cut", "dot0 enter", "dot dot", "enter2 dot2", "around dot", **PLAIN), skills="r = 0"),
+    group("radius-zero", "Circles of radius 0: points on the ray, beside it, behind it or at its origin.", crowds("dot0", "dot cut", "dot0 enter", "dot dot", "enter2 dot2", "around dot", **PLAIN), skills="r = 0"),
     group("repeated", "Neighbouring calls differ in one argument.", anywhere(4, (1, 3)), turns=True, skills="nothing kept between calls"),
 ]
 

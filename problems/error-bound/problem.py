@@ -11,7 +11,7 @@ seven = doubles.seven
 
 
 def solve(cx, cy, r, ax, ay, bx, by):
-    found = whole.discriminant(cx, cy, r, ax, ay, bx, by)
+    found = whole.discriminant(*whole.held(cx, cy, r, ax, ay, bx, by))
     return whole.enclosure(found.value, found.width)
 
 

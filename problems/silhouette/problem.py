@@ -26,8 +26,8 @@ INTERVIEW = [
 
 PRODUCTION = [
     group("at-threshold", "A distance exactly at a threshold, which does not pass it.", frames(*EXACT, exact=True, **{**HUGE, "size": 2**32}), skills="a tangent has a width"),
-    group("near-threshold", "A distance that misses a threshold by 1e-7 of the figure.", frames("low~", "high~", exact=True, **{**NEAR, "size": 40}), skills="nearly is not touching"),
-    group("vanishing", "The radius is 0 in some frames.", frames(*ALL, "dot", "dot-miss", **PLAIN), skills="thresholds as wide as the figure"),
+    group("near-threshold", "A distance that misses a threshold by 1e-7 of the figure, or r in the first frame.", either(frames("low~", "high~", exact=True, **{**NEAR, "size": 40}), frames("less", "more", first=("even~",), count=(1, 4), **{**NEAR, "size": 40}), frames("dot~", "dot", "in", "out", **{**NEAR, "size": 40})), skills="nearly is not touching"),
+    group("vanishing", "The radius is 0 in some frames.", frames(*ALL, "dot", "dot-miss", "dot-origin", **PLAIN), skills="thresholds as wide as the figure"),
     group("tiny", "Circles of about 1e-20.", frames(*ALL, "low", "high", exact=True, grows=True, **{**TINY, "size": 40}), skills=("no absolute epsilon", "scale invariance")),
     group("long", "Two hundred frames.", frames(*ALL, count=(200, 200), **PLAIN), cases=10, skills="a state that is kept"),
     group("far", "The centre is up to a thousand radii away along the line.", frames(*ALL, *EXACT, exact=True, away=1000, **PLAIN), skills="scale invariance"),

@@ -5,15 +5,15 @@ from functools import partial
 from judge.geometry import plain
 from judge.geometry.hooks import BALLS, hooks
 from judge.geometry.motion import balls_meeting
-from judge.geometry.scenes import AXIS, BIG, DECIMALS, HUGE, NEAR, OFFSET, PLAIN, STEEP, TINY, balls, either, grid, telling, uniform, whole
+from judge.geometry.scenes import AXIS, BIG, DECIMALS, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, balls, either, grid, telling, uniform, whole
 from judge.problem.declare import group
 
 HOOKS = hooks(BALLS)
 FULL = {**HUGE, "size": 2**36}
-GRAZES = "touch before after", "touch before after rest", "touch before after along"
+GRAZES = "touch before after", "touch before after rest", "touch before after along", "touch before after alone"
 STARTS = "chord last after", "chord first before", "touch foot after", "chord last after rest", "chord last after dot"
 ENDS = "chord before first", "touch before foot", "chord before first rest", "chord after last"
-POINTS = "dot before after", "dot before after", "dot before foot", "dot before foot", "dot foot after", "dot-miss before after"
+POINTS = "dot before after", "dot before after", "dot before foot", "dot before foot", "dot foot after", "dot-miss before after", "dot foot = rest"
 TELLING = plain.balls_meet, partial(plain.balls_meet, tolerance=1e-10)
 
 
@@ -40,7 +40,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("turned", "Grazes that squares cannot see.", balls(*GRAZES, **BIG), skills="a tangent has a width"),
     group("graze-full", "Grazes that no formula in floats can see.", telling(either(balls(*GRAZES, **FULL), balls("touch before after", "touch before after dot", **{**FULL, "turn": "axis"})), *TELLING), skills="a tangent has a width"),
     group("start-full", "The discs touch at the start, and rounding puts them apart.", balls(*STARTS, **FULL), skills="touching from the start"),
-    group("end-full", "The discs touch at the very end, and rounding makes it later.", telling(either(balls(*ENDS, **FULL), balls("chord before first home", "touch before foot home", "chord before first home dot", **{**FULL, "move": 0})), *TELLING), skills="first in time"),
+    group("end-full", "The discs touch at the very end, and rounding makes it later.", telling(either(balls(*ENDS, **FULL), balls(*ENDS, "dot before foot", **STEEP), balls("chord before first home", "touch before foot home", "chord before first home dot", **{**FULL, "move": 0})), *TELLING), cases=120, skills="first in time"),
     group("near-graze", "Nearly a graze: 1e-7 of the figure away.", balls("touch~ before after", "touch~ before after rest", "touch~ before after along", **NEAR), skills="nearly is not touching"),
     group("near-start", "The discs nearly touch at the start, and come together or leave each other.", balls("chord last~ after", "chord first~ before", "chord first~ in", "chord last~ after rest", **NEAR), skills="touching from the start"),
     group("near-end", "The discs touch just before the end, or do not quite.", balls("chord before first~", "chord before first~ rest", "chord after -last~", **NEAR), skills="first in time"),
@@ -50,7 +50,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("tiny", "All of it around 1e-20.", balls("touch before after", "touch~ before after", "chord before first~", "chord last~ after", **TINY), skills=("no absolute epsilon", "scale invariance")),
     group("offset", "Small discs far from the plane's origin.", balls("touch before after", "cut before after", "chord before first", "chord last after", **OFFSET), skills="far from the origin"),
     group("offset-near", "Nearly a touch at the start, on the way or at the end, far from the plane's origin.", balls("touch~ before after", "chord before first~", "chord last~ after", "dot~ before after", "dot before foot~", "dot foot~ after", **OFFSET), skills="far from the origin"),
-    group("steep", "Ways almost along an axis.", balls("touch before after", "cut before in", "cut before after", "miss before after", **STEEP), skills="no slopes"),
+    group("steep", "Ways almost along an axis.", either(balls("touch before after", "cut before in", "cut before after", "miss before after", **STEEP), balls("dot after after", "cut before after", "miss before after", "cut after after", **TILTED)), skills="no slopes"),
     group("random", "Any numbers, small and large.", uniform("pprppr", 20, 1e4, 1e9), skills="full precision"),
     group("large", "Whole numbers up to 2**30, some of them grazes.", either(whole("pprppr", 30), balls(*GRAZES, "cut before in", **{**BIG, "shift": 0, "numbers": "int"})), skills=("whole numbers that are large", "scale invariance")),
 ]

@@ -5,7 +5,7 @@ from functools import partial
 from judge.geometry import plain
 from judge.geometry.hooks import WALL, hooks
 from judge.geometry.motion import wall_meeting
-from judge.geometry.scenes import AXIS, BIG, DECIMALS, HUGE, NEAR, OFFSET, PLAIN, STEEP, TINY, either, grid, telling, uniform, walls, whole
+from judge.geometry.scenes import AXIS, BIG, DECIMALS, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, either, grid, telling, uniform, walls, whole
 from judge.problem.declare import group
 
 HOOKS = hooks(WALL)
@@ -31,7 +31,7 @@ INTERVIEW = [
     group("graze", "The disc grazes an end.", walls(*GRAZES, "graze cap", **PLAIN), skills="a graze is a touch"),
     group("slide", "The disc slides along the wall, and touches it from its first end on.", walls("slide side", **PLAIN), skills=("a graze is a touch", "a wall has round ends")),
     group("post", "A wall that is a point.", walls("hit post", "hit post", "graze post", "short post", **PLAIN), skills="a wall has round ends"),
-    group("point", "The radius is 0, or so small beside the way and the wall: the disc is a point.", walls("hit side dot", "hit post dot", "end side dot", "end post dot", "start cap dot", "short side dot", "hit side grain", **{**PLAIN, "shift": -20}), cases=90, skills="first in time"),
+    group("point", "The radius is 0, or so small beside the way and the wall: the disc is a point.", walls("hit side dot", "hit post dot", "end side dot", "end post dot", "start cap dot", "short side dot", "rest post dot", "hit side grain", **{**PLAIN, "shift": -20}), cases=90, skills="first in time"),
     group("still", "The disc rests, on the wall or beside it.", walls("rest side", "rest cap", "rest post", **PLAIN), skills="touching from the start"),
     group("fast", "A way of many radii: no coarse clock sees the touch.", walls("fast side", "fast cap", "fast post", **{**PLAIN, "shift": -20}), skills="never step through"),
     group("repeated", "Neighbouring calls differ in one argument.", grid("pprpp", 4), turns=True, skills="nothing kept between calls"),
@@ -52,7 +52,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("tiny", "All of it around 1e-20.", walls("graze cap", "graze~ cap", "end~ side", "hit side", **TINY), skills=("no absolute epsilon", "scale invariance")),
     group("offset", "A small figure far from the plane's origin.", walls("hit side", "hit cap", "graze cap", "end side", "start side", **OFFSET), skills="far from the origin"),
     group("offset-near", "Nearly a touch at the start, on the way or at the end, far from the plane's origin.", walls("graze~ cap", "slide~ side", "start~ side", "end~ side", "end~ cap", "end~ post dot level", **OFFSET), skills="far from the origin"),
-    group("steep", "Ways almost along an axis.", walls("hit side", "hit cap", "graze cap", "short cap", **{**STEEP, "size": 2**7}), skills="no slopes"),
+    group("steep", "Ways almost along an axis.", either(walls("hit side", "hit cap", "graze cap", "short cap", **{**STEEP, "size": 2**7}), walls("hit side level", "hit cap level", "short side", "away side level", **TILTED)), skills="no slopes"),
     group("random", "Any numbers, small and large.", uniform("pprpp", 20, 1e4, 1e9), skills="full precision"),
     group("large", "Whole numbers up to 2**30, some of them grazes.", either(whole("pprpp", 30), walls(*GRAZES, "hit side", "end cap", **{**BIGGER, "shift": 0, "numbers": "int"})), skills=("whole numbers that are large", "scale invariance")),
 ]
