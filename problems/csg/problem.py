@@ -10,7 +10,7 @@ from judge.problem.declare import group
 HOOKS = hooks(SPANS)
 FULL = {**HUGE, "size": 2**36}
 OVERLAP = "cut cut", "enter1 exit3 enter2", "cut1 enter2 cut3", "around cut exit2"
-ABUT = "exit2 enter2", "exit2 enter2 about", "enter2 enter2 dot5", "exit3 exit3 enter1", "enter2 enter2", "exit2 enter2 enter2", "enter1 copy exit2"
+ABUT = "exit2 enter2", "exit3 exit3 enter1", "enter2 enter2", "exit2 enter2 enter2", "enter1 copy exit2"
 TELLING = plain.spans, partial(plain.spans, tolerance=1e-10)
 
 
@@ -34,7 +34,7 @@ INTERVIEW = [
 PRODUCTION = [  # the same, where rounding bites
     group("decimals", "Touches in short decimals, which == does not see.", telling(solids(crowds("touch cut", "touch touch", "cut touch touch", **DECIMALS)), *TELLING), skills="collapse the tangent"),
     group("abut", "Discs that begin where others end: no seam and no sliver is left.", telling(solids(crowds(*ABUT, **BIG)), *TELLING), skills="no slivers"),
-    group("abut-full", "The same, where floats put the ends in order.", telling(solids(crowds(*ABUT, **FULL)), *TELLING), skills="no slivers"),
+    group("abut-full", "The same, where floats put the ends in order.", telling(solids(crowds(*ABUT, "exit2 enter2 about", "enter2 enter2 dot5", **FULL)), *TELLING), skills="no slivers"),
     group("origin-full", "The ray begins where a disc ends or begins.", telling(solids(either(crowds("exit0 enter0", "exit0 enter", "enter0 exit2", "exit0 around", "exit0 enter0 about", "exit0 enter dot5", **FULL), aligned(20, (2, 3)), aligned(2**28, (2, 3)))), *TELLING), skills="no slivers"),
     group("touch-full", "Touches that floats take for short chords.", solids(crowds("touch cut", "touch touch", "around touch", "dot cut", "around dot dot", "dot0 enter", **FULL)), skills="a tangent has a width"),
     group("near-ties", "Ends nearly at one place: what is between them counts.", solids(crowds("exit2~ enter2", "enter2 enter2~", "exit2~ exit2", "exit0~ enter", **NEAR)), skills="nearly is not touching"),
@@ -42,10 +42,10 @@ PRODUCTION = [  # the same, where rounding bites
     group("specks", "Discs a hundred to a hundred thousand times smaller than their distance.", solids(crowds("speck cut", "speck speck", "tiny cut", "tiny tiny", **{**FAR, "size": 2**16, "turn": "any"})), skills=("a tangent has a width", "the size of the whole")),
     group("lopsided", "A disc hundreds to tens of thousands of times as large as the others: its size is the figure's.", solids(either(*[crowds("enter1 beside", "exit1 enter2 around", "exit2 enter2 beside", "around cut cut", **{**BIG, "size": 2**12, "uneven": each}) for each in (9, 14)])), skills="the size of the whole"),
     group("stacked", "Programs that put up to 32 discs on the stack before the first operation.", solids(crowd_of("cut", "enter", "around", count=(19, 31), first="cut1", **PLAIN), form="stack"), cases=40, skills="operations in any nesting"),
-    group("direction-length", "Directions up to 1e24 times longer or shorter than the figure.", solids(either(crowds("cut behind", "around cut", "exit2 enter2", "around exit2", **{**PLAIN, "shift": -17, "stretch": tuple(range(-40, 31, 10))}), crowds("around cut", "touch~ cut", "exit0~ enter", "exit2~ enter2", **{**NEAR, "shift": -60, "stretch": (0, 40, 70, 82)}))), skills="t is not a distance"),
+    group("direction-length", "Directions up to 1e24 times longer or shorter than the figure.", solids(either(crowds("cut behind", "around cut", "exit2 enter2", "around exit2", **{**PLAIN, "shift": -17, "stretch": tuple(range(-40, 31, 10))}), crowds("around cut", "touch~ cut", "exit0~ enter", "exit2~ enter2", **{**NEAR, "shift": -60, "stretch": (0, 40, 70, 82)}), crowds("exit0 enter0", "exit0 enter", **{**FULL, "stretch": (-60, -30, 22)}))), skills="t is not a distance"),
     group("tiny", "All of it around 1e-20.", solids(crowds("touch cut", "touch~ cut", "exit2 enter2", "exit2~ enter2", **TINY)), skills=("no absolute epsilon", "scale invariance")),
     group("offset", "A small figure far from the plane's origin.", solids(crowds("cut cut", "around touch", "exit2 enter2", "around cut exit2", "touch~ cut", "exit0~ enter", "exit2~ enter2", **OFFSET)), skills="far from the origin"),
-    group("steep", "Directions almost along an axis.", solids(either(crowds("touch cut", "around behind", "cut cut", "exit2 enter2", **STEEP), crowds("cut cut", "around behind", **{**TILTED, "tilt": (20, 75)}))), skills="no slopes"),
+    group("steep", "Directions almost along an axis.", solids(either(crowds("touch cut", "around behind", "cut cut", "exit2 enter2", **STEEP), crowds("cut cut", "around behind", "dot-behind cut", **{**TILTED, "tilt": (20, 75)}))), skills="no slopes"),
     group("random", "Any numbers, small and large.", solids(either(anywhere(1000, (2, 12)), anywhere(2**30, (2, 12))), form="tree"), skills=("full precision", "whole numbers that are large")),
     group("large", "Whole numbers up to 2**30, with touches and common ends.", solids(crowds("touch cut", "exit2 enter2", "around exit2", **{**BIG, "shift": 0, "numbers": "int"})), skills=("whole numbers that are large", "scale invariance")),
 ]

@@ -5,7 +5,7 @@ from functools import partial
 from judge.geometry import plain
 from judge.geometry.hooks import BALLS, hooks
 from judge.geometry.motion import balls_meeting
-from judge.geometry.scenes import AXIS, BIG, DECIMALS, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, balls, either, grid, telling, uniform, whole
+from judge.geometry.scenes import AXIS, BIG, DECIMALS, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, balls, either, grid, meeting, telling, uniform, whole
 from judge.problem.declare import group
 
 HOOKS = hooks(BALLS)
@@ -38,9 +38,9 @@ INTERVIEW = [
 PRODUCTION = [  # the same, where rounding bites
     group("decimals", "Grazes in short decimals, which == does not see.", telling(balls("touch before after rest", "touch before after rest dot", "touch before after alone dot", **DECIMALS), *TELLING), skills="a graze is a touch"),
     group("turned", "Grazes that squares cannot see.", balls(*GRAZES, **BIG), skills="a tangent has a width"),
-    group("graze-full", "Grazes that no formula in floats can see.", telling(either(balls(*GRAZES, **FULL), balls("touch before after", "touch before after dot", **{**FULL, "turn": "axis"})), *TELLING), skills="a tangent has a width"),
+    group("graze-full", "Grazes that no formula in floats can see.", telling(either(balls(*GRAZES, **FULL), balls("touch before after", "touch before after dot", **{**FULL, "turn": "axis"}), balls("touch before after alone dot", **FULL)), *TELLING), cases=80, skills="a tangent has a width"),
     group("start-full", "The discs touch at the start, and rounding puts them apart.", balls(*STARTS, **FULL), skills="touching from the start"),
-    group("end-full", "The discs touch at the very end, and rounding makes it later.", telling(either(balls(*ENDS, **FULL), balls(*ENDS, "dot before foot", **STEEP), balls("chord before first home", "touch before foot home", "chord before first home dot", **{**FULL, "move": 0})), *TELLING), cases=120, skills="first in time"),
+    group("end-full", "The discs touch at the very end, and rounding makes it later.", telling(either(balls(*ENDS, **FULL), balls(*ENDS, "dot before foot", **STEEP), balls("chord before first home", "touch before foot home", "chord before first home dot", **{**FULL, "move": 0}), meeting(29)), *TELLING), cases=120, skills="first in time"),
     group("near-graze", "Nearly a graze: 1e-7 of the figure away.", balls("touch~ before after", "touch~ before after rest", "touch~ before after along", **NEAR), skills="nearly is not touching"),
     group("near-start", "The discs nearly touch at the start, and come together or leave each other.", balls("chord last~ after", "chord first~ before", "chord first~ in", "chord last~ after rest", **NEAR), skills="touching from the start"),
     group("near-end", "The discs touch just before the end, or do not quite.", balls("chord before first~", "chord before first~ rest", "chord after -last~", **NEAR), skills="first in time"),

@@ -42,6 +42,7 @@ _WORDS = (
         "behind",
         "touch-behind",
         "exit-behind",
+        "dot-behind",
     ),
     *("copy", "mirror", "room", "within"),
 )
@@ -103,6 +104,7 @@ def _circle(draw: Draw, kind: str, at: int, size: int, before: Sequence[Row]) ->
         "speck": lambda: (at + r * draw.integer(100, 20_000), r * side, r),
         "tiny": lambda: (at + r * draw.integer(100, 20_000), across // 2, r),
         "dot": lambda: (at, 0, 0),
+        "dot-behind": lambda: (-at, 0, 0),
         "cut": lambda: (at + r, across, r),
         "around": lambda: (across // 3, draw.integer(1 - r, r - 1) // 3, r * draw.integer(2, 9)),
         "about": lambda: (0, 0, r * draw.integer(1, 9)),

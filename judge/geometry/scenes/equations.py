@@ -83,7 +83,7 @@ def b_small(draw: Draw) -> Coefficients:
 def full(draw: Draw) -> Coefficients:
     """Three numbers of 53 bits and of similar size: digits are lost, but few."""
     a, b, c = (draw.integer(1 << 52, (1 << 53) - 1) * draw.sign() for _ in range(3))
-    return ldexp(a, -draw.integer(20, 52)), ldexp(b, -draw.integer(20, 52)), ldexp(c, -draw.integer(20, 52))
+    return ldexp(a, -draw.integer(48, 52)), ldexp(b, -draw.integer(44, 52)), ldexp(c, -draw.integer(48, 52))
 
 
 @_scene

@@ -197,7 +197,7 @@ def _about(draw: Draw, size: int) -> Row:
 
 
 def topped(reach: int) -> Scene:
-    """Rays from anywhere in whole numbers to the top of a circle, or its bottom, left or right; L is anywhere."""
+    """Rays in whole numbers to the top of a circle, or its bottom, left or right; L is anywhere."""
 
     def draw_case(draw: Draw) -> tuple[Any, ...]:
         def spot(most: int) -> Spot:

@@ -14,8 +14,8 @@ judge.geometry.level; "=" for the second place is no way at all. Words after the
     home              P0 is the origin, or P1, or Q0
 
 Of a wall, the first word says what happens, the second one where: at its side, a cap (a round end), or a
-post. Others may follow: "dot", the radius is 0; "grain", it is tiny beside way and wall; "level", the way runs
-along an axis; "afar", from far away; "home".
+post. Others may follow: "dot", the radius is 0; "grain", it is tiny beside way and wall; "level", the way
+runs along an axis; "afar", from far away; "rim", close to an end; "home".
 
     hit, fast, flat       the disc comes to it: from near, from far, nearly along it
     graze, slide          it passes just in touch; along the side
@@ -28,9 +28,10 @@ along an axis; "afar", from far away; "home".
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
 from judge.data.draw import Draw
-from judge.geometry.level import HEIGHTS, PLACES, Nudge, checked, near_gap, over_circle, scene
+from judge.geometry.level import HEIGHTS, PLACES, Nudge, Scene, checked, near_gap, over_circle, scene
 from judge.geometry.pose import Atom, Length, Point, triple
 
 _DRIFTS = ("rest", "alone", "along", "together", "rush")
@@ -41,7 +42,7 @@ _WHAT = (
     "broad",
 )
 _WHERE = ("side", "cap", "post")
-_HOW = ("dot", "grain", "level", "afar", "home")
+_HOW = ("dot", "grain", "level", "afar", "rim", "home")
 
 
 def _level_balls(draw: Draw, words: Sequence[str], size: int = 30) -> tuple[list[Atom], list[Nudge]]:
@@ -83,13 +84,16 @@ def _home(draw: Draw, atoms: list[Atom], those: Sequence[int]) -> None:
 def _level_wall(draw: Draw, words: Sequence[str], size: int = 30) -> tuple[list[Atom], list[Nudge]]:
     """The wall from (0, 0) to (W, 0). The touch is laid out first, and the way goes through it."""
     what, where, near = words[0].rstrip("~"), words[1], words[0][-1] == "~"
-    W = 0 if where == "post" else draw.integer(1, 3 * size) << (_FINE if "grain" in words else 0)
+    W = 0 if where == "post" else draw.integer(1, 3 * size)
+    if "grain" in words:
+        W <<= draw.integer(10, 34)
     if what == "flat":
         W *= draw.choice((10, 3000))
     if where == "side":
         R = draw.integer(size // 4 + 1, size) * (draw.integer(100, 600) if what == "broad" else 1)
         R = 0 if "dot" in words else R
-        x = W + R + draw.integer(1, size) if what == "past" else draw.integer(0, W)
+        x = W + R + draw.integer(1, max(W, size)) if what == "past" else draw.integer(0, W)
+        x = W >> draw.integer(4, 16) if "rim" in words else x
         spot, away, across = (x, R), (0, 1), (1, 0)
     else:
         p, q, c = triple(draw, max(5, min(size, 4_418)))
@@ -98,7 +102,7 @@ def _level_wall(draw: Draw, words: Sequence[str], size: int = 30) -> tuple[list[
         if "dot" in words:
             R = k = 0
         spot, across = (away[0] * k, away[1] * k), (-away[1], away[0])
-    stride = max(1, R // max(map(abs, away)) // 4, W >> 6 if "grain" in words else 0)
+    stride = max(1, (R or size) // max(map(abs, away)) // 4, W >> 6 if "grain" in words else 0)
     way = _way(draw, away, "level" if "level" in words else what)
     if what == "flat":
         stride = 1
@@ -142,7 +146,7 @@ def _way(draw: Draw, away: Sequence[int], what: str) -> tuple[int, int]:
     if what == "past":
         return 0, -1
     if what == "flat":
-        return draw.integer(100, 9_000) * draw.sign(), -1
+        return draw.choice((draw.integer(100, 9_000), draw.integer(9_000, 9_990))) * draw.sign(), -1
     x, y = draw.integer(-12, 12), draw.integer(-12, 12)
     if what == "level":
         x, y = (draw.sign(), 0) if draw.boolean() else (0, draw.sign())
@@ -169,3 +173,15 @@ def _check_wall(words: list[str]) -> None:
 
 balls = scene(_level_balls, lambda P0, P1, r, Q0, Q1, s: (P0, P1, r, Q0, Q1, s), _check_balls)
 walls = scene(_level_wall, lambda P0, P1, r, A, B: (P0, P1, r, A, B), _check_wall)
+
+
+def meeting(bits: int) -> Scene:
+    """Two points that run to one place; whole numbers of any size up to 2**bits."""
+
+    def draw_case(draw: Draw) -> tuple[Any, ...]:
+        P, Q, X = (
+            tuple(draw.sign() * draw.integer(0, 1 << draw.integer(0, bits)) for _ in "xy") for _ in range(3)
+        )
+        return P, X, 0, Q, X, 0
+
+    return draw_case
