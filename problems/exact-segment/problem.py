@@ -20,6 +20,14 @@ def one_point(draw):
     return cx, cy, r, A, A
 
 
+def brink(draw):
+    """A level or upright touch at an end, or 1 before it or beyond it, at 1e30 and 1e100."""
+    size = draw.choice((10**30, 10**100))
+    r, far, at = draw.integer(1, size // 4), draw.integer(size // 8, size // 4), draw.integer(-1, 1)
+    (cx, cy), A, B = signs.fitted(draw, size, [(0, 0), (at - far, r), (at, r)])
+    return (cx, cy, r, A, B) if draw.integer(0, 3) else (cx, cy, r, B, A)
+
+
 def steps(draw):
     """A point C, and A and B a few steps from it along one direction."""
     (x, y), (p, q) = ((draw.integer(-9, 9), draw.integer(-9, 9)) for _ in range(2))
@@ -45,5 +53,5 @@ PRODUCTION = [  # the same, where rounding bites
     group("near-touch", "The least that ints allow: r²a − k² is 1 or -1, the foot on the segment or not.", hairlines.least(10**3, 10**5, 10**6, 10**9, 10**50, 10**100, 10**119), cases=160, skills="exact count for integers"),
     group("hairline", "The line cuts or misses by a hair at 1e8 to 1e14: k is r·|D| ± 1.", hairlines.hairlines(10**8, 10**10, 10**12, 10**14, off=(1, -1, 2, -2)), cases=160, skills="exact count for integers"),
     group("nearly", "The line passes the circle by 1e-13 to 0.9 of the radius, in every direction.", signs.tried(hairlines.nearly(10**20, 10**40)), cases=200, skills="exact count for integers"),
-    group("large", "All of it at 1e30 to 1e100: beyond any fixed number of digits.", either(hairlines.hairlines(10**30, 10**100, off=(0, 1, -1)), hairlines.least(10**30, 10**100, 10**119), hairlines.ends((10**30, 10**100), 0, 1, -1)), cases=120, skills="integers of any size"),
+    group("large", "All of it at 1e30 to 1e100: beyond any fixed number of digits.", either(hairlines.hairlines(10**30, 10**100, off=(0, 1, -1)), hairlines.least(10**30, 10**100, 10**119), hairlines.ends((10**30, 10**100), 0, 1, -1), brink), cases=160, skills="integers of any size"),
 ]

@@ -28,6 +28,7 @@ runs along an axis; "afar", from far away; "rim", close to an end; "home".
 from __future__ import annotations
 
 from collections.abc import Sequence
+from math import ldexp
 from typing import Any
 
 from judge.data.draw import Draw
@@ -176,12 +177,17 @@ walls = scene(_level_wall, lambda P0, P1, r, A, B: (P0, P1, r, A, B), _check_wal
 
 
 def meeting(bits: int) -> Scene:
-    """Two points that run to one place; whole numbers of any size up to 2**bits."""
+    """Two points that run to one place: whole numbers of any size up to 2**bits, or doubles of 53 bits."""
 
     def draw_case(draw: Draw) -> tuple[Any, ...]:
-        P, Q, X = (
-            tuple(draw.sign() * draw.integer(0, 1 << draw.integer(0, bits)) for _ in "xy") for _ in range(3)
-        )
+        whole = draw.boolean()
+
+        def number() -> int | float:
+            if whole:
+                return draw.sign() * draw.integer(0, 1 << draw.integer(0, bits))
+            return ldexp(draw.sign() * draw.integer(0, 1 << 53), draw.integer(0, bits) - 53)
+
+        P, Q, X = ((number(), number()) for _ in range(3))
         return P, X, 0, Q, X, 0
 
     return draw_case
