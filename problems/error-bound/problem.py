@@ -31,6 +31,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("far", "Far from the origin, or A and B far along the line.", either(seven(lines(*TOUCH, "cut by ?by", **OFFSET)), seven(lines("touch far by", "touch remote by", "cut far -far", **FAR))), skills="the sharp discriminant"),
     group("nearly", "The line passes the circle by 1e-13 to 0.9 of the radius, in every direction.", doubles.rounded(signs.tried(hairlines.nearly(10**20, 10**25))), cases=160, skills="full precision"),
     group("huge", "Ints and doubles up to 2**64 to 2**97: what no int of 64 bits holds.", doubles.huge, skills="integers of any size"),
+    group("uneven", "Each number has a size of its own: of thirty lines the one that doubles get most wrong.", doubles.worst(either(doubles.uneven, doubles.small_radius(doubles.uneven)), 30), skills="bound every rounding"),
     group("tiny", "Numbers of about 1e-20, some of them a unit in their last place off.", doubles.ulps(seven(lines(*TOUCH, **TINY)), 1), skills="no absolute epsilon"),
     group("vanishing", "Doubles make k nothing at all: it is nearly the most that three roundings can lose.", signs.tried(doubles.vanishing), skills="the sharp discriminant"),
 ]

@@ -1,5 +1,5 @@
-"""The promise from both sides: a tolerance below 1e-7 of the size is right, one above it is rejected, and so is
-one of another size."""
+"""The promise from both sides: a tolerance below 1e-7 of the size is right, one above it is rejected, and so
+is one of another size."""
 
 from __future__ import annotations
 
@@ -28,6 +28,14 @@ SIZES = [
     *((kata, "max(", CENTRE) for kata in ("segment", "count", "chord", "line-points", "on-circle")),
     *((kata, "max(", how) for kata in ("ray-nearest", "normal", "reflect") for how in (CENTRE, LONG)),
     *(("sphere", "max(", how) for how in (AWAY, LONG)),
+    *((kata, "max(r1", "max(abs(cx1), abs(cy1), r1") for kata in ("circle-circle", "common-tangents")),
+    *((kata, "max(r", f"{CENTRE}r") for kata in ("tangents", "polygon")),
+    *((kata, "max(r", "max(*map(abs, P0), r") for kata in ("swept-balls", "swept-wall")),
+    *(
+        (kata, "max(r", f"max(*map(abs, {v}), r")
+        for kata in ("enter-exit", "csg", "silhouette")
+        for v in "OD"
+    ),
     ("segment", END, ""),
     ("segment", ", abs(ax), abs(ay)", ""),
     ("ray-nearest", ", abs(fx), abs(fy)", ""),
