@@ -2,7 +2,7 @@
 
 In a level figure the line is parallel to the x axis and all that is exact is whole. A word is a height of a
 line over a circle (`touch`), a place on it (`before`), or what a scene adds; "~" after a word puts the figure
-just off it: by 1 to 2, or by 3 to 8, times 1e-7 of its size.
+just off it: by 1 to 1.2, 1 to 2 or 3 to 8 times 1e-7 of its size.
 """
 
 from __future__ import annotations
@@ -184,7 +184,7 @@ def _nudge(draw: Draw, atoms: list[Atom], nudges: Sequence[Nudge]) -> None:
     """Scale the figure up until 1e-7 of its size is several units, and put it just off."""
     points = [each for each in atoms if isinstance(each, Point)]
     reach = [abs(n) for each in atoms if isinstance(each, Length) for n in each]
-    reach += [abs(m - n) for each in points for m, n in zip(each, points[0], strict=True)]
+    reach += [root_up(_way(each, points[0])) for each in points]  # no turn makes it larger
     fine = 1 << max(0, _FINE - max(reach).bit_length())
     for each in atoms:
         if not isinstance(each, Vector):
@@ -196,10 +196,14 @@ def _nudge(draw: Draw, atoms: list[Atom], nudges: Sequence[Nudge]) -> None:
         atoms[nudge.atom][nudge.coordinate] += side * ceil(nudge.times * gap)
 
 
+def _way(end: Point, start: Point) -> int:
+    return sum([(m - n) ** 2 for m, n in zip(end, start, strict=True)])
+
+
 def near_gap(draw: Draw, size: int) -> int:
-    """1 to 2, or 3 to 8, times 1e-7 of the size, rounded up: nearly a touch, and clear of it."""
-    least, most = draw.choice(((1, 2), (3, 8)))
-    return draw.integer(least * size, most * size) // 10**7 + 1
+    """1 to 1.2, 1 to 2 or 3 to 8 times 1e-7 of the size, rounded up: nearly a touch, and clear of it."""
+    least, most = draw.choice(((10, 12), (10, 20), (30, 80)))
+    return draw.integer(least * size, most * size) // 10**8 + 1
 
 
 # -- plain numbers ------------------------------------------------------------------------------------

@@ -8,7 +8,20 @@ The words are those of judge.geometry.level and of each scene, the poses those o
 """
 
 from judge.geometry.level import corners, either, grid, telling, uniform, whole
-from judge.geometry.pose import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TINY
+from judge.geometry.pose import (
+    AXIS,
+    BIG,
+    DECIMALS,
+    FAR,
+    HUGE,
+    NEAR,
+    OFFSET,
+    PLAIN,
+    SPLIT,
+    STEEP,
+    TILTED,
+    TINY,
+)
 from judge.geometry.scenes.crowds import anywhere, crowd_of, crowds, solids
 from judge.geometry.scenes.frames import anything, frames
 from judge.geometry.scenes.lights import lights, shaded
@@ -28,6 +41,7 @@ __all__ = [
     "PLAIN",
     "SPLIT",
     "STEEP",
+    "TILTED",
     "TINY",
     "any_columns",
     "anything",

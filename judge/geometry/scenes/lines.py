@@ -84,7 +84,7 @@ def _level_foot(draw: Draw, words: Sequence[str], size: int = 30, uneven: int = 
         away = draw.integer(4, 40)
         high, at = high << away, at << away
     start, last = (end, 0) if draw.boolean() else (0, end)
-    return [Point([start, 0]), Point([last, 0]), Point([at, high])], []
+    return [Point([at, high]), Point([start, 0]), Point([last, 0])], []
 
 
 def _check_line(words: list[str]) -> None:
@@ -111,7 +111,7 @@ lines = scene(_level_line, lambda C, r, A, B: (*C, r, A, B), _check_line)
 rays = scene(_level_ray, lambda C, r, O, D: (*C, r, O, D), _check_ray)
 spheres = scene(_level_sphere, lambda C, r, O, D: (C, r, O, D), _check_ray)
 points = scene(_level_point, lambda C, r, P: (*C, r, P), _check_point)
-feet = scene(_level_foot, lambda A, B, P: (A, B, P), _check_foot)
+feet = scene(_level_foot, lambda P, A, B: (A, B, P), _check_foot)
 
 
 def closed_up(*plans: str, **how: Any) -> Scene:
