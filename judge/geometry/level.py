@@ -19,7 +19,21 @@ from judge.geometry.pose import Atom, Length, Point, Vector, posed, root_up, tri
 
 Scene = Callable[[Draw], tuple[Any, ...]]
 HEIGHTS = ("cut", "chord", "through", "off-centre", "touch", "miss", "dot", "dot-miss")
-PLACES = ("before", "in", "after", "first", "last", "foot", "near", "by", "far", "very-far", "remote", "=")
+PLACES = (
+    "before",
+    "in",
+    "after",
+    "first",
+    "last",
+    "foot",
+    "close",
+    "near",
+    "by",
+    "far",
+    "very-far",
+    "remote",
+    "=",
+)
 _FINE = 30  # bits of the size where a figure is nudged: 1e-7 of it is 53 units and more
 _LEVEL = ("size", "uneven")  # keys of a pose that are the level figure's
 
@@ -137,6 +151,8 @@ def place(draw: Draw, word: str, R: int, h: int, half: int | None, size: int) ->
         x = -half if name == "first" else half
     elif name == "near":
         x = (r * draw.integer(1, 20) // 2_000 + 1) * draw.sign()
+    elif name == "close":  # by 2**-11 to 2**-40 of the radius
+        x = max(1, r >> draw.integer(11, 40)) * draw.sign()
     elif name == "by":
         x = outer + draw.integer(1, 3 * r)
     elif name == "far":
@@ -224,8 +240,12 @@ def whole(shape: str, bits: int) -> Scene:
 
 
 def corners(shape: str, bits: int) -> Scene:
-    """Ints at ±2**bits, a few of them off by 1: a difference has a bit more, a sum of squares three."""
-    return _shaped(shape, lambda draw: ((1 << bits) - (draw.integer(0, 7) == 7)) * draw.sign())
+    """Ints at ±2**bits, a few of them 0 or off by 1: a difference has a bit more, a sum of squares three."""
+
+    def number(draw: Draw) -> int:
+        return ((1 << bits) - (draw.integer(0, 7) == 7)) * draw.sign() if draw.integer(0, 5) else 0
+
+    return _shaped(shape, number)
 
 
 def uniform(shape: str, *reaches: float) -> Scene:
