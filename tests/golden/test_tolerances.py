@@ -1,5 +1,4 @@
-"""The promise from both sides: a tolerance below 1e-7 of the size is right, one above it is rejected, and so is
-one of another size."""
+"""A tolerance below 1e-7 of the size is right; one above it is wrong, and so is one of another size."""
 
 from __future__ import annotations
 
