@@ -28,6 +28,7 @@ PLACES = (
     "foot",
     "close",
     "near",
+    "nearer",
     "by",
     "far",
     "very-far",
@@ -151,6 +152,8 @@ def place(draw: Draw, word: str, R: int, h: int, half: int | None, size: int) ->
         x = -half if name == "first" else half
     elif name == "near":
         x = (r * draw.integer(1, 20) // 2_000 + 1) * draw.sign()
+    elif name == "nearer":  # on a touch, hardly more than the least way that is clear of the circle
+        x = r * draw.integer(450, 500) // 10**6 * draw.sign()
     elif name == "close":  # by 2**-11 to 2**-40 of the radius
         x = max(1, r >> draw.integer(11, 40)) * draw.sign()
     elif name == "by":

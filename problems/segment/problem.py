@@ -24,8 +24,8 @@ def beside(draw):
     """An end is on the circle, and the other one straight beside the centre or above it, or nearly."""
     fine = draw.choice(({**HUGE, "size": 2**30, "turn": "axis", "shift": -26}, {**BIG, "size": 2**10, "shift": -20}))
     cx, cy, r, A = points("on", "on", "on", "dot-on", **fine)(draw)
-    far = (r or 9) * draw.choice((1, 2, 3, 77, 10**3, 10**5, 10**6)) * draw.sign()
-    off = (r or 9) * draw.integer(-1, 1) / 2 ** draw.integer(10, 30)
+    far = (r or 9) * draw.choice((2, 10**5, 10**6, 10**6)) * draw.sign()
+    off = (r or 9) * draw.choice((0, 0, 1, -1)) / 2 ** draw.integer(10, 30)
     B = (cx + far, cy + off) if draw.boolean() else (cx + off, cy + far)
     return (cx, cy, r, A, B) if draw.boolean() else (cx, cy, r, B, A)
 
@@ -65,15 +65,15 @@ INTERVIEW = [
 ]
 
 PRODUCTION = [  # the same, where rounding bites
-    group("decimals", "Touches in short decimals, which == does not see.", telling(lines(*TOUCHES, "touch after foot", **DECIMALS), *TELLING), skills="collapse the tangent"),
+    group("decimals", "Touches in short decimals, which == does not see.", telling(lines(*TOUCHES, "touch foot after", "touch after foot", **DECIMALS), *TELLING), cases=90, skills="collapse the tangent"),
     group("turned", "A touch that squares cannot see.", lines(*TOUCHES, *BEYOND, **BIG), skills="a tangent has a width"),
     group("full", "A touch that no formula in floats can see.", either(lines(*TOUCHES, **HUGE), lines(*TOUCHES, **SPLIT)), skills="a tangent has a width"),
     group("near", "Nearly a touch: 1e-7 of the figure away.", lines("touch~ before after", "touch~ before after", "touch~ foot by", **NEAR), skills="nearly is not touching"),
-    group("end-full", "An end is on the circle, and rounding puts it beside.", either(lines(*ENDS, **HUGE), lines(*ENDS, **SPLIT), lines(*ENDS, **{**HUGE, "turn": "axis"}), lines("chord first after", **TILTED), beside), cases=90, skills="closed ends"),
-    group("end-near", "An end stops just before the circle, or goes on just past it.", lines("chord first~ in", "chord first~ after", "chord before first~", "chord last~ after", "chord in last~", "through first~ in", "through in last~", "through before first~", "through last~ after", **NEAR), cases=120, skills="ends no wider than rounding"),
-    group("point", "A equals B: on the circle, or 1e-7 of the figure beside it.", either(telling(POINT, squares, always), telling(POINT, root, always, tries=99), lines("chord first =", "chord last =", **BIG), lines("chord first~ =", "chord last~ =", **NEAR)), cases=80, skills="degenerate segment"),
+    group("end-full", "An end is on the circle, and rounding puts it beside.", either(lines(*ENDS, **HUGE), lines(*ENDS, **SPLIT), lines(*ENDS, **{**HUGE, "turn": "axis"}), lines("chord first after", **TILTED), beside, beside), cases=120, skills="closed ends"),
+    group("end-near", "An end stops just before the circle, or goes on just past it.", lines("chord first~ in", "chord first~ after", "chord before first~", "chord last~ after", "chord in last~", "through first~ in", "through in last~", "through before first~", "through last~ after", **NEAR), cases=100, skills="ends no wider than rounding"),
+    group("point", "A equals B: on the circle, or 1e-7 of the figure beside it.", either(telling(POINT, squares, always), telling(POINT, root, always, tries=30), lines("chord first =", "chord last =", **BIG), lines("chord first~ =", "chord last~ =", **NEAR)), cases=80, skills="degenerate segment"),
     group("dot-full", "The circle is a point, on a line that floats put beside it.", lines("dot before after", "dot foot after", **SPLIT), skills="r = 0"),
-    group("tiny", "All of it around 1e-20.", either(lines("touch before after", "touch~ before after", "chord first~ in", "chord in last~", "chord first~ =", "chord first~ =", **TINY), lines("touch before after", "cut before in", "cut before after", **{**TINY, "turn": "axis"})), cases=120, skills=("no absolute epsilon", "scale invariance")),
+    group("tiny", "All of it around 1e-20.", either(lines("touch before after", "touch~ before after", "chord first~ in", "chord in last~", "chord first~ =", "chord first~ =", **TINY), lines("touch before after", "cut before in", "cut before after", **{**TINY, "turn": "axis"})), cases=90, skills=("no absolute epsilon", "scale invariance")),
     group("offset", "A small figure far from the origin.", lines(*TOUCHES, "cut before in", "cut in after", "dot-miss before after", "touch~ before after", "chord first~ in", "chord in last~", "chord last~ after", "chord before first~", "chord first~ =", **OFFSET), cases=90, skills="far from the origin"),
     group("far", "A or B is up to a hundred million radii away.", either(lines("touch foot far", "cut very-far foot", "cut -far far", "touch remote foot", "touch remote by", "touch -remote far", "touch~ far foot", **FAR), lines("touch far by", "touch -far far", **{**FAR, "size": 1 << 20, "turn": "any"}), lines("touch remote foot", "touch foot remote", **{**FAR, "size": 1 << 8, "turn": "any"})), cases=90, skills="the sharp discriminant"),
     group("far-end", "One end is on the circle or just off it, the other is far away.", either(lines("chord first far", "chord far last", "chord last~ far", "chord far first~", **FAR), lines("chord first -very-far", "chord very-far last", **{**FAR, "size": 1 << 12, "turn": "any"})), skills="ends no wider than rounding"),
