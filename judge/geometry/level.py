@@ -54,11 +54,13 @@ Level = Callable[..., tuple[list[Atom], list[Nudge]]]  # (draw, words, size=…)
 def scene(level: Level, shape: Callable[..., tuple[Any, ...]], check: Callable[[list[str]], None]) -> Any:
     """A maker of draws from a level figure: plans, of which a case takes one, and how it is posed.
 
-    `shape` puts the posed atoms in the order of the call; `check` refuses words that are none.
+    `shape` puts the posed atoms in the order of the call; `check` refuses words that are none. With `least=7`
+    what is just off is so by 0.7e-7 of its size, too, where that is clear after the turn.
     """
 
     def make(*plans: str, **how: Any) -> Scene:
         kept = {key: how.pop(key) for key in _LEVEL if key in how}
+        least = how.pop("least", 10)
         split = [plan.split() for plan in plans]
         for words in split:
             check(words)
@@ -66,7 +68,7 @@ def scene(level: Level, shape: Callable[..., tuple[Any, ...]], check: Callable[[
         def draw_case(draw: Draw) -> tuple[Any, ...]:
             atoms, nudges = level(draw, draw.choice(split), **kept)
             if nudges:
-                _nudge(draw, atoms, nudges)
+                _nudge(draw, atoms, nudges, least)
             return shape(*posed(draw, atoms, **how))
 
         return draw_case
@@ -199,7 +201,7 @@ def over_circle(
     return R, points, nudges
 
 
-def _nudge(draw: Draw, atoms: list[Atom], nudges: Sequence[Nudge]) -> None:
+def _nudge(draw: Draw, atoms: list[Atom], nudges: Sequence[Nudge], least: int) -> None:
     """Scale the figure up until 1e-7 of its size is several units, and put it just off."""
     points = [each for each in atoms if isinstance(each, Point)]
     reach = [abs(n) for each in atoms if isinstance(each, Length) for n in each]
@@ -209,7 +211,7 @@ def _nudge(draw: Draw, atoms: list[Atom], nudges: Sequence[Nudge]) -> None:
         if not isinstance(each, Vector):
             each[:] = [n * fine for n in each]
     size = max(reach) * fine
-    gap = near_gap(draw, size)
+    gap = near_gap(draw, size, least)
     for nudge in nudges:
         side = nudge.side or draw.sign()
         atoms[nudge.atom][nudge.coordinate] += side * ceil(nudge.times * gap)
@@ -219,9 +221,12 @@ def _way(end: Point, start: Point) -> int:
     return sum([(m - n) ** 2 for m, n in zip(end, start, strict=True)])
 
 
-def near_gap(draw: Draw, size: int) -> int:
-    """1 to 1.2, 1 to 2 or 3 to 8 times 1e-7 of the size, rounded up: nearly a touch, and clear of it."""
-    least, most = draw.choice(((10, 12), (10, 20), (30, 80)))
+def near_gap(draw: Draw, size: int, lowest: int = 10) -> int:
+    """1 to 1.2, 1 to 2 or 3 to 8 times 1e-7 of the size, rounded up: nearly a touch, and clear of it.
+
+    With a `lowest` of 7 also 0.7 times that, which is clear where a turn makes the size as much smaller.
+    """
+    least, most = draw.choice(((lowest, 12), (10, 20), (30, 80)))
     return draw.integer(least * size, most * size) // 10**8 + 1
 
 

@@ -22,13 +22,10 @@ SEEDS = None, 31, 32
 LEAST = 5  # cases that must reject what is wrong
 # A quantity that the statement's size has not, or one that it has and the program leaves out.
 CENTRE, AWAY, LONG = "max(abs(cx), abs(cy), ", "max(*map(abs, C), ", "max(hypot(*D), "
-END = ", abs(B[0] - cx), abs(B[1] - cy)"
 SIZES = [
     *((kata, "max(", CENTRE) for kata in ("segment", "count", "chord", "line-points", "on-circle")),
     *((kata, "max(", how) for kata in ("ray-nearest", "normal", "reflect") for how in (CENTRE, LONG)),
     *(("sphere", "max(", how) for how in (AWAY, LONG)),
-    ("segment", END, ""),
-    ("segment", ", abs(ax), abs(ay)", ""),
     ("ray-nearest", ", abs(fx), abs(fy)", ""),
 ]
 
