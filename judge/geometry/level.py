@@ -19,7 +19,22 @@ from judge.geometry.pose import Atom, Length, Point, Vector, posed, root_up, tri
 
 Scene = Callable[[Draw], tuple[Any, ...]]
 HEIGHTS = ("cut", "chord", "through", "off-centre", "touch", "miss", "dot", "dot-miss")
-PLACES = ("before", "in", "after", "first", "last", "foot", "near", "by", "far", "very-far", "remote", "=")
+PLACES = (
+    "before",
+    "in",
+    "after",
+    "first",
+    "last",
+    "foot",
+    "close",
+    "near",
+    "nearer",
+    "by",
+    "far",
+    "very-far",
+    "remote",
+    "=",
+)
 _FINE = 30  # bits of the size where a figure is nudged: 1e-7 of it is 53 units and more
 _LEVEL = ("size", "uneven")  # keys of a pose that are the level figure's
 
@@ -39,11 +54,13 @@ Level = Callable[..., tuple[list[Atom], list[Nudge]]]  # (draw, words, size=…)
 def scene(level: Level, shape: Callable[..., tuple[Any, ...]], check: Callable[[list[str]], None]) -> Any:
     """A maker of draws from a level figure: plans, of which a case takes one, and how it is posed.
 
-    `shape` puts the posed atoms in the order of the call; `check` refuses words that are none.
+    `shape` puts the posed atoms in the order of the call; `check` refuses words that are none. With `least=7`
+    what is just off is so by 0.7e-7 of its size, too, where that is clear after the turn.
     """
 
     def make(*plans: str, **how: Any) -> Scene:
         kept = {key: how.pop(key) for key in _LEVEL if key in how}
+        least = how.pop("least", 10)
         split = [plan.split() for plan in plans]
         for words in split:
             check(words)
@@ -51,7 +68,7 @@ def scene(level: Level, shape: Callable[..., tuple[Any, ...]], check: Callable[[
         def draw_case(draw: Draw) -> tuple[Any, ...]:
             atoms, nudges = level(draw, draw.choice(split), **kept)
             if nudges:
-                _nudge(draw, atoms, nudges)
+                _nudge(draw, atoms, nudges, least)
             return shape(*posed(draw, atoms, **how))
 
         return draw_case
@@ -137,6 +154,10 @@ def place(draw: Draw, word: str, R: int, h: int, half: int | None, size: int) ->
         x = -half if name == "first" else half
     elif name == "near":
         x = (r * draw.integer(1, 20) // 2_000 + 1) * draw.sign()
+    elif name == "nearer":  # on a touch, hardly more than the least way that is clear of the circle
+        x = r * draw.integer(450, 500) // 10**6 * draw.sign()
+    elif name == "close":  # by 2**-11 to 2**-40 of the radius
+        x = max(1, r >> draw.integer(11, 40)) * draw.sign()
     elif name == "by":
         x = outer + draw.integer(1, 3 * r)
     elif name == "far":
@@ -180,7 +201,7 @@ def over_circle(
     return R, points, nudges
 
 
-def _nudge(draw: Draw, atoms: list[Atom], nudges: Sequence[Nudge]) -> None:
+def _nudge(draw: Draw, atoms: list[Atom], nudges: Sequence[Nudge], least: int) -> None:
     """Scale the figure up until 1e-7 of its size is several units, and put it just off."""
     points = [each for each in atoms if isinstance(each, Point)]
     reach = [abs(n) for each in atoms if isinstance(each, Length) for n in each]
@@ -190,7 +211,7 @@ def _nudge(draw: Draw, atoms: list[Atom], nudges: Sequence[Nudge]) -> None:
         if not isinstance(each, Vector):
             each[:] = [n * fine for n in each]
     size = max(reach) * fine
-    gap = near_gap(draw, size)
+    gap = near_gap(draw, size, least)
     for nudge in nudges:
         side = nudge.side or draw.sign()
         atoms[nudge.atom][nudge.coordinate] += side * ceil(nudge.times * gap)
@@ -200,9 +221,12 @@ def _way(end: Point, start: Point) -> int:
     return sum([(m - n) ** 2 for m, n in zip(end, start, strict=True)])
 
 
-def near_gap(draw: Draw, size: int) -> int:
-    """1 to 1.2, 1 to 2 or 3 to 8 times 1e-7 of the size, rounded up: nearly a touch, and clear of it."""
-    least, most = draw.choice(((10, 12), (10, 20), (30, 80)))
+def near_gap(draw: Draw, size: int, lowest: int = 10) -> int:
+    """1 to 1.2, 1 to 2 or 3 to 8 times 1e-7 of the size, rounded up: nearly a touch, and clear of it.
+
+    With a `lowest` of 7 also 0.7 times that, which is clear where a turn makes the size as much smaller.
+    """
+    least, most = draw.choice(((lowest, 12), (10, 20), (30, 80)))
     return draw.integer(least * size, most * size) // 10**8 + 1
 
 
@@ -224,8 +248,12 @@ def whole(shape: str, bits: int) -> Scene:
 
 
 def corners(shape: str, bits: int) -> Scene:
-    """Ints at ±2**bits, a few of them off by 1: a difference has a bit more, a sum of squares three."""
-    return _shaped(shape, lambda draw: ((1 << bits) - (draw.integer(0, 7) == 7)) * draw.sign())
+    """Ints at ±2**bits, a few of them 0 or off by 1: a difference has a bit more, a sum of squares three."""
+
+    def number(draw: Draw) -> int:
+        return ((1 << bits) - (draw.integer(0, 7) == 7)) * draw.sign() if draw.integer(0, 5) else 0
+
+    return _shaped(shape, number)
 
 
 def uniform(shape: str, *reaches: float) -> Scene:

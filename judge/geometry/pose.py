@@ -103,8 +103,8 @@ def posed(
     """
     finer = draw.integer(*tilt) if tilt else 0
     if tilt:
-        vectors = [each for each in atoms if isinstance(each, Vector)]
-        tilted = (vectors or [each for each in atoms if isinstance(each, Point)])[-1]
+        last = Vector if any(isinstance(each, Vector) for each in atoms) else Point
+        tilted = [each for each in atoms if isinstance(each, last)][-1]
         for each in atoms:
             each[:] = [n << finer for n in each]
         tilted[1] += draw.integer(1, 9) * draw.sign()

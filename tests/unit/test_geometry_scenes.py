@@ -121,7 +121,7 @@ def test_two_circles_touch_exactly(pose):
     ("scene", "way"),
     [
         (lines("cut before after", "miss before after", **TILTED), lambda *case: case),
-        (rays("cut before", **{**TILTED, "tilt": (20, 75)}), lambda cx, cy, r, O, D: (0, 0, r, (0, 0), D)),
+        (rays("cut before", **{**TILTED, "tilt": (20, 75)}), lambda *case: ((0, 0), case[4])),
         (feet("between", "beyond", **TILTED), lambda A, B, P: (*P, 0, A, B)),
     ],
 )
