@@ -2,14 +2,15 @@
 
 In a level figure the line is parallel to the x axis and all that is exact is whole. A word is a height of a
 line over a circle (`touch`), a place on it (`before`), or what a scene adds; "~" after a word puts the figure
-just off it: by 3 to 8 times 1e-7 of its size.
+just off it: by 1 to 1.2, 1 to 2 or 3 to 8 times 1e-7 of its size.
 """
 
 from __future__ import annotations
 
 import difflib
 from collections.abc import Callable, Iterable, Sequence
-from math import isqrt
+from fractions import Fraction
+from math import ceil, isqrt
 from typing import Any, NamedTuple
 
 from judge.data.draw import Draw, Rejected
@@ -18,8 +19,23 @@ from judge.geometry.pose import Atom, Length, Point, Vector, posed, root_up, tri
 
 Scene = Callable[[Draw], tuple[Any, ...]]
 HEIGHTS = ("cut", "chord", "through", "off-centre", "touch", "miss", "dot", "dot-miss")
-PLACES = ("before", "in", "after", "first", "last", "foot", "near", "by", "far", "very-far", "remote", "=")
-_FINE = 27  # bits of the size where a figure is nudged: 1e-7 of it is 13 units and more
+PLACES = (
+    "before",
+    "in",
+    "after",
+    "first",
+    "last",
+    "foot",
+    "close",
+    "near",
+    "nearer",
+    "by",
+    "far",
+    "very-far",
+    "remote",
+    "=",
+)
+_FINE = 30  # bits of the size where a figure is nudged: 1e-7 of it is 53 units and more
 _LEVEL = ("size", "uneven")  # keys of a pose that are the level figure's
 
 
@@ -29,7 +45,7 @@ class Nudge(NamedTuple):
     atom: int
     coordinate: int
     side: int = 0
-    times: int = 1
+    times: Fraction | int = 1
 
 
 Level = Callable[..., tuple[list[Atom], list[Nudge]]]  # (draw, words, size=…) to a level figure
@@ -38,11 +54,13 @@ Level = Callable[..., tuple[list[Atom], list[Nudge]]]  # (draw, words, size=…)
 def scene(level: Level, shape: Callable[..., tuple[Any, ...]], check: Callable[[list[str]], None]) -> Any:
     """A maker of draws from a level figure: plans, of which a case takes one, and how it is posed.
 
-    `shape` puts the posed atoms in the order of the call; `check` refuses words that are none.
+    `shape` puts the posed atoms in the order of the call; `check` refuses words that are none. With `least=7`
+    what is just off is so by 0.7e-7 of its size, too, where that is clear after the turn.
     """
 
     def make(*plans: str, **how: Any) -> Scene:
         kept = {key: how.pop(key) for key in _LEVEL if key in how}
+        least = how.pop("least", 10)
         split = [plan.split() for plan in plans]
         for words in split:
             check(words)
@@ -50,7 +68,7 @@ def scene(level: Level, shape: Callable[..., tuple[Any, ...]], check: Callable[[
         def draw_case(draw: Draw) -> tuple[Any, ...]:
             atoms, nudges = level(draw, draw.choice(split), **kept)
             if nudges:
-                _nudge(draw, atoms, nudges)
+                _nudge(draw, atoms, nudges, least)
             return shape(*posed(draw, atoms, **how))
 
         return draw_case
@@ -136,6 +154,10 @@ def place(draw: Draw, word: str, R: int, h: int, half: int | None, size: int) ->
         x = -half if name == "first" else half
     elif name == "near":
         x = (r * draw.integer(1, 20) // 2_000 + 1) * draw.sign()
+    elif name == "nearer":  # on a touch, hardly more than the least way that is clear of the circle
+        x = r * draw.integer(450, 500) // 10**6 * draw.sign()
+    elif name == "close":  # by 2**-11 to 2**-40 of the radius
+        x = max(1, r >> draw.integer(11, 40)) * draw.sign()
     elif name == "by":
         x = outer + draw.integer(1, 3 * r)
     elif name == "far":
@@ -170,7 +192,7 @@ def over_circle(
     off = draw.sign()
     for at in ends:
         # Across the circle a step along the line counts half/R of itself, and none at a touch.
-        times = -(-R // half) if half else 1
+        times = Fraction(R, half) if half else 1
         nudges += (
             [Nudge(i, 0, off, times) for i, x in enumerate(xs) if x == xs[at]]
             if "=" in words
@@ -179,20 +201,33 @@ def over_circle(
     return R, points, nudges
 
 
-def _nudge(draw: Draw, atoms: list[Atom], nudges: Sequence[Nudge]) -> None:
+def _nudge(draw: Draw, atoms: list[Atom], nudges: Sequence[Nudge], least: int) -> None:
     """Scale the figure up until 1e-7 of its size is several units, and put it just off."""
     points = [each for each in atoms if isinstance(each, Point)]
     reach = [abs(n) for each in atoms if isinstance(each, Length) for n in each]
-    reach += [abs(m - n) for each in points for m, n in zip(each, points[0], strict=True)]
+    reach += [root_up(_way(each, points[0])) for each in points]  # no turn makes it larger
     fine = 1 << max(0, _FINE - max(reach).bit_length())
     for each in atoms:
         if not isinstance(each, Vector):
             each[:] = [n * fine for n in each]
     size = max(reach) * fine
-    gap = draw.integer(3 * size, 8 * size) // 10**7 + 1
+    gap = near_gap(draw, size, least)
     for nudge in nudges:
         side = nudge.side or draw.sign()
-        atoms[nudge.atom][nudge.coordinate] += side * nudge.times * gap
+        atoms[nudge.atom][nudge.coordinate] += side * ceil(nudge.times * gap)
+
+
+def _way(end: Point, start: Point) -> int:
+    return sum([(m - n) ** 2 for m, n in zip(end, start, strict=True)])
+
+
+def near_gap(draw: Draw, size: int, lowest: int = 10) -> int:
+    """1 to 1.2, 1 to 2 or 3 to 8 times 1e-7 of the size, rounded up: nearly a touch, and clear of it.
+
+    With a `lowest` of 7 also 0.7 times that, which is clear where a turn makes the size as much smaller.
+    """
+    least, most = draw.choice(((lowest, 12), (10, 20), (30, 80)))
+    return draw.integer(least * size, most * size) // 10**8 + 1
 
 
 # -- plain numbers ------------------------------------------------------------------------------------
@@ -213,8 +248,12 @@ def whole(shape: str, bits: int) -> Scene:
 
 
 def corners(shape: str, bits: int) -> Scene:
-    """Ints at ±2**bits, a few of them off by 1: a difference has a bit more, a sum of squares three."""
-    return _shaped(shape, lambda draw: ((1 << bits) - (draw.integer(0, 7) == 7)) * draw.sign())
+    """Ints at ±2**bits, a few of them 0 or off by 1: a difference has a bit more, a sum of squares three."""
+
+    def number(draw: Draw) -> int:
+        return ((1 << bits) - (draw.integer(0, 7) == 7)) * draw.sign() if draw.integer(0, 5) else 0
+
+    return _shaped(shape, number)
 
 
 def uniform(shape: str, *reaches: float) -> Scene:

@@ -7,12 +7,12 @@ from collections.abc import Sequence
 from judge.exact.surd import integers
 from judge.geometry.quadratic import Number, Quadratic, Vector, on_circle, tangent
 from judge.geometry.sure import Sure
-from judge.problem.declare import InvalidCase
 
 Point = tuple[Number, Number]
 
 EDGE = tangent("An edge")
 _CORNER = on_circle("A corner")
+LEAST_EDGE = 1_000_000_000  # an edge is at least size/LEAST_EDGE long
 
 
 class Edge(Quadratic):
@@ -25,7 +25,7 @@ class Edge(Quadratic):
 def edges(cx: Number, cy: Number, r: Number, V: Sequence[Point]) -> list[Edge]:
     """Edge i runs from V[i] to the next corner, the last one to V[0].
 
-    e is the largest of r and all |V[i] − C|∞. Raises InvalidCase where two neighbouring corners are the same;
+    e is the largest of r and all |V[i] − C|∞. Raises InvalidCase where an edge is shorter than 1e-9·e;
     ValueError for nan, infinities and r < 0.
     """
     (x, y, radius, *flat), shift = integers(cx, cy, r, *(number for corner in V for number in corner))
@@ -33,10 +33,9 @@ def edges(cx: Number, cy: Number, r: Number, V: Sequence[Point]) -> list[Edge]:
     sure = Sure(max(radius, *(abs(number) for corner in seen for number in corner)))
     found = []
     for start, end in zip(seen, [*seen[1:], seen[0]], strict=True):
-        if start == end:
-            raise InvalidCase("Two neighbouring corners are the same. Each edge must have a length.")
-        way = end[0] - start[0], end[1] - start[1]
-        found.append(Edge(start, way, radius, sure, centre=(x, y), shift=shift))
+        edge = Edge(start, (end[0] - start[0], end[1] - start[1]), radius, sure, centre=(x, y), shift=shift)
+        sure.least(edge.a, LEAST_EDGE, "An edge", zero=False)
+        found.append(edge)
     return found
 
 

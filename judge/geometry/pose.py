@@ -39,8 +39,9 @@ SPLIT = {
 NEAR = {"size": 2**12, "turn": "any", "shift": (0, -20, -40)}  # 40
 TINY = {"size": 2**12, "turn": "any", "shift": (-99, -75)}  # 40
 FAR = {"size": 40, "turn": "small", "shift": (0, -20)}  # 32
-OFFSET = {"size": 50, "turn": "small", "move": 47, "shift": -20}  # 47
+OFFSET = {"size": 50, "turn": "small", "move": 52, "shift": -20}  # 53
 STEEP = {"size": 2**10, "turn": "steep", "move": 6, "shift": (0, -20)}  # 51
+TILTED = {"size": 30, "turn": "axis", "move": 4, "tilt": (20, 44)}  # 52: steeper than a turn, no touch
 DECIMALS = {"size": 99, "turn": "axis", "move": 6, "decimals": True}
 
 
@@ -85,6 +86,7 @@ def posed(
     stretch: int | Sequence[int] = 0,
     numbers: str = "any",
     decimals: bool = False,
+    tilt: Sequence[int] = (),
 ) -> list[Any]:
     """The figure as the caller's numbers: a tuple for a point or vector, one number for a length.
 
@@ -96,7 +98,16 @@ def posed(
         stretch: another one for vectors.
         numbers: "int", "float", "mixed" or any of these, where a number is whole.
         decimals: whether the numbers are tenths or hundredths, each the double that is nearest.
+        tilt: bounds of the power of two by which the figure is finer than a step that the last vector, or
+            the last point where there is none, makes across the level: what it touched is then no touch.
     """
+    finer = draw.integer(*tilt) if tilt else 0
+    if tilt:
+        last = Vector if any(isinstance(each, Vector) for each in atoms) else Point
+        tilted = [each for each in atoms if isinstance(each, last)][-1]
+        for each in atoms:
+            each[:] = [n << finer for n in each]
+        tilted[1] += draw.integer(1, 9) * draw.sign()
     matrix, norm = _turned(draw, len(next(each for each in atoms if isinstance(each, Point))), turn)
     turned = [
         [norm * each[0]] if isinstance(each, Length) else [_dot(row, each) for row in matrix]
@@ -106,14 +117,14 @@ def posed(
         draw, [row for row, each in zip(turned, atoms, strict=True) if isinstance(each, Point)], move
     )
     whole = [
-        [x + m for x, m in zip(row, centre, strict=True)] if isinstance(each, Point) else row
+        [x + (m << finer) for x, m in zip(row, centre, strict=True)] if isinstance(each, Point) else row
         for row, each in zip(turned, atoms, strict=True)
     ]
     if decimals:
         return _named(atoms, _decimals(draw, atoms, turned))
     if any(_significant(x) > _DOUBLE for row in whole for x in row):
         draw.reject()
-    exponent = min(_one(draw, shift), _BOUND - _bits(whole))
+    exponent = min(_one(draw, shift) - finer, _BOUND - _bits(whole))
     kind = draw.choice(("int", "float", "mixed")) if numbers == "any" else numbers
     number = _binary(draw, kind, exponent)
     vectors = [row for row, each in zip(whole, atoms, strict=True) if isinstance(each, Vector)]

@@ -155,10 +155,7 @@ def roots(a: Number, b: Number, c: Number) -> list[Real] | None:
 
     InvalidCase for an int that no double holds, and for a root other than 0 beyond 1e-300 … 1e300.
     """
-    for number in (a, b, c):
-        if type(number) is int and _rounds(number):
-            raise InvalidCase("No double holds one of the numbers.")
-    (m, n, k), _ = integers(a, b, c)
+    (m, n, k), _ = integers(*held(a, b, c))
     if m == 0:
         if n == 0:
             return [] if k else None
@@ -170,6 +167,13 @@ def roots(a: Number, b: Number, c: Number) -> list[Real] | None:
     if any(x.sign() and not _LEAST <= abs(x) <= _MOST for x in found):
         raise InvalidCase("A root is beyond the range of doubles.")
     return [Real(x) for x in found]
+
+
+def held(*numbers: Number) -> tuple[Number, ...]:
+    """The numbers as they are. InvalidCase for an int that no double holds."""
+    if any(type(number) is int and _rounds(number) for number in numbers):
+        raise InvalidCase("No double holds one of the numbers.")
+    return numbers
 
 
 def _rounds(number: int) -> bool:

@@ -4,7 +4,7 @@ from functools import partial
 
 from judge.geometry import Line, plain
 from judge.geometry.hooks import CHORD, hooks
-from judge.geometry.scenes import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TINY, closed_up, corners, either, grid, lines, telling, uniform, whole
+from judge.geometry.scenes import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TILTED, TINY, closed_up, corners, either, grid, lines, telling, uniform, whole
 from judge.problem.declare import group
 
 HOOKS = hooks(CHORD)
@@ -22,24 +22,24 @@ INTERVIEW = [
     group("diameter", "Lines through the centre: twice the radius.", lines("through ?by ?by", "through foot ?by", "through in in", **PLAIN), skills="the half-chord"),
     group("from-foot", "A or B is the foot of the perpendicular from C.", lines("cut foot ?by", "cut ?by foot", **PLAIN), skills="the half-chord"),
     group("touch", "The line touches: a chord of length 0.", lines(*TOUCHES, **PLAIN), skills="collapse the tangent"),
-    group("decimals", "Touches in short decimals, which == does not see.", telling(lines(*TOUCHES, **DECIMALS), *TELLING), skills="collapse the tangent"),
+    group("decimals", "Touches in short decimals, which == does not see.", telling(lines(*TOUCHES, "touch after foot", **DECIMALS), *TELLING), skills="collapse the tangent"),
     group("miss", "The line passes the circle: no chord.", lines("miss ?by ?by", "miss foot ?by", **PLAIN), skills="no root of a negative number"),
     group("off-segment", "The chord is not on AB, or AB is a part of it.", lines("cut after after", "cut before before", "cut in in", **PLAIN), skills="a line has no ends"),
-    group("radius-zero", "The circle is a point: on the line, or beside it.", lines("dot ?by ?by", "dot foot ?by", "dot-miss ?by ?by", **PLAIN), skills="r = 0"),
+    group("radius-zero", "The circle is a point: on the line, or beside it.", either(lines("dot ?by ?by", "dot foot ?by", "dot ?by foot", "dot-miss ?by ?by", **PLAIN), lines("dot foot ?by", "dot ?by foot", **AXIS)), skills="r = 0"),
     group("same-point", "A equals B: there is no line.", lines("cut before =", "cut in =", "touch foot =", "miss by =", **PLAIN), skills="degenerate line"),
     group("random", "Any numbers, small and large.", uniform("nnrpp", 20, 1e4, 1e9), skills="distance against radius"),
 ]
 
 PRODUCTION = [  # the same, where rounding bites
     group("turned", "A touch that squares cannot see.", lines(*TOUCHES, **BIG), skills="a tangent has a width"),
-    group("full", "A touch that no formula in floats can see.", either(lines(*TOUCHES, **HUGE), lines(*TOUCHES, **SPLIT)), skills="a tangent has a width"),
-    group("near", "Nearly a touch: 1e-7 of the figure away.", lines("touch~ before after", "touch~ foot by", **NEAR), skills="nearly is not touching"),
-    group("tiny", "All of it around 1e-20.", lines("touch before after", "touch~ before after", "cut before after", **TINY), skills=("no absolute epsilon", "scale invariance")),
-    group("offset", "A small figure far from the origin.", lines("touch before after", "cut before after", "miss before after", **OFFSET), skills="far from the origin"),
-    group("far", "A or B is up to a million radii away.", lines("touch foot far", "cut foot very-far", "cut -far far", "touch~ foot far", **FAR), skills="the sharp discriminant"),
+    group("full", "A touch that no formula in floats can see.", either(lines(*TOUCHES, **HUGE), lines(*TOUCHES, **SPLIT), lines("touch close after", "touch close foot", **HUGE), lines("dot before after", "dot far by", "dot far foot", **SPLIT)), cases=80, skills="a tangent has a width"),
+    group("near", "Nearly a touch: 1e-7 of the figure away.", either(lines("touch~ before after", "touch~ foot by", **NEAR), lines("touch~ before after", "touch~ by by", **{**NEAR, "least": 7})), cases=120, skills="nearly is not touching"),
+    group("tiny", "All of it around 1e-20.", either(lines("touch before after", "touch~ before after", "cut before after", **TINY), lines("touch by ?by", "cut by ?by", **{**TINY, "turn": "axis"})), skills=("no absolute epsilon", "scale invariance")),
+    group("offset", "A small figure far from the origin.", lines("touch before after", "cut before after", "miss before after", "dot-miss before after", "touch~ before after", "touch~ by foot", **OFFSET), skills="far from the origin"),
+    group("far", "A or B is up to a million radii away.", lines("touch foot far", "cut foot very-far", "cut -far far", "touch~ foot far", "dot far foot", "dot foot far", **FAR), skills="the sharp discriminant"),
     group("long", "A and B are close together, and still two points.", closed_up("touch by", "cut by", "miss by", "through in"), skills="degenerate line"),
-    group("steep", "Directions almost along an axis.", lines("touch before after", "cut before after", "miss before after", **STEEP), skills="no slopes"),
+    group("steep", "Directions almost along an axis.", either(lines("touch before after", "cut before after", "miss before after", **STEEP), lines("cut before after", "miss before after", "cut in in", **TILTED)), skills="no slopes"),
     group("large", "Whole numbers up to 2**30, some of them touches.", either(whole("nnrpp", 30), lines(*TOUCHES, **{**BIG, "shift": 0, "numbers": "int"})), skills=("whole numbers that are large", "scale invariance")),
-    group("corners", "Whole numbers at the ends of the bounds: a difference leaves 32 bits, a sum of squares 64.", corners("nnrpp", 30), skills="whole numbers that are large"),
+    group("corners", "Whole numbers at the ends of the bounds: a difference leaves 32 bits, a sum of squares 64.", either(corners("nnrpp", 30), lambda draw: (0, 0, *corners("rpp", 30)(draw))), skills="whole numbers that are large"),
     group("repeated", "Neighbouring calls differ in one argument.", grid("nnrpp", 3), turns=True, skills="nothing kept between calls"),
 ]

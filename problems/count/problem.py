@@ -4,7 +4,7 @@ from functools import partial
 
 from judge.geometry import Line, plain
 from judge.geometry.hooks import LINE, hooks
-from judge.geometry.scenes import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TINY, closed_up, corners, either, grid, lines, telling, uniform, whole
+from judge.geometry.scenes import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TILTED, TINY, closed_up, corners, either, grid, lines, telling, uniform, whole
 from judge.problem.declare import group
 
 HOOKS = hooks(LINE)
@@ -20,7 +20,7 @@ INTERVIEW = [
     group("grid", "Small whole numbers: everything that can happen.", grid("nnrpp", 3), cases=180, skills="distance against radius"),
     group("lines", "Lines that cut, touch and miss.", lines("cut ?by ?by", "touch ?by ?by", "miss ?by ?by", **PLAIN), skills="distance against radius"),
     group("tangent", "The line touches: one point.", lines(*TOUCHES, **PLAIN), skills="collapse the tangent"),
-    group("decimals", "Touches in short decimals, which == does not see.", telling(lines(*TOUCHES, **DECIMALS), *TELLING), skills="collapse the tangent"),
+    group("decimals", "Touches in short decimals, which == does not see.", telling(lines(*TOUCHES, "touch after foot", **DECIMALS), *TELLING), skills="collapse the tangent"),
     group("axis-parallel", "Level and upright lines.", lines("cut ?by ?by", "touch ?by ?by", "miss ?by ?by", **AXIS), skills="no slopes"),
     group("off-segment", "The line crosses, the segment from A to B does not.", lines("cut after after", "cut before before", "cut in in", **PLAIN), skills="a line has no ends"),
     group("from-centre", "A or B is the centre, or the foot of the perpendicular.", lines("through foot ?by", "cut foot ?by", "miss foot ?by", **PLAIN), skills="distance against radius"),
@@ -31,16 +31,16 @@ INTERVIEW = [
 
 PRODUCTION = [  # the same, where rounding bites
     group("turned", "A touch that squares cannot see.", lines(*TOUCHES, **BIG), skills="a tangent has a width"),
-    group("full", "A touch that no formula in floats can see.", either(lines(*TOUCHES, **HUGE), lines(*TOUCHES, **SPLIT)), skills="a tangent has a width"),
+    group("full", "A touch that no formula in floats can see.", either(lines(*TOUCHES, **HUGE), lines(*TOUCHES, **SPLIT), lines("touch close after", "touch close foot", **HUGE)), skills="a tangent has a width"),
     group("near", "Nearly a touch: 1e-7 of the figure away.", lines("touch~ before after", "touch~ foot by", **NEAR), skills="nearly is not touching"),
     group("near-dot", "The line passes the point by 1e-7 of the figure.", lines("dot~ before after", "dot~ foot by", **NEAR), skills="nearly is not touching"),
-    group("dot-full", "The circle is a point, on a line that floats put beside it.", lines("dot before after", "dot far by", **SPLIT), skills="r = 0"),
+    group("dot-full", "The circle is a point, on a line that floats put beside it.", lines("dot before after", "dot far by", "dot far foot", **SPLIT), skills="r = 0"),
     group("tiny", "All of it around 1e-20.", either(lines("touch before after", "touch~ before after", **TINY), lines("touch by ?by", "cut by ?by", **{**TINY, "turn": "axis"})), skills="no absolute epsilon"),
-    group("offset", "A small figure far from the origin.", lines(*TOUCHES, "touch before after", "cut before after", "miss before after", **OFFSET), skills="far from the origin"),
+    group("offset", "A small figure far from the origin.", lines(*TOUCHES, "touch before after", "cut before after", "miss before after", "dot-miss before after", "touch~ before after", "touch~ by foot", **OFFSET), skills="far from the origin"),
     group("far", "A or B is up to a million radii away.", lines("touch foot far", "touch foot very-far", "touch -far far", "touch~ foot far", **FAR), skills="the sharp discriminant"),
-    group("steep", "Directions almost along an axis.", lines("touch before after", "cut before after", "miss before after", **STEEP), skills="no slopes"),
+    group("steep", "Directions almost along an axis.", either(lines("touch before after", "cut before after", "miss before after", **STEEP), lines("cut before after", "miss before after", "cut in in", **TILTED)), skills="no slopes"),
     group("close-points", "A and B are close together, and still two points.", closed_up("touch by", "cut by", "miss by", "through in"), skills="degenerate line"),
     group("large", "Whole numbers up to 2**30, some of them touches.", either(whole("nnrpp", 30), lines(*TOUCHES, **{**BIG, "shift": 0, "numbers": "int"})), skills="whole numbers that are large"),
-    group("corners", "Whole numbers at the ends of the bounds: a difference leaves 32 bits, a sum of squares 64.", corners("nnrpp", 30), skills="whole numbers that are large"),
+    group("corners", "Whole numbers at the ends of the bounds: a difference leaves 32 bits, a sum of squares 64.", either(corners("nnrpp", 30), lambda draw: (0, 0, *corners("rpp", 30)(draw))), skills="whole numbers that are large"),
     group("repeated", "Neighbouring calls differ in one argument.", grid("nnrpp", 3), turns=True, skills="nothing kept between calls"),
 ]

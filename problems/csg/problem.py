@@ -4,7 +4,7 @@ from functools import partial
 
 from judge.geometry import Crowd, plain
 from judge.geometry.hooks import SPANS, hooks
-from judge.geometry.scenes import BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, STEEP, TINY, anywhere, crowd_of, crowds, either, solids, telling
+from judge.geometry.scenes import BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, aligned, anywhere, crowd_of, crowds, either, solids, telling
 from judge.problem.declare import group
 
 HOOKS = hooks(SPANS)
@@ -27,24 +27,25 @@ INTERVIEW = [
     group("inside", "The ray begins inside discs, and leaves others behind it: a span begins at t = 0.", solids(crowds("around behind cut", "around around behind", "around cut", "around exit1 behind", **PLAIN)), skills="origin inside"),
     group("touch", "Discs that the ray only touches: they hold nothing of it and take nothing away.", solids(crowds("cut touch", "touch around", "enter1 exit3 touch2", "touch0 cut", "touch touch", **PLAIN)), skills="collapse the tangent"),
     group("holes", "A large disc less the union of several small ones: several holes in one interval.", solids(crowd_of("enter", "exit", "cut", count=(2, 5), first="around", **PLAIN), form="holes"), skills="a solid is intervals"),
-    group("radius-zero", "Discs of radius 0: points, which hold nothing.", solids(crowds("cut dot", "dot enter", "around dot2", "dot0 enter", "dot dot", **PLAIN)), skills="r = 0"),
+    group("radius-zero", "Discs of radius 0: points, which hold nothing.", solids(crowds("dot0 dot0", "cut dot", "dot enter", "around dot2", "dot0 enter", "dot dot", **PLAIN)), skills="r = 0"),
     group("repeated", "Neighbouring calls differ in one argument.", solids(anywhere(4, (2, 3))), turns=True, skills="nothing kept between calls"),
 ]
 
 PRODUCTION = [  # the same, where rounding bites
     group("decimals", "Touches in short decimals, which == does not see.", telling(solids(crowds("touch cut", "touch touch", "cut touch touch", **DECIMALS)), *TELLING), skills="collapse the tangent"),
     group("abut", "Discs that begin where others end: no seam and no sliver is left.", telling(solids(crowds(*ABUT, **BIG)), *TELLING), skills="no slivers"),
-    group("abut-full", "The same, where floats put the ends in order.", telling(solids(crowds(*ABUT, **FULL)), *TELLING), skills="no slivers"),
-    group("origin-full", "The ray begins where a disc ends or begins.", telling(solids(crowds("exit0 enter0", "exit0 enter", "enter0 exit2", "exit0 around", **FULL)), *TELLING), skills="no slivers"),
-    group("touch-full", "Touches that floats take for short chords.", solids(crowds("touch cut", "touch touch", "around touch", **FULL)), skills="a tangent has a width"),
+    group("abut-full", "The same, where floats put the ends in order.", telling(solids(crowds(*ABUT, "exit2 enter2 about", "enter2 enter2 dot5", **FULL)), *TELLING), skills="no slivers"),
+    group("origin-full", "The ray begins where a disc ends or begins.", telling(solids(either(crowds("exit0 enter0", "exit0 enter", "enter0 exit2", "exit0 around", "exit0 enter0 about", "exit0 enter dot5", **FULL), aligned(20, (2, 3)), aligned(2**28, (2, 3)))), *TELLING), skills="no slivers"),
+    group("touch-full", "Touches that floats take for short chords.", solids(crowds("touch cut", "touch touch", "around touch", "dot cut", "around dot dot", "dot0 enter", **FULL)), skills="a tangent has a width"),
     group("near-ties", "Ends nearly at one place: what is between them counts.", solids(crowds("exit2~ enter2", "enter2 enter2~", "exit2~ exit2", "exit0~ enter", **NEAR)), skills="nearly is not touching"),
     group("near-touch", "Nearly a touch: a short chord, or nothing.", solids(crowds("touch~ cut", "touch~ touch~", "around touch~", **NEAR)), skills="nearly is not touching"),
     group("specks", "Discs a hundred to a hundred thousand times smaller than their distance.", solids(crowds("speck cut", "speck speck", "tiny cut", "tiny tiny", **{**FAR, "size": 2**16, "turn": "any"})), skills=("a tangent has a width", "the size of the whole")),
+    group("lopsided", "A disc hundreds to tens of thousands of times as large as the others: its size is the figure's.", either(solids(either(*[crowds("enter1 beside", "exit1 enter2 around", "exit2 enter2 beside", "around cut cut", **{**BIG, "size": 2**12, "uneven": each}) for each in (9, 14)])), *[solids(crowds("around enter1 exit3 cut5", "around exit1 enter2 exit4", **{**BIG, "size": 2**12, "uneven": each}), form="holes") for each in (5, 9)]), cases=90, skills="the size of the whole"),
     group("stacked", "Programs that put up to 32 discs on the stack before the first operation.", solids(crowd_of("cut", "enter", "around", count=(19, 31), first="cut1", **PLAIN), form="stack"), cases=40, skills="operations in any nesting"),
-    group("direction-length", "Directions up to 1e12 times longer or shorter than the figure.", solids(crowds("cut behind", "around cut", "exit2 enter2", "around exit2", **{**PLAIN, "shift": -17, "stretch": tuple(range(-40, 31, 10))})), skills="t is not a distance"),
+    group("direction-length", "Directions up to 1e24 times longer or shorter than the figure.", solids(either(crowds("cut behind", "around cut", "exit2 enter2", "around exit2", **{**PLAIN, "shift": -17, "stretch": tuple(range(-40, 31, 10))}), crowds("around cut", "touch~ cut", "exit0~ enter", "exit2~ enter2", **{**NEAR, "shift": -60, "stretch": (0, 40, 70, 82)}), crowds("exit0 enter0", "exit0 enter", **{**FULL, "stretch": (-60, -30, 22)}))), skills="t is not a distance"),
     group("tiny", "All of it around 1e-20.", solids(crowds("touch cut", "touch~ cut", "exit2 enter2", "exit2~ enter2", **TINY)), skills=("no absolute epsilon", "scale invariance")),
-    group("offset", "A small figure far from the plane's origin.", solids(crowds("cut cut", "around touch", "exit2 enter2", "around cut exit2", **OFFSET)), skills="far from the origin"),
-    group("steep", "Directions almost along an axis.", solids(crowds("touch cut", "around behind", "cut cut", "exit2 enter2", **STEEP)), skills="no slopes"),
+    group("offset", "A small figure far from the plane's origin.", solids(crowds("cut cut", "around touch", "exit2 enter2", "around cut exit2", "touch~ cut", "exit0~ enter", "exit2~ enter2", **OFFSET)), skills="far from the origin"),
+    group("steep", "Directions almost along an axis.", solids(either(crowds("touch cut", "around behind", "cut cut", "exit2 enter2", **STEEP), crowds("cut cut", "around behind", "dot-behind cut", **{**TILTED, "tilt": (20, 75)}))), skills="no slopes"),
     group("random", "Any numbers, small and large.", solids(either(anywhere(1000, (2, 12)), anywhere(2**30, (2, 12))), form="tree"), skills=("full precision", "whole numbers that are large")),
     group("large", "Whole numbers up to 2**30, with touches and common ends.", solids(crowds("touch cut", "exit2 enter2", "around exit2", **{**BIG, "shift": 0, "numbers": "int"})), skills=("whole numbers that are large", "scale invariance")),
 ]

@@ -2,7 +2,7 @@
 
 from judge.geometry import Line
 from judge.geometry.hooks import FOOT, hooks
-from judge.geometry.scenes import AXIS, BIG, OFFSET, PLAIN, STEEP, TINY, corners, either, feet, grid, uniform, whole
+from judge.geometry.scenes import AXIS, BIG, OFFSET, PLAIN, STEEP, TILTED, TINY, corners, either, feet, grid, uniform, whole
 from judge.problem.declare import group
 
 HOOKS = hooks(FOOT)
@@ -34,7 +34,7 @@ INTERVIEW = [
 
 PRODUCTION = [  # the same, where rounding bites
     group("long", "A and B are up to a million times farther apart than P is from the line, or closer together.", feet("between near", "beyond near", "close", **BIG), skills="distance of point and line"),
-    group("steep", "Directions almost along an axis.", feet(*ANYWHERE, **STEEP), skills="no slopes"),
+    group("steep", "Directions almost along an axis.", either(feet(*ANYWHERE, **STEEP), feet(*ANYWHERE, **TILTED), feet("close", **{**TILTED, "move": 0})), skills="no slopes"),
     group("thin", "P is hardly beside a line of whole numbers: doubles hold the cross product exactly, but no foot.", thin, tolerance={"ulps": 8}, skills="multiply before you divide"),
     group("offset", "A small figure far from the origin.", feet(*ANYWHERE, **OFFSET), skills="far from the origin"),
     group("close-points", "A and B are close together, and still two points.", feet("close", **{**PLAIN, "move": 0, "shift": (-30, -60)}), skills="degenerate line"),

@@ -6,7 +6,7 @@ from math import factorial, prod
 
 from judge.geometry import Crowd, plain
 from judge.geometry.hooks import HITS, hooks
-from judge.geometry.scenes import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, STEEP, TINY, anywhere, crowd_of, crowds, either, telling
+from judge.geometry.scenes import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, aligned, anywhere, crowd_of, crowds, either, telling
 from judge.problem.declare import AnyOf, InvalidCase, group
 
 HOOKS = hooks(HITS)
@@ -37,24 +37,25 @@ INTERVIEW = [
     group("touch", "Circles that the ray touches: one hit each, be it ahead, at the origin or behind.", crowds("touch cut", "touch touch0", "touch-behind touch", "around touch", **PLAIN), skills=("collapse the tangent", "enter, touch, exit")),
     group("on-circle", "The origin on circles, entering or leaving them: a hit at t = 0.", crowds(*ORIGIN, "exit0", "enter0 cut", **PLAIN), skills="origin on the circle"),
     group("copies", "The same circle several times, and circles about one centre.", crowds("cut copy", "cut copy copy cut", "cut room copy", "enter within cut", "around copy", **PLAIN), skills="hits at one place"),
-    group("radius-zero", "Circles of radius 0: points on the ray, beside it, behind it or at its origin.", crowds("dot cut", "dot0 enter", "dot dot", "enter2 dot2", "around dot", **PLAIN), skills="r = 0"),
+    group("radius-zero", "Circles of radius 0: points on the ray, beside it, behind it or at its origin.", crowds("dot0", "dot cut", "dot0 enter", "dot dot", "enter2 dot2", "around dot", **PLAIN), skills="r = 0"),
     group("repeated", "Neighbouring calls differ in one argument.", anywhere(4, (1, 3)), turns=True, skills="nothing kept between calls"),
 ]
 
 PRODUCTION = [  # the same, where rounding bites
     group("decimals", "Touches in short decimals, which == does not see.", telling(crowds("touch touch", "touch0 touch", "touch around", **DECIMALS), *TELLING), skills="collapse the tangent"),
     group("turned", "Touches and ties that squares cannot see.", crowds("touch touch", "touch exit2 enter2", "touch cut", "around touch", **BIG), skills="a tangent has a width"),
-    group("ties-full", "Hits at one place that floats put in order, and touches that they miss.", crowds("exit2 enter2 touch", "cut1 mirror copy", "enter3 touch3 exit3", **FULL), skills=("hits at one place", "a tangent has a width")),
-    group("origin-full", "The origin on a circle, and rounding puts it beside.", telling(crowds(*ORIGIN, "exit0", **FULL), *TELLING), skills="origin on the circle"),
+    group("ties-full", "Hits at one place that floats put in order, and touches that they miss.", crowds("exit2 enter2 touch", "cut1 mirror copy", "enter3 touch3 exit3", "dot cut", "dot2 dot", "dot0 enter dot", "enter2 dot2", **FULL), skills=("hits at one place", "a tangent has a width")),
+    group("origin-full", "The origin on a circle, and rounding puts it beside.", telling(either(crowds(*ORIGIN, "exit0", **FULL), aligned(20, (1, 3)), aligned(2**28, (1, 3))), *TELLING), skills="origin on the circle"),
     group("near", "Nearly a touch: 1e-7 of the figure away.", crowds("touch~ cut", "touch~ touch~", "around touch~", "dot~ cut", **NEAR), skills="nearly is not touching"),
     group("ties-near", "Two hits nearly at one place: their order counts.", crowds("exit2~ enter2", "enter2 enter2~", "exit2~ exit2", "touch2 enter2~", **NEAR), skills="hits in order"),
     group("origin-near", "The origin is just off a circle, inside or outside.", crowds("exit0~ enter", "enter0~ cut", "exit0~", "enter0~ exit0~", **NEAR), skills="origin on the circle"),
-    group("lopsided", "A circle hundreds of times as large as the others: its size is the figure's.", crowds("touch cut", "touch touch cut", "exit0 enter", "around touch exit2 enter2", **{**BIG, "size": 2**12, "uneven": 9}), skills="the size of the whole"),
+    group("dot-turned", "r = 0, and directions at any angle: |f|² − (f·u)² is all rounding there.", crowds("dot cut", "dot dot", "around dot", "enter2 dot2", **BIG), skills="r = 0"),
+    group("lopsided", "A circle hundreds to tens of thousands of times as large as the others: its size is the figure's.", either(*[crowds("touch cut", "touch touch cut", "exit0 enter", "enter1 beside", "around touch exit2 enter2", **{**BIG, "size": 2**12, "uneven": each}) for each in (9, 14)]), skills="the size of the whole"),
     group("far", "Circles a hundred to a hundred thousand times smaller than their distance.", either(crowds("speck cut", "speck speck", **FAR), crowds("speck cut", "speck speck", **{**FAR, "size": 2**16, "turn": "any"})), skills="a tangent has a width"),
-    group("direction-length", "Directions up to 1e12 times longer or shorter than the figure.", crowds("cut behind", "around behind", "exit2 enter2 behind", "exit0 touch", "exit0~ behind", **{**PLAIN, "shift": -17, "stretch": tuple(range(-40, 31, 10))}), cases=90, skills="t is not a distance"),
+    group("direction-length", "Directions up to 1e24 times longer or shorter than the figure.", either(crowds("cut behind", "around behind", "exit2 enter2 behind", "exit0 touch", "exit0~ behind", **{**PLAIN, "shift": -17, "stretch": tuple(range(-40, 31, 10))}), crowds("cut behind", "touch~ cut", "exit0~ enter", "exit2~ enter2", **{**NEAR, "shift": -60, "stretch": (0, 40, 70, 82)}), crowds("exit0 enter", "enter0 touch", "exit0", **{**FULL, "stretch": (-60, -30, 22)})), cases=120, skills="t is not a distance"),
     group("tiny", "All of it around 1e-20.", crowds("touch cut", "touch~ cut", "exit0 enter", "exit0~ enter", "exit2~ enter2", **TINY), skills=("no absolute epsilon", "scale invariance")),
-    group("offset", "A small figure far from the plane's origin.", crowds("cut cut", "around touch", "touch exit2 enter2", "exit0 enter", **OFFSET), skills="far from the origin"),
-    group("steep", "Directions almost along an axis.", crowds("touch cut", "cut behind", "around beside", "exit2 enter2", **STEEP), skills="no slopes"),
+    group("offset", "A small figure far from the plane's origin.", crowds("cut cut", "around touch", "touch exit2 enter2", "exit0 enter", "touch~ cut", "exit0~ enter", "exit2~ enter2", "dot~ cut", **OFFSET), skills="far from the origin"),
+    group("steep", "Directions almost along an axis.", either(crowds("touch cut", "cut behind", "around beside", "exit2 enter2", **STEEP), crowds("cut cut", "around beside", "dot-behind cut", **{**TILTED, "tilt": (20, 75)})), skills="no slopes"),
     group("random", "Any numbers, small and large.", either(anywhere(1000, (1, 12)), anywhere(2**30, (1, 12))), skills=("full precision", "whole numbers that are large")),
     group("large", "Whole numbers up to 2**30, with touches and ties.", crowds("touch cut", "exit2 enter2", "exit0 touch", **{**BIG, "shift": 0, "numbers": "int"}), skills=("whole numbers that are large", "scale invariance")),
     group("full", "As many circles as there may be: sixty-four.", crowd_of("cut", "cut", "around", "behind", "beside", count=(63, 63), first="cut", **PLAIN), cases=20, skills="hits in order"),

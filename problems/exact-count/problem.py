@@ -35,7 +35,7 @@ INTERVIEW = [
 
 PRODUCTION = [  # the same, where rounding bites
     group("tangent-huge", "Touches at 1e6 to 1e119: no double holds their squares.", hairlines.hairlines(10**6, 10**12, 10**40, 10**119), cases=80, skills="integers of any size"),
-    group("just-off", "The least that ints allow: r²a − k² is 1 or -1.", hairlines.least(10**3, 10**4, 10**6, 10**20, 10**50, 10**100), cases=160, skills="exact count for integers"),
+    group("just-off", "The least that ints allow: r²a − k² is 1 or -1.", hairlines.least(10**3, 10**4, 10**6, 10**20, 10**50, 10**100, 10**119), cases=160, skills="exact count for integers"),
     group("hairline", "The line cuts or misses by a hair at 1e6 to 1e15: k is r·|D| ± 1.", hairlines.hairlines(10**6, 10**9, 10**15, off=(1, -1, 2, -2)), cases=120, skills="exact count for integers"),
     group("hairline-huge", "The same at 1e30 to 1e100: beyond any fixed number of digits.", hairlines.hairlines(10**30, 10**60, 10**100, off=(1, -1)), cases=100, skills="integers of any size"),
     group("wide", "Anything anywhere within 1e6 to 1e100: products leave 64 bits, 128 bits, and then any float.", signs.scattered("nnrpp", 10**6, 10**9, 10**12, 10**30, 10**100), cases=160, skills="integers of any size"),

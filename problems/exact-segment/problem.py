@@ -20,12 +20,29 @@ def one_point(draw):
     return cx, cy, r, A, A
 
 
+def brink(draw):
+    """A level or upright touch at an end, or 1 before it or beyond it, at 1e30 and 1e100."""
+    size = draw.choice((10**30, 10**100))
+    r, far, at = draw.integer(1, size // 4), draw.integer(size // 8, size // 4), draw.integer(-1, 1)
+    (cx, cy), A, B = signs.fitted(draw, size, [(0, 0), (at - far, r), (at, r)])
+    return (cx, cy, r, A, B) if draw.integer(0, 3) else (cx, cy, r, B, A)
+
+
+def steps(draw):
+    """A point C, and A and B a few steps from it along one direction."""
+    (x, y), (p, q) = ((draw.integer(-9, 9), draw.integer(-9, 9)) for _ in range(2))
+    p, q = draw.choice(((p, q), (draw.sign(), 0), (0, draw.sign())))
+    i, j = draw.integer(-2, 2), draw.integer(-2, 2)
+    return x, y, 0, (x + i * p, y + i * q), (x + j * p, y + j * q)
+
+
 INTERVIEW = [
     group("grid", "Small whole numbers: everything that can happen.", signs.ints(grid("nnrpp", 3)), cases=220, skills="the small grid"),
     group("end-on", "An end is on the circle; the other one is inside it, outside, or on it too.", either(lines(*ENDS, **INT), lines(*ENDS, **WIDE)), skills="closed ends"),
     group("touch", "Touches on the segment, at an end of it, or beyond.", either(lines("touch before after", "touch foot by", "touch after after", "touch before before", **INT), lines("touch before after", "touch after after", **WIDE)), skills="collapse the tangent"),
     group("inside", "Both ends inside the circle, or one of them.", lines("cut in in", "cut in in", "cut in after", "cut before in", "chord first in", **INT), skills="clamp to a segment"),
     group("same-point", "A equals B: on the circle, inside or outside; the circle may be a point too.", lines("chord first =", "touch foot =", "cut in =", "miss by =", "dot foot =", "dot by =", **INT), skills="degenerate segment"),
+    group("radius-zero", "The circle is a point: on the segment, at an end, beyond it on the line, or beside it.", either(lines("dot before after", "dot foot after", "dot after after", "dot ?by ?by", "dot-miss before after", **INT), steps), skills="r = 0"),
     group("axis", "Upright and level segments in every place.", lines("cut before after", "cut before in", "touch before after", "chord first after", "miss before after", **{**AXIS, "numbers": "int"}), skills="clamp to a segment"),
     group("repeated", "Neighbouring calls differ in one argument.", signs.ints(grid("nnrpp", 5)), turns=True, skills="nothing kept between calls"),
 ]
@@ -33,8 +50,8 @@ INTERVIEW = [
 PRODUCTION = [  # the same, where rounding bites
     group("end-off-by-one", "An end with |A − C|² = r² ± 1, at radii of up to 1e30.", hairlines.ends((10**4, 10**9, 10**12, 10**30), 1, -1), cases=120, skills="ends no wider than rounding"),
     group("one-point-huge", "A equals B, on the circle or off it by the least that ints allow.", one_point, skills="degenerate segment"),
-    group("near-touch", "The least that ints allow: r²a − k² is 1 or -1, the foot on the segment or not.", hairlines.least(10**3, 10**5, 10**6, 10**9), cases=120, skills="exact count for integers"),
+    group("near-touch", "The least that ints allow: r²a − k² is 1 or -1, the foot on the segment or not.", hairlines.least(10**3, 10**5, 10**6, 10**9, 10**50, 10**119, 10**119), cases=160, skills="exact count for integers"),
     group("hairline", "The line cuts or misses by a hair at 1e8 to 1e14: k is r·|D| ± 1.", hairlines.hairlines(10**8, 10**10, 10**12, 10**14, off=(1, -1, 2, -2)), cases=160, skills="exact count for integers"),
     group("nearly", "The line passes the circle by 1e-13 to 0.9 of the radius, in every direction.", signs.tried(hairlines.nearly(10**20, 10**40)), cases=200, skills="exact count for integers"),
-    group("large", "All of it at 1e30 to 1e100: beyond any fixed number of digits.", either(hairlines.hairlines(10**30, 10**100, off=(0, 1, -1)), hairlines.least(10**30, 10**100), hairlines.ends((10**30, 10**100), 0, 1, -1)), cases=100, skills="integers of any size"),
+    group("large", "All of it at 1e30 to 1e100: beyond any fixed number of digits.", either(hairlines.hairlines(10**30, 10**100, off=(0, 1, -1)), hairlines.least(10**30, 10**100, 10**119), hairlines.ends((10**30, 10**100), 0, 1, -1), brink), cases=160, skills="integers of any size"),
 ]

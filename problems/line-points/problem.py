@@ -4,7 +4,7 @@ from functools import partial
 
 from judge.geometry import Line, plain
 from judge.geometry.hooks import POINTS, hooks
-from judge.geometry.scenes import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TINY, closed_up, either, grid, lines, telling, uniform, whole
+from judge.geometry.scenes import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TILTED, TINY, closed_up, either, grid, lines, telling, uniform, whole
 from judge.problem.declare import group
 
 HOOKS = hooks(POINTS)
@@ -21,25 +21,25 @@ INTERVIEW = [
     group("through", "Lines that cut the circle, upright and level ones too: two points, in order of t.", either(lines("cut ?by ?by", "through ?by ?by", **PLAIN), lines("cut ?by ?by", **AXIS)), skills=("foot and half-chord", "order along the line", "no slopes")),
     group("off-segment", "The points are not between A and B, or one of them is not.", lines("cut after after", "cut before before", "cut in in", "cut in after", "cut before in", **PLAIN), skills=("foot and half-chord", "a line has no ends")),
     group("touch", "The line touches: one point, once.", lines(*TOUCHES, **PLAIN), skills="collapse the tangent"),
-    group("decimals", "Touches in short decimals, which == does not see.", telling(lines(*TOUCHES, **DECIMALS), *TELLING), skills="collapse the tangent"),
+    group("decimals", "Touches in short decimals, which == does not see.", telling(lines(*TOUCHES, "touch after foot", **DECIMALS), *TELLING), skills="collapse the tangent"),
     group("miss", "The line passes the circle: no point.", lines("miss ?by ?by", "miss foot ?by", **PLAIN), skills="no root of a negative number"),
     group("from-foot", "A is the foot of the perpendicular from C, so that f·D is 0.", lines("cut foot ?by", "through foot ?by", **PLAIN), skills="zero has no sign"),
-    group("radius-zero", "The circle is a point: on the line, or beside it.", lines("dot ?by ?by", "dot foot ?by", "dot-miss ?by ?by", **PLAIN), skills="r = 0"),
+    group("radius-zero", "The circle is a point: on the line, or beside it.", either(lines("dot ?by ?by", "dot foot ?by", "dot ?by foot", "dot-miss ?by ?by", **PLAIN), lines("dot foot ?by", "dot ?by foot", **AXIS)), skills="r = 0"),
     group("same-point", "A equals B: there is no line.", lines("cut before =", "chord first =", "touch foot =", "miss by =", **PLAIN), skills="degenerate line"),
     group("random", "Any numbers, small and large.", uniform("nnrpp", 20, 1e4, 1e9), skills="order along the line"),
 ]
 
 PRODUCTION = [  # the same, where rounding bites
     group("turned", "A touch that squares cannot see.", lines(*TOUCHES, **BIG), skills="a tangent has a width"),
-    group("full", "A touch that no formula in floats can see.", either(lines(*TOUCHES, **HUGE), lines(*TOUCHES, **SPLIT)), skills="a tangent has a width"),
-    group("near", "Nearly a touch: 1e-7 of the figure away.", lines("touch~ before after", "touch~ foot by", **NEAR), skills="nearly is not touching"),
-    group("dot-full", "The circle is a point, on a line that floats put beside it.", lines("dot before after", "dot foot after", **SPLIT), skills="r = 0"),
-    group("tiny", "All of it around 1e-20.", lines("touch before after", "touch~ before after", "cut before after", **TINY), skills=("no absolute epsilon", "scale invariance")),
-    group("offset", "A small figure far from the origin.", lines(*TOUCHES, "cut before after", "miss before after", **OFFSET), skills="far from the origin"),
-    group("far", "A or B is up to a million radii away.", lines("touch foot far", "cut very-far foot", "cut ?very-far by", "cut -far far", "touch remote foot", "touch -remote far", "touch~ foot far", "touch~ far foot", **FAR), skills="the sharp discriminant"),
+    group("full", "A touch that no formula in floats can see.", either(lines(*TOUCHES, **HUGE), lines(*TOUCHES, **SPLIT), lines("touch close after", "touch close foot", **HUGE)), skills="a tangent has a width"),
+    group("near", "Nearly a touch: 1e-7 of the figure away.", either(lines("touch~ before after", "touch~ foot by", **NEAR), lines("touch~ before after", "touch~ by by", **{**NEAR, "least": 7})), cases=120, skills="nearly is not touching"),
+    group("dot-full", "The circle is a point, on a line that floats put beside it.", either(lines("dot before after", "dot foot after", **SPLIT), lines("dot before after", "dot after by", **{**HUGE, "turn": "axis"})), skills="r = 0"),
+    group("tiny", "All of it around 1e-20, or around 1e-15 with all digits.", either(lines("touch before after", "touch~ before after", "cut before after", "dot-miss before after", **TINY), lines("cut before after", "cut ?by ?by", **{**HUGE, "shift": -99}), lines("touch by ?by", "cut by ?by", "through by ?by", **{**TINY, "turn": "axis"})), skills=("no absolute epsilon", "scale invariance")),
+    group("offset", "A small figure far from the origin.", lines(*TOUCHES, "cut before after", "miss before after", "dot-miss before after", "touch~ before after", "touch~ by foot", **OFFSET), skills="far from the origin"),
+    group("far", "A or B is up to a million radii away.", lines("touch foot far", "cut very-far foot", "cut ?very-far by", "cut -far far", "touch remote foot", "touch -remote far", "touch~ foot far", "touch~ far foot", "dot far foot", "dot foot far", **FAR), skills="the sharp discriminant"),
     group("off-centre", "Lines past the centre by 1e-8 to 1e-2 of the radius.", lines("off-centre ?by ?by", **HUGE), skills="foot and half-chord"),
     group("close-points", "A and B are close together, and still two points.", closed_up("touch by", "cut by", "miss by", "through in"), skills="degenerate line"),
-    group("steep", "Directions almost along an axis.", lines("touch before after", "cut before after", "miss before after", **STEEP), skills="no slopes"),
+    group("steep", "Directions almost along an axis.", either(lines("touch before after", "cut before after", "miss before after", **STEEP), lines("cut before after", "miss before after", "cut in in", **TILTED)), skills="no slopes"),
     group("large", "Whole numbers up to 2**30, some of them touches.", either(whole("nnrpp", 30), lines(*TOUCHES, **{**BIG, "shift": 0, "numbers": "int"})), skills=("whole numbers that are large", "scale invariance")),
     group("repeated", "Neighbouring calls differ in one argument.", grid("nnrpp", 3), turns=True, skills="nothing kept between calls"),
 ]

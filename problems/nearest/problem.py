@@ -2,6 +2,7 @@
 
 from judge.geometry.boxes import nearest
 from judge.geometry.hooks import MANY, hooks
+from judge.geometry.scenes.close import nearly
 from judge.geometry.scenes.growth import crowded
 from judge.geometry.scenes.many import FASTEST, clusters, fields, heaps, inside, leaving, strips, ties
 from judge.problem.declare import group
@@ -20,6 +21,7 @@ INTERVIEW = [
 
 PRODUCTION = [
     group("ties", "Several circles met at once, touches, and origins on a circle; others are just off.", ties((5, 9), 40), skills="ties of circles"),
+    group("near", "Rays that nearly touch a circle, nearly begin on one, or meet two at nearly one place.", nearly((3, 6), 4_000), skills="nearly is not touching"),
     group("leaving", "Rays in any direction from a place on a circle, and from its centre, there with a D of two lengths.", leaving((3, 6), 60), cases=30, skills="origin inside"),
     group("sparse", "Small circles far apart: most rays go a long way and meet nothing.", fields((150, 300), (60, 90), 20_000, (60, 110)), cases=20, skills="walk through boxes"),
     group("big-and-small", "Radii from 1 to 1000 times of that: large circles reach over hundreds of small ones.", fields((150, 300), (60, 90), 30_000, (20, 60), (9_000, 20_000)), cases=20, skills="large among small"),

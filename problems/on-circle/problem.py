@@ -15,7 +15,7 @@ def solve(cx, cy, r, P):
 def small_circle(draw):
     """P at the corner that is opposite to a small circle's, mostly."""
     cx, cy, P = corners("nnp", 30)(draw)
-    return cx, cy, draw.integer(0, 9), P if draw.boolean() else (-cx, -cy)
+    return cx, cy, draw.choice((0, draw.integer(1, 9))), P if draw.boolean() else (-cx, -cy)
 
 
 INTERVIEW = [
@@ -32,7 +32,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("on-full", "On the circle, where differences are rounded, too.", either(points("on", **HUGE), points("on", **SPLIT)), skills="on the circle has a width"),
     group("near", "Nearly on the circle: 1e-7 of the figure away.", points("on~", "on~", "dot-on~", **NEAR), skills="nearly is not on it"),
     group("tiny", "All of it around 1e-20.", points("on", "on~", "in", "dot-on~", **TINY), skills=("no absolute epsilon", "scale invariance")),
-    group("offset", "A small figure far from the origin.", points("on", "on", "in", "out", **OFFSET), skills="far from the origin"),
+    group("offset", "A small figure far from the origin.", points("on", "on", "in", "out", "dot-out", "dot-on", **OFFSET), skills="far from the origin"),
     group("offset-near", "Small figures far from the origin, nearly on the circle.", points("on~", **{**NEAR, "move": 47, "shift": -20}), skills="far from the origin"),
     group("dot-split", "The circle is a point, and P is this point in its last bits.", points("dot-on~", "dot-out", "dot-on", **{**NEAR, "move": "split"}), skills="no absolute epsilon"),
     group("large", "Whole numbers up to 2**30, some of them on the circle.", either(whole("nnrp", 30), points("on", **{**BIG, "shift": 0, "numbers": "int"})), skills=("whole numbers that are large", "scale invariance")),

@@ -1,10 +1,11 @@
 """The points of a closed segment that lie on a circle, in order from A to B."""
 
 from functools import partial
+from math import sqrt
 
 from judge.geometry import Line, plain
 from judge.geometry.hooks import SEGMENT, hooks
-from judge.geometry.scenes import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TINY, closed_up, either, grid, lines, telling, uniform, whole
+from judge.geometry.scenes import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TILTED, TINY, closed_up, either, grid, lines, points, telling, uniform, whole
 from judge.problem.declare import group
 
 HOOKS = hooks(SEGMENT)
@@ -19,6 +20,33 @@ def solve(cx, cy, r, A, B):
     return [line.real_point(which) for which in line.within()]
 
 
+def beside(draw):
+    """An end is on the circle, and the other one straight beside the centre or above it, or nearly."""
+    fine = draw.choice(({**HUGE, "size": 2**30, "turn": "axis", "shift": -26}, {**BIG, "size": 2**10, "shift": -20}))
+    cx, cy, r, A = points("on", "on", "on", "dot-on", **fine)(draw)
+    far = (r or 9) * draw.choice((2, 10**5, 10**6, 10**6)) * draw.sign()
+    off = (r or 9) * draw.choice((0, 0, 1, -1)) / 2 ** draw.integer(10, 30)
+    B = (cx + far, cy + off) if draw.boolean() else (cx + off, cy + far)
+    return (cx, cy, r, A, B) if draw.boolean() else (cx, cy, r, B, A)
+
+
+def squares(cx, cy, r, A, _B):
+    """Whether A is on the circle by its squares."""
+    return (A[0] - cx) ** 2 + (A[1] - cy) ** 2 == r * r
+
+
+def root(cx, cy, r, A, _B):
+    """Whether A is on the circle by a root."""
+    return sqrt((A[0] - cx) ** 2 + (A[1] - cy) ** 2) == r
+
+
+def always(*_case):
+    """What a tolerance says of a point that is on it."""
+    return True
+
+
+POINT = either(lines("chord first =", "chord last =", **HUGE), lines("chord first =", "chord last =", **SPLIT))
+
 INTERVIEW = [
     group("grid", "Small whole numbers: everything that can happen.", grid("nnrpp", 3), cases=180, skills="the small grid"),
     group("through", "Both ends outside, the circle between them: two points.", lines("cut before after", "through before after", **PLAIN), skills="order along the segment"),
@@ -30,27 +58,27 @@ INTERVIEW = [
     group("tangent", "The segment touches: one point, once.", lines(*TOUCHES, **PLAIN), skills="collapse the tangent"),
     group("tangent-beyond", "The line touches beyond the segment, or at one end.", lines(*BEYOND, **PLAIN), skills="clamp to a segment"),
     group("end-on-circle", "An end is on the circle, or both are.", lines(*ENDS, **PLAIN), skills="closed ends"),
-    group("one-point", "A equals B: on the circle, inside or outside.", lines("chord first =", "touch foot =", "cut in =", "miss by =", **PLAIN), skills="degenerate segment"),
+    group("one-point", "A equals B: on the circle, inside or outside.", lines("chord first =", "touch foot =", "cut in =", "miss by =", "dot foot =", **PLAIN), skills="degenerate segment"),
     group("radius-zero", "The circle is a point: on the segment, on its line only, or beside it.", lines("dot before after", "dot foot after", "dot after after", "dot-miss before after", **PLAIN), skills="r = 0"),
     group("axis", "Upright and level segments in every place.", lines("cut before after", "cut before in", "cut in after", "cut after after", "miss before after", **AXIS), skills="no slopes"),
     group("random", "Any numbers, small and large.", uniform("nnrpp", 20, 1e4, 1e9), skills="full precision"),
 ]
 
 PRODUCTION = [  # the same, where rounding bites
-    group("decimals", "Touches in short decimals, which == does not see.", telling(lines(*TOUCHES, **DECIMALS), *TELLING), skills="collapse the tangent"),
+    group("decimals", "Touches in short decimals, which == does not see.", telling(lines(*TOUCHES, "touch foot after", "touch after foot", **DECIMALS), *TELLING), cases=90, skills="collapse the tangent"),
     group("turned", "A touch that squares cannot see.", lines(*TOUCHES, *BEYOND, **BIG), skills="a tangent has a width"),
     group("full", "A touch that no formula in floats can see.", either(lines(*TOUCHES, **HUGE), lines(*TOUCHES, **SPLIT)), skills="a tangent has a width"),
     group("near", "Nearly a touch: 1e-7 of the figure away.", lines("touch~ before after", "touch~ before after", "touch~ foot by", **NEAR), skills="nearly is not touching"),
-    group("end-full", "An end is on the circle, and rounding puts it beside.", either(lines(*ENDS, **HUGE), lines(*ENDS, **SPLIT)), skills="closed ends"),
-    group("end-near", "An end stops just before the circle, or goes on just past it.", lines("chord first~ in", "chord first~ after", "chord before first~", "chord last~ after", "chord in last~", **NEAR), skills="ends no wider than rounding"),
-    group("point", "A equals B: on the circle, or 1e-7 of the figure beside it.", either(lines("chord first =", "chord last =", **HUGE), lines("chord first =", "chord last =", **BIG), lines("chord first~ =", "chord last~ =", **NEAR)), skills="degenerate segment"),
+    group("end-full", "An end is on the circle, and rounding puts it beside.", either(lines(*ENDS, **HUGE), lines(*ENDS, **SPLIT), lines(*ENDS, **{**HUGE, "turn": "axis"}), lines("chord first after", **TILTED), beside, beside), cases=120, skills="closed ends"),
+    group("end-near", "An end stops just before the circle, or goes on just past it.", lines("chord first~ in", "chord first~ after", "chord before first~", "chord last~ after", "chord in last~", "through first~ in", "through in last~", "through before first~", "through last~ after", **NEAR), cases=100, skills="ends no wider than rounding"),
+    group("point", "A equals B: on the circle, or 1e-7 of the figure beside it.", either(telling(POINT, squares, always), telling(POINT, root, always, tries=30), lines("chord first =", "chord last =", **BIG), lines("chord first~ =", "chord last~ =", **NEAR)), cases=80, skills="degenerate segment"),
     group("dot-full", "The circle is a point, on a line that floats put beside it.", lines("dot before after", "dot foot after", **SPLIT), skills="r = 0"),
-    group("tiny", "All of it around 1e-20.", lines("touch before after", "touch~ before after", "chord first~ in", "chord first~ =", **TINY), skills=("no absolute epsilon", "scale invariance")),
-    group("offset", "A small figure far from the origin.", lines(*TOUCHES, "cut before in", "cut in after", **OFFSET), skills="far from the origin"),
-    group("far", "A or B is up to a hundred million radii away.", either(lines("touch foot far", "cut very-far foot", "cut -far far", "touch remote foot", "touch remote by", "touch -remote far", "touch~ far foot", **FAR), lines("touch far by", "touch -far far", **{**FAR, "size": 1 << 20, "turn": "any"})), cases=90, skills="the sharp discriminant"),
-    group("far-end", "One end is on the circle or just off it, the other is far away.", lines("chord first far", "chord far last", "chord last~ far", "chord far first~", **FAR), skills="ends no wider than rounding"),
+    group("tiny", "All of it around 1e-20.", either(lines("touch before after", "touch~ before after", "chord first~ in", "chord in last~", "chord first~ =", "chord first~ =", **TINY), lines("touch before after", "cut before in", "cut before after", **{**TINY, "turn": "axis"})), cases=90, skills=("no absolute epsilon", "scale invariance")),
+    group("offset", "A small figure far from the origin.", lines(*TOUCHES, "cut before in", "cut in after", "dot-miss before after", "touch~ before after", "chord first~ in", "chord in last~", "chord last~ after", "chord before first~", "chord first~ =", **OFFSET), cases=90, skills="far from the origin"),
+    group("far", "A or B is up to a hundred million radii away.", either(lines("touch foot far", "cut very-far foot", "cut -far far", "touch remote foot", "touch remote by", "touch -remote far", "touch~ far foot", **FAR), lines("touch far by", "touch -far far", **{**FAR, "size": 1 << 20, "turn": "any"}), lines("touch remote foot", "touch foot remote", **{**FAR, "size": 1 << 8, "turn": "any"})), cases=90, skills="the sharp discriminant"),
+    group("far-end", "One end is on the circle or just off it, the other is far away.", either(lines("chord first far", "chord far last", "chord first far", "chord far last", "chord last~ far", "chord far first~", **FAR), lines("chord first -very-far", "chord very-far last", **{**FAR, "size": 1 << 12, "turn": "any"})), cases=100, skills="ends no wider than rounding"),
     group("close-points", "A and B are close together, and still two points.", closed_up("touch foot", "touch by", "cut by", "chord first", "through in"), skills="degenerate segment"),
-    group("steep", "Directions almost along an axis.", lines(*TOUCHES, "cut before in", "miss before after", **STEEP), skills="no slopes"),
+    group("steep", "Directions almost along an axis.", either(lines(*TOUCHES, "cut before in", "miss before after", **STEEP), lines("cut before after", "cut before in", "cut in after", "miss before after", **TILTED)), skills="no slopes"),
     group("large", "Whole numbers up to 2**30, some of them touches.", either(whole("nnrpp", 30), lines(*TOUCHES, **{**BIG, "shift": 0, "numbers": "int"})), skills=("whole numbers that are large", "scale invariance")),
     group("repeated", "Neighbouring calls differ in one argument.", grid("nnrpp", 4), turns=True, skills="nothing kept between calls"),
 ]

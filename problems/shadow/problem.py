@@ -1,7 +1,7 @@
 """Whether a light reaches the first hit of a ray: exactly, and nothing is nearly a tie."""
 
 from judge.geometry.hooks import LIGHT, hooks
-from judge.geometry.scenes import AXIS, BIG, OFFSET, PLAIN, TINY, anywhere, either, lights, shaded
+from judge.geometry.scenes import AXIS, BIG, NEAR, OFFSET, PLAIN, TILTED, TINY, anywhere, either, lights, shaded, topped
 from judge.geometry.shadow import Shade, shade
 from judge.problem.declare import group
 
@@ -22,7 +22,7 @@ INTERVIEW = [
     group("far-side", "The light is on the side of the circle that the ray does not see.", lights("back", "back", "open", **ABOUT, **PLAIN), skills="which side is seen"),
     group("blocked", "A circle is between the point and the light.", lights("blocked", "around-light", "around-point", **PLAIN), skills="a second ray"),
     group("beyond", "A circle is on the line, but beyond the light or behind the point.", lights("beyond", "beyond", "behind", **PLAIN), skills="a ray that ends"),
-    group("inside", "The ray begins inside a circle and hits its wall from there; the light is in the same room or not.", lights("room", "room", "wall", "wall", "outdoors", others=(0, 1), **PLAIN), skills=("origin inside", "which side is seen")),
+    group("inside", "The ray begins inside a circle and hits its wall from there; the light is in the same room or not.", either(lights("room", "room", "wall", "wall", "outdoors", others=(0, 1), **PLAIN), lights("straight", **AXIS)), skills=("origin inside", "which side is seen")),
     group("many", "Up to thirty-two circles anywhere.", shaded(anywhere(1000, (8, 32), (16, 125), light=True), "lit", "lit", "blocked", "back"), cases=40, skills="full precision"),
     group("repeated", "Neighbouring calls differ in one argument.", anywhere(12, (1, 3), (1, 8), light=True), turns=True, skills="nothing kept between calls"),
 ]
@@ -36,8 +36,10 @@ PRODUCTION = [  # the same, where rounding bites
     group("at-the-light", "A wall a thousandth or a millionth of the way before the light, or just beyond it.", lights("lamp", "lamp-thin", **{**BIG, "size": 10**7}), cases=90, skills="a ray that ends"),
     group("rooms", "Circles one in another, often about one centre: a wall around everything blocks nothing, one around the point does.", either(lights("court", "court", "pillar", "moat", **PLAIN), lights("court", "pillar", "moat", **AXIS)), skills=("a second ray", "a ray that ends")),
     group("level", "The light is just above or below the surface: no distance off the surface tells.", lights("level-open", "level-back", **{**BIG, "size": 20_000}), skills="which side is seen"),
-    group("direction-length", "Directions up to 1e12 times longer or shorter than the figure.", lights("open", "back", "blocked", "blocked", "room", "wall", **{**PLAIN, "shift": -17, "stretch": (-40, -20, 0, 20, 30, 30)}), cases=90, skills="t is not a distance"),
+    group("direction-length", "Directions up to 1e24 times longer or shorter than the figure.", either(lights("open", "back", "blocked", "blocked", "room", "wall", **{**PLAIN, "shift": -17, "stretch": (-40, -20, 0, 20, 30, 30)}), lights("open", "blocked", "room", "wall", **{**NEAR, "shift": -60, "stretch": (0, 40, 70, 82)})), cases=90, skills="t is not a distance"),
+    group("top", "The point is the top of its circle, or the bottom, or to the left or right of the centre.", shaded(either(topped(20), topped(2**28)), "lit", "lit", "own", "back"), skills="off the surface, a little"),
+    group("steep", "Directions almost along an axis.", lights("open", "blocked", "room", "wall", "straight", "straight", **{**TILTED, "tilt": (20, 75)}), skills="no slopes"),
     group("tiny", "Figures of 1e-10 to 1e-20.", either(lights("blocked", "wall", "around-light", "around-point", "outdoors", "back", size=200, **SMALL), lights("level-open", "level-back", "close", **{**TINY, "size": 2**22})), cases=90, skills=("no absolute epsilon", "scale invariance")),
-    group("offset", "A small figure far from the plane's origin.", lights("open", "blocked", "room", **ABOUT, **OFFSET), skills="far from the origin"),
+    group("offset", "A small figure far from the plane's origin.", either(lights("open", "blocked", "room", **ABOUT, **OFFSET), lights("level-open", "level-back", "room", "wall", **OFFSET)), skills="far from the origin"),
     group("large", "Whole numbers up to 2**30.", lights("open", "back", "blocked", "beyond", "room", "wall", **{**BIG, "size": 2**17, "shift": 0, "numbers": "int"}), skills=("whole numbers that are large", "scale invariance")),
 ]

@@ -2,7 +2,7 @@
 
 from judge.geometry.frames import steady
 from judge.geometry.hooks import FRAMES, hooks
-from judge.geometry.scenes import AXIS, HUGE, NEAR, OFFSET, PLAIN, STEEP, TINY, anything, either, frames
+from judge.geometry.scenes import AXIS, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, anything, either, frames
 from judge.problem.declare import group
 
 HOOKS = hooks(FRAMES)
@@ -26,13 +26,14 @@ INTERVIEW = [
 
 PRODUCTION = [
     group("at-threshold", "A distance exactly at a threshold, which does not pass it.", frames(*EXACT, exact=True, **{**HUGE, "size": 2**32}), skills="a tangent has a width"),
-    group("near-threshold", "A distance that misses a threshold by 1e-7 of the figure.", frames("low~", "high~", exact=True, **{**NEAR, "size": 40}), skills="nearly is not touching"),
-    group("vanishing", "The radius is 0 in some frames.", frames(*ALL, "dot", "dot-miss", **PLAIN), skills="thresholds as wide as the figure"),
+    group("near-threshold", "A distance that misses a threshold by 1e-7 of the figure, or r in the first frame.", either(frames("low~", "high~", exact=True, **{**NEAR, "size": 40}), frames("less", "more", first=("even~",), count=(1, 4), **{**NEAR, "size": 40}), frames("dot~", "dot", "in", "out", **{**NEAR, "size": 40})), skills="nearly is not touching"),
+    group("vanishing", "The radius is 0 in some frames.", frames(*ALL, "dot", "dot-miss", "dot-origin", **PLAIN), skills="thresholds as wide as the figure"),
     group("tiny", "Circles of about 1e-20.", frames(*ALL, "low", "high", exact=True, grows=True, **{**TINY, "size": 40}), skills=("no absolute epsilon", "scale invariance")),
     group("long", "Two hundred frames.", frames(*ALL, count=(200, 200), **PLAIN), cases=10, skills="a state that is kept"),
     group("far", "The centre is up to a thousand radii away along the line.", frames(*ALL, *EXACT, exact=True, away=1000, **PLAIN), skills="scale invariance"),
-    group("offset", "A small circle far from the origin.", frames(*EXACT, "in", "out", exact=True, **{**OFFSET, "size": 8}), skills="far from the origin"),
-    group("steep", "Directions almost along an axis.", frames(*ALL, *EXACT, exact=True, **{**STEEP, "size": 16}), skills="no slopes"),
+    group("direction-length", "Directions up to 1e24 times longer than the figure.", frames(*ALL, "low~", "high~", exact=True, **{**NEAR, "size": 40, "shift": -60, "stretch": (0, 40, 70, 82)}), skills="scale invariance"),
+    group("offset", "A small circle far from the origin.", either(frames(*EXACT, "in", "out", exact=True, **{**OFFSET, "size": 8}), frames("low~", "high~", exact=True, **{**OFFSET, "size": 8})), skills="far from the origin"),
+    group("steep", "Directions almost along an axis.", either(frames(*ALL, *EXACT, exact=True, **{**STEEP, "size": 16}), frames(*ALL, count=(1, 8), **{**TILTED, "tilt": (20, 75)})), skills="no slopes"),
     group("large", "Whole numbers up to 2**30.", anything(2**30, 24), skills="whole numbers that are large"),
     group("repeated", "Neighbouring calls differ in one argument.", anything(4, 4), turns=True, skills="nothing kept between calls"),
 ]

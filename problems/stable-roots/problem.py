@@ -1,7 +1,7 @@
 """The real roots of a·t² + 2·b·t + c = 0 for the numbers as they are, to the last digits."""
 
 from judge.geometry import whole
-from judge.geometry.scenes import equations, signs
+from judge.geometry.scenes import either, equations, signs
 from judge.problem.declare import group
 
 
@@ -22,10 +22,12 @@ INTERVIEW = [
 ]
 
 PRODUCTION = [  # the same, where rounding bites
+    group("b-small", "b is a quarter to 2**-52 of √|a·c|: it is far smaller than √Δ, and counts.", signs.tried(equations.b_small()), skills="full precision"),
+    group("full", "Three numbers of 53 bits and of similar size.", equations.full(), cases=120, skills="full precision"),
     group("near-double", "b² and a·c agree in up to 104 bits, and a double holds 53 of each.", signs.tried(equations.near_double(8, 25)), skills="full precision"),
     group("hairline", "Discriminants of either sign, from the size of b² down to 1e-30 of it.", signs.tried(equations.near_double(2, 25)), cases=160, skills="full precision"),
     group("finest", "Δ is 1 beside a b² of 1e31 and more: the roots are within a few units of their last place, and two.", signs.tried(equations.finest()), skills="full precision"),
-    group("wide", "Numbers of about 2**±560 and beyond: their squares are no doubles.", signs.tried(equations.wide((-596, -560, 540, 560), equations.plain(99), equations.cancellation(6, 50), equations.b_zero(99), equations.double(99), equations.near_double(4, 17), equations.linear(99))), skills="scale by powers of two"),
+    group("wide", "Numbers of about 2**±560 and beyond: their squares are no doubles.", signs.tried(equations.wide((-596, -560, 540, 560), equations.plain(99), equations.cancellation(6, 50), equations.b_zero(99), equations.c_zero(99), equations.double(99), equations.near_double(4, 17), equations.linear(99))), skills="scale by powers of two"),
     group("brink", "Near-double roots of hundreds of bits, and where b² is a double, but not what rounding leaves of it.", signs.tried(equations.wide((-546, -543, -540, 461, 515, 530, 545, 550), equations.finest(), equations.near_double(22, 25))), cases=80, skills="scale by powers of two"),
-    group("uneven", "One of b² and a·c is hundreds of binary orders larger than the other, and neither need be a double.", signs.tried(equations.uneven(-586, 586, 9999)), skills="scale by powers of two"),
+    group("uneven", "One of b² and a·c is hundreds of binary orders larger than the other, and neither need be a double.", signs.tried(either(equations.uneven(-586, 586, 9999), equations.uneven(100, 586, 9999), equations.uneven(-586, -100, 9999))), skills="scale by powers of two"),
 ]

@@ -5,14 +5,15 @@ from functools import partial
 from judge.geometry import plain
 from judge.geometry.hooks import BALLS, hooks
 from judge.geometry.motion import balls_meeting
-from judge.geometry.scenes import AXIS, BIG, DECIMALS, HUGE, NEAR, OFFSET, PLAIN, STEEP, TINY, balls, either, grid, telling, uniform, whole
+from judge.geometry.scenes import AXIS, BIG, DECIMALS, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, balls, either, grid, meeting, telling, uniform, whole
 from judge.problem.declare import group
 
 HOOKS = hooks(BALLS)
 FULL = {**HUGE, "size": 2**36}
-GRAZES = "touch before after", "touch before after rest", "touch before after along"
-STARTS = "chord last after", "chord first before", "touch foot after", "chord last after rest"
+GRAZES = "touch before after", "touch before after rest", "touch before after along", "touch before after alone"
+STARTS = "chord last after", "chord first before", "touch foot after", "chord last after rest", "chord last after dot"
 ENDS = "chord before first", "touch before foot", "chord before first rest", "chord after last"
+POINTS = "dot before after", "dot before after", "dot before foot", "dot before foot", "dot foot after", "dot-miss before after", "dot foot = rest"
 TELLING = plain.balls_meet, partial(plain.balls_meet, tolerance=1e-10)
 
 
@@ -29,6 +30,7 @@ INTERVIEW = [
     group("graze", "Discs that graze each other once, or would have done so before the start or after the end.", balls("touch before after", "touch before after", "touch after after", "touch before before", **PLAIN), skills="a graze is a touch"),
     group("parallel", "Both move alike, or rest: what is apart stays so.", balls("cut in =", "miss foot =", "cut before =", "miss foot = rest", "chord first =", **PLAIN), skills="sit on one of them"),
     group("radii", "Radii of very different size, or one of 0.", balls("cut before after dot", "cut before after tiny", "cut in after dot", "miss before after dot", "cut before in tiny", **PLAIN), cases=80, skills="radii add"),
+    group("points", "Both radii are 0: two points, which meet or do not.", either(balls(*POINTS, **PLAIN), balls(*POINTS, "dot~ before after", "dot before foot~", "dot foot~ after", **NEAR), balls(*POINTS, **FULL), meeting(29)), cases=120, skills="radii add"),
     group("fast", "A way of many radii: at no moment of a coarse clock the discs touch.", balls("cut far after", "through far after", "cut far -far", **PLAIN), skills="never step through"),
     group("repeated", "Neighbouring calls differ in one argument.", grid("pprppr", 4), turns=True, skills="nothing kept between calls"),
 ]
@@ -36,18 +38,19 @@ INTERVIEW = [
 PRODUCTION = [  # the same, where rounding bites
     group("decimals", "Grazes in short decimals, which == does not see.", telling(balls("touch before after rest", "touch before after rest dot", "touch before after alone dot", **DECIMALS), *TELLING), skills="a graze is a touch"),
     group("turned", "Grazes that squares cannot see.", balls(*GRAZES, **BIG), skills="a tangent has a width"),
-    group("graze-full", "Grazes that no formula in floats can see.", telling(balls(*GRAZES, **FULL), *TELLING), skills="a tangent has a width"),
+    group("graze-full", "Grazes that no formula in floats can see.", telling(either(balls(*GRAZES, **FULL), balls("touch before after", "touch before after dot", **{**FULL, "turn": "axis"}), balls("touch before after alone dot", **FULL)), *TELLING), cases=80, skills="a tangent has a width"),
     group("start-full", "The discs touch at the start, and rounding puts them apart.", balls(*STARTS, **FULL), skills="touching from the start"),
-    group("end-full", "The discs touch at the very end, and rounding makes it later.", telling(balls(*ENDS, **FULL), *TELLING), skills="first in time"),
+    group("end-full", "The discs touch at the very end, and rounding makes it later.", telling(either(balls(*ENDS, **FULL), balls(*ENDS, "dot before foot", **STEEP), balls("chord before first home", "touch before foot home", "chord before first home dot", **{**FULL, "move": 0}), meeting(29)), *TELLING), cases=120, skills="first in time"),
     group("near-graze", "Nearly a graze: 1e-7 of the figure away.", balls("touch~ before after", "touch~ before after rest", "touch~ before after along", **NEAR), skills="nearly is not touching"),
     group("near-start", "The discs nearly touch at the start, and come together or leave each other.", balls("chord last~ after", "chord first~ before", "chord first~ in", "chord last~ after rest", **NEAR), skills="touching from the start"),
     group("near-end", "The discs touch just before the end, or do not quite.", balls("chord before first~", "chord before first~ rest", "chord after -last~", **NEAR), skills="first in time"),
     group("slow", "The discs go far together, and hardly move as seen from each other.", balls("cut before in together", "cut before after together", "touch before after together", "cut before before together", **{**PLAIN, "shift": -20}), skills="t is not a distance"),
-    group("long-way", "A way of up to a million radii.", balls("cut very-far after", "touch very-far after", "through far after", **{**PLAIN, "shift": -20}), skills="never step through"),
+    group("long-way", "A way of up to a million radii.", balls("cut very-far after", "touch very-far after", "through far after", "dot before after rest grain", **{**PLAIN, "shift": -20}), skills="never step through"),
     group("rush", "The discs run towards each other and beyond: t is known to a few parts in 1e10.", balls("cut before after rush", "cut before after rush", "through before after rush", **PLAIN), skills="full precision"),
     group("tiny", "All of it around 1e-20.", balls("touch before after", "touch~ before after", "chord before first~", "chord last~ after", **TINY), skills=("no absolute epsilon", "scale invariance")),
     group("offset", "Small discs far from the plane's origin.", balls("touch before after", "cut before after", "chord before first", "chord last after", **OFFSET), skills="far from the origin"),
-    group("steep", "Ways almost along an axis.", balls("touch before after", "cut before in", "cut before after", "miss before after", **STEEP), skills="no slopes"),
+    group("offset-near", "Nearly a touch at the start, on the way or at the end, far from the plane's origin.", balls("touch~ before after", "chord before first~", "chord last~ after", "dot~ before after", "dot before foot~", "dot foot~ after", **OFFSET), skills="far from the origin"),
+    group("steep", "Ways almost along an axis.", either(balls("touch before after", "cut before in", "cut before after", "miss before after", **STEEP), balls("dot after after", "cut before after", "miss before after", "cut after after", **TILTED)), skills="no slopes"),
     group("random", "Any numbers, small and large.", uniform("pprppr", 20, 1e4, 1e9), skills="full precision"),
     group("large", "Whole numbers up to 2**30, some of them grazes.", either(whole("pprppr", 30), balls(*GRAZES, "cut before in", **{**BIG, "shift": 0, "numbers": "int"})), skills=("whole numbers that are large", "scale invariance")),
 ]

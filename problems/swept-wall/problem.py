@@ -5,12 +5,13 @@ from functools import partial
 from judge.geometry import plain
 from judge.geometry.hooks import WALL, hooks
 from judge.geometry.motion import wall_meeting
-from judge.geometry.scenes import AXIS, BIG, DECIMALS, HUGE, NEAR, OFFSET, PLAIN, STEEP, TINY, either, grid, telling, uniform, walls, whole
+from judge.geometry.scenes import AXIS, BIG, DECIMALS, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, either, grid, telling, uniform, walls, whole
 from judge.problem.declare import group
 
 HOOKS = hooks(WALL)
 BIGGER = {**BIG, "size": 2**14}
 FULL = {**HUGE, "size": 2**34}
+AFAR = {**NEAR, "size": 2**8, "move": 30}
 GRAZES = "graze cap", "graze post"
 TELLING = plain.wall_meet, partial(plain.wall_meet, tolerance=1e-10)
 
@@ -30,6 +31,7 @@ INTERVIEW = [
     group("graze", "The disc grazes an end.", walls(*GRAZES, "graze cap", **PLAIN), skills="a graze is a touch"),
     group("slide", "The disc slides along the wall, and touches it from its first end on.", walls("slide side", **PLAIN), skills=("a graze is a touch", "a wall has round ends")),
     group("post", "A wall that is a point.", walls("hit post", "hit post", "graze post", "short post", **PLAIN), skills="a wall has round ends"),
+    group("point", "The radius is 0, or so small beside the way and the wall: the disc is a point.", walls("hit side dot", "hit post dot", "end side dot", "end post dot", "start cap dot", "short side dot", "rest post dot", "hit side grain", "hit side grain", "short side grain", "past side grain", **{**PLAIN, "shift": -20}), cases=90, skills="first in time"),
     group("still", "The disc rests, on the wall or beside it.", walls("rest side", "rest cap", "rest post", **PLAIN), skills="touching from the start"),
     group("fast", "A way of many radii: no coarse clock sees the touch.", walls("fast side", "fast cap", "fast post", **{**PLAIN, "shift": -20}), skills="never step through"),
     group("repeated", "Neighbouring calls differ in one argument.", grid("pprpp", 4), turns=True, skills="nothing kept between calls"),
@@ -41,15 +43,17 @@ PRODUCTION = [  # the same, where rounding bites
     group("graze-full", "Grazes that no formula in floats can see.", telling(walls(*GRAZES, **FULL), *TELLING), skills="a tangent has a width"),
     group("slide-full", "The disc slides along the wall, and rounding puts it beside.", telling(walls("slide side", **FULL), *TELLING), skills="a tangent has a width"),
     group("start-full", "The disc touches at the start, and rounding puts it apart.", telling(walls("start side", "start side", "start cap", **FULL), *TELLING), skills="touching from the start"),
-    group("end-full", "The disc touches at the very end, and rounding makes it later.", telling(walls("end side", "end cap", **FULL), *TELLING), skills="first in time"),
+    group("end-full", "The disc touches at the very end, and rounding makes it later.", telling(either(walls("end side", "end cap", **FULL), walls("end cap level", "end side level", "end post level", **{**FULL, "turn": "axis"}), walls("end cap afar", "end post afar", **AFAR), walls("end side dot", "end cap dot", "end post dot", **FULL), walls("end cap", "end side", **{**STEEP, "size": 2**7}), walls("end cap home", "end side home", "end post home", **{**FULL, "move": 0})), *TELLING), cases=120, skills="first in time"),
     group("near-graze", "Nearly a graze: 1e-7 of the figure away.", walls("graze~ cap", "graze~ post", "slide~ side", **NEAR), skills="nearly is not touching"),
     group("near-start", "The disc nearly touches at the start, and leaves.", walls("start~ side", "start~ cap", **NEAR), skills="touching from the start"),
-    group("near-end", "The disc touches just before the end, or does not quite.", walls("end~ side", "end~ cap", **NEAR), skills="first in time"),
+    group("near-end", "The disc touches just before the end, or does not quite.", either(walls("end~ side", "end~ cap", "end~ side dot level", "end~ post dot level", **NEAR), walls("end~ side grain", "end~ side", **{**PLAIN, "shift": -20})), skills="first in time"),
     group("flat", "Onto the side nearly along the wall: it still is the side.", walls("flat side", **{**PLAIN, "shift": -20}), skills="fatten the wall"),
+    group("rim", "Onto the side, close to an end: it still is the side.", walls("hit side rim", "end side rim", **{**BIG, "size": 2**16}), skills="a wall has round ends"),
     group("broad", "A wall that is less than a hundredth of the disc: it is no post.", walls("broad side", **PLAIN), skills="a wall has round ends"),
     group("tiny", "All of it around 1e-20.", walls("graze cap", "graze~ cap", "end~ side", "hit side", **TINY), skills=("no absolute epsilon", "scale invariance")),
     group("offset", "A small figure far from the plane's origin.", walls("hit side", "hit cap", "graze cap", "end side", "start side", **OFFSET), skills="far from the origin"),
-    group("steep", "Ways almost along an axis.", walls("hit side", "hit cap", "graze cap", "short cap", **{**STEEP, "size": 2**7}), skills="no slopes"),
+    group("offset-near", "Nearly a touch at the start, on the way or at the end, far from the plane's origin.", walls("graze~ cap", "slide~ side", "start~ side", "end~ side", "end~ cap", "end~ post dot level", **OFFSET), skills="far from the origin"),
+    group("steep", "Ways almost along an axis.", either(walls("hit side", "hit cap", "graze cap", "short cap", **{**STEEP, "size": 2**7}), walls("hit side level", "hit cap level", "short side", "away side level", **TILTED)), skills="no slopes"),
     group("random", "Any numbers, small and large.", uniform("pprpp", 20, 1e4, 1e9), skills="full precision"),
     group("large", "Whole numbers up to 2**30, some of them grazes.", either(whole("pprpp", 30), walls(*GRAZES, "hit side", "end cap", **{**BIGGER, "shift": 0, "numbers": "int"})), skills=("whole numbers that are large", "scale invariance")),
 ]

@@ -134,7 +134,8 @@ def signs(cx, cy, r, A, B):
     # : The foot is at −b/a: the sign is lost. Compare 0 ≤ −b ≤ a.
     # ? half-line: between = 0 <= -b
     # ? float-arithmetic: between = 0 <= -b / a <= 1
-    # ! where the quotient rounds, the foot is so near to an end that neither it nor its touch is told
+    # : The quotient is rounded to a double, and a foot just beyond an end is taken for one on the segment. Compare
+    # : 0 ≤ −b ≤ a.
     if delta == 0:
         return int(between)
         # ? tangent-twice: return 2 if between else 0

@@ -101,6 +101,10 @@ def half_open(cx, cy, r, V):
                 # ? parameter-for-point: found.append((i, way / length))
                 # ? wrong-edge: found.append(((i if abs(way) > slack else (i - 1) % n), (ax + way * ux, ay + way * uy)))
                 # : A corner is given as that of the edge that ends there. It belongs to the edge that starts there.
+            # ? no-snap: if -1e-9 <= way / length < 1 - 1e-9: found.append((i, (ax + way * ux, ay + way * uy)))
+            # ? no-snap: if -1e-10 <= way / length < 1 - 1e-10: found.append((i, (ax + way * ux, ay + way * uy)))
+            # : The slack at a corner is a part of the edge. On a short edge it is less than rounding, which then
+            # : decides which edge has a corner. Take a part of the size.
             # ? vertex-twice: if -slack <= way <= length + slack: found.append((i, (ax + way * ux, ay + way * uy)))
             # @ A crossing at a corner counts once
             # : Both edges of a corner on the circle give it. Let each edge have its first corner only.

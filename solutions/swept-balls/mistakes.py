@@ -133,6 +133,8 @@ def relative(P0, P1, r, Q0, Q1, s):
     # ? tight-end: if first >= length: return None
     # : A touch at the very end is left out. The end, t = 1, is in time.
     # ? loose-end: if first > length + {1e-6..1e-3} * size: return None
+    # ? loose-end: if first > 1.000001 * length: return None
+    # : The end has a slack in t, 1e-6: on a long way that is more than 1e-7 of the size. Take 1e-9 of the size.
     # ? loose-end: if first > 1.0001 * length: return None
     # : The end has a slack of its own, 1e-4 of the way. A touch that is clearly later is no touch in time.
     return first / length
@@ -156,7 +158,7 @@ def quadratic(P0, P1, r, Q0, Q1, s):
     c = fx * fx + fy * fy - reach * reach
     # ? one-radius: c = fx * fx + fy * fy - r * r - s * s
     # : The squares of the radii are added, r² + s². The centres are r + s apart where the discs touch: (r + s)².
-    touch = 2e-10 * size * reach
+    touch = 1e-10 * size * (2 * reach + 1e-10 * size)
     # ? absolute-epsilon: touch = {1e-15..1e-3/3}
     # ? area-units: touch = 1e-10 * size
     # : An area is compared with a length, 1e-10 of the size. Multiply the threshold by r + s.

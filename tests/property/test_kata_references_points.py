@@ -248,7 +248,9 @@ def test_a_tiny_circle_is_against_the_promise():
 
 
 def test_what_a_polygon_promises_is_held_against_every_edge():
-    assert "corners are the same" in broken_promise("polygon", 0, 0, 1, ((3, 3), (0, 0), (0.0, 0)))
+    assert "An edge is 0·e" in broken_promise("polygon", 0, 0, 1, ((3, 3), (0, 0), (0.0, 0)))
+    short = ((0, 0), (1e-23, 0), (3, 0))
+    assert "It must be at least 1e-9·e" in broken_promise("polygon", 46, -11, 725, short)
     assert broken_promise("polygon", 0, 0, 1, ((0, 0), (1e-5, 0), (3, 3))) is None
     nearly = ((1.00000001, 0.0), (2.0, 0.5), (2.0, -0.5))
     assert "A corner is almost on the circle" in broken_promise("polygon", 0.0, 0.0, 1.0, nearly)

@@ -23,6 +23,7 @@ from judge.geometry.scenes import (
     PLAIN,
     SPLIT,
     STEEP,
+    TILTED,
     TINY,
     balls,
     closed_up,
@@ -114,6 +115,24 @@ def test_a_ray_touches_a_sphere_exactly(pose):
 def test_two_circles_touch_exactly(pose):
     for case in drawn(pairs("outer", "inner", **pose)):
         assert Pair(*case).lie().value in ("outer", "inner"), case
+
+
+@pytest.mark.parametrize(
+    ("scene", "way"),
+    [
+        (lines("cut before after", "miss before after", **TILTED), lambda *case: case),
+        (rays("cut before", **{**TILTED, "tilt": (20, 75)}), lambda *case: ((0, 0), case[4])),
+        (feet("between", "beyond", **TILTED), lambda A, B, P: (*P, 0, A, B)),
+    ],
+)
+def test_a_tilted_way_is_steeper_than_any_turn(scene, way):
+    slopes = []
+    for case in drawn(scene):
+        *_, A, B = way(*case)
+        parts = sorted(abs(Fraction(b) - Fraction(a)) for a, b in zip(A, B, strict=True))
+        slopes.append(parts[1] / parts[0])
+    assert min(slopes) > 2**11
+    assert max(slopes) > 2**40
 
 
 def test_split_figures_have_differences_that_no_double_holds():

@@ -385,10 +385,8 @@ const figure = (kind, start, N, args) => {
       const next = V[(i + 1) % V.length], l = line(minus(P, C), minus(next, P), r);
       handle(`V${i}`, P, v[i]);
       way(P, l.d, 0, 1);
-      if (l.lone) {
-        refuse("Two neighbouring corners are the same");
-        return;
-      }
+      least(sqrt(l.a), 1_000_000_000, "An edge", false);
+      if (l.lone) return;
       l.touch(start.words.edge);
       for (const w of l.which) {
         l.side(0, "A corner");

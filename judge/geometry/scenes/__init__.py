@@ -8,12 +8,25 @@ The words are those of judge.geometry.level and of each scene, the poses those o
 """
 
 from judge.geometry.level import corners, either, grid, telling, uniform, whole
-from judge.geometry.pose import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TINY
-from judge.geometry.scenes.crowds import anywhere, crowd_of, crowds, solids
+from judge.geometry.pose import (
+    AXIS,
+    BIG,
+    DECIMALS,
+    FAR,
+    HUGE,
+    NEAR,
+    OFFSET,
+    PLAIN,
+    SPLIT,
+    STEEP,
+    TILTED,
+    TINY,
+)
+from judge.geometry.scenes.crowds import aligned, anywhere, crowd_of, crowds, solids
 from judge.geometry.scenes.frames import anything, frames
-from judge.geometry.scenes.lights import lights, shaded
+from judge.geometry.scenes.lights import lights, shaded, topped
 from judge.geometry.scenes.lines import closed_up, feet, lines, points, rays, spheres
-from judge.geometry.scenes.motion import balls, walls
+from judge.geometry.scenes.motion import balls, meeting, walls
 from judge.geometry.scenes.outlines import cornered, pairs, polygons, polygons_of
 from judge.geometry.scenes.rows import any_columns, columns, million
 
@@ -28,7 +41,9 @@ __all__ = [
     "PLAIN",
     "SPLIT",
     "STEEP",
+    "TILTED",
     "TINY",
+    "aligned",
     "any_columns",
     "anything",
     "anywhere",
@@ -45,6 +60,7 @@ __all__ = [
     "grid",
     "lights",
     "lines",
+    "meeting",
     "million",
     "pairs",
     "points",
@@ -55,6 +71,7 @@ __all__ = [
     "solids",
     "spheres",
     "telling",
+    "topped",
     "uniform",
     "walls",
     "whole",

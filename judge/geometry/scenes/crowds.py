@@ -9,7 +9,7 @@ another; a word without a number takes the next one.
     enter, exit, touch, dot    that, at the slot; a dot is a circle of radius 0
     cut                        an enter at an irrational place after the slot
     speck, tiny                a touch far away, of 100 to 20,000 radii; a cut there
-    around                     a circle around the origin
+    around, about              a circle around the origin, or about it
     beside, behind             a circle beside the ray, or behind its origin
     copy, mirror               the last circle again, or put across the ray
     room                       a circle about the last one's centre, and two to nine times as large
@@ -37,10 +37,12 @@ _WORDS = (
         "speck",
         "tiny",
         "around",
+        "about",
         "beside",
         "behind",
         "touch-behind",
         "exit-behind",
+        "dot-behind",
     ),
     *("copy", "mirror", "room", "within"),
 )
@@ -70,7 +72,7 @@ def _level(
         name = word.rstrip("~")
         kind = name.rstrip("0123456789")
         slot = name[len(kind) :]
-        placed = kind not in ("copy", "mirror", "room", "within", "around")
+        placed = kind not in ("copy", "mirror", "room", "within", "around", "about")
         at = slots[int(slot or next(fresh))] if placed else 0
         circles.append(_circle(draw, kind, at, size << (uneven if len(circles) == large else 0), circles))
         if word[-1] == "~":
@@ -102,8 +104,10 @@ def _circle(draw: Draw, kind: str, at: int, size: int, before: Sequence[Row]) ->
         "speck": lambda: (at + r * draw.integer(100, 20_000), r * side, r),
         "tiny": lambda: (at + r * draw.integer(100, 20_000), across // 2, r),
         "dot": lambda: (at, 0, 0),
+        "dot-behind": lambda: (-at, 0, 0),
         "cut": lambda: (at + r, across, r),
         "around": lambda: (across // 3, draw.integer(1 - r, r - 1) // 3, r * draw.integer(2, 9)),
+        "about": lambda: (0, 0, r * draw.integer(1, 9)),
         "beside": lambda: (at, (r + draw.integer(1, r)) * side, r),
         "behind": lambda: (-at - r - draw.integer(1, r), across, r),
     }
@@ -161,9 +165,9 @@ def solids(drawn: Scene, steps: str = "any", form: str = "row") -> Scene:
 
     def draw_case(draw: Draw) -> tuple[Any, ...]:
         circles, O, D = drawn(draw)
-        discs = list(range(len(circles)))
+        discs = list(mixed(draw, range(len(circles))))
         if form == "row":
-            program = [0, *chain(*((disc, draw.choice(kinds)) for disc in discs[1:]))]
+            program = [discs[0], *chain(*((disc, draw.choice(kinds)) for disc in discs[1:]))]
         elif form == "stack":
             program = [*discs, *(draw.choice(kinds) for _ in discs[1:])]
         elif form == "holes":
@@ -211,5 +215,21 @@ def anywhere(
         if not any(way):
             draw.reject()
         return circles, pair(), way, *([pair()] if light else [])
+
+    return draw_case
+
+
+def aligned(reach: int, count: tuple[int, int]) -> Scene:
+    """Circles through the origin of a ray, with centres that are all on a level with it, or all upright."""
+
+    def draw_case(draw: Draw) -> tuple[Any, ...]:
+        (ox, oy), (dx, dy) = ((draw.integer(-reach, reach), draw.integer(-reach, reach)) for _ in range(2))
+        radii = [draw.integer(1, reach) for _ in range(draw.integer(*count))]
+        rows = [(ox + r * draw.sign(), oy, r) for r in radii]
+        if not (dx or dy):
+            draw.reject()
+        if draw.boolean():
+            return tuple(rows), (ox, oy), (dx, dy)
+        return tuple((y, x, r) for x, y, r in rows), (oy, ox), (dy, dx)
 
     return draw_case

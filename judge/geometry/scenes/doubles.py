@@ -69,6 +69,19 @@ def easy(draw: Draw) -> tuple[Any, ...]:
     return tuple(ldexp(draw.integer(0 if at == 2 else -top, top), -39) for at in range(7))
 
 
+def huge(draw: Draw) -> tuple[Any, ...]:
+    """Everything anywhere up to 2**64 to 2**97, in ints or doubles of 53 bits."""
+    up, kind = draw.integer(12, 45), draw.choice((int, float))
+    return tuple(kind(draw.integer(0 if at == 2 else -_ONE, _ONE) << up) for at in range(7))
+
+
+def uneven(draw: Draw) -> tuple[Any, ...]:
+    """Each number of a size of its own, 2**-50 to 2**90."""
+    return tuple(
+        ldexp(draw.integer(0 if at == 2 else -_ONE, _ONE), draw.integer(-100, 38)) for at in range(7)
+    )
+
+
 def ulps(drawn: Scene, *steps: int) -> Scene:
     """One of the numbers is so many units in its last place off."""
 

@@ -71,6 +71,25 @@ def b_zero(draw: Draw, size: int) -> Coefficients:
 
 
 @_scene
+def b_small(draw: Draw) -> Coefficients:
+    """b is 2**-2 to 2**-52 of √|a·c|, and not 0: it still counts in the last digits of both roots."""
+    bits = draw.integer(1, _MANTISSA)
+    a, b, c = (draw.integer(1 << bits - 1, (1 << bits) - 1) * draw.sign() for _ in range(3))
+    shift, apart = draw.integer(-260, 260), draw.integer(-260, 260)
+    return ldexp(a, shift + apart), ldexp(b, shift - draw.integer(2, 52)), ldexp(c, shift - apart)
+
+
+@_scene
+def full(draw: Draw) -> Coefficients:
+    """Three numbers of 53 bits and of similar size: digits are lost, but few."""
+    least = draw.choice((52, 44))  # all of one binade, or not
+    a, b, c = (
+        ldexp(draw.integer(1 << 52, (1 << 53) - 1) * draw.sign(), -draw.integer(least, 52)) for _ in range(3)
+    )
+    return a, b, c
+
+
+@_scene
 def c_zero(draw: Draw, size: int) -> Coefficients:
     """c = 0: one of the roots is 0."""
     a, b = (draw.integer(1, size) * draw.sign() for _ in range(2))

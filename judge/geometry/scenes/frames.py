@@ -7,13 +7,13 @@ from fractions import Fraction
 from typing import Any
 
 from judge.data.draw import Draw
-from judge.geometry.level import Scene, checked
-from judge.geometry.pose import Atom, Length, Point, Vector, posed
+from judge.geometry.level import Scene, checked, near_gap
+from judge.geometry.pose import Atom, Length, Point, Vector, posed, root_up
 
-_PLACES = ("in", "less", "more", "out", "low", "high", "centre", "dot", "dot-miss")
+_PLACES = ("in", "less", "even", "more", "out", "low", "high", "centre", "dot", "dot-miss", "dot-origin")
 _SHARES = 0.01, 0.02, 0.05, 0.1, 0.2, 0.25, 0.4
 _PARTS = 64  # of a radius: a threshold with h = j/64 is exact
-_FINE = 14  # bits by which a radius grows where a threshold is nearly met
+_FINE = 20  # bits by which a radius grows where a threshold is nearly met
 
 Row = tuple[list[int], int]  # a centre and a radius
 
@@ -32,10 +32,12 @@ def frames(
     """Frames whose distance d from the line is where a word says; "~" puts it just off.
 
     in, out        clear of both thresholds
+    even           exactly at r, which is no case unless it is just off
     less, more     between them, below r or above it
     low, high      exactly at r(1 − h), r(1 + h), where h is `exact`: a number of 64ths
     centre         the line runs through the centre
     dot, dot-miss  r is 0, and the centre is on the line or not
+    dot-origin     r is 0, and the centre is the origin of the line
 
     Args:
         first: the words of the first frame.
@@ -50,21 +52,25 @@ def frames(
 
     def draw_case(draw: Draw) -> tuple[Any, ...]:
         h = draw.integer(1, _PARTS // 2 - 1) / _PARTS if exact else draw.choice(_SHARES)
-        unit = _PARTS << (_FINE if any(word[-1] == "~" for word in words) else 0)
+        unit = _PARTS << (_FINE if any(word[-1] == "~" for word in (*words, *first)) else 0)
         radius = unit * draw.integer(size // 4 + 1, size)
+
+        start = draw.integer(-3 * radius, 3 * radius)
 
         def row(plan: Sequence[str]) -> Row:
             r = unit * draw.integer(size // 4 + 1, size) if grows else radius
-            word = draw.choice(plan)
-            d = _distance(draw, word, r, Fraction(h)) * draw.sign()
-            return [draw.integer(-away * r, away * r), d], 0 if word.startswith("dot") else r
+            word, x = draw.choice(plan), draw.integer(-away * r, away * r)
+            x = start if word == "dot-origin" else x
+            d = _distance(draw, word, r, Fraction(h))
+            if word[-1] == "~":
+                d += near_gap(draw, max(r, root_up((x - start) ** 2 + d * d))) * draw.sign()
+            return [x, d * draw.sign()], 0 if word.startswith("dot") else r
 
         rows = [row(first)]
         pool = [row(words) for _ in range(3)] if again else []
         more = draw.integer(*count) - 1
         rows += [draw.choice(pool) if again else row(words) for _ in range(more)]
-        origin = Point([draw.integer(-3 * radius, 3 * radius), 0])
-        atoms: list[Atom] = [origin, Vector([draw.integer(1, 9) * draw.sign(), 0])]
+        atoms: list[Atom] = [Point([start, 0]), Vector([draw.integer(1, 9) * draw.sign(), 0])]
         for centre, r in rows:
             atoms += [Point(centre), Length([r])]
         O, D, *rest = posed(draw, atoms, **how)
@@ -81,16 +87,17 @@ def _distance(draw: Draw, word: str, r: int, h: Fraction) -> int:
     places: dict[str, Callable[[], int | Fraction]] = {
         "in": lambda: low * part * Fraction(9, 10),
         "less": lambda: low + (r - low) * part,
+        "even": lambda: r,
         "more": lambda: r + (high - r) * part,
         "out": lambda: high * (1 + 2 * part),
         "low": lambda: low,
         "high": lambda: high,
         "centre": lambda: 0,
         "dot": lambda: 0,
+        "dot-origin": lambda: 0,
         "dot-miss": lambda: r * part,
     }
-    found = places[word.rstrip("~")]()
-    return int(found) + (draw.sign() * (r >> draw.integer(17, 20)) if word[-1] == "~" else 0)
+    return int(places[word.rstrip("~")]())
 
 
 def anything(reach: int, most: int) -> Scene:

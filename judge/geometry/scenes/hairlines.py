@@ -52,7 +52,7 @@ def least(*sizes: int) -> Scene:
     def draw_case(draw: Draw) -> tuple[Any, ...]:
         size = draw.choice(sizes)
         power = draw.integer(1, 5)
-        n = draw.integer(1, max(1, _root(size // 16, power)))
+        n = draw.integer(1, max(1, _root(size // 16, max(1, power - 1))))  # the line begins where r ends
         k, r = n, 1
         for _ in range(power - 1):
             k, r = k * n + r * (n * n + 1), k + r * n

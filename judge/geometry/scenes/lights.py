@@ -7,6 +7,7 @@ A word says what the light L is to the point P that the ray hits first.
     level-open, level-back        the same, nearly on the tangent at P
     room, wall, level-wall        the ray begins inside: L is in the same room, or outside of it
     outdoors                      the same, and L is on the other side of the tangent
+    straight                      the ray runs through the centre, from inside or outside; L is upright over O
     blocked, gap                  a circle is between, or a tiny one near P
     beyond, behind                a circle is on the line, but not between
     around-light, around-point    a circle around L, or around the way to P
@@ -26,7 +27,7 @@ from math import isqrt
 from typing import Any
 
 from judge.data.draw import Draw, Rejected
-from judge.geometry.level import Scene, checked, height
+from judge.geometry.level import Scene, checked, height, near_gap
 from judge.geometry.pose import Atom, Length, Point, Vector, posed
 from judge.geometry.scenes.crowds import Row, circles_of, mixed
 from judge.geometry.shadow import Shade, shade
@@ -41,8 +42,8 @@ _SHADES: dict[str, tuple[Shade, ...]] = {
     **dict.fromkeys(_BLOCKED, (Shade.BLOCKED,)),
     **dict.fromkeys(("lamp", "lamp-thin", "close", "close-large"), (Shade.LIT, Shade.BLOCKED)),
     "first-close": (Shade.LIT, Shade.BACK, Shade.BLOCKED),
+    "straight": (Shade.LIT, Shade.OWN),
 }
-_NEAR = 10**7
 _TRIES = 40
 
 Spot = tuple[int, int]
@@ -101,6 +102,10 @@ def _laid(draw: Draw, word: str, size: int) -> tuple[list[Row], Spot]:
         return [(draw.integer(-size, 2 * size), high, r)], spot(2 * size)
     if word == "first-close":
         return _first_close(draw, size)
+    if word == "straight":
+        r = draw.integer(size // 4, size)
+        x = draw.choice((draw.integer(1 - r, r - 1), r + draw.integer(1, size)))
+        return [(x, 0, r)], (0, draw.choice((0, draw.integer(-size, size))))
     r, y, whole = height(draw, "chord", size)
     half = whole or 0
     if word not in ("close", "close-large") and draw.boolean():  # P is irrational
@@ -138,7 +143,8 @@ def _laid(draw: Draw, word: str, size: int) -> tuple[list[Row], Spot]:
         up = (y > 0) - (y < 0)
         return [circle], (at + along * y + inward, -along * half + inward * up)
     if word == "skin":
-        return [circle, (draw.integer(5, 12) * size // _NEAR + 1, 0, at)], (at + 3 * wx, 3 * wy)
+        light = at + 3 * wx, 3 * wy
+        return [circle, (near_gap(draw, max(at + half + r, *map(abs, light))), 0, at)], light
     if word == "around-point":
         return [
             circle,
@@ -146,10 +152,10 @@ def _laid(draw: Draw, word: str, size: int) -> tuple[list[Row], Spot]:
         ], light
     if word.startswith("lamp"):
         return [circle, _lamp(draw, word, light, (light[0] - at, light[1]), size)], light
-    return [circle, _between(draw, word, at, light, size)], light
+    return [circle, _between(draw, word, at, light, size, at + half + r)], light
 
 
-def _between(draw: Draw, word: str, at: int, light: Spot, size: int) -> Row:
+def _between(draw: Draw, word: str, at: int, light: Spot, size: int, reach: int) -> Row:
     """A circle on or beside the line from P = (at, 0) to the light."""
     wx, wy = light[0] - at, light[1]
     length = max(1, isqrt(wx * wx + wy * wy))
@@ -161,8 +167,8 @@ def _between(draw: Draw, word: str, at: int, light: Spot, size: int) -> Row:
         aside = draw.sign() * (size * draw.integer(3, 9) if word == "close-large" else draw.integer(r, 2 * r))
     x, y = at + (wx * along - wy * aside) // length, (wy * along + wx * aside) // length
     if word.startswith("close"):
-        gap = draw.integer(3, 8) * max(abs(x), abs(y), size) // _NEAR + 1
-        r = isqrt((wx * y - wy * (x - at)) ** 2 // (wx * wx + wy * wy)) + gap * draw.sign()
+        away = isqrt((wx * y - wy * (x - at)) ** 2 // (wx * wx + wy * wy))
+        r = away + near_gap(draw, max(abs(x), abs(y), away, reach, *map(abs, light))) * draw.sign()
     return x, y, max(1, r)
 
 
@@ -177,14 +183,32 @@ def _lamp(draw: Draw, word: str, light: Spot, way: Spot, size: int) -> Row:
 
 def _first_close(draw: Draw, size: int) -> tuple[list[Row], Spot]:
     high, at, side = draw.integer(size // 4, size), draw.integer(size // 4, size), draw.sign()
-    near = at, high * side, high + draw.integer(5, 9) * size // _NEAR * draw.sign()
     r = draw.integer(size // 8, size // 4)
     behind = at + draw.integer(high, 2 * size) + r, draw.integer(-r // 2, r // 2), r
     # L shines on the one that is nearly hit, and on the back of the other one.
-    return [near, behind], (behind[0] + draw.integer(r, size // 2), -draw.integer(size // 2, size) * side)
+    light = behind[0] + draw.integer(r, size // 2), -draw.integer(size // 2, size) * side
+    return [(at, high * side, high + near_gap(draw, light[0]) * draw.sign()), behind], light
 
 
 def _about(draw: Draw, size: int) -> Row:
     """A circle somewhere about, seldom in the way."""
     x, y = draw.integer(-3 * size, 3 * size), draw.sign() * draw.integer(0, 3 * size)
     return x, y, draw.integer(max(1, size // 20), max(2, size // 3))
+
+
+def topped(reach: int) -> Scene:
+    """Rays in whole numbers to the top of a circle, or its bottom, left or right; L is anywhere."""
+
+    def draw_case(draw: Draw) -> tuple[Any, ...]:
+        def spot(most: int) -> Spot:
+            return draw.integer(-most, most), draw.integer(-most, most)
+
+        (px, py), (dx, dy), r = spot(reach), spot(9), draw.integer(1, reach) * draw.sign()
+        k = draw.integer(1, max(1, reach // 9))
+        case = ((px, py - r, abs(r)),), (px - k * dx, py - k * dy), (dx, dy), spot(reach)
+        if draw.boolean():
+            return case
+        (circle,), *rest = case
+        return ((circle[1], circle[0], circle[2]),), *((y, x) for x, y in rest)
+
+    return draw_case

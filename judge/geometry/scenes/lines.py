@@ -19,7 +19,7 @@ from judge.data.draw import Draw
 from judge.geometry.level import HEIGHTS, PLACES, Nudge, Scene, checked, over_circle, scene
 from judge.geometry.pose import Atom, Length, Point, Vector, posed
 
-_POINTS = ("in", "on", "out", "centre", "far", "dot-on", "dot-out")
+_POINTS = ("in", "on", "out", "close", "centre", "far", "dot-on", "dot-out")
 _FEET = ("between", "beyond", "end", "on", "near", "close", "same")
 _Level = tuple[list[Atom], list[Nudge]]
 
@@ -60,6 +60,8 @@ def _level_point(draw: Draw, words: Sequence[str], size: int = 30, uneven: int =
         x = draw.integer(1, max(1, R - 1))
     elif word == "on":
         x = R
+    elif word == "close":  # outside, by 2**-2 to 2**-20 of the radius
+        x = R + max(1, R >> draw.integer(2, 20))
     elif word == "far":
         x = reach * draw.integer(100, 20_000)
     elif word in ("out", "dot-out"):
@@ -84,7 +86,7 @@ def _level_foot(draw: Draw, words: Sequence[str], size: int = 30, uneven: int = 
         away = draw.integer(4, 40)
         high, at = high << away, at << away
     start, last = (end, 0) if draw.boolean() else (0, end)
-    return [Point([start, 0]), Point([last, 0]), Point([at, high])], []
+    return [Point([at, high]), Point([start, 0]), Point([last, 0])], []
 
 
 def _check_line(words: list[str]) -> None:
@@ -111,7 +113,7 @@ lines = scene(_level_line, lambda C, r, A, B: (*C, r, A, B), _check_line)
 rays = scene(_level_ray, lambda C, r, O, D: (*C, r, O, D), _check_ray)
 spheres = scene(_level_sphere, lambda C, r, O, D: (C, r, O, D), _check_ray)
 points = scene(_level_point, lambda C, r, P: (*C, r, P), _check_point)
-feet = scene(_level_foot, lambda A, B, P: (A, B, P), _check_foot)
+feet = scene(_level_foot, lambda P, A, B: (A, B, P), _check_foot)
 
 
 def closed_up(*plans: str, **how: Any) -> Scene:

@@ -17,7 +17,7 @@ from judge.geometry.boxes import IntCircle, IntPoint
 from judge.geometry.level import Scene
 
 FASTEST = 1000  # the largest coordinate of a direction
-_TRIPLES = ((3, 4, 5), (5, 12, 13), (8, 15, 17), (7, 24, 25), (4, 3, 5), (12, 5, 13))
+TRIPLES = ((3, 4, 5), (5, 12, 13), (8, 15, 17), (7, 24, 25), (4, 3, 5), (12, 5, 13))
 WIDE = 1_000_000
 
 Bounds = tuple[int, int]
@@ -56,7 +56,7 @@ def _cut(value: int, by: int) -> int:
     return value // by if value > 0 else -(-value // by)
 
 
-def _turned(parts: tuple[int, ...], quarters: int) -> tuple[int, ...]:
+def turned(parts: tuple[int, ...], quarters: int) -> tuple[int, ...]:
     """A point, a vector or a circle, turned about (0, 0) by so many quarters."""
     x, y, *rest = parts
     for _ in range(quarters):
@@ -155,8 +155,8 @@ def strips(circles: Bounds, rays: Bounds, reach: int, wide: int, radii: Bounds) 
         for _ in range(draw.integer(*rays)):
             side = draw.sign()
             O = side * draw.integer(reach // 2, reach), draw.integer(-wide, wide)
-            found.append((_turned(O, quarters), _turned((-side * draw.integer(1, FASTEST), 0), quarters)))
-        return tuple(_turned(each, quarters) for each in scene), tuple(found)
+            found.append((turned(O, quarters), turned((-side * draw.integer(1, FASTEST), 0), quarters)))
+        return tuple(turned(each, quarters) for each in scene), tuple(found)
 
     return draw_case
 
@@ -173,7 +173,7 @@ def ties(rays: Bounds, reach: int) -> Scene:
         found: list[Ray] = []
         for number in range(draw.integer(*rays)):
             x, y = draw.integer(-reach, reach), 12 * reach * number
-            p, q, r = draw.choice(_TRIPLES)
+            p, q, r = draw.choice(TRIPLES)
             kind = draw.choice(("copies", "mirrored", "nested", "touch", "both", "on-circle", "just-off"))
             side, ahead = draw.sign(), x + reach + r + draw.integer(1, reach)
             scene += {
@@ -187,12 +187,12 @@ def ties(rays: Bounds, reach: int) -> Scene:
             }[kind]
             scene.append((ahead + 3 * reach + draw.integer(1, reach), y, draw.integer(1, r), 0))
             found.append(((x, y), (draw.integer(1, 9), 0)))
-        times = (1, 0, 1) if draw.boolean() else draw.choice(_TRIPLES)
+        times = (1, 0, 1) if draw.boolean() else draw.choice(TRIPLES)
         circles = [(*_scaled((x, y), times), r * times[2] + more) for x, y, r, more in scene]
         circles.insert(draw.integer(0, len(circles)), (draw.integer(900_000, WIDE), -90 * reach, 1))
         quarters = draw.integer(0, 3)
-        return tuple(_turned(each, quarters) for each in circles), tuple(
-            (_turned(_scaled(O, times), quarters), _turned(_scaled(way, times), quarters)) for O, way in found
+        return tuple(turned(each, quarters) for each in circles), tuple(
+            (turned(_scaled(O, times), quarters), turned(_scaled(way, times), quarters)) for O, way in found
         )
 
     return draw_case
@@ -206,7 +206,7 @@ def leaving(rays: Bounds, reach: int) -> Scene:
         found: list[Ray] = []
         for number in range(draw.integer(*rays)):
             x, y = draw.integer(-reach, reach), 12 * reach * number
-            p, q, r = draw.choice(_TRIPLES)
+            p, q, r = draw.choice(TRIPLES)
             times = draw.integer(1, reach // r)
             middle = x + draw.sign() * p * times, y + draw.sign() * q * times
             (dx, dy), far = any_way(draw), draw.integer(reach, 2 * reach)
@@ -292,7 +292,7 @@ def touches(beams: Bounds, reach: int) -> Scene:
         scene: list[IntCircle] = []
         ways: list[IntPoint] = []
         for _ in range(draw.integer(*beams)):
-            p, q, length = draw.choice(_TRIPLES)
+            p, q, length = draw.choice(TRIPLES)
             a, b = draw.choice([(p * draw.sign(), q * draw.sign()), (q * draw.sign(), p * draw.sign())])
             ahead, beside = draw.integer(reach // 2, reach), draw.integer(2, reach // 4) * draw.sign()
             r = abs(beside) * length + draw.choice([0, 0, 0, 1, -1])
@@ -321,9 +321,9 @@ def besides(circles: Bounds, beams: Bounds, reach: int) -> Scene:
         scene.insert(draw.integer(0, len(scene)), small)
         ways = [(draw.integer(1, FASTEST), 0), *(any_way(draw) for _ in range(draw.integer(*beams)))]
         return scanned(
-            [_turned(each, quarters) for each in scene],  # type: ignore[misc]  # circles
+            [turned(each, quarters) for each in scene],  # type: ignore[misc]  # circles
             any_point(draw, reach),
-            [_turned(way, quarters) for way in ways],  # type: ignore[misc]  # directions
+            [turned(way, quarters) for way in ways],  # type: ignore[misc]  # directions
         )
 
     return draw_case

@@ -10,9 +10,12 @@ judge.geometry.level; "=" for the second place is no way at all. Words after the
     along, together   both run along one line, or both far in one direction
     rush              each runs to where the other one began, and as far again
     dot, tiny         one radius is 0, or a small part of the other one
+    grain             both are so small that just a hit is no graze; the height is "dot"
+    home              P0 is the origin, or P1, or Q0
 
 Of a wall, the first word says what happens, the second one where: at its side, a cap (a round end), or a
-post.
+post. Others may follow: "dot", the radius is 0; "grain", it is tiny beside way and wall; "level", the way
+runs along an axis; "afar", from far away; "rim", close to an end; "home".
 
     hit, fast, flat       the disc comes to it: from near, from far, nearly along it
     graze, slide          it passes just in touch; along the side
@@ -25,18 +28,22 @@ post.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from math import ldexp
+from typing import Any
 
 from judge.data.draw import Draw
-from judge.geometry.level import HEIGHTS, PLACES, Nudge, checked, over_circle, scene
+from judge.geometry.level import HEIGHTS, PLACES, Nudge, Scene, checked, near_gap, over_circle, scene
 from judge.geometry.pose import Atom, Length, Point, triple
 
 _DRIFTS = ("rest", "alone", "along", "together", "rush")
-_RADII = ("dot", "tiny")
+_RADII = ("dot", "tiny", "grain")
+_FINE = 30  # bits by which a way grows beside grains
 _WHAT = (
     *("hit", "fast", "flat", "graze", "slide", "start", "end", "short", "away", "past", "overlap", "rest"),
     "broad",
 )
 _WHERE = ("side", "cap", "post")
+_HOW = ("dot", "grain", "level", "afar", "rim", "home")
 
 
 def _level_balls(draw: Draw, words: Sequence[str], size: int = 30) -> tuple[list[Atom], list[Nudge]]:
@@ -44,6 +51,9 @@ def _level_balls(draw: Draw, words: Sequence[str], size: int = 30) -> tuple[list
     R, (start, end), nudges = over_circle(draw, words[:3], size)
     if start == end and words[2] != "=":
         draw.reject()
+    if "grain" in words:
+        start[0], end[0] = start[0] << _FINE, end[0] << _FINE
+        R = near_gap(draw, max(abs(start[0]), abs(end[0] - start[0])))
     if "rush" in words:
         end = Point([-2 * start[0], start[1]])
     far = draw.integer(20, 100) * size
@@ -59,24 +69,42 @@ def _level_balls(draw: Draw, words: Sequence[str], size: int = 30) -> tuple[list
     r = R - r if draw.boolean() else r
     last = Point([end[0] + way[0], end[1] + way[1]])
     atoms: list[Atom] = [start, last, Length([r]), Point([0, 0]), Point(way), Length([R - r])]
+    if "home" in words:
+        _home(draw, atoms, (0, 1, 3))
     return atoms, nudges
+
+
+def _home(draw: Draw, atoms: list[Atom], those: Sequence[int]) -> None:
+    """Move all points so that one of those is the origin."""
+    x, y = atoms[draw.choice(those)]
+    for each in atoms:
+        if isinstance(each, Point):
+            each[:] = [each[0] - x, each[1] - y]
 
 
 def _level_wall(draw: Draw, words: Sequence[str], size: int = 30) -> tuple[list[Atom], list[Nudge]]:
     """The wall from (0, 0) to (W, 0). The touch is laid out first, and the way goes through it."""
     what, where, near = words[0].rstrip("~"), words[1], words[0][-1] == "~"
-    W = 0 if where == "post" else draw.integer(1, 3 * size) * (10 if what == "flat" else 1)
+    W = 0 if where == "post" else draw.integer(1, 3 * size)
+    if "grain" in words:
+        W <<= draw.integer(10, 34)
+    if what == "flat":
+        W *= draw.choice((10, 3000))
     if where == "side":
         R = draw.integer(size // 4 + 1, size) * (draw.integer(100, 600) if what == "broad" else 1)
-        x = W + R + draw.integer(1, size) if what == "past" else draw.integer(0, W)
+        R = 0 if "dot" in words else R
+        x = W + R + draw.integer(1, max(W, size)) if what == "past" else draw.integer(0, W)
+        x = W >> draw.integer(4, 16) if "rim" in words else x
         spot, away, across = (x, R), (0, 1), (1, 0)
     else:
         p, q, c = triple(draw, max(5, min(size, 4_418)))
         k = draw.integer(max(1, size // c // 2), max(1, size // c))
         away, R = (-p, q * draw.sign()), c * k
+        if "dot" in words:
+            R = k = 0
         spot, across = (away[0] * k, away[1] * k), (-away[1], away[0])
-    stride = max(1, R // max(map(abs, away)) // 4)
-    way = _way(draw, away, what)
+    stride = max(1, (R or size) // max(map(abs, away)) // 4, W >> 6 if "grain" in words else 0)
+    way = _way(draw, away, "level" if "level" in words else what)
     if what == "flat":
         stride = 1
 
@@ -87,6 +115,8 @@ def _level_wall(draw: Draw, words: Sequence[str], size: int = 30) -> tuple[list[
     a, b = draw.integer(1, most), draw.integer(1, most)
     if what == "fast":
         a, b = a * draw.integer(100, 1000), b * draw.integer(100, 1000)
+    if "afar" in words:
+        a *= 10 ** draw.integer(3, 7)
     rests = at(way, draw.choice((0, -3)))
     deep = draw.integer(1, max(1, R // 2)) if where == "side" else 1
     inside = Point([spot[0] - away[0] * deep, spot[1] - away[1] * deep])
@@ -103,9 +133,13 @@ def _level_wall(draw: Draw, words: Sequence[str], size: int = 30) -> tuple[list[
     }[what]
     outwards = draw.sign() if what in ("graze", "slide", "end", "start") else 1
     moved = {"graze": (0, 1), "slide": (0, 1), "end": (1,), "start": (0,)}.get(what, ()) if near else ()
-    nudges = [Nudge(at, i, outwards * (1 if n > 0 else -1)) for at in moved for i, n in enumerate(away) if n]
+    along = way if "level" in words and not R else away  # a point is just off on its own line
+    nudges = [Nudge(at, i, outwards * (1 if n > 0 else -1)) for at in moved for i, n in enumerate(along) if n]
     ends = [Point([0, 0]), Point([W, 0])]
-    return [start, end, Length([R]), *(ends if draw.boolean() else ends[::-1])], nudges
+    atoms: list[Atom] = [start, end, Length([R]), *(ends if draw.boolean() else ends[::-1])]
+    if "home" in words:
+        _home(draw, atoms, (0, 1, 3))
+    return atoms, nudges
 
 
 def _way(draw: Draw, away: Sequence[int], what: str) -> tuple[int, int]:
@@ -113,8 +147,10 @@ def _way(draw: Draw, away: Sequence[int], what: str) -> tuple[int, int]:
     if what == "past":
         return 0, -1
     if what == "flat":
-        return draw.integer(100, 9_000) * draw.sign(), -1
+        return draw.choice((draw.integer(100, 9_000), draw.integer(9_000, 9_990))) * draw.sign(), -1
     x, y = draw.integer(-12, 12), draw.integer(-12, 12)
+    if what == "level":
+        x, y = (draw.sign(), 0) if draw.boolean() else (0, draw.sign())
     towards = x * away[0] + y * away[1]
     if abs(towards) * 100 <= (abs(x) + abs(y)) * (abs(away[0]) + abs(away[1])):
         draw.reject()  # nearly along the wall
@@ -126,13 +162,32 @@ def _check_balls(words: list[str]) -> None:
     for word in words[1:3]:
         checked(word, PLACES, "a place on a line")
     for word in words[3:]:
-        checked(word, (*_DRIFTS, *_RADII), "how discs move")
+        checked(word, (*_DRIFTS, *_RADII, "home"), "how discs move")
 
 
 def _check_wall(words: list[str]) -> None:
     checked(words[0], _WHAT, "what happens at a wall")
     checked(words[1], _WHERE, "a place of a wall")
+    for word in words[2:]:
+        checked(word, _HOW, "how a disc comes to a wall")
 
 
 balls = scene(_level_balls, lambda P0, P1, r, Q0, Q1, s: (P0, P1, r, Q0, Q1, s), _check_balls)
 walls = scene(_level_wall, lambda P0, P1, r, A, B: (P0, P1, r, A, B), _check_wall)
+
+
+def meeting(bits: int) -> Scene:
+    """Two points that run to one place: whole numbers of any size up to 2**bits, or doubles of 53 bits."""
+
+    def draw_case(draw: Draw) -> tuple[Any, ...]:
+        whole = draw.boolean()
+
+        def number() -> int | float:
+            if whole:
+                return draw.sign() * draw.integer(0, 1 << draw.integer(0, bits))
+            return ldexp(draw.sign() * draw.integer(0, 1 << 53), draw.integer(0, bits) - 53)
+
+        P, Q, X = ((number(), number()) for _ in range(3))
+        return P, X, 0, Q, X, 0
+
+    return draw_case

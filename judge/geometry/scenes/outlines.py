@@ -10,6 +10,8 @@ The words of a polygon add corners, each beside a point P of the circle in whole
     across               two corners outside whose edge cuts the circle
     box                  four corners around the circle
     left, right          beside the circle, so that a level edge between them cuts it
+    level                beside C, to the left or right
+    short, stub          two corners: P, and one that is 2**-4 to 2**-21 of the radius away, or 1e-7 of it
     again                the first corner once more
     dot                  the first word of all: r is 0; at, by: at C, or on the other side of C
 """
@@ -87,6 +89,9 @@ _CORNERS = (
     "tangent",
     "brush",
     "across",
+    "level",
+    "short",
+    "stub",
     "box",
     "again",
     "left",
@@ -150,6 +155,15 @@ def _corners(draw: Draw, name: str, x: int, y: int, before: Sequence[Point]) -> 
     if name == "across":
         high, side = draw.integer(0, 90), draw.sign()
         return [beside(end * side * draw.integer(2, 4), high) for end in (-1, 1)]
+    if name in ("short", "stub"):
+        reach = max(abs(x), abs(y)) >> draw.integer(4, 21)
+        pair = [Point([x, y]), Point([x + draw.integer(-reach, reach), y + draw.integer(-reach, reach)])]
+        if name == "stub":
+            along = 0 if abs(x) > abs(y) else 1
+            gap = draw.integer(100, 125) * (x * x + y * y) // (10**9 * max(abs(x), abs(y))) + 1
+            pair[1] = Point([x, y])
+            pair[1][along] += gap * draw.sign()
+        return pair if draw.boolean() else pair[::-1]
     if name == "box":
         out = draw.integer(160, 400)
         return [Point([out * px // 100, out * py // 100]) for px, py in ((x, y), (-y, x), (-x, -y), (y, -x))]
@@ -163,6 +177,7 @@ def _corners(draw: Draw, name: str, x: int, y: int, before: Sequence[Point]) -> 
         "in": lambda: grown(5, 60),
         "out": lambda: grown(150, 400),
         "far": lambda: grown(10**5, 10**6),
+        "level": lambda: Point([draw.sign() * (abs(x) + abs(y)) * draw.integer(1, 400) // 100, 0]),
         "at": lambda: Point([0, 0]),
         "by": lambda: Point([-before[-1][0] * draw.integer(1, 3), -before[-1][1] * draw.integer(1, 3)]),
         "again": lambda: Point(before[0]),

@@ -16,12 +16,11 @@ from sys import byteorder
 from typing import Any
 
 from judge.data.draw import Draw
-from judge.geometry.level import Scene, checked
+from judge.geometry.level import Scene, checked, near_gap
 from judge.geometry.pose import Atom, Length, Point, posed
 
 _WORDS = ("touch", "cut", "miss", "dot", "dot-miss")
-_FINE = 15  # bits by which all grows where a circle is just off
-_NEAR = 10**7
+_FINE = 18  # bits by which all grows where a circle is just off
 _CHUNK = 2048  # numbers that are drawn at once
 _TRIPLES = ((3, 4, 5), (-4, 3, 5), (5, -12, 13), (8, 15, 17), (-7, 24, 25), (20, 21, 29))
 
@@ -74,8 +73,7 @@ def _row(draw: Draw, word: str, size: int, end: int, fine: int) -> tuple[list[in
         r = 0
     if word[-1] == "~":
         reach = max(r, abs(x), abs(x - end), abs(y))
-        gap = draw.integer(3 * reach, 8 * reach) // _NEAR + 1
-        y += gap * draw.sign()
+        y += near_gap(draw, reach) * draw.sign()
     return [x, y], r
 
 

@@ -12,7 +12,7 @@ def meeting(ax, ay, bx, by, r, cx, cy, gx, gy, s):
     eps = max(total, *(abs(z) for z in (bx - ax, by - ay, cx - ax, cy - ay, gx - ax, gy - ay))) * 1e-10
     ux, uy = cx - ax, cy - ay  # from the first to the second
     start = hypot(ux, uy)
-    if start < total + eps:
+    if start <= total + eps:
         return 0
     wx, wy = (bx - ax) - (gx - cx), (by - ay) - (gy - cy)
     speed = hypot(wx, wy)
@@ -23,7 +23,7 @@ def meeting(ax, ay, bx, by, r, cx, cy, gx, gy, s):
         return None
     if cross < total - eps:
         lead = (start - total) * (start + total) / (lead + sqrt((total - cross) * (total + cross)))
-    return lead / speed if lead < speed + eps else None
+    return lead / speed if lead <= speed + eps else None
 
 
 data = sys.stdin.read().split()

@@ -13,7 +13,7 @@ def impact(px, py, qx, qy, r, ax, ay, bx, by):
     long = wx * wx + wy * wy
     at = ((px - ax) * wx + (py - ay) * wy) / long if long else 0
     at = min(1, max(0, at))
-    if hypot(px - ax - at * wx, py - ay - at * wy) < r + eps:
+    if hypot(px - ax - at * wx, py - ay - at * wy) <= r + eps:
         return 0
     speed = hypot(vx, vy)
     if speed == 0:
@@ -23,7 +23,7 @@ def impact(px, py, qx, qy, r, ax, ay, bx, by):
         lead, side = (x * vx + y * vy) / speed, abs(x * vy - y * vx) / speed
         if side < r - eps:
             lead -= sqrt((r - side) * (r + side))
-        if side < r + eps and lead >= 0:
+        if side <= r + eps and lead >= 0:
             best = min(best, lead / speed)
     rate = vx * wy - vy * wx
     if rate:
@@ -32,7 +32,7 @@ def impact(px, py, qx, qy, r, ax, ay, bx, by):
             foot = (px + t * vx - ax) * wx + (py + t * vy - ay) * wy
             if t >= 0 and 0 <= foot <= long:
                 best = min(best, t)
-    return best if (best - 1) * speed < eps else None
+    return best if (best - 1) * speed <= eps else None
 
 
 data = sys.stdin.read().split()
