@@ -32,7 +32,7 @@ INTERVIEW = [
 PRODUCTION = [  # the same, where rounding bites
     group("turned", "A touch that squares cannot see.", lines(*TOUCHES, **BIG), skills="a tangent has a width"),
     group("full", "A touch that no formula in floats can see.", either(lines(*TOUCHES, **HUGE), lines(*TOUCHES, **SPLIT), lines("touch close after", "touch close foot", **HUGE)), skills="a tangent has a width"),
-    group("near", "Nearly a touch: 1e-7 of the figure away.", either(lines("touch~ before after", "touch~ foot by", **NEAR), lines("touch~ before after", "touch~ by by", **{**NEAR, "least": 7})), cases=120, skills="nearly is not touching"),
+    group("near", "Nearly a touch: 1e-7 of the figure away.", either(lines("touch~ before after", "touch~ foot by", **NEAR), lines("touch~ before after", "touch~ by by", "dot~ before after", "dot~ foot by", **{**NEAR, "least": 7})), cases=120, skills="nearly is not touching"),
     group("dot-full", "The circle is a point, on a line that floats put beside it.", either(lines("dot before after", "dot foot after", **SPLIT), lines("dot before after", "dot after by", **{**HUGE, "turn": "axis"})), skills="r = 0"),
     group("tiny", "All of it around 1e-20, or around 1e-15 with all digits.", either(lines("touch before after", "touch~ before after", "cut before after", "dot-miss before after", **TINY), lines("cut before after", "cut ?by ?by", **{**HUGE, "shift": -99}), lines("touch by ?by", "cut by ?by", "through by ?by", **{**TINY, "turn": "axis"})), skills=("no absolute epsilon", "scale invariance")),
     group("offset", "A small figure far from the origin.", lines(*TOUCHES, "cut before after", "miss before after", "dot-miss before after", "touch~ before after", "touch~ by foot", **OFFSET), skills="far from the origin"),
