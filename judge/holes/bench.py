@@ -24,8 +24,8 @@ from judge.values.check import is_right
 _WAVES = (8, 24, 96, 384)  # cases that are asked before the rest: most mutants die there
 _KEPT = 4  # groups that are remembered to reject a mutant
 _FEW = 4  # answers of a mutant that are looked at first: most are wrong at once
-_RUNGS = 8  # of a ladder that are judged at once
-_ENOUGH = 3  # accepted rungs, below which all others are taken for accepted
+_RUNGS = 8  # of a ladder that are judged at once; of other numbers, which are slow, two
+_ENOUGH = 3  # accepted rungs, below which all others are taken for accepted; of other numbers one
 _NEARLY = 1e-5  # a gap below it may be the promise's own
 _EDGE = 1.1  # times the least gap, below which a rounding decides
 _MOST_KNOWN = 50_000  # cases whose answers are remembered
@@ -73,9 +73,10 @@ class Bench:
         judged, high = 0, dict.fromkeys(ladders, 0)
         while True:
             for ladder, rungs in ladders.items():
-                if high[ladder] < _ENOUGH:
-                    batch += rungs[:_RUNGS]
-                    del rungs[:_RUNGS]
+                enough, size = (1, 2) if rungs and rungs[0].mutant.numbers[0] else (_ENOUGH, _RUNGS)
+                if high[ladder] < enough:
+                    batch += rungs[:size]
+                    del rungs[:size]
             if not batch:
                 return accepted, judged
             passed = self.accepted(batch, judged, len(made))

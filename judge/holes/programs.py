@@ -35,10 +35,14 @@ GIVEN_UP = Reply(Stop.EXITED)
 
 
 class Base(Struct, frozen=True):
-    """A right program: `file` is where it stands; with `shared` lines that another base has too."""
+    """A right program: `file` is where it stands, `shared` are lines that another base has, too.
+
+    Of those that were written out, `whole`, the numbers are changed as well: the others work alike.
+    """
 
     file: str
     source: str
+    whole: bool = True
     shared: frozenset[str] = frozenset()
 
     def mutants(self, measured: bool) -> Iterator[Candidate]:
@@ -46,7 +50,7 @@ class Base(Struct, frozen=True):
         for each in mutants(self.source):
             if each.was not in self.shared:
                 yield Candidate(self, each)
-        for name, number in () if self.shared else inside.ladders(measured):
+        for name, number in inside.ladders(measured) if self.whole else ():
             told = Mutant("numbers", 0, "", name.format(number), self.source, name, (name, number))
             yield Candidate(self, told)
 
@@ -112,7 +116,8 @@ def _routes(problem: Problem) -> list[Base]:
         if not choice.changes:
             plain = frozenset(line.strip() for line in source.splitlines())
         place = family.style_place(choice) if family else ""
-        found.append(Base(place.partition("/")[2], source, plain if choice.changes else frozenset()))
+        shared = plain if choice.changes else frozenset[str]()
+        found.append(Base(place.partition("/")[2], source, whole=False, shared=shared))
     return found
 
 
