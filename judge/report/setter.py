@@ -100,7 +100,8 @@ def _hole(problem: str, hole: Hole) -> RenderableType:
     others = f", and {counted(hole.others, 'more mutant')}" if hole.others else ""
     place = f"{hole.file}:{hole.line}" if hole.line else hole.file
     change = [bad(f"  - {row}") for row in hole.was.splitlines()]
-    change += [good(f"  + {row}") for row in hole.becomes.splitlines()]
+    sign = "+" if hole.was else "with"  # other numbers have no line
+    change += [good(f"  {sign} {row}") for row in hole.becomes.splitlines()]
     rows = [joined(strong(place), faint(f"  {hole.kind}{others}")), *change]
     rows.append(text(f"  judge try {problem} {quote(hole.case)}"))
     rows.append(text(f"  right {hole.right}, it gives {hole.given}"))

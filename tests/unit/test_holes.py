@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import ast
+import json
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -291,6 +294,26 @@ class TestSearch:
         (pack / "solutions" / "divides" / "accepted" / "remainder.py").unlink()
         (fault,) = looked(pack).faults
         assert fault.what == "no accepted program can be changed"
+
+    def test_the_command_says_what_it_found_and_exits_with_3(self, pack):
+        def judge(*words):
+            command = [sys.executable, "-m", "judge", *words, "--problems", str(pack / "problems")]
+            return subprocess.run(command, capture_output=True, text=True, check=False)
+
+        look = "verify", "divides", "--holes", "--for", "1s"
+        found = judge(*look, "--json")
+        assert found.returncode == 3, found.stderr
+        (line,) = found.stdout.splitlines()
+        assert {hole["becomes"] for hole in json.loads(line)["holes"]}
+        shown = judge(*look).stdout
+        assert "judge try divides" in shown
+        assert "solutions/divides/same.toml" in shown
+        with_groups(pack, ZERO + SIGNS)
+        assert judge(*look).returncode == 0
+        for words in (("--for", "1s"), ("--seed", "1"), ("--holes", "--pin"), ("--holes", "--for", "soon")):
+            assert judge("verify", "divides", *words).returncode == 2
+        limits = judge(*look, "--isolation", "limits")
+        assert (limits.returncode, len(limits.stderr.splitlines())) == (2, 1)
 
     def test_each_way_alone_finds_something(self, pack, monkeypatch):
         from judge.holes.cases import Stream
