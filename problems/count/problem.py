@@ -38,7 +38,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("dot-full", "The circle is a point, on a line that floats put beside it.", lines("dot before after", "dot far by", "dot far foot", **SPLIT), skills="r = 0"),
     group("tiny", "All of it around 1e-20.", either(lines("touch before after", "touch~ before after", **TINY), lines("touch by ?by", "cut by ?by", **{**TINY, "turn": "axis"})), skills="no absolute epsilon"),
     group("offset", "A small figure far from the origin.", lines(*TOUCHES, "touch before after", "cut before after", "miss before after", "dot-miss before after", "touch~ before after", "touch~ by foot", **OFFSET), skills="far from the origin"),
-    group("far", "A or B is up to a million radii away.", lines("touch foot far", "touch foot very-far", "touch -far far", "touch~ foot far", "through foot farther", "through farther by", **FAR), skills="the sharp discriminant"),
+    group("far", "A or B is up to ten million radii away.", lines("touch foot far", "touch foot very-far", "touch -far far", "touch~ foot far", "through foot farther", "through farther by", **FAR), skills="the sharp discriminant"),
     group("steep", "Directions almost along an axis.", either(lines("touch before after", "cut before after", "miss before after", **STEEP), lines("cut before after", "miss before after", "cut in in", **TILTED)), skills="no slopes"),
     group("close-points", "A and B are close together, and still two points.", closed_up("touch by", "cut by", "miss by", "through in"), skills="degenerate line"),
     group("large", "Whole numbers up to 2**30, some of them touches.", either(whole("nnrpp", 30), lines(*TOUCHES, **{**BIG, "shift": 0, "numbers": "int"})), skills="whole numbers that are large"),
