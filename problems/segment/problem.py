@@ -25,12 +25,19 @@ def solve(cx, cy, r, A, B):
 def beside(draw):
     """An end is on the circle, and the other one straight beside the centre or above it, or nearly, or is close."""
     cx, cy, r, A = ON(draw)
-    far = (r or 9) * draw.choice((1, 2, 2.0 ** -draw.integer(10, 30), *[draw.integer(10**6, 4 * 10**6)] * 3)) * draw.sign()
+    far = (r or 9) * draw.choice((2, *[2.0 ** -draw.integer(10, 30)] * 2, *[draw.integer(10**6, 4 * 10**6)] * 3)) * draw.sign()
     off = (r or 9) * draw.choice((0, 0, 0, draw.sign())) / 2 ** draw.integer(10, 30)
     B = (cx + far, cy + off) if draw.boolean() else (cx + off, cy + far)
     if draw.integer(0, 2) == 0:
         B = tuple(x + (r or 9) * draw.integer(10, 60) * draw.sign() / 10**8 for x in A)
     return (cx, cy, r, B, A) if draw.integer(0, 3) else (cx, cy, r, A, B)
+
+
+def quarter(draw):
+    """One end beside the centre, the other one above or below it, both on the circle."""
+    cx, cy, r, _ = points("on", **{**HUGE, "size": 2**30, "shift": -40})(draw)
+    ends = (cx + r * draw.sign(), cy), (cx, cy + r * draw.sign())
+    return cx, cy, r, *(ends if draw.boolean() else ends[::-1])
 
 
 def squares(cx, cy, r, A, _B):
@@ -69,7 +76,7 @@ def always(*_case):
 
 ON = either(*[points("on", "on", "on", "dot-on", **{**HUGE, "size": 2**30, "turn": turn, "shift": -40}) for turn in ("any", "axis")])
 FOOT = ("chord foot last", "chord first foot", "through foot last", "through first foot")
-BESIDE = either(lines("chord foot last", **HUGE), lines(*FOOT, **HUGE), lines(*FOOT, "chord in last", "chord first in", "chord first after", **{**HUGE, "turn": "axis"}), lines("through farther last", "through farther first", **{**HUGE, "size": 2**14, "turn": "axis"}), *[lines("chord first after", "chord first in", **TILTED)] * 2, beside, beside)
+BESIDE = either(lines("chord foot last", **HUGE), lines(*FOOT, **HUGE), lines(*FOOT, "chord in last", "chord first in", "chord first after", **{**HUGE, "turn": "axis"}), lines("through farther last", "through farther first", **{**HUGE, "size": 2**14, "turn": "axis"}), *[lines("chord first after", "chord first in", **TILTED)] * 2, beside, beside, quarter)
 POINT = either(lines("chord first =", "chord last =", **HUGE), lines("chord first =", "chord last =", **SPLIT))
 
 INTERVIEW = [
