@@ -16,6 +16,13 @@ def solve(cx, cy, r, A, B):
     return Line.through(cx, cy, r, A, B).points()
 
 
+def any_way(draw):
+    """A and B are close together, and the way from A to B has any direction: no foot is a double."""
+    cx, cy, r, A, _ = lines("cut in after", "cut by after", **HUGE)(draw)
+    step = r * 2.0 ** -draw.integer(30, 40)
+    return cx, cy, r, A, tuple(x + step * draw.integer(-9, 9) for x in A)
+
+
 def slid(cx, cy, _r, A, B, slack=0):
     """Whether two steps from A to the foot end in the centre."""
     (px, py), (dx, dy) = (A[0] - cx, A[1] - cy), (B[0] - A[0], B[1] - A[1])
@@ -48,7 +55,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("offset", "A small figure far from the origin.", lines(*TOUCHES, "cut before after", "miss before after", "dot-miss before after", "touch~ before after", "touch~ by foot", **OFFSET), skills="far from the origin"),
     group("far", "A or B is up to a hundred million radii away.", lines("touch foot far", "cut very-far foot", "cut ?very-far by", "cut -far far", "touch remote foot", "touch -remote far", "touch~ foot far", "touch~ far foot", "dot far foot", "dot foot far", "through foot farther", "through farther by", **FAR), skills="the sharp discriminant"),
     group("off-centre", "Lines past the centre by 1e-8 to 1e-2 of the radius.", lines("off-centre ?by ?by", **HUGE), skills="foot and half-chord"),
-    group("close-points", "A and B are close together, and still two points.", closed_up("touch by", "cut by", "miss by", "through in"), skills="degenerate line"),
+    group("close-points", "A and B are close together, and still two points.", either(closed_up("touch by", "cut by", "miss by", "through in"), any_way), skills="degenerate line"),
     group("steep", "Directions almost along an axis.", either(lines("touch before after", "cut before after", "miss before after", **STEEP), lines("cut before after", "miss before after", "cut in in", **TILTED)), skills="no slopes"),
     group("large", "Whole numbers up to 2**30, some of them touches.", either(whole("nnrpp", 30), lines(*TOUCHES, **{**BIG, "shift": 0, "numbers": "int"})), skills=("whole numbers that are large", "scale invariance")),
     group("repeated", "Neighbouring calls differ in one argument.", grid("nnrpp", 3), turns=True, skills="nothing kept between calls"),

@@ -76,7 +76,7 @@ def always(*_case):
 
 ON = either(*[points("on", "on", "on", "dot-on", **{**HUGE, "size": 2**30, "turn": turn, "shift": -40}) for turn in ("any", "axis")])
 FOOT = ("chord foot last", "chord first foot", "through foot last", "through first foot")
-BESIDE = either(lines("chord foot last", **HUGE), lines(*FOOT, **HUGE), lines(*FOOT, "chord in last", "chord first in", "chord first after", **{**HUGE, "turn": "axis"}), lines("through farther last", "through farther first", **{**HUGE, "size": 2**14, "turn": "axis"}), *[lines("chord first after", "chord first in", **TILTED)] * 2, beside, beside, quarter)
+BESIDE = either(lines("chord foot last", **HUGE), lines(*FOOT, "through close last", **HUGE), lines(*FOOT, "chord in last", "chord first in", "chord first after", "through close last", **{**HUGE, "turn": "axis"}), *[lines("through farther last", "through farther first", **{**HUGE, "size": 2**14, "turn": "axis"})] * 2, *[lines("chord first after", "chord first in", **TILTED)] * 2, beside, beside, quarter)
 POINT = either(lines("chord first =", "chord last =", **HUGE), lines("chord first =", "chord last =", **SPLIT))
 
 INTERVIEW = [
@@ -101,7 +101,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("turned", "A touch that squares cannot see.", lines(*TOUCHES, *BEYOND, **BIG), skills="a tangent has a width"),
     group("full", "A touch that no formula in floats can see.", either(lines(*TOUCHES, **HUGE), lines(*TOUCHES, **SPLIT)), skills="a tangent has a width"),
     group("near", "Nearly a touch: 1e-7 of the figure away.", lines("touch~ before after", "touch~ before after", "touch~ foot by", **CLEAR), skills="nearly is not touching"),
-    group("end-full", "An end is on the circle, and rounding puts it beside.", either(lines(*ENDS, **HUGE), lines(*ENDS, **SPLIT), beside, *[telling(BESIDE, inside, partial(inside, slack=1e-9))] * 3), cases=120, skills="closed ends"),
+    group("end-full", "An end is on the circle, and rounding puts it beside.", either(lines(*ENDS, **HUGE), lines(*ENDS, **SPLIT), *[telling(BESIDE, inside, partial(inside, slack=1e-9))] * 4), cases=110, skills="closed ends"),
     group("end-near", "An end stops just before the circle, or goes on just past it.", lines("chord first~ in", "chord first~ after", "chord before first~", "chord last~ after", "chord in last~", "through first~ in", "through in last~", "through before first~", "through last~ after", **CLEAR), cases=100, skills="ends no wider than rounding"),
     group("point", "A equals B: on the circle, or 1e-7 of the figure beside it.", either(telling(POINT, squares, always), rounded, lines("chord first =", "chord last =", **BIG), lines("chord first~ =", "chord last~ =", **CLEAR)), cases=80, skills="degenerate segment"),
     group("dot-full", "The circle is a point, on a line that floats put beside it.", lines("dot before after", "dot foot after", **SPLIT), skills="r = 0"),
