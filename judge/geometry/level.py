@@ -32,6 +32,7 @@ PLACES = (
     "by",
     "far",
     "very-far",
+    "farther",
     "remote",
     "=",
 )
@@ -164,6 +165,8 @@ def place(draw: Draw, word: str, R: int, h: int, half: int | None, size: int) ->
         x = -r * draw.integer(100, 20_000)
     elif name == "very-far":
         x = -r * draw.integer(10**5, 10**6)
+    elif name == "farther":  # so far that only a line through the centre is clear, or a touch
+        x = -r * draw.integer(10**6, 10**7 - 1)
     elif name == "remote":  # so far that only a touch is clear
         x = -r * draw.integer(10**7, 10**8)
     else:  # foot
