@@ -40,7 +40,7 @@ INTERVIEW = [
 
 PRODUCTION = [  # the same, where rounding bites
     group("decimals", "Touches in short decimals, which == does not see.", telling(walls("slide side", "slide side", "end side", **DECIMALS), *TELLING), skills="a graze is a touch"),
-    group("turned", "Grazes that squares cannot see.", either(walls(*GRAZES, "slide side", **BIGGER), walls("graze cap upright", **{**BIGGER, "turn": "axis"})), skills="a tangent has a width"),
+    group("turned", "Grazes that squares cannot see.", either(walls(*GRAZES, "slide side", **BIGGER), walls("graze cap upright", **{**FULL, "turn": "axis"})), cases=120, skills="a tangent has a width"),
     group("graze-full", "Grazes that no formula in floats can see, or that seem to overlap.", either(telling(walls(*GRAZES, **FULL), *TELLING), telling(walls("graze post", **FULL), *BELOW)), skills="a tangent has a width"),
     group("slide-full", "The disc slides along the wall, and rounding puts it beside.", telling(walls("slide side", **FULL), *TELLING), skills="a tangent has a width"),
     group("start-full", "The disc touches at the start, and rounding puts it apart.", telling(walls("start side", "start side", "start cap", **FULL), *TELLING), skills="touching from the start"),
