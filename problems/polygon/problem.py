@@ -43,7 +43,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("tiny", "All of it around 1e-20.", polygons("tangent out", "tangent~ out", "on out in", "on~ out in", **TINY), skills=("no absolute epsilon", "scale invariance")),
     group("offset", "A small figure far from the plane's origin.", polygons("in out in out", "tangent out", "on out in", "tangent in", "tangent~ out", "on~ out in", **OFFSET), skills="far from the origin"),
     group("far-corner", "A corner thousands of radii away: its size is the figure's.", polygons("tangent far", "on far in", "far across", "tangent far out", **{**BIG, "size": 2**16}), skills="the size of the whole"),
-    group("dot-turned", "r = 0, and edges at any angle: |f|² − (f·u)² is all rounding there.", either(polygons("dot out by out", "dot out by in", "dot out out by", **BIG), polygons("dot out by out", "dot out out by", **FULL)), skills="r = 0"),
+    group("dot-turned", "r = 0, and edges at any angle: |f|² − (f·u)² is all rounding there.", either(polygons("dot out by out", "dot out by in", "dot out out by", **BIG), polygons("dot out by out", "dot out out by", **FULL), polygons("dot slant in", "dot slant slant", **{**FULL, "turn": "axis"})), cases=90, skills="r = 0"),
     group("steep", "Edges almost along an axis.", polygons("tangent out", "across out", "on out in", "in out out", **STEEP), skills="no slopes"),
     group("zigzag", "Up to 64 corners, and nearly every edge crosses twice.", polygons_of("left", "right", count=(20, 64), turns=True, **PLAIN), cases=40, skills="edge by edge"),
     group("revisited", "The boundary comes to one place of the circle twice: each time is a crossing.", polygons("on out again in", "on in again out", "on out out again in in", **PLAIN), skills="order along the boundary"),
