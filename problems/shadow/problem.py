@@ -29,7 +29,7 @@ INTERVIEW = [
 
 PRODUCTION = [  # the same, where rounding bites
     group("gap", "A tiny circle is between, close to the point.", lights("gap", **{**PLAIN, "size": 3000}), skills=("a ray that ends", "off the surface, a little")),
-    group("close", "The way to the light nearly touches a circle.", lights("close", "close-large", **FINE), skills="nearly is not touching"),
+    group("close", "The way to the light nearly touches a circle.", lights("close", "close-early", "close-large", **FINE), skills="nearly is not touching"),
     group("first-close", "The ray itself nearly touches a circle.", lights("first-close", **FINE), skills="nearly is not touching"),
     group("own-wall", "From inside, nearly along the wall: the way to the light leaves the room right beside the point.", lights("level-wall", **{**BIG, "size": 20_000}), skills="off the surface, a little"),
     group("skin", "The point is just inside another circle: its wall is right behind the start.", lights("skin", **FINE), skills="off the surface, a little"),

@@ -16,7 +16,8 @@ A word says what the light L is to the point P that the ray hits first.
                                   a larger one that blocks, one that does not
     lamp                          a tiny circle around L, just before or just beyond it, or a large one there
     lamp-thin                     a large one that begins just before L, or just beyond it
-    close, close-large            a circle beside the way to L, which nearly touches it
+    close, close-early            a circle beside the way to L, which nearly touches it; it is nearer to P
+    close-large                   the same, and it is a large one
     first-close                   the ray nearly touches a circle; another one stands behind
 """
 
@@ -40,7 +41,7 @@ _SHADES: dict[str, tuple[Shade, ...]] = {
     **dict.fromkeys(("back", "level-back", "outdoors"), (Shade.BACK,)),
     **dict.fromkeys(("wall", "level-wall"), (Shade.OWN,)),
     **dict.fromkeys(_BLOCKED, (Shade.BLOCKED,)),
-    **dict.fromkeys(("lamp", "lamp-thin", "close", "close-large"), (Shade.LIT, Shade.BLOCKED)),
+    **dict.fromkeys(("lamp", "lamp-thin", "close", "close-early", "close-large"), (Shade.LIT, Shade.BLOCKED)),
     "first-close": (Shade.LIT, Shade.BACK, Shade.BLOCKED),
     "straight": (Shade.LIT, Shade.OWN),
 }
@@ -108,7 +109,7 @@ def _laid(draw: Draw, word: str, size: int) -> tuple[list[Row], Spot]:
         return [(x, 0, r)], (0, draw.choice((0, draw.integer(-size, size))))
     r, y, whole = height(draw, "chord", size)
     half = whole or 0
-    if word not in ("close", "close-large") and draw.boolean():  # P is irrational
+    if not word.startswith("close") and draw.boolean():  # P is irrational
         r = draw.integer(2, size)
         y = draw.integer(1 - r, r - 1)
         half = isqrt(r * r - y * y)
@@ -165,7 +166,7 @@ def _between(draw: Draw, word: str, at: int, light: Spot, size: int, reach: int)
     wx, wy = light[0] - at, light[1]
     length = max(1, isqrt(wx * wx + wy * wy))
     r = max(2, size // 300) if word == "gap" else max(2, length // draw.integer(5, 12))
-    shares = {"beyond": (130, 250), "behind": (-150, -30), "around-light": (100, 100), "close": (10, 75)}
+    shares = {"beyond": (130, 250), "behind": (-150, -30), "around-light": (100, 100), "close-early": (5, 25)}
     along = 4 * r if word == "gap" else length * draw.integer(*shares.get(word, (25, 75))) // 100
     aside = draw.integer(-r // 2, r // 2)
     if word.startswith("close"):
