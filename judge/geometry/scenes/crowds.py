@@ -154,7 +154,7 @@ def crowd_of(*words: str, count: tuple[int, int], first: str = "", **how: Any) -
 
 
 def solids(drawn: Scene, steps: str = "any", form: str = "row") -> Scene:
-    """A solid of the discs that `drawn` draws: (circles, O, D, program).
+    """A solid of the discs that `drawn` draws: (circles, O, D, program). Now and then one is not used.
 
     Args:
         steps: "union", "intersection", "difference" or "any" of them.
@@ -166,6 +166,8 @@ def solids(drawn: Scene, steps: str = "any", form: str = "row") -> Scene:
     def draw_case(draw: Draw) -> tuple[Any, ...]:
         circles, O, D = drawn(draw)
         discs = list(mixed(draw, range(len(circles))))
+        if len(discs) > 1 and not draw.integer(0, 7):
+            discs.pop()
         if form == "row":
             program = [discs[0], *chain(*((disc, draw.choice(kinds)) for disc in discs[1:]))]
         elif form == "stack":
