@@ -34,7 +34,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("same-near", "One centre, and radii that are nearly the same.", pairs("same~", "same~", "same", **NEAR), skills="nearly is not touching"),
     group("small-beside-large", "Touches, exact and nearly, and one circle is 500 to a million times larger.", either(pairs("outer~", "inner~", **{**NEAR, "uneven": 9}), pairs("inner", "outer", **{**NEAR, "uneven": 12, "move": 30}), pairs("inner", "inner", "inner", "outer", **{**NEAR, "uneven": 25, "move": 38})), cases=120, skills="nearly is not touching"),
     group("close-centres", "They touch from inside, and their centres are close together.", pairs("close", "close", "close~", **BIG), skills="a tangent has a width"),
-    group("tiny", "All of it around 1e-20.", pairs("outer", "outer~", "inner", "inner~", "cross", "same~", **TINY), skills=("no absolute epsilon", "scale invariance")),
+    group("tiny", "All of it tiny, down to 1e-29.", pairs("outer", "outer~", "inner", "inner~", "cross", "same~", **TINY), skills=("no absolute epsilon", "scale invariance")),
     group("offset", "Small circles far from the origin.", either(pairs("outer", "inner", "inner", **OFFSET), pairs("cross", "apart", "ring", "dots", **OFFSET), pairs("outer~", "inner~", "same~", **OFFSET)), cases=90, skills="far from the origin"),
     group("steep", "Centres almost beside or above one another.", pairs("cross", "cross", "outer", **STEEP), skills="no slopes"),
     group("large", "Whole numbers up to 2**30, some of them touches.", either(whole("nnrnnr", 30), pairs("outer", "inner", "cross", **{**BIG, "shift": 0, "numbers": "int"})), skills=("whole numbers that are large", "scale invariance")),

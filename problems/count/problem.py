@@ -36,7 +36,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("near", "Nearly a touch: 1e-7 of the figure away.", lines("touch~ before after", "touch~ foot by", **CLEAR), skills="nearly is not touching"),
     group("near-dot", "The line passes the point by 1e-7 of the figure.", lines("dot~ before after", "dot~ foot by", **CLEAR), skills="nearly is not touching"),
     group("dot-full", "The circle is a point, on a line that floats put beside it.", lines("dot before after", "dot far by", "dot far foot", **SPLIT), skills="r = 0"),
-    group("tiny", "All of it around 1e-20.", either(lines("touch before after", "touch~ before after", **TINY), lines("touch by ?by", "cut by ?by", **{**TINY, "turn": "axis"})), skills="no absolute epsilon"),
+    group("tiny", "All of it tiny, down to 1e-29.", either(lines("touch before after", "touch~ before after", **TINY), lines("touch by ?by", "cut by ?by", **{**TINY, "turn": "axis"})), skills="no absolute epsilon"),
     group("offset", "A small figure far from the origin.", lines(*TOUCHES, "touch before after", "cut before after", "miss before after", "dot-miss before after", "touch~ before after", "touch~ by foot", **OFFSET), skills="far from the origin"),
     group("far", "A or B is up to ten million radii away.", lines("touch foot far", "touch foot very-far", "touch -far far", "touch~ foot far", "through foot farther", "through farther by", **FAR), skills="the sharp discriminant"),
     group("steep", "Directions almost along an axis.", either(lines("touch before after", "cut before after", "miss before after", **STEEP), lines("cut before after", "miss before after", "cut in in", **TILTED)), skills="no slopes"),
