@@ -42,7 +42,7 @@ INTERVIEW = [
     group("miss", "The line passes the circle: no point.", lines("miss ?by ?by", "miss foot ?by", **PLAIN), skills="no root of a negative number"),
     group("from-foot", "A is the foot of the perpendicular from C, so that f·D is 0.", lines("cut foot ?by", "through foot ?by", **PLAIN), skills="zero has no sign"),
     group("radius-zero", "The circle is a point: on the line, or beside it.", either(lines("dot ?by ?by", "dot foot ?by", "dot ?by foot", "dot-miss ?by ?by", **PLAIN), lines("dot foot ?by", "dot ?by foot", **AXIS)), skills="r = 0"),
-    group("same-point", "A equals B: there is no line.", lines("cut before =", "chord first =", "touch foot =", "miss by =", **PLAIN), skills="degenerate line"),
+    group("same-point", "A equals B: there is no line.", lines("cut before =", "chord first =", "touch foot =", "miss by =", "dot foot =", **PLAIN), skills="degenerate line"),
     group("random", "Any numbers, small and large.", uniform("nnrpp", 20, 1e4, 1e9), skills="order along the line"),
 ]
 
