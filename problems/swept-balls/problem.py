@@ -15,6 +15,7 @@ STARTS = "chord last after", "chord first before", "touch foot after", "chord la
 ENDS = "chord before first", "touch before foot", "chord before first rest", "chord after last"
 POINTS = "dot before after", "dot before after", "dot before foot", "dot before foot", "dot foot after", "dot-miss before after", "dot foot = rest"
 TELLING = plain.balls_meet, partial(plain.balls_meet, tolerance=1e-10)
+BELOW = plain.balls_meet, partial(plain.balls_meet, tolerance=-1e-10)
 
 
 def solve(P0, P1, r, Q0, Q1, s):
@@ -38,7 +39,7 @@ INTERVIEW = [
 PRODUCTION = [  # the same, where rounding bites
     group("decimals", "Grazes in short decimals, which == does not see.", telling(balls("touch before after rest", "touch before after rest dot", "touch before after alone dot", **DECIMALS), *TELLING), skills="a graze is a touch"),
     group("turned", "Grazes that squares cannot see.", balls(*GRAZES, **BIG), skills="a tangent has a width"),
-    group("graze-full", "Grazes that no formula in floats can see.", telling(either(balls(*GRAZES, **FULL), balls("touch before after", "touch before after dot", **{**FULL, "turn": "axis"}), balls("touch before after alone dot", **FULL)), *TELLING), cases=80, skills="a tangent has a width"),
+    group("graze-full", "Grazes that no formula in floats can see, or that seem to overlap.", either(telling(either(balls(*GRAZES, **FULL), balls("touch before after", "touch before after dot", **{**FULL, "turn": "axis"}), balls("touch before after alone dot", **FULL)), *TELLING), telling(balls("touch before after dot", **FULL), *BELOW)), cases=120, skills="a tangent has a width"),
     group("start-full", "The discs touch at the start, and rounding puts them apart.", balls(*STARTS, **FULL), skills="touching from the start"),
     group("end-full", "The discs touch at the very end, and rounding makes it later.", telling(either(balls(*ENDS, **FULL), balls(*ENDS, "dot before foot", **STEEP), balls("chord before first home", "touch before foot home", "chord before first home dot", **{**FULL, "move": 0}), meeting(29)), *TELLING), cases=120, skills="first in time"),
     group("near-graze", "Nearly a graze: 1e-7 of the figure away.", balls("touch~ before after", "touch~ before after rest", "touch~ before after along", **NEAR), skills="nearly is not touching"),

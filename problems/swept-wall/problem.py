@@ -39,7 +39,7 @@ INTERVIEW = [
 ]
 
 PRODUCTION = [  # the same, where rounding bites
-    group("decimals", "Touches in short decimals, which == does not see.", telling(walls("slide side", "slide side", "end side", **DECIMALS), *TELLING), skills="a graze is a touch"),
+    group("decimals", "Touches in short decimals, which == does not see.", either(telling(walls("slide side", "end side", "start side", "start side", **DECIMALS), *TELLING), walls("end post dot level", **DECIMALS)), cases=120, skills="a graze is a touch"),
     group("turned", "Grazes that squares cannot see.", either(walls(*GRAZES, "slide side", **BIGGER), walls("graze cap upright", **{**FULL, "turn": "axis"})), cases=120, skills="a tangent has a width"),
     group("graze-full", "Grazes that no formula in floats can see, or that seem to overlap.", either(telling(walls(*GRAZES, **FULL), *TELLING), telling(walls("graze post", **FULL), *BELOW)), skills="a tangent has a width"),
     group("slide-full", "The disc slides along the wall, and rounding puts it beside.", telling(walls("slide side", **FULL), *TELLING), skills="a tangent has a width"),

@@ -196,7 +196,10 @@ def meeting(bits: int) -> Scene:
                 return draw.sign() * draw.integer(0, 1 << draw.integer(0, bits))
             return ldexp(draw.sign() * draw.integer(0, 1 << 53), draw.integer(0, bits) - 53)
 
-        P, Q, X = ((number(), number()) for _ in range(3))
-        return P, X, 0, Q, X, 0
+        P, Q, X = ([number(), number()] for _ in range(3))
+        axis = draw.integer(0, 2)
+        if axis < 2:  # close together along it
+            P[axis], Q[axis] = draw.integer(-9, 9), draw.integer(-9, 9)
+        return tuple(P), tuple(X), 0, tuple(Q), tuple(X), 0
 
     return draw_case
