@@ -45,7 +45,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("decimals", "Touches in short decimals, which == does not see.", telling(crowds("touch touch", "touch0 touch", "touch around", **DECIMALS), *TELLING), skills="collapse the tangent"),
     group("turned", "Touches and ties that squares cannot see.", crowds("touch touch", "touch exit2 enter2", "touch cut", "around touch", **BIG), skills="a tangent has a width"),
     group("ties-full", "Hits at one place that floats put in order, and touches that they miss.", crowds("exit2 enter2 touch", "cut1 mirror copy", "enter3 touch3 exit3", "dot cut", "dot2 dot", "dot0 enter dot", "enter2 dot2", **FULL), skills=("hits at one place", "a tangent has a width")),
-    group("origin-full", "The origin on a circle, and rounding puts it beside.", telling(either(crowds(*ORIGIN, "exit0", **FULL), aligned(20, (1, 3)), aligned(2**28, (1, 3))), *TELLING), cases=90, skills="origin on the circle"),
+    group("origin-full", "The origin on a circle, and rounding puts it beside.", telling(either(crowds(*ORIGIN, "exit0", "touch0", "touch0 behind", **FULL), aligned(20, (1, 3)), aligned(2**28, (1, 3))), *TELLING), cases=90, skills="origin on the circle"),
     group("near", "Nearly a touch: 1e-7 of the figure away.", crowds("touch~ cut", "touch~ touch~", "around touch~", "dot~ cut", **NEAR), skills="nearly is not touching"),
     group("ties-near", "Two hits nearly at one place: their order counts.", crowds("exit2~ enter2", "enter2 enter2~", "exit2~ exit2", "touch2 enter2~", **NEAR), skills="hits in order"),
     group("origin-near", "The origin is just off a circle, inside or outside.", crowds("exit0~ enter", "enter0~ cut", "exit0~", "enter0~ exit0~", **NEAR), skills="origin on the circle"),
