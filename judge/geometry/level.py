@@ -32,6 +32,7 @@ PLACES = (
     "by",
     "far",
     "very-far",
+    "farther",
     "remote",
     "=",
 )
@@ -164,6 +165,8 @@ def place(draw: Draw, word: str, R: int, h: int, half: int | None, size: int) ->
         x = -r * draw.integer(100, 20_000)
     elif name == "very-far":
         x = -r * draw.integer(10**5, 10**6)
+    elif name == "farther":  # so far that only a line through the centre is clear, or a touch
+        x = -r * draw.integer(10**6, 10**7 - 1)
     elif name == "remote":  # so far that only a touch is clear
         x = -r * draw.integer(10**7, 10**8)
     else:  # foot
@@ -226,7 +229,8 @@ def near_gap(draw: Draw, size: int, lowest: int = 10) -> int:
 
     With a `lowest` of 7 also 0.7 times that, which is clear where a turn makes the size as much smaller.
     """
-    least, most = draw.choice(((lowest, 12), (10, 20), (30, 80)))
+    finer = [(lowest, 9)] * 8 if lowest < 10 else []  # most of which are not clear
+    least, most = draw.choice([(10, 12), (10, 20), (30, 80), *finer])
     return draw.integer(least * size, most * size) // 10**8 + 1
 
 

@@ -21,6 +21,8 @@ Matrix = Sequence[Sequence[int]]
 _DOUBLE = 53  # significant bits of a double
 _BOUND = 30  # coordinates stay within ±2**30
 _UNIT = -99  # and the unit is at least 2**-99, which is above 1e-30
+_LEAST = -94  # the power of two of the largest number of a figure whose numbers are as small as they may be
+_TINIEST = 1e-30
 _FAR = 50  # bits that a split point has in common with the first one
 
 # How large the figure is before the pose, how it is turned, by how many bits moved, scaled to which powers
@@ -37,7 +39,7 @@ SPLIT = {
     "shift": -32,
 }  # differences of 63: all rounds
 NEAR = {"size": 2**12, "turn": "any", "shift": (0, -20, -40)}  # 40
-TINY = {"size": 2**12, "turn": "any", "shift": (-99, -75)}  # 40
+TINY = {"size": 2**12, "turn": "any", "shift": (-99, -75, "least")}  # 40
 FAR = {"size": 40, "turn": "small", "shift": (0, -20)}  # 32
 OFFSET = {"size": 50, "turn": "small", "move": 52, "shift": -20}  # 53
 STEEP = {"size": 2**10, "turn": "steep", "move": 6, "shift": (0, -20)}  # 51
@@ -82,7 +84,7 @@ def posed(
     *,
     turn: str = "any",
     move: int | str = 0,
-    shift: int | Sequence[int] = 0,
+    shift: int | Sequence[int | str] = 0,
     stretch: int | Sequence[int] = 0,
     numbers: str = "any",
     decimals: bool = False,
@@ -94,7 +96,8 @@ def posed(
         turn: "axis" (the symmetries of the axes), "small" (triples to 65), "any" (to 4,418) or "steep".
         move: by whole numbers of so many bits. Or "split": the second point takes the last bits of the way
             from the first one, which takes all others, so that their difference is no double.
-        shift: the power of two that scales all; of several one is taken.
+        shift: the power of two that scales all, or "least" for numbers just above 1e-30; of several one is
+            taken.
         stretch: another one for vectors.
         numbers: "int", "float", "mixed" or any of these, where a number is whole.
         decimals: whether the numbers are tenths or hundredths, each the double that is nearest.
@@ -124,7 +127,11 @@ def posed(
         return _named(atoms, _decimals(draw, atoms, turned))
     if any(_significant(x) > _DOUBLE for row in whole for x in row):
         draw.reject()
-    exponent = min(_one(draw, shift) - finer, _BOUND - _bits(whole))
+    size = _one(draw, shift)
+    exponent = _LEAST - _bits(whole) if size == "least" else min(size - finer, _BOUND - _bits(whole))
+    own = [row for row, each in zip(whole, atoms, strict=True) if not isinstance(each, Vector)]
+    if exponent < _UNIT and any(0 < abs(x) * 2.0**exponent < _TINIEST for row in own for x in row):
+        draw.reject()
     kind = draw.choice(("int", "float", "mixed")) if numbers == "any" else numbers
     number = _binary(draw, kind, exponent)
     vectors = [row for row, each in zip(whole, atoms, strict=True) if isinstance(each, Vector)]
@@ -218,7 +225,7 @@ def _decimals(draw: Draw, atoms: Sequence[Atom], turned: Sequence[Sequence[int]]
     return exact
 
 
-def _one(draw: Draw, options: int | Sequence[int]) -> int:
+def _one(draw: Draw, options: int | Sequence[Any]) -> Any:
     return options if isinstance(options, int) else draw.choice(options)
 
 

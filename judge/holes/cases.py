@@ -227,7 +227,7 @@ def _plain_number(random: Random) -> Callable[[Any, Any, bool], Number]:
         value: Number
         if kind == "small":
             value = random.randint(-small, small)
-        elif kind == "bound":
+        elif kind == "bound" and math.ceil(low) <= high:
             value = random.randint(math.ceil(low), math.floor(high))
         elif kind == "log":
             most = min(300.0, math.log10(max(1, high)))

@@ -112,7 +112,7 @@ class _Hunt:
         self._edge: dict[str, Found] = {}
         self._faults: dict[str, Fault] = {}
         self._stopped = False
-        self.keep: Callable[[], object] = lambda: None
+        self.keep: Callable[[], str | None] = lambda: None
 
     def holes(self, programs: Sequence[Base]) -> Holes:
         """All that was found."""
@@ -141,6 +141,7 @@ class _Hunt:
             edge=len(self._edge),
             unknown=len(left) - len(found) - len(self._edge),
             faults=(*stale, *self._faults.values()),
+            notes=tuple(filter(None, [self.keep()])),
             stopped=self._stopped,
         )
 

@@ -36,7 +36,7 @@ class Holes(Published, frozen=True):
     """What came of it; of the `accepted` mutants `edge` are wrong only at the very edge of the promise.
 
     `unknown` are those without any witness, and `marked` those that same.toml says to be right. `stopped`
-    says that Ctrl-C ended the search.
+    says that Ctrl-C ended the search, `notes` what else a person should know.
     """
 
     problem: str
@@ -50,6 +50,7 @@ class Holes(Published, frozen=True):
     edge: int = 0
     unknown: int = 0
     faults: tuple[Fault, ...] = ()
+    notes: tuple[str, ...] = ()
     stopped: bool = False
 
     @property

@@ -26,6 +26,7 @@ PRODUCTION = [
     group("hidden", "Large circles that small ones hide in part, and circles behind them that cannot be seen at all.", scans((1, 5), (14, 24), 90, (8, 30), hidden=True), skills="the nearest of several"),
     group("beside", "A crowd of large circles beside a beam: they reach nearer to O than the small one that the beam meets first.", besides((20, 40), (2, 6), 500), cases=20, skills="the nearest of several"),
     group("short", "Directions of −2 to 2, (1, 0) and (2, −1) among them, through a crowd on all sides of O.", scans((30, 60), (12, 20), 400, (3, 20), fastest=2), cases=20, skills="the nearest of several"),
+    group("wide", "Few circles and whole numbers of all seven digits, O among them.", scans((1, 8), (8, 12), 250_000, (10_000, 200_000), fastest=FASTEST), skills="full precision"),
     group("n-500", "500 circles and as many beams: where the growth is measured from.", arcs(500), cases=5, size=500, skills="sweep by angle"),
     group("n-2000", "2,000 circles and as many beams.", arcs(2_000), cases=3, size=2_000, time_limit=30, limits={"cpu_seconds": 8, "wall_seconds": 60}, skills=("sweep by angle", "do not ask all of them")),
     group("n-8000", "8,000 circles and as many beams.", arcs(8_000), cases=2, size=8_000, time_limit=30, limits={"cpu_seconds": 10, "wall_seconds": 60}, skills=("sweep by angle", "do not ask all of them")),

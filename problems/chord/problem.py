@@ -26,17 +26,17 @@ INTERVIEW = [
     group("miss", "The line passes the circle: no chord.", lines("miss ?by ?by", "miss foot ?by", **PLAIN), skills="no root of a negative number"),
     group("off-segment", "The chord is not on AB, or AB is a part of it.", lines("cut after after", "cut before before", "cut in in", **PLAIN), skills="a line has no ends"),
     group("radius-zero", "The circle is a point: on the line, or beside it.", either(lines("dot ?by ?by", "dot foot ?by", "dot ?by foot", "dot-miss ?by ?by", **PLAIN), lines("dot foot ?by", "dot ?by foot", **AXIS)), skills="r = 0"),
-    group("same-point", "A equals B: there is no line.", lines("cut before =", "cut in =", "touch foot =", "miss by =", **PLAIN), skills="degenerate line"),
+    group("same-point", "A equals B: there is no line.", lines("cut before =", "cut in =", "touch foot =", "miss by =", "dot foot =", **PLAIN), skills="degenerate line"),
     group("random", "Any numbers, small and large.", uniform("nnrpp", 20, 1e4, 1e9), skills="distance against radius"),
 ]
 
 PRODUCTION = [  # the same, where rounding bites
     group("turned", "A touch that squares cannot see.", lines(*TOUCHES, **BIG), skills="a tangent has a width"),
-    group("full", "A touch that no formula in floats can see.", either(lines(*TOUCHES, **HUGE), lines(*TOUCHES, **SPLIT), lines("touch close after", "touch close foot", **HUGE), lines("dot before after", "dot far by", "dot far foot", **SPLIT)), cases=120, skills="a tangent has a width"),
+    group("full", "A touch that no formula in floats can see.", either(lines(*TOUCHES, **HUGE), lines(*TOUCHES, **SPLIT), lines("touch close after", "touch close foot", **HUGE), telling(lines("dot before after", "dot by far", "dot by far", **SPLIT), *TELLING)), cases=120, skills="a tangent has a width"),
     group("near", "Nearly a touch: 1e-7 of the figure away.", either(lines("touch~ before after", "touch~ foot by", **NEAR), lines("touch~ before after", "touch~ by by", "dot~ before after", "dot~ foot by", **{**NEAR, "least": 7})), cases=120, skills="nearly is not touching"),
-    group("tiny", "All of it around 1e-20.", either(lines("touch before after", "touch~ before after", "cut before after", **TINY), lines("touch by ?by", "cut by ?by", **{**TINY, "turn": "axis"})), skills=("no absolute epsilon", "scale invariance")),
+    group("tiny", "All of it tiny, down to 1e-29.", either(lines("touch before after", "touch~ before after", "cut before after", **TINY), lines("touch by ?by", "cut by ?by", **{**TINY, "turn": "axis"})), skills=("no absolute epsilon", "scale invariance")),
     group("offset", "A small figure far from the origin.", lines("touch before after", "cut before after", "miss before after", "dot-miss before after", "touch~ before after", "touch~ by foot", **OFFSET), skills="far from the origin"),
-    group("far", "A or B is up to a million radii away.", lines("touch foot far", "cut foot very-far", "cut -far far", "touch~ foot far", "dot far foot", "dot foot far", **FAR), skills="the sharp discriminant"),
+    group("far", "A or B is up to ten million radii away.", lines("touch foot far", "cut foot very-far", "cut -far far", "touch~ foot far", "dot far foot", "dot foot far", "through foot farther", "through farther by", **FAR), skills="the sharp discriminant"),
     group("long", "A and B are close together, and still two points.", closed_up("touch by", "cut by", "miss by", "through in"), skills="degenerate line"),
     group("steep", "Directions almost along an axis.", either(lines("touch before after", "cut before after", "miss before after", **STEEP), lines("cut before after", "miss before after", "cut in in", **TILTED)), skills="no slopes"),
     group("large", "Whole numbers up to 2**30, some of them touches.", either(whole("nnrpp", 30), lines(*TOUCHES, **{**BIG, "shift": 0, "numbers": "int"})), skills=("whole numbers that are large", "scale invariance")),

@@ -10,6 +10,7 @@ from judge.problem.declare import group
 HOOKS = hooks(LINE)
 TOUCHES = ("touch before after", "touch foot after", "touch ?by ?near")
 TELLING = plain.count, partial(plain.count, tolerance=1e-10)
+CLEAR = {**NEAR, "least": 7}
 
 
 def solve(cx, cy, r, A, B):
@@ -25,19 +26,19 @@ INTERVIEW = [
     group("off-segment", "The line crosses, the segment from A to B does not.", lines("cut after after", "cut before before", "cut in in", **PLAIN), skills="a line has no ends"),
     group("from-centre", "A or B is the centre, or the foot of the perpendicular.", lines("through foot ?by", "cut foot ?by", "miss foot ?by", **PLAIN), skills="distance against radius"),
     group("radius-zero", "The circle is a point: on the line, or beside it.", lines("dot ?by ?by", "dot foot ?by", "dot-miss ?by ?by", **PLAIN), skills="r = 0"),
-    group("same-point", "A equals B: there is no line.", lines("cut before =", "cut in =", "touch foot =", "miss by =", **PLAIN), skills="degenerate line"),
+    group("same-point", "A equals B: there is no line.", lines("cut before =", "cut in =", "touch foot =", "miss by =", "dot foot =", **PLAIN), skills="degenerate line"),
     group("random", "Any numbers, small and large.", uniform("nnrpp", 20, 1e4, 1e9), skills="distance against radius"),
 ]
 
 PRODUCTION = [  # the same, where rounding bites
     group("turned", "A touch that squares cannot see.", lines(*TOUCHES, **BIG), skills="a tangent has a width"),
     group("full", "A touch that no formula in floats can see.", either(lines(*TOUCHES, **HUGE), lines(*TOUCHES, **SPLIT), lines("touch close after", "touch close foot", **HUGE)), skills="a tangent has a width"),
-    group("near", "Nearly a touch: 1e-7 of the figure away.", lines("touch~ before after", "touch~ foot by", **NEAR), skills="nearly is not touching"),
-    group("near-dot", "The line passes the point by 1e-7 of the figure.", lines("dot~ before after", "dot~ foot by", **NEAR), skills="nearly is not touching"),
+    group("near", "Nearly a touch: 1e-7 of the figure away.", lines("touch~ before after", "touch~ foot by", **CLEAR), skills="nearly is not touching"),
+    group("near-dot", "The line passes the point by 1e-7 of the figure.", lines("dot~ before after", "dot~ foot by", **CLEAR), skills="nearly is not touching"),
     group("dot-full", "The circle is a point, on a line that floats put beside it.", lines("dot before after", "dot far by", "dot far foot", **SPLIT), skills="r = 0"),
-    group("tiny", "All of it around 1e-20.", either(lines("touch before after", "touch~ before after", **TINY), lines("touch by ?by", "cut by ?by", **{**TINY, "turn": "axis"})), skills="no absolute epsilon"),
+    group("tiny", "All of it tiny, down to 1e-29.", either(lines("touch before after", "touch~ before after", **TINY), lines("touch by ?by", "cut by ?by", **{**TINY, "turn": "axis"})), skills="no absolute epsilon"),
     group("offset", "A small figure far from the origin.", lines(*TOUCHES, "touch before after", "cut before after", "miss before after", "dot-miss before after", "touch~ before after", "touch~ by foot", **OFFSET), skills="far from the origin"),
-    group("far", "A or B is up to a million radii away.", lines("touch foot far", "touch foot very-far", "touch -far far", "touch~ foot far", **FAR), skills="the sharp discriminant"),
+    group("far", "A or B is up to ten million radii away.", lines("touch foot far", "touch foot very-far", "touch -far far", "touch~ foot far", "through foot farther", "through farther by", **FAR), skills="the sharp discriminant"),
     group("steep", "Directions almost along an axis.", either(lines("touch before after", "cut before after", "miss before after", **STEEP), lines("cut before after", "miss before after", "cut in in", **TILTED)), skills="no slopes"),
     group("close-points", "A and B are close together, and still two points.", closed_up("touch by", "cut by", "miss by", "through in"), skills="degenerate line"),
     group("large", "Whole numbers up to 2**30, some of them touches.", either(whole("nnrpp", 30), lines(*TOUCHES, **{**BIG, "shift": 0, "numbers": "int"})), skills="whole numbers that are large"),

@@ -38,7 +38,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("thin", "P is hardly beside a line of whole numbers: doubles hold the cross product exactly, but no foot.", thin, tolerance={"ulps": 8}, skills="multiply before you divide"),
     group("offset", "A small figure far from the origin.", feet(*ANYWHERE, **OFFSET), skills="far from the origin"),
     group("close-points", "A and B are close together, and still two points.", feet("close", **{**PLAIN, "move": 0, "shift": (-30, -60)}), skills="degenerate line"),
-    group("tiny", "All of it around 1e-20.", feet(*ANYWHERE, **TINY), skills="scale invariance"),
+    group("tiny", "All of it tiny, down to 1e-29.", feet(*ANYWHERE, **TINY), skills="scale invariance"),
     group("large", "Whole numbers up to 2**30.", either(whole("ppp", 30), feet("between", "beyond near", **{**BIG, "shift": 0, "numbers": "int"})), skills="whole numbers that are large"),
     group("corners", "Whole numbers at the ends of the bounds: a difference leaves 32 bits, a sum of squares 64.", corners("ppp", 30), skills="whole numbers that are large"),
     group("repeated", "Neighbouring calls differ in one argument.", grid("ppp", 3), turns=True, skills="nothing kept between calls"),

@@ -20,6 +20,14 @@ def one_point(draw):
     return cx, cy, r, A, A
 
 
+def over_foot(draw):
+    """Δ = 1 or -1 where r²a − k² has up to 480 digits, and the foot is on the segment."""
+    cx, cy, r, A, B = hairlines.least(10**119)(draw)
+    dx, dy = B[0] - A[0], B[1] - A[1]
+    steps = ((cx - A[0]) * dx + (cy - A[1]) * dy) // (dx * dx + dy * dy)
+    return cx, cy, r, *((x + steps * dx, y + steps * dy) for x, y in (A, B))
+
+
 def brink(draw):
     """A level or upright touch at an end, or 1 before it or beyond it, at 1e30 and 1e100."""
     size = draw.choice((10**30, 10**100))
@@ -50,7 +58,8 @@ INTERVIEW = [
 PRODUCTION = [  # the same, where rounding bites
     group("end-off-by-one", "An end with |A − C|² = r² ± 1, at radii of up to 1e30.", hairlines.ends((10**4, 10**9, 10**12, 10**30), 1, -1), cases=120, skills="ends no wider than rounding"),
     group("one-point-huge", "A equals B, on the circle or off it by the least that ints allow.", one_point, skills="degenerate segment"),
-    group("near-touch", "The least that ints allow: r²a − k² is 1 or -1, the foot on the segment or not.", hairlines.least(10**3, 10**5, 10**6, 10**9, 10**50, 10**119, 10**119), cases=160, skills="exact count for integers"),
+    group("near-touch", "The least that ints allow: r²a − k² is 1 or -1, the foot on the segment or not.", hairlines.least(10**3, 10**5, 10**6, 10**9, 10**50, 10**119), cases=160, skills="exact count for integers"),
+    group("near-touch-huge", "The same at 1e119, the foot on the segment: products of up to 480 digits.", over_foot, skills="integers of any size"),
     group("hairline", "The line cuts or misses by a hair at 1e8 to 1e14: k is r·|D| ± 1.", hairlines.hairlines(10**8, 10**10, 10**12, 10**14, off=(1, -1, 2, -2)), cases=160, skills="exact count for integers"),
     group("nearly", "The line passes the circle by 1e-13 to 0.9 of the radius, in every direction.", signs.tried(hairlines.nearly(10**20, 10**40)), cases=200, skills="exact count for integers"),
     group("large", "All of it at 1e30 to 1e100: beyond any fixed number of digits.", either(hairlines.hairlines(10**30, 10**100, off=(0, 1, -1)), hairlines.least(10**30, 10**100, 10**119), hairlines.ends((10**30, 10**100), 0, 1, -1), brink), cases=160, skills="integers of any size"),

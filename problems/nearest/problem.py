@@ -4,7 +4,7 @@ from judge.geometry.boxes import nearest
 from judge.geometry.hooks import MANY, hooks
 from judge.geometry.scenes.close import nearly
 from judge.geometry.scenes.growth import crowded
-from judge.geometry.scenes.many import FASTEST, clusters, fields, heaps, inside, leaving, strips, ties
+from judge.geometry.scenes.many import FASTEST, WIDE, clusters, fields, heaps, inside, leaving, strips, ties
 from judge.problem.declare import group
 
 HOOKS = hooks(MANY)
@@ -28,6 +28,7 @@ PRODUCTION = [
     group("clustered", "Dense clusters of circles that overlap, wide empty room between them, and a few large circles.", clusters((300, 500), (80, 120), 50_000, 1_500, (20, 300), (15_000, 30_000)), cases=10, skills="walk through boxes"),
     group("heaps", "Each circle many times over, or as rings about one centre: no cut parts them.", heaps((3, 8), (8, 16), 90, (5, 20), (3, 12)), cases=20, skills="ties of circles"),
     group("strip", "Small circles in a strip that is thousands of times as long as wide: rays run along it.", strips((150, 300), (40, 60), 1_000_000, 60, (1, 4)), cases=10, skills="walk through boxes"),
+    group("wide", "Few circles and whole numbers of all seven digits.", fields((2, 8), (9, 17), WIDE, (10_000, 400_000)), skills="full precision"),
     group("n-2000", "2,000 circles and 500 rays: where the growth is measured from.", crowded(2_000), cases=3, size=2_000, time_limit=30, limits={"cpu_seconds": 10, "wall_seconds": 60}, skills="do not ask all of them"),
     group("n-8000", "8,000 circles and 2,000 rays.", crowded(8_000), cases=2, size=8_000, time_limit=30, limits={"cpu_seconds": 15, "wall_seconds": 60}, skills="do not ask all of them"),
     group("n-32000", "32,000 circles and 8,000 rays.", crowded(32_000), cases=1, size=32_000, time_limit=30, limits={"cpu_seconds": 30, "wall_seconds": 90}, skills="do not ask all of them"),

@@ -39,7 +39,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("long", "A and B are up to 1e9 times farther apart than the line is from the origin, or closer together.", either(ends("between near", **BIG), ends("close", **{**BIG, "move": 12})), skills="distance of point and line"),
     group("steep", "Directions almost along an axis.", either(ends("between", **STEEP), ends("between", **TILTED)), skills="no slopes"),
     group("offset", "A small figure far from the origin.", ends("between", **OFFSET), skills="distance of point and line"),
-    group("tiny", "All of it around 1e-20, and A and B may be nearly one: a line all the same.", either(ends("between", "close", **{**TINY, "move": 14}), ends("between", **{**TINY, "turn": "axis"})), skills=("degenerate line", "scale invariance")),
+    group("tiny", "All of it tiny, down to 1e-29, and A and B may be nearly one: a line all the same.", either(ends("between", "close", **{**TINY, "move": 14}), ends("between", **{**TINY, "turn": "axis"})), skills=("degenerate line", "scale invariance")),
     group("large", "Whole numbers up to 2**30.", either(whole("pp", 30), ends("between near", **{**BIG, "shift": 0, "numbers": "int"})), skills="whole numbers that are large"),
     group("corners", "Whole numbers at the ends of the bounds: a difference leaves 32 bits, a sum of squares 64.", corners("pp", 30), cases=12, skills="whole numbers that are large"),
     group("repeated", "Neighbouring calls differ in one argument.", grid("pp", 4), turns=True, skills="nothing kept between calls"),

@@ -13,6 +13,7 @@ ON_CIRCLE = ("chord first", "chord last", "chord first anyway", "touch foot")
 STRETCHED = {**PLAIN, "shift": (-17, -60), "stretch": tuple(range(-39, 90, 8))}
 TELLING = plain.first_hit, partial(plain.first_hit, tolerance=1e-10)
 BY_POWER = partial(plain.first_hit, power=True), partial(plain.first_hit, power=True, tolerance=1e-10)
+CLEAR = {**NEAR, "least": 7}
 
 
 def solve(cx, cy, r, O, D):
@@ -36,13 +37,13 @@ PRODUCTION = [  # the same, where rounding bites
     group("decimals", "Touches in short decimals, which == does not see.", telling(rays(*TOUCHES, "touch foot", **DECIMALS), *TELLING), skills="collapse the tangent"),
     group("turned", "A touch that squares cannot see.", rays(*TOUCHES, **BIG), skills="a tangent has a width"),
     group("full", "A touch that no formula in floats can see.", either(rays(*TOUCHES, "touch foot", "touch nearer", "touch nearer", **HUGE), rays(*TOUCHES, **SPLIT)), skills="a tangent has a width"),
-    group("near", "Nearly a touch: 1e-7 of the figure away.", rays("touch~ before", "touch~ before", "touch~ foot", **NEAR), skills="nearly is not touching"),
+    group("near", "Nearly a touch: 1e-7 of the figure away.", rays("touch~ before", "touch~ before", "touch~ foot", **CLEAR), skills="nearly is not touching"),
     group("on-full", "The origin is on the circle, and rounding puts it beside.", either(telling(rays(*ON_CIRCLE, **HUGE), *TELLING), telling(rays(*ON_CIRCLE, **BIG), *BY_POWER), rays("through first anyway", "through last anyway", **{**HUGE, "turn": "axis"})), cases=90, skills="origin on the circle"),
-    group("on-near", "The origin is just off the circle, inside or outside.", rays("chord first~", "chord last~", "chord last~ anyway", "through first~", "through first~", "through last~", "through last~", **NEAR), cases=100, skills="the side of the ray"),
+    group("on-near", "The origin is just off the circle, inside or outside.", rays("chord first~", "chord last~", "chord last~ anyway", "through first~", "through first~", "through last~", "through last~", **CLEAR), cases=100, skills="the side of the ray"),
     group("far", "The circle is up to 10,000 times smaller than its distance.", rays("touch far", "cut far", "touch~ far", **{**FAR, "size": 1 << 20}), skills="the unit normal"),
     group("direction-length", "Directions up to 1e12 times shorter than the figure, or 1e24 times longer.", either(rays("cut before", "cut in", "miss before", "touch before", "chord last", "chord last anyway", "chord first~", "chord last~", "touch~ before", **STRETCHED), rays("cut before", "cut in", "touch before", **{**HUGE, "move": 0, "shift": -60, "stretch": (-39, -20, 40, 80)}), rays("chord first~", "chord last~", "touch~ before", "touch~ after", **{**NEAR, "shift": 0, "stretch": (20, 40)}), rays("miss before", "cut after", "cut in", "touch after", **{**PLAIN, "shift": -60, "stretch": (60, 75, 90)})), cases=160, skills="t is not a distance"),
     group("off-centre", "Rays past the centre by 1e-8 to 1e-2 of the radius.", rays("off-centre before", "off-centre in", **HUGE), skills="the unit normal"),
-    group("tiny", "All of it around 1e-20.", either(rays("touch before", "touch~ before", "chord first~", "cut before", "touch after", "cut after", **TINY), rays("touch before", "cut before", **{**TINY, "turn": "axis"})), skills=("no absolute epsilon", "scale invariance")),
+    group("tiny", "All of it tiny, down to 1e-29.", either(rays("touch before", "touch~ before", "chord first~", "cut before", "touch after", "cut after", **TINY), rays("touch before", "cut before", **{**TINY, "turn": "axis"})), skills=("no absolute epsilon", "scale invariance")),
     group("offset", "A small figure far from the plane's origin.", rays("cut before", "cut in", "miss before", "cut after", "chord last", "chord first~", "chord last~", **OFFSET), skills="far from the origin"),
     group("offset-touch", "A small figure far from the plane's origin, and a touch.", rays("touch before", "touch before", "touch before", "touch near", "touch near", "touch~ before", **OFFSET), cases=120, skills="far from the origin"),
     group("steep", "Directions almost along an axis.", either(rays(*TOUCHES, "cut before", "miss before", **STEEP), rays("cut before", "cut in", "miss before", "chord last", **{**TILTED, "tilt": (20, 75)})), cases=120, skills="no slopes"),

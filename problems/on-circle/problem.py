@@ -6,6 +6,7 @@ from judge.geometry.scenes import AXIS, BIG, HUGE, NEAR, OFFSET, PLAIN, SPLIT, T
 from judge.problem.declare import group
 
 HOOKS = hooks(POINT)
+CLEAR = {**NEAR, "least": 7}
 
 
 def solve(cx, cy, r, P):
@@ -16,6 +17,14 @@ def small_circle(draw):
     """P at the corner that is opposite to a small circle's, mostly."""
     cx, cy, P = corners("nnp", 30)(draw)
     return cx, cy, draw.choice((0, draw.integer(1, 9))), P if draw.boolean() else (-cx, -cy)
+
+
+def halfway(draw):
+    """On a circle whose radius has a square halfway between two doubles."""
+    cx, cy = (draw.integer(-(2**29), 2**29) for _ in "xy")
+    r = 4 * draw.integer(47453133, 67108863) + 2
+    P = (cx + r * draw.sign(), cy) if draw.boolean() else (cx, cy + r * draw.sign())
+    return cx, cy, r, P
 
 
 INTERVIEW = [
@@ -30,12 +39,12 @@ INTERVIEW = [
 PRODUCTION = [  # the same, where rounding bites
     group("on-turned", "On the circle, where squares are rounded.", points("on", **BIG), skills="on the circle has a width"),
     group("on-full", "On the circle, where differences are rounded, too.", either(points("on", **HUGE), points("on", **SPLIT)), skills="on the circle has a width"),
-    group("near", "Nearly on the circle: 1e-7 of the figure away.", points("on~", "on~", "dot-on~", **NEAR), skills="nearly is not on it"),
-    group("tiny", "All of it around 1e-20.", points("on", "on~", "in", "dot-on~", **TINY), skills=("no absolute epsilon", "scale invariance")),
+    group("near", "Nearly on the circle: 1e-7 of the figure away.", points("on~", "on~", "dot-on~", **CLEAR), skills="nearly is not on it"),
+    group("tiny", "All of it tiny, down to 1e-29.", points("on", "on~", "in", "dot-on~", **TINY), skills=("no absolute epsilon", "scale invariance")),
     group("offset", "A small figure far from the origin.", points("on", "on", "in", "out", "dot-out", "dot-on", **OFFSET), skills="far from the origin"),
     group("offset-near", "Small figures far from the origin, nearly on the circle.", points("on~", **{**NEAR, "move": 47, "shift": -20}), skills="far from the origin"),
     group("dot-split", "The circle is a point, and P is this point in its last bits.", points("dot-on~", "dot-out", "dot-on", **{**NEAR, "move": "split"}), skills="no absolute epsilon"),
-    group("large", "Whole numbers up to 2**30, some of them on the circle.", either(whole("nnrp", 30), points("on", **{**BIG, "shift": 0, "numbers": "int"})), skills=("whole numbers that are large", "scale invariance")),
+    group("large", "Whole numbers up to 2**30, some of them on the circle.", either(whole("nnrp", 30), points("on", **{**BIG, "shift": 0, "numbers": "int"}), halfway), skills=("whole numbers that are large", "scale invariance")),
     group("corners", "Whole numbers at the ends of the bounds: a difference leaves 32 bits, a sum of squares 64.", either(corners("nnrp", 30), small_circle), skills="whole numbers that are large"),
     group("repeated", "Neighbouring calls differ in one argument.", grid("nnrp", 4), turns=True, skills="nothing kept between calls"),
 ]

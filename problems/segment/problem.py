@@ -1,10 +1,11 @@
 """The points of a closed segment that lie on a circle, in order from A to B."""
 
 from functools import partial
-from math import sqrt
+from math import copysign, hypot, sqrt
 
 from judge.geometry import Line, plain
 from judge.geometry.hooks import SEGMENT, hooks
+from judge.geometry.pose import triple
 from judge.geometry.scenes import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TILTED, TINY, closed_up, either, grid, lines, points, telling, uniform, whole
 from judge.problem.declare import group
 
@@ -12,6 +13,7 @@ HOOKS = hooks(SEGMENT)
 TOUCHES = ("touch before after", "touch foot after", "touch ?by ?near")
 BEYOND = ("touch after after", "touch before before", "touch foot by")
 ENDS = ("chord first in", "chord first after", "chord before first", "chord first last", "chord last after", "chord in last")
+CLEAR = {**NEAR, "least": 7}
 TELLING = plain.count, partial(plain.count, tolerance=1e-10)
 
 
@@ -21,13 +23,21 @@ def solve(cx, cy, r, A, B):
 
 
 def beside(draw):
-    """An end is on the circle, and the other one straight beside the centre or above it, or nearly."""
-    fine = draw.choice(({**HUGE, "size": 2**30, "turn": "axis", "shift": -26}, {**BIG, "size": 2**10, "shift": -20}))
-    cx, cy, r, A = points("on", "on", "on", "dot-on", **fine)(draw)
-    far = (r or 9) * draw.choice((2, 10**5, 10**6, 10**6)) * draw.sign()
-    off = (r or 9) * draw.choice((0, 0, 1, -1)) / 2 ** draw.integer(10, 30)
+    """An end is on the circle, and the other one straight beside the centre or above it, or nearly, or is close."""
+    cx, cy, r, A = ON(draw)
+    far = (r or 9) * draw.choice((2, *[2.0 ** -draw.integer(10, 30)] * 2, *[draw.integer(10**6, 4 * 10**6)] * 3)) * draw.sign()
+    off = (r or 9) * draw.choice((0, 0, 0, draw.sign())) / 2 ** draw.integer(10, 30)
     B = (cx + far, cy + off) if draw.boolean() else (cx + off, cy + far)
-    return (cx, cy, r, A, B) if draw.boolean() else (cx, cy, r, B, A)
+    if draw.integer(0, 2) == 0:
+        B = tuple(x + (r or 9) * draw.integer(10, 60) * draw.sign() / 10**8 for x in A)
+    return (cx, cy, r, B, A) if draw.integer(0, 3) else (cx, cy, r, A, B)
+
+
+def quarter(draw):
+    """One end beside the centre, the other one above or below it, both on the circle."""
+    cx, cy, r, _ = points("on", **{**HUGE, "size": 2**30, "shift": -40})(draw)
+    ends = (cx + r * draw.sign(), cy), (cx, cy + r * draw.sign())
+    return cx, cy, r, *(ends if draw.boolean() else ends[::-1])
 
 
 def squares(cx, cy, r, A, _B):
@@ -35,9 +45,28 @@ def squares(cx, cy, r, A, _B):
     return (A[0] - cx) ** 2 + (A[1] - cy) ** 2 == r * r
 
 
-def root(cx, cy, r, A, _B):
-    """Whether A is on the circle by a root."""
-    return sqrt((A[0] - cx) ** 2 + (A[1] - cy) ** 2) == r
+def rounded(draw):
+    """A is B, on a circle on which no root of squares puts it."""
+    p, q, c = triple(draw, 4_418)
+    for _ in range(99):
+        k = draw.integer(2**36, 2**38)
+        x, y, r = (draw.sign() * p * k, q * k, c * k)
+        if sqrt(float(x) ** 2 + float(y) ** 2) != r:
+            cx, cy = (draw.integer(-(2**50), 2**50) for _ in "xy")
+            A = (cx + x) / 2**22, (cy + y) / 2**22
+            return cx / 2**22, cy / 2**22, r / 2**22, A, A
+    return draw.reject()
+
+
+def inside(cx, cy, r, A, B, slack=0):
+    """How many roots of the quadratic are between A and B, and how many ways from the foot by half a chord."""
+    fx, fy, dx, dy = A[0] - cx, A[1] - cy, B[0] - A[0], B[1] - A[1]
+    a, b, k = dx * dx + dy * dy or 1, fx * dx + fy * dy, dx * fy - dy * fx
+    q = -(b + copysign(sqrt(max(0, r * r * a - k * k)), b))
+    way, d = hypot(dx, dy) or 1, abs(dx / sqrt(a) * fy - dy / sqrt(a) * fx)
+    foot, half = -(dx / way * fx + dy / way * fy), sqrt(max(0, (r - d) * (r + d)))
+    places = q / a, (fx * fx + fy * fy - r * r) / (q or 1), (foot - half) / way, (foot + half) / way
+    return sum(-slack <= t <= 1 + slack for t in places)
 
 
 def always(*_case):
@@ -45,6 +74,9 @@ def always(*_case):
     return True
 
 
+ON = either(*[points("on", "on", "on", "dot-on", **{**HUGE, "size": 2**30, "turn": turn, "shift": -40}) for turn in ("any", "axis")])
+FOOT = ("chord foot last", "chord first foot", "through foot last", "through first foot")
+BESIDE = either(lines("chord foot last", **HUGE), lines(*FOOT, "through close last", **HUGE), lines(*FOOT, "chord in last", "chord first in", "chord first after", "through close last", **{**HUGE, "turn": "axis"}), *[lines("through farther last", "through farther first", **{**HUGE, "size": 2**14, "turn": "axis"})] * 2, *[lines("chord first after", "chord first in", **TILTED)] * 2, beside, beside, quarter)
 POINT = either(lines("chord first =", "chord last =", **HUGE), lines("chord first =", "chord last =", **SPLIT))
 
 INTERVIEW = [
@@ -57,7 +89,7 @@ INTERVIEW = [
     group("miss", "The line passes the circle: no point.", lines("miss ?by ?by", "miss foot ?by", **PLAIN), skills="no root of a negative number"),
     group("tangent", "The segment touches: one point, once.", lines(*TOUCHES, **PLAIN), skills="collapse the tangent"),
     group("tangent-beyond", "The line touches beyond the segment, or at one end.", lines(*BEYOND, **PLAIN), skills="clamp to a segment"),
-    group("end-on-circle", "An end is on the circle, or both are.", lines(*ENDS, **PLAIN), skills="closed ends"),
+    group("end-on-circle", "An end is on the circle, or both are.", either(lines(*ENDS, **PLAIN), lines("chord foot last", **PLAIN)), skills="closed ends"),
     group("one-point", "A equals B: on the circle, inside or outside.", lines("chord first =", "touch foot =", "cut in =", "miss by =", "dot foot =", **PLAIN), skills="degenerate segment"),
     group("radius-zero", "The circle is a point: on the segment, on its line only, or beside it.", lines("dot before after", "dot foot after", "dot after after", "dot-miss before after", **PLAIN), skills="r = 0"),
     group("axis", "Upright and level segments in every place.", lines("cut before after", "cut before in", "cut in after", "cut after after", "miss before after", **AXIS), skills="no slopes"),
@@ -65,17 +97,17 @@ INTERVIEW = [
 ]
 
 PRODUCTION = [  # the same, where rounding bites
-    group("decimals", "Touches in short decimals, which == does not see.", telling(lines(*TOUCHES, "touch foot after", "touch after foot", **DECIMALS), *TELLING), cases=90, skills="collapse the tangent"),
+    group("decimals", "Touches in short decimals, which == does not see.", telling(lines(*TOUCHES, "touch foot after", "touch after foot", **DECIMALS), *TELLING), cases=60, skills="collapse the tangent"),
     group("turned", "A touch that squares cannot see.", lines(*TOUCHES, *BEYOND, **BIG), skills="a tangent has a width"),
     group("full", "A touch that no formula in floats can see.", either(lines(*TOUCHES, **HUGE), lines(*TOUCHES, **SPLIT)), skills="a tangent has a width"),
-    group("near", "Nearly a touch: 1e-7 of the figure away.", lines("touch~ before after", "touch~ before after", "touch~ foot by", **NEAR), skills="nearly is not touching"),
-    group("end-full", "An end is on the circle, and rounding puts it beside.", either(lines(*ENDS, **HUGE), lines(*ENDS, **SPLIT), lines(*ENDS, **{**HUGE, "turn": "axis"}), lines("chord first after", **TILTED), beside, beside), cases=120, skills="closed ends"),
-    group("end-near", "An end stops just before the circle, or goes on just past it.", lines("chord first~ in", "chord first~ after", "chord before first~", "chord last~ after", "chord in last~", "through first~ in", "through in last~", "through before first~", "through last~ after", **NEAR), cases=100, skills="ends no wider than rounding"),
-    group("point", "A equals B: on the circle, or 1e-7 of the figure beside it.", either(telling(POINT, squares, always), telling(POINT, root, always, tries=30), lines("chord first =", "chord last =", **BIG), lines("chord first~ =", "chord last~ =", **NEAR)), cases=80, skills="degenerate segment"),
+    group("near", "Nearly a touch: 1e-7 of the figure away.", lines("touch~ before after", "touch~ before after", "touch~ foot by", **CLEAR), skills="nearly is not touching"),
+    group("end-full", "An end is on the circle, and rounding puts it beside.", either(lines(*ENDS, **HUGE), lines(*ENDS, **SPLIT), *[telling(BESIDE, inside, partial(inside, slack=1e-9))] * 4), cases=110, skills="closed ends"),
+    group("end-near", "An end stops just before the circle, or goes on just past it.", lines("chord first~ in", "chord first~ after", "chord before first~", "chord last~ after", "chord in last~", "through first~ in", "through in last~", "through before first~", "through last~ after", **CLEAR), cases=100, skills="ends no wider than rounding"),
+    group("point", "A equals B: on the circle, or 1e-7 of the figure beside it.", either(telling(POINT, squares, always), rounded, lines("chord first =", "chord last =", **BIG), lines("chord first~ =", "chord last~ =", **CLEAR)), cases=80, skills="degenerate segment"),
     group("dot-full", "The circle is a point, on a line that floats put beside it.", lines("dot before after", "dot foot after", **SPLIT), skills="r = 0"),
-    group("tiny", "All of it around 1e-20.", either(lines("touch before after", "touch~ before after", "chord first~ in", "chord in last~", "chord first~ =", "chord first~ =", **TINY), lines("touch before after", "cut before in", "cut before after", **{**TINY, "turn": "axis"})), cases=90, skills=("no absolute epsilon", "scale invariance")),
+    group("tiny", "All of it tiny, down to 1e-29.", either(lines("touch before after", "touch~ before after", "chord first~ in", "chord in last~", "chord first~ =", "chord first~ =", **TINY), lines("touch before after", "cut before in", "cut before after", **{**TINY, "turn": "axis"})), cases=90, skills=("no absolute epsilon", "scale invariance")),
     group("offset", "A small figure far from the origin.", lines(*TOUCHES, "cut before in", "cut in after", "dot-miss before after", "touch~ before after", "chord first~ in", "chord in last~", "chord last~ after", "chord before first~", "chord first~ =", **OFFSET), cases=90, skills="far from the origin"),
-    group("far", "A or B is up to a hundred million radii away.", either(lines("touch foot far", "cut very-far foot", "cut -far far", "touch remote foot", "touch remote by", "touch -remote far", "touch~ far foot", **FAR), lines("touch far by", "touch -far far", **{**FAR, "size": 1 << 20, "turn": "any"}), lines("touch remote foot", "touch foot remote", **{**FAR, "size": 1 << 8, "turn": "any"})), cases=90, skills="the sharp discriminant"),
+    group("far", "A or B is up to a hundred million radii away.", either(lines("touch foot far", "cut very-far foot", "cut -far far", "touch foot remote", "touch remote by", "touch -remote far", "touch~ far foot", **FAR), lines("touch far by", "touch -far far", **{**FAR, "size": 1 << 20, "turn": "any"}), *[lines("touch remote foot", **{**FAR, "size": 1 << 8, "turn": "any"})] * 2), cases=90, skills="the sharp discriminant"),
     group("far-end", "One end is on the circle or just off it, the other is far away.", either(lines("chord first far", "chord far last", "chord first far", "chord far last", "chord last~ far", "chord far first~", **FAR), lines("chord first -very-far", "chord very-far last", **{**FAR, "size": 1 << 12, "turn": "any"})), cases=100, skills="ends no wider than rounding"),
     group("close-points", "A and B are close together, and still two points.", closed_up("touch foot", "touch by", "cut by", "chord first", "through in"), skills="degenerate segment"),
     group("steep", "Directions almost along an axis.", either(lines(*TOUCHES, "cut before in", "miss before after", **STEEP), lines("cut before after", "cut before in", "cut in after", "miss before after", **TILTED)), skills="no slopes"),

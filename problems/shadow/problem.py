@@ -1,7 +1,7 @@
 """Whether a light reaches the first hit of a ray: exactly, and nothing is nearly a tie."""
 
 from judge.geometry.hooks import LIGHT, hooks
-from judge.geometry.scenes import AXIS, BIG, NEAR, OFFSET, PLAIN, TILTED, TINY, anywhere, either, lights, shaded, topped
+from judge.geometry.scenes import AXIS, BIG, NEAR, OFFSET, PLAIN, TILTED, TINY, anywhere, either, home, lights, shaded, topped
 from judge.geometry.shadow import Shade, shade
 from judge.problem.declare import group
 
@@ -29,11 +29,13 @@ INTERVIEW = [
 
 PRODUCTION = [  # the same, where rounding bites
     group("gap", "A tiny circle is between, close to the point.", lights("gap", **{**PLAIN, "size": 3000}), skills=("a ray that ends", "off the surface, a little")),
-    group("close", "The way to the light nearly touches a circle.", lights("close", "close-large", **FINE), skills="nearly is not touching"),
+    group("close", "The way to the light nearly touches a circle.", lights("close", "close-early", "close-large", **FINE), skills="nearly is not touching"),
     group("first-close", "The ray itself nearly touches a circle.", lights("first-close", **FINE), skills="nearly is not touching"),
     group("own-wall", "From inside, nearly along the wall: the way to the light leaves the room right beside the point.", lights("level-wall", **{**BIG, "size": 20_000}), skills="off the surface, a little"),
     group("skin", "The point is just inside another circle: its wall is right behind the start.", lights("skin", **FINE), skills="off the surface, a little"),
     group("at-the-light", "A wall a thousandth or a millionth of the way before the light, or just beyond it.", lights("lamp", "lamp-thin", **{**BIG, "size": 10**7}), cases=90, skills="a ray that ends"),
+    group("ledge", "The point is just outside of another circle, beside the ray: whoever starts far off the surface starts in it.", lights("ledge", **FINE), skills="off the surface, a little"),
+    group("home", "The ray begins at the centre, or level with it or upright, and so does the way to the light.", shaded(either(home(20), home(2**28)), "lit", "lit", "own"), skills="off the surface, a little"),
     group("rooms", "Circles one in another, often about one centre: a wall around everything blocks nothing, one around the point does.", either(lights("court", "court", "pillar", "moat", **PLAIN), lights("court", "pillar", "moat", **AXIS)), skills=("a second ray", "a ray that ends")),
     group("level", "The light is just above or below the surface: no distance off the surface tells.", lights("level-open", "level-back", **{**BIG, "size": 20_000}), skills="which side is seen"),
     group("direction-length", "Directions up to 1e24 times longer or shorter than the figure.", either(lights("open", "back", "blocked", "blocked", "room", "wall", **{**PLAIN, "shift": -17, "stretch": (-40, -20, 0, 20, 30, 30)}), lights("open", "blocked", "room", "wall", **{**NEAR, "shift": -60, "stretch": (0, 40, 70, 82)})), cases=90, skills="t is not a distance"),

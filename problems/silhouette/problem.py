@@ -7,6 +7,8 @@ from judge.problem.declare import group
 
 HOOKS = hooks(FRAMES)
 ALL = "in", "less", "more", "out", "centre"
+FULL = {**HUGE, "size": 2**32}
+CLOSE = {**NEAR, "size": 40, "least": 7}
 EXACT = "low", "high", "low", "high", "less", "more"
 
 
@@ -19,16 +21,16 @@ INTERVIEW = [
     group("walk", "The circle comes and goes, past both thresholds and between them.", either(frames(*ALL, **PLAIN), frames(*ALL, **AXIS)), skills=("a state that is kept", "distance against radius", "no slopes")),
     group("flicker", "The circle trembles about a touch, between the thresholds: what is shown stays.", frames("less", "more", **PLAIN), skills="two thresholds"),
     group("one-sided", "Beyond r, but not past the threshold that counts.", either(frames("less", "out", **PLAIN), frames("more", "in", **PLAIN)), skills="two thresholds"),
-    group("growing", "The radius changes from frame to frame, and the thresholds with it.", frames(*ALL, grows=True, **PLAIN), skills="thresholds as wide as the figure"),
+    group("growing", "The radius changes from frame to frame, and the thresholds with it.", either(frames(*ALL, grows=True, **PLAIN), frames(*ALL, first=("broad",), **PLAIN)), skills="thresholds as wide as the figure"),
     group("start", "The first frame is between the thresholds: it shows whether d < r.", frames(*ALL, first=("less", "more"), count=(1, 10), **PLAIN), skills="the first frame has no past"),
     group("again", "The same few circles come again and again.", frames(*ALL, again=True, **PLAIN), cases=40, skills="a state that is kept"),
 ]
 
 PRODUCTION = [
-    group("at-threshold", "A distance exactly at a threshold, which does not pass it.", frames(*EXACT, exact=True, **{**HUGE, "size": 2**32}), skills="a tangent has a width"),
-    group("near-threshold", "A distance that misses a threshold by 1e-7 of the figure, or r in the first frame.", either(frames("low~", "high~", exact=True, **{**NEAR, "size": 40}), frames("less", "more", first=("even~",), count=(1, 4), **{**NEAR, "size": 40}), frames("dot~", "dot", "in", "out", **{**NEAR, "size": 40})), skills="nearly is not touching"),
-    group("vanishing", "The radius is 0 in some frames.", frames(*ALL, "dot", "dot-miss", "dot-origin", **PLAIN), skills="thresholds as wide as the figure"),
-    group("tiny", "Circles of about 1e-20.", frames(*ALL, "low", "high", exact=True, grows=True, **{**TINY, "size": 40}), skills=("no absolute epsilon", "scale invariance")),
+    group("at-threshold", "A distance exactly at a threshold, which does not pass it.", frames(*EXACT, exact=True, **FULL), skills="a tangent has a width"),
+    group("near-threshold", "A distance that misses a threshold by 1e-7 of the figure, or r in the first frame.", either(frames("low~", "high~", exact=True, **CLOSE), frames("low~", "high~", exact=True, count=(2, 4), **CLOSE), frames("less", "more", first=("even~",), count=(1, 4), **CLOSE), frames("dot~", "dot", "in", "out", **CLOSE)), cases=100, skills="nearly is not touching"),
+    group("vanishing", "The radius is 0 in some frames.", either(frames(*ALL, "dot", "dot-miss", "dot-origin", **PLAIN), frames("dot-again", first=("centre",), count=(2, 3), away=10**4, **{**FULL, "move": "split"}), frames(*EXACT, first=("dot-miss",), exact=True, **FULL)), cases=90, skills="thresholds as wide as the figure"),
+    group("tiny", "Circles of 1e-20 and less.", frames(*ALL, "low", "high", exact=True, grows=True, **{**TINY, "size": 40}), skills=("no absolute epsilon", "scale invariance")),
     group("long", "Two hundred frames.", frames(*ALL, count=(200, 200), **PLAIN), cases=10, skills="a state that is kept"),
     group("far", "The centre is up to a thousand radii away along the line.", frames(*ALL, *EXACT, exact=True, away=1000, **PLAIN), skills="scale invariance"),
     group("direction-length", "Directions up to 1e24 times longer than the figure.", frames(*ALL, "low~", "high~", exact=True, **{**NEAR, "size": 40, "shift": -60, "stretch": (0, 40, 70, 82)}), skills="scale invariance"),

@@ -1,6 +1,7 @@
 """Where a ray first meets a sphere in space, and the normal there that faces the ray."""
 
 from functools import partial
+from math import hypot
 
 from judge.geometry import Sphere, plain
 from judge.geometry.hooks import SPHERE, hooks
@@ -10,9 +11,11 @@ from judge.problem.declare import group
 HOOKS = hooks(SPHERE)
 TOUCHES = ("touch before", "touch before", "touch near", "touch after")
 ON_SPHERE = ("chord first", "chord last", "chord first anyway", "touch foot")
+FLAT = either(rays("touch far", "touch foot", **{**HUGE, "size": 2**24}), rays("touch before", "touch before", "touch before", "touch foot", **{**SPLIT, "uneven": 18}))
 STRETCHED = {**PLAIN, "shift": (-17, -60), "stretch": tuple(range(-39, 90, 8))}
 TELLING = plain.sphere_hit, partial(plain.sphere_hit, tolerance=1e-10)
 BY_POWER = partial(plain.sphere_hit, power=True), partial(plain.sphere_hit, power=True, tolerance=1e-10)
+CLEAR = {**NEAR, "least": 6}
 
 
 def solve(C, r, O, D):
@@ -28,9 +31,17 @@ def along_an_axis(draw):
 
 def flat(draw):
     """A touch in a plane of two axes: the third coordinate is the same everywhere."""
-    (cx, cy, r, O, D), at, z = rays(*TOUCHES, **HUGE)(draw), draw.integer(0, 2), draw.integer(-9, 9)
+    (cx, cy, r, O, D), at, z = FLAT(draw), draw.integer(0, 2), draw.integer(-9, 9)
     C, O, D = ((*v[:at], h, *v[at:]) for v, h in (((cx, cy), z), (O, z), (D, 0)))
     return C, r, O, D
+
+
+def side(C, r, O, D, slack=0):
+    """Whether the line is nearer than r to C, or farther, by the cross product with D's unit vector."""
+    (fx, fy, fz), length = (o - c for o, c in zip(O, C, strict=True)), hypot(*D)
+    ux, uy, uz = (x / length for x in D)
+    gap = hypot(uy * fz - uz * fy, uz * fx - ux * fz, ux * fy - uy * fx) - r
+    return (gap > slack * r) - (gap < -slack * r)
 
 
 INTERVIEW = [
@@ -48,13 +59,13 @@ INTERVIEW = [
 PRODUCTION = [  # the same, where rounding bites
     group("decimals", "Touches in short decimals, which == does not see.", telling(spheres(*TOUCHES, "touch foot", **DECIMALS), *TELLING), skills="collapse the tangent"),
     group("turned", "A touch that squares cannot see.", spheres(*TOUCHES, **BIG), skills="a tangent has a width"),
-    group("full", "A touch that no formula in floats can see.", either(spheres(*TOUCHES, "touch foot", "touch nearer", **HUGE), spheres(*TOUCHES, **SPLIT), flat), cases=120, skills="a tangent has a width"),
-    group("near", "Nearly a touch: 1e-7 of the figure away.", spheres("touch~ before", "touch~ before", "touch~ foot", **NEAR), skills="nearly is not touching"),
-    group("on-full", "The origin is on the sphere, and rounding puts it beside.", either(telling(spheres(*ON_SPHERE, **HUGE), *TELLING), telling(spheres(*ON_SPHERE, **BIG), *BY_POWER), spheres("through first anyway", "through last anyway", **{**HUGE, "turn": "axis"})), cases=120, skills="origin on the circle"),
-    group("on-near", "The origin is just off the sphere, inside or outside.", spheres("chord first~", "chord last~", "chord last~ anyway", "through first~", "through first~", "through last~", "through last~", **NEAR), cases=100, skills="origin on the circle"),
+    group("full", "A touch that no formula in floats can see.", either(spheres(*TOUCHES, "touch foot", "touch nearer", **HUGE), spheres(*TOUCHES, **SPLIT), *[telling(flat, side, partial(side, slack=1e-6))] * 4), cases=150, skills="a tangent has a width"),
+    group("near", "Nearly a touch: 1e-7 of the figure away.", spheres("touch~ before", "touch~ before", "touch~ foot", **CLEAR), skills="nearly is not touching"),
+    group("on-full", "The origin is on the sphere, and rounding puts it beside.", either(telling(spheres(*ON_SPHERE, **HUGE), *TELLING), telling(spheres(*ON_SPHERE, **BIG), *BY_POWER), spheres("through first anyway", "through last anyway", **{**HUGE, "turn": "axis"}), *[spheres("through last", **{**HUGE, "turn": "axis"})] * 2), cases=120, skills="origin on the circle"),
+    group("on-near", "The origin is just off the sphere, inside or outside.", spheres("chord first~", "chord last~", "chord last~ anyway", "through first~", "through first~", "through last~", "through last~", **CLEAR), cases=100, skills="origin on the circle"),
     group("along-an-axis", "Rays that are off an axis by 1e-9 to 1e-3 of their length: that small part counts.", along_an_axis, skills="three axes, the same formula"),
-    group("direction-length", "Directions up to 1e12 times shorter than the figure, or 1e24 times longer.", either(spheres("cut before", "cut in", "cut in anyway", "miss before", "touch before", "chord last", "chord last anyway", "chord first~", "chord last~", "touch~ before", **STRETCHED), spheres("cut before", "cut in", **{**OFFSET, "stretch": (20, 40)}), spheres("cut before", "cut in", "touch before", **{**HUGE, "move": 0, "shift": -60, "stretch": (-39, -20, 40, 80)}), spheres("chord first~", "chord last~", "touch~ before", "touch~ after", **{**NEAR, "shift": 0, "stretch": (20, 40)}), spheres("miss before", "cut after", "cut in", "touch after", **{**PLAIN, "shift": -60, "stretch": (60, 75, 90)})), cases=160, skills="t is not a distance"),
-    group("tiny", "All of it around 1e-20.", either(spheres("touch before", "touch~ before", "chord first~", "cut before", "touch after", "cut after", **TINY), spheres("touch before", "cut before", "cut in", **{**TINY, "turn": "axis"})), skills=("no absolute epsilon", "scale invariance")),
+    group("direction-length", "Directions up to 1e24 times shorter than the figure, or longer.", either(spheres("cut before", "cut in", "cut in anyway", "miss before", "touch before", "chord last", "chord last anyway", "chord first~", "chord last~", "touch~ before", **STRETCHED), spheres("cut before", "cut in", **{**OFFSET, "stretch": (20, 40)}), spheres("cut before", "cut in", "touch before", **{**HUGE, "move": 0, "shift": -60, "stretch": (-60, -39, -20, 40, 80)}), spheres("chord first~", "chord last~", "touch~ before", "touch~ after", **{**NEAR, "shift": 0, "stretch": (20, 40)}), spheres("cut before", "cut in", "chord last", **{**HUGE, "move": 0, "shift": 0, "stretch": -80}), spheres("miss before", "cut after", "cut in", "touch after", **{**PLAIN, "shift": -60, "stretch": (60, 75, 90)})), cases=160, skills="t is not a distance"),
+    group("tiny", "All of it tiny, down to 1e-29.", either(spheres("touch before", "touch~ before", "chord first~", "cut before", "touch after", "cut after", **TINY), spheres("touch before", "cut before", "cut in", **{**TINY, "turn": "axis"})), skills=("no absolute epsilon", "scale invariance")),
     group("offset", "A small figure far from the origin.", spheres("cut before", "cut in", "miss before", "cut after", "chord last", "chord first~", "chord last~", **OFFSET), skills="far from the origin"),
     group("offset-touch", "A small figure far from the origin, and a touch.", spheres("touch before", "touch before", "touch before", "touch near", "touch near", "touch~ before", **OFFSET), cases=120, skills="far from the origin"),
     group("far", "The sphere is up to 9,000 times smaller than its distance.", spheres("touch far", "cut far", "touch~ far", **{**FAR, "size": 1 << 20}), skills="nearly is not touching"),

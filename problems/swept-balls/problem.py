@@ -15,6 +15,7 @@ STARTS = "chord last after", "chord first before", "touch foot after", "chord la
 ENDS = "chord before first", "touch before foot", "chord before first rest", "chord after last"
 POINTS = "dot before after", "dot before after", "dot before foot", "dot before foot", "dot foot after", "dot-miss before after", "dot foot = rest"
 TELLING = plain.balls_meet, partial(plain.balls_meet, tolerance=1e-10)
+BELOW = plain.balls_meet, partial(plain.balls_meet, tolerance=-1e-10)
 
 
 def solve(P0, P1, r, Q0, Q1, s):
@@ -38,16 +39,16 @@ INTERVIEW = [
 PRODUCTION = [  # the same, where rounding bites
     group("decimals", "Grazes in short decimals, which == does not see.", telling(balls("touch before after rest", "touch before after rest dot", "touch before after alone dot", **DECIMALS), *TELLING), skills="a graze is a touch"),
     group("turned", "Grazes that squares cannot see.", balls(*GRAZES, **BIG), skills="a tangent has a width"),
-    group("graze-full", "Grazes that no formula in floats can see.", telling(either(balls(*GRAZES, **FULL), balls("touch before after", "touch before after dot", **{**FULL, "turn": "axis"}), balls("touch before after alone dot", **FULL)), *TELLING), cases=80, skills="a tangent has a width"),
+    group("graze-full", "Grazes that no formula in floats can see, or that seem to overlap.", either(telling(either(balls(*GRAZES, **FULL), balls("touch before after", "touch before after dot", **{**FULL, "turn": "axis"}), balls("touch before after alone dot", **FULL)), *TELLING), telling(balls("touch before after dot", **FULL), *BELOW)), cases=120, skills="a tangent has a width"),
     group("start-full", "The discs touch at the start, and rounding puts them apart.", balls(*STARTS, **FULL), skills="touching from the start"),
     group("end-full", "The discs touch at the very end, and rounding makes it later.", telling(either(balls(*ENDS, **FULL), balls(*ENDS, "dot before foot", **STEEP), balls("chord before first home", "touch before foot home", "chord before first home dot", **{**FULL, "move": 0}), meeting(29)), *TELLING), cases=120, skills="first in time"),
-    group("near-graze", "Nearly a graze: 1e-7 of the figure away.", balls("touch~ before after", "touch~ before after rest", "touch~ before after along", **NEAR), skills="nearly is not touching"),
-    group("near-start", "The discs nearly touch at the start, and come together or leave each other.", balls("chord last~ after", "chord first~ before", "chord first~ in", "chord last~ after rest", **NEAR), skills="touching from the start"),
-    group("near-end", "The discs touch just before the end, or do not quite.", balls("chord before first~", "chord before first~ rest", "chord after -last~", **NEAR), skills="first in time"),
+    group("near-graze", "Nearly a graze: 1e-7 of the figure away.", balls("touch~ before after", "touch~ before after rest", "touch~ before after along", **{**NEAR, "least": 7}), skills="nearly is not touching"),
+    group("near-start", "The discs nearly touch at the start, and come together or leave each other.", balls("chord last~ after", "chord first~ before", "chord first~ in", "chord last~ after rest", **{**NEAR, "least": 7}), skills="touching from the start"),
+    group("near-end", "The discs touch just before the end, or do not quite.", balls("chord before first~", "chord before first~ rest", "chord after -last~", **{**NEAR, "least": 7}), skills="first in time"),
     group("slow", "The discs go far together, and hardly move as seen from each other.", balls("cut before in together", "cut before after together", "touch before after together", "cut before before together", **{**PLAIN, "shift": -20}), skills="t is not a distance"),
     group("long-way", "A way of up to a million radii.", balls("cut very-far after", "touch very-far after", "through far after", "dot before after rest grain", **{**PLAIN, "shift": -20}), skills="never step through"),
     group("rush", "The discs run towards each other and beyond: t is known to a few parts in 1e10.", balls("cut before after rush", "cut before after rush", "through before after rush", **PLAIN), skills="full precision"),
-    group("tiny", "All of it around 1e-20.", balls("touch before after", "touch~ before after", "chord before first~", "chord last~ after", **TINY), skills=("no absolute epsilon", "scale invariance")),
+    group("tiny", "All of it tiny, down to 1e-29.", balls("touch before after", "touch~ before after", "chord before first~", "chord last~ after", **TINY), skills=("no absolute epsilon", "scale invariance")),
     group("offset", "Small discs far from the plane's origin.", balls("touch before after", "cut before after", "chord before first", "chord last after", **OFFSET), skills="far from the origin"),
     group("offset-near", "Nearly a touch at the start, on the way or at the end, far from the plane's origin.", balls("touch~ before after", "chord before first~", "chord last~ after", "dot~ before after", "dot before foot~", "dot foot~ after", **OFFSET), skills="far from the origin"),
     group("steep", "Ways almost along an axis.", either(balls("touch before after", "cut before in", "cut before after", "miss before after", **STEEP), balls("dot after after", "cut before after", "miss before after", "cut after after", **TILTED)), skills="no slopes"),

@@ -14,6 +14,7 @@ FULL = {**HUGE, "size": 2**34}
 AFAR = {**NEAR, "size": 2**8, "move": 30}
 GRAZES = "graze cap", "graze post"
 TELLING = plain.wall_meet, partial(plain.wall_meet, tolerance=1e-10)
+BELOW = plain.wall_meet, partial(plain.wall_meet, tolerance=-1e-10)
 
 
 def solve(P0, P1, r, A, B):
@@ -38,19 +39,19 @@ INTERVIEW = [
 ]
 
 PRODUCTION = [  # the same, where rounding bites
-    group("decimals", "Touches in short decimals, which == does not see.", telling(walls("slide side", "slide side", "end side", **DECIMALS), *TELLING), skills="a graze is a touch"),
-    group("turned", "Grazes that squares cannot see.", walls(*GRAZES, "slide side", **BIGGER), skills="a tangent has a width"),
-    group("graze-full", "Grazes that no formula in floats can see.", telling(walls(*GRAZES, **FULL), *TELLING), skills="a tangent has a width"),
+    group("decimals", "Touches in short decimals, which == does not see.", either(telling(walls("slide side", "end side", "start side", "start side", **DECIMALS), *TELLING), walls("end post dot level", **DECIMALS)), cases=120, skills="a graze is a touch"),
+    group("turned", "Grazes that squares cannot see.", either(walls(*GRAZES, "slide side", **BIGGER), walls("graze cap upright", **{**FULL, "turn": "axis"})), cases=120, skills="a tangent has a width"),
+    group("graze-full", "Grazes that no formula in floats can see, or that seem to overlap.", either(telling(walls(*GRAZES, **FULL), *TELLING), telling(walls("graze post", **FULL), *BELOW)), skills="a tangent has a width"),
     group("slide-full", "The disc slides along the wall, and rounding puts it beside.", telling(walls("slide side", **FULL), *TELLING), skills="a tangent has a width"),
     group("start-full", "The disc touches at the start, and rounding puts it apart.", telling(walls("start side", "start side", "start cap", **FULL), *TELLING), skills="touching from the start"),
     group("end-full", "The disc touches at the very end, and rounding makes it later.", telling(either(walls("end side", "end cap", **FULL), walls("end cap level", "end side level", "end post level", **{**FULL, "turn": "axis"}), walls("end cap afar", "end post afar", **AFAR), walls("end side dot", "end cap dot", "end post dot", **FULL), walls("end cap", "end side", **{**STEEP, "size": 2**7}), walls("end cap home", "end side home", "end post home", **{**FULL, "move": 0})), *TELLING), cases=120, skills="first in time"),
-    group("near-graze", "Nearly a graze: 1e-7 of the figure away.", walls("graze~ cap", "graze~ post", "slide~ side", **NEAR), skills="nearly is not touching"),
+    group("near-graze", "Nearly a graze: 1e-7 of the figure away.", walls("graze~ cap", "graze~ cap dot", "graze~ post", "slide~ side", **NEAR), skills="nearly is not touching"),
     group("near-start", "The disc nearly touches at the start, and leaves.", walls("start~ side", "start~ cap", **NEAR), skills="touching from the start"),
     group("near-end", "The disc touches just before the end, or does not quite.", either(walls("end~ side", "end~ cap", "end~ side dot level", "end~ post dot level", **NEAR), walls("end~ side grain", "end~ side", **{**PLAIN, "shift": -20})), skills="first in time"),
     group("flat", "Onto the side nearly along the wall: it still is the side.", walls("flat side", **{**PLAIN, "shift": -20}), skills="fatten the wall"),
     group("rim", "Onto the side, close to an end: it still is the side.", walls("hit side rim", "end side rim", **{**BIG, "size": 2**16}), skills="a wall has round ends"),
     group("broad", "A wall that is less than a hundredth of the disc: it is no post.", walls("broad side", **PLAIN), skills="a wall has round ends"),
-    group("tiny", "All of it around 1e-20.", walls("graze cap", "graze~ cap", "end~ side", "hit side", **TINY), skills=("no absolute epsilon", "scale invariance")),
+    group("tiny", "All of it tiny, down to 1e-29.", walls("graze cap", "graze~ cap", "end~ side", "hit side", **TINY), skills=("no absolute epsilon", "scale invariance")),
     group("offset", "A small figure far from the plane's origin.", walls("hit side", "hit cap", "graze cap", "end side", "start side", **OFFSET), skills="far from the origin"),
     group("offset-near", "Nearly a touch at the start, on the way or at the end, far from the plane's origin.", walls("graze~ cap", "slide~ side", "start~ side", "end~ side", "end~ cap", "end~ post dot level", **OFFSET), skills="far from the origin"),
     group("steep", "Ways almost along an axis.", either(walls("hit side", "hit cap", "graze cap", "short cap", **{**STEEP, "size": 2**7}), walls("hit side level", "hit cap level", "short side", "away side level", **TILTED)), skills="no slopes"),

@@ -29,7 +29,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("near", "Nearly on the circle: 1e-7 of the figure away.", points("on~", **NEAR), skills="nearly is not on it"),
     group("close", "P outside, by a quarter to a millionth of the radius: both points are close together.", either(points("close", **BIG), points("close", **{**BIG, "turn": "axis"})), skills="full precision"),
     group("far", "P a hundred to ten thousand radii away.", points("far", **FAR), skills="tangents from a point"),
-    group("tiny", "All of it around 1e-20.", points("on", "on~", "in", "out", **TINY), skills=("no absolute epsilon", "scale invariance")),
+    group("tiny", "All of it tiny, down to 1e-29.", points("on", "on~", "in", "out", **TINY), skills=("no absolute epsilon", "scale invariance")),
     group("offset", "A small figure far from the origin.", points("on", "in", "out", "out", "on~", **OFFSET), skills="far from the origin"),
     group("large", "Whole numbers up to 2**30, some of them on the circle.", either(whole("nnrp", 30), points("on", **{**BIG, "shift": 0, "numbers": "int"})), skills=("whole numbers that are large", "scale invariance")),
     group("repeated", "Neighbouring calls differ in one argument.", grid("nnrp", 3), turns=True, skills="nothing kept between calls"),

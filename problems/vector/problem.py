@@ -32,7 +32,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("near", "Circles that miss or cut the line by 1e-7 of their size.", columns("touch~", "touch~", "touch", "dot~", **NEAR), cases=30, skills="nearly is not touching"),
     group("mixed-scale", "Circles of very different sizes in one array: each has a size of its own.", columns("touch~", "touch", "cut", octaves=(8, 31), **{**NEAR, "shift": -40}), cases=30, skills="each by its own size"),
     group("far-end", "A and B are thousands of sizes apart: that is the size of the circles.", columns("touch", "cut", "touch~", along=5000, **{**NEAR, "size": 2**5}), cases=30, skills="each by its own size"),
-    group("tiny", "All of it around 1e-20.", columns("touch", "touch~", "cut", **TINY), cases=30, skills=("no absolute epsilon", "scale invariance")),
+    group("tiny", "All of it tiny, down to 1e-29.", columns("touch", "touch~", "cut", **TINY), cases=30, skills=("no absolute epsilon", "scale invariance")),
     group("offset", "Small circles far from the plane's origin.", columns("touch", "cut", "miss", **OFFSET), cases=30, skills="far from the origin"),
     group("integers", "Whole numbers as doubles: products of four do not fit into 64 bits.", columns("touch", "cut", "miss", **{**BIG, "size": 2**12, "move": 20, "shift": 0}), cases=30, skills="whole numbers that are large"),
     group("million", "A million circles, a few of which touch the line or nearly do: arithmetic on whole arrays, or too slow.", million(1_000_000, 2000, 200, 26), cases=2, size=1_000_000, time_limit=4, skills="arrays, not objects"),

@@ -34,6 +34,7 @@ SIZES = [
         for kata in ("enter-exit", "csg", "silhouette")
         for v in "OD"
     ),
+    ("segment", ", abs(ax), abs(ay)", ""),
     ("ray-nearest", ", abs(fx), abs(fy)", ""),
 ]
 

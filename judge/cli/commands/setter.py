@@ -159,6 +159,8 @@ def _look(chosen: Sequence[str], ask: VerifyAsk, common: Common) -> Iterator[Str
             faults += len(found.faults)
             holes += len(found.holes) if isinstance(found, Holes) else 0
             yield found
+            for said in found.notes if isinstance(found, Holes) else ():
+                note(said)
             if isinstance(found, Holes) and found.stopped:
                 raise KeyboardInterrupt
     except KeyboardInterrupt:

@@ -8,7 +8,7 @@ another; a word without a number takes the next one.
 
     enter, exit, touch, dot    that, at the slot; a dot is a circle of radius 0
     cut                        an enter at an irrational place after the slot
-    speck, tiny                a touch far away, of 100 to 20,000 radii; a cut there
+    speck, tiny                a touch far away, of 100 to 20,000 radii; a cut there, or as far as is clear
     around, about              a circle around the origin, or about it
     beside, behind             a circle beside the ray, or behind its origin
     copy, mirror               the last circle again, or put across the ray
@@ -53,6 +53,7 @@ _STEPS = {
     "any": (UNION, INTERSECTION, DIFFERENCE),
 }
 _SLOTS = 9
+_TINY = (100, 20_000), (10**6, 5 * 10**6)  # radii that a tiny circle is away: near, or as far as is clear
 
 Row = tuple[int, int, int]  # a level circle
 
@@ -102,7 +103,7 @@ def _circle(draw: Draw, kind: str, at: int, size: int, before: Sequence[Row]) ->
         "touch": lambda: (at, r * side, r),
         "touch-behind": lambda: (-at, r * side, r),
         "speck": lambda: (at + r * draw.integer(100, 20_000), r * side, r),
-        "tiny": lambda: (at + r * draw.integer(100, 20_000), across // 2, r),
+        "tiny": lambda: (at + r * draw.integer(*draw.choice(_TINY)), across // 4, r),
         "dot": lambda: (at, 0, 0),
         "dot-behind": lambda: (-at, 0, 0),
         "cut": lambda: (at + r, across, r),
@@ -154,7 +155,7 @@ def crowd_of(*words: str, count: tuple[int, int], first: str = "", **how: Any) -
 
 
 def solids(drawn: Scene, steps: str = "any", form: str = "row") -> Scene:
-    """A solid of the discs that `drawn` draws: (circles, O, D, program).
+    """A solid of the discs that `drawn` draws: (circles, O, D, program). Now and then one is not used.
 
     Args:
         steps: "union", "intersection", "difference" or "any" of them.
@@ -166,6 +167,8 @@ def solids(drawn: Scene, steps: str = "any", form: str = "row") -> Scene:
     def draw_case(draw: Draw) -> tuple[Any, ...]:
         circles, O, D = drawn(draw)
         discs = list(mixed(draw, range(len(circles))))
+        if len(discs) > 1 and not draw.integer(0, 7):
+            discs.pop()
         if form == "row":
             program = [discs[0], *chain(*((disc, draw.choice(kinds)) for disc in discs[1:]))]
         elif form == "stack":

@@ -70,9 +70,9 @@ def easy(draw: Draw) -> tuple[Any, ...]:
 
 
 def huge(draw: Draw) -> tuple[Any, ...]:
-    """Everything anywhere up to 2**64 to 2**97, in ints or doubles of 53 bits."""
-    up, kind = draw.integer(12, 45), draw.choice((int, float))
-    return tuple(kind(draw.integer(0 if at == 2 else -_ONE, _ONE) << up) for at in range(7))
+    """Everything anywhere up to 2**64 to 2**97, in ints, in doubles of 53 bits, or in both."""
+    up, kinds = draw.integer(12, 45), draw.choice(((int,), (float,), (int, float)))
+    return tuple(draw.choice(kinds)(draw.integer(0 if at == 2 else -_ONE, _ONE) << up) for at in range(7))
 
 
 def uneven(draw: Draw) -> tuple[Any, ...]:

@@ -10,7 +10,11 @@ from judge.data.draw import Draw
 from judge.geometry.level import Scene, checked, near_gap
 from judge.geometry.pose import Atom, Length, Point, Vector, posed, root_up
 
-_PLACES = ("in", "less", "even", "more", "out", "low", "high", "centre", "dot", "dot-miss", "dot-origin")
+_PLACES = (
+    *("in", "less", "even", "more", "out", "low", "high", "centre", "broad"),
+    *("dot", "dot-miss", "dot-origin", "dot-again"),
+)
+_BROAD = 34  # bits by which a broad circle is larger than the others
 _SHARES = 0.01, 0.02, 0.05, 0.1, 0.2, 0.25, 0.4
 _PARTS = 64  # of a radius: a threshold with h = j/64 is exact
 _FINE = 20  # bits by which a radius grows where a threshold is nearly met
@@ -27,6 +31,7 @@ def frames(
     grows: bool = False,
     again: bool = False,
     away: int = 3,
+    least: int = 10,
     **how: Any,
 ) -> Scene:
     """Frames whose distance d from the line is where a word says; "~" puts it just off.
@@ -35,9 +40,9 @@ def frames(
     even           exactly at r, which is no case unless it is just off
     less, more     between them, below r or above it
     low, high      exactly at r(1 − h), r(1 + h), where h is `exact`: a number of 64ths
-    centre         the line runs through the centre
+    centre, broad  the line runs through the centre; r is 2**34 times that of the others
     dot, dot-miss  r is 0, and the centre is on the line or not
-    dot-origin     r is 0, and the centre is the origin of the line
+    dot-origin     r is 0, and the centre is the origin of the line; dot-again: that of the first frame
 
     Args:
         first: the words of the first frame.
@@ -45,6 +50,7 @@ def frames(
         grows: whether each frame has a radius of its own.
         again: whether a few circles come again and again.
         away: how many radii a centre may be away along the line.
+        least: of what is just off, see judge.geometry.level.scene.
         how: the pose.
     """
     for word in (*words, *first):
@@ -60,13 +66,15 @@ def frames(
         def row(plan: Sequence[str]) -> Row:
             r = unit * draw.integer(size // 4 + 1, size) if grows else radius
             word, x = draw.choice(plan), draw.integer(-away * r, away * r)
-            x = start if word == "dot-origin" else x
+            x = {"dot-origin": start, "dot-again": rows[0][0][0] if rows else 0}.get(word, x)
+            r <<= _BROAD if word == "broad" else 0
             d = _distance(draw, word, r, Fraction(h))
             if word[-1] == "~":
-                d += near_gap(draw, max(r, root_up((x - start) ** 2 + d * d))) * draw.sign()
+                d += near_gap(draw, max(r, root_up((x - start) ** 2 + d * d)), least) * draw.sign()
             return [x, d * draw.sign()], 0 if word.startswith("dot") else r
 
-        rows = [row(first)]
+        rows: list[Row] = []
+        rows.append(row(first))
         pool = [row(words) for _ in range(3)] if again else []
         more = draw.integer(*count) - 1
         rows += [draw.choice(pool) if again else row(words) for _ in range(more)]
@@ -92,12 +100,9 @@ def _distance(draw: Draw, word: str, r: int, h: Fraction) -> int:
         "out": lambda: high * (1 + 2 * part),
         "low": lambda: low,
         "high": lambda: high,
-        "centre": lambda: 0,
-        "dot": lambda: 0,
-        "dot-origin": lambda: 0,
         "dot-miss": lambda: r * part,
     }
-    return int(places[word.rstrip("~")]())
+    return int(places.get(word.rstrip("~"), int)())
 
 
 def anything(reach: int, most: int) -> Scene:

@@ -11,12 +11,13 @@ A word says what the light L is to the point P that the ray hits first.
     blocked, gap                  a circle is between, or a tiny one near P
     beyond, behind                a circle is on the line, but not between
     around-light, around-point    a circle around L, or around the way to P
-    skin                          P is just inside another circle
+    skin, ledge                   P is just inside another circle, or just outside of one beside the ray
     pillar, moat, court           a second circle about the centre, or around all: a smaller one that blocks,
                                   a larger one that blocks, one that does not
     lamp                          a tiny circle around L, just before or just beyond it, or a large one there
     lamp-thin                     a large one that begins just before L, or just beyond it
-    close, close-large            a circle beside the way to L, which nearly touches it
+    close, close-early            a circle beside the way to L, which nearly touches it; it is nearer to P
+    close-large                   the same, and it is a large one
     first-close                   the ray nearly touches a circle; another one stands behind
 """
 
@@ -36,11 +37,11 @@ from judge.problem.declare import InvalidCase
 _BLOCKED = ("blocked", "gap", "around-light", "around-point", "skin", "pillar", "moat")
 _SHADES: dict[str, tuple[Shade, ...]] = {
     "miss": (Shade.NOTHING,),
-    **dict.fromkeys(("open", "room", "court", "beyond", "behind", "level-open"), (Shade.LIT,)),
+    **dict.fromkeys(("open", "room", "court", "beyond", "behind", "level-open", "ledge"), (Shade.LIT,)),
     **dict.fromkeys(("back", "level-back", "outdoors"), (Shade.BACK,)),
     **dict.fromkeys(("wall", "level-wall"), (Shade.OWN,)),
     **dict.fromkeys(_BLOCKED, (Shade.BLOCKED,)),
-    **dict.fromkeys(("lamp", "lamp-thin", "close", "close-large"), (Shade.LIT, Shade.BLOCKED)),
+    **dict.fromkeys(("lamp", "lamp-thin", "close", "close-early", "close-large"), (Shade.LIT, Shade.BLOCKED)),
     "first-close": (Shade.LIT, Shade.BACK, Shade.BLOCKED),
     "straight": (Shade.LIT, Shade.OWN),
 }
@@ -108,7 +109,7 @@ def _laid(draw: Draw, word: str, size: int) -> tuple[list[Row], Spot]:
         return [(x, 0, r)], (0, draw.choice((0, draw.integer(-size, size))))
     r, y, whole = height(draw, "chord", size)
     half = whole or 0
-    if word not in ("close", "close-large") and draw.boolean():  # P is irrational
+    if not word.startswith("close") and draw.boolean():  # P is irrational
         r = draw.integer(2, size)
         y = draw.integer(1 - r, r - 1)
         half = isqrt(r * r - y * y)
@@ -145,6 +146,11 @@ def _laid(draw: Draw, word: str, size: int) -> tuple[list[Row], Spot]:
     if word == "skin":
         light = at + 3 * wx, 3 * wy
         return [circle, (near_gap(draw, max(at + half + r, *map(abs, light))), 0, at)], light
+    if word == "ledge":
+        side, high = (1 if y < 0 else -1), draw.integer(size // 4, size)
+        light = at - draw.integer(size, 3 * size), -side * draw.integer(1, max(1, half // 2))
+        reach = max(at + half + r, *map(abs, light))
+        return [circle, (at, side * high, high - near_gap(draw, reach))], light
     if word == "around-point":
         return [
             circle,
@@ -160,7 +166,7 @@ def _between(draw: Draw, word: str, at: int, light: Spot, size: int, reach: int)
     wx, wy = light[0] - at, light[1]
     length = max(1, isqrt(wx * wx + wy * wy))
     r = max(2, size // 300) if word == "gap" else max(2, length // draw.integer(5, 12))
-    shares = {"beyond": (130, 250), "behind": (-150, -30), "around-light": (100, 100)}
+    shares = {"beyond": (130, 250), "behind": (-150, -30), "around-light": (100, 100), "close-early": (5, 25)}
     along = 4 * r if word == "gap" else length * draw.integer(*shares.get(word, (25, 75))) // 100
     aside = draw.integer(-r // 2, r // 2)
     if word.startswith("close"):
@@ -210,5 +216,24 @@ def topped(reach: int) -> Scene:
             return case
         (circle,), *rest = case
         return ((circle[1], circle[0], circle[2]),), *((y, x) for x, y in rest)
+
+    return draw_case
+
+
+def home(reach: int) -> Scene:
+    """Rays in whole numbers or steep ones from inside a circle; C, O and L are level or upright, or one."""
+
+    def draw_case(draw: Draw) -> tuple[Any, ...]:
+        r, O = draw.integer(2, reach), (draw.integer(-reach, reach), draw.integer(-reach, reach))
+        axis = draw.integer(0, 1)
+
+        def beside(most: int) -> Spot:
+            by = draw.choice((0, 0, draw.integer(-most, most)))
+            return (O[0] + by, O[1]) if axis else (O[0], O[1] + by)
+
+        D = draw.integer(-9, 9), draw.integer(1, 9) * draw.sign()
+        if draw.integer(0, 2) == 0:
+            D = D[0] * 2.0 ** -draw.integer(10, 30), D[1]  # type: ignore[assignment]  # steep
+        return ((*beside(r - 1), r),), O, D[:: draw.sign()], beside(r)
 
     return draw_case

@@ -303,7 +303,9 @@ def touches(beams: Bounds, reach: int) -> Scene:
             ways.append((a * times, b * times))
         if draw.boolean():
             scene.append((draw.integer(900_000, WIDE) * draw.sign(), 90 * reach, 1))
-        return scanned(scene, any_point(draw, reach), ways, apart=0)
+        x, y = any_point(draw, reach)
+        O = draw.choice(((x, y), (x, 0), (0, y), (0, 0), (-90 * reach, 0), (0, -90 * reach)))
+        return scanned(scene, O, ways, apart=0)
 
     return draw_case
 

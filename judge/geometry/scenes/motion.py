@@ -15,7 +15,8 @@ judge.geometry.level; "=" for the second place is no way at all. Words after the
 
 Of a wall, the first word says what happens, the second one where: at its side, a cap (a round end), or a
 post. Others may follow: "dot", the radius is 0; "grain", it is tiny beside way and wall; "level", the way
-runs along an axis; "afar", from far away; "rim", close to an end; "home".
+runs along an axis; "upright", so does a graze, and the wall leans; "afar", from far away; "rim", close to an
+end; "home".
 
     hit, fast, flat       the disc comes to it: from near, from far, nearly along it
     graze, slide          it passes just in touch; along the side
@@ -29,6 +30,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from math import ldexp
+from operator import mul
 from typing import Any
 
 from judge.data.draw import Draw
@@ -43,7 +45,7 @@ _WHAT = (
     "broad",
 )
 _WHERE = ("side", "cap", "post")
-_HOW = ("dot", "grain", "level", "afar", "rim", "home")
+_HOW = ("dot", "grain", "level", "upright", "afar", "rim", "home")
 
 
 def _level_balls(draw: Draw, words: Sequence[str], size: int = 30) -> tuple[list[Atom], list[Nudge]]:
@@ -87,7 +89,7 @@ def _level_wall(draw: Draw, words: Sequence[str], size: int = 30) -> tuple[list[
     what, where, near = words[0].rstrip("~"), words[1], words[0][-1] == "~"
     W = 0 if where == "post" else draw.integer(1, 3 * size)
     if "grain" in words:
-        W <<= draw.integer(10, 34)
+        W <<= draw.integer(draw.choice((10, 32)), 34)
     if what == "flat":
         W *= draw.choice((10, 3000))
     if where == "side":
@@ -103,7 +105,9 @@ def _level_wall(draw: Draw, words: Sequence[str], size: int = 30) -> tuple[list[
         if "dot" in words:
             R = k = 0
         spot, across = (away[0] * k, away[1] * k), (-away[1], away[0])
-    stride = max(1, (R or size) // max(map(abs, away)) // 4, W >> 6 if "grain" in words else 0)
+    stride = max(
+        1, (R or size) // max(map(abs, away)) // 4, W >> draw.integer(6, 11) if "grain" in words else 0
+    )
     way = _way(draw, away, "level" if "level" in words else what)
     if what == "flat":
         stride = 1
@@ -137,6 +141,11 @@ def _level_wall(draw: Draw, words: Sequence[str], size: int = 30) -> tuple[list[
     nudges = [Nudge(at, i, outwards * (1 if n > 0 else -1)) for at in moved for i, n in enumerate(along) if n]
     ends = [Point([0, 0]), Point([W, 0])]
     atoms: list[Atom] = [start, end, Length([R]), *(ends if draw.boolean() else ends[::-1])]
+    if "upright" in words:
+        for each in atoms:
+            whole = [sum(map(mul, each, axis)) for axis in (away, across)]
+            each[:] = whole if isinstance(each, Point) else [R * c]
+        nudges = [Nudge(at, 0, outwards) for at in moved]
     if "home" in words:
         _home(draw, atoms, (0, 1, 3))
     return atoms, nudges
@@ -187,7 +196,10 @@ def meeting(bits: int) -> Scene:
                 return draw.sign() * draw.integer(0, 1 << draw.integer(0, bits))
             return ldexp(draw.sign() * draw.integer(0, 1 << 53), draw.integer(0, bits) - 53)
 
-        P, Q, X = ((number(), number()) for _ in range(3))
-        return P, X, 0, Q, X, 0
+        P, Q, X = ([number(), number()] for _ in range(3))
+        axis = draw.integer(0, 2)
+        if axis < 2:  # close together along it
+            P[axis], Q[axis] = draw.integer(-9, 9), draw.integer(-9, 9)
+        return tuple(P), tuple(X), 0, tuple(Q), tuple(X), 0
 
     return draw_case

@@ -3,6 +3,9 @@
     pairs("outer", "inner~", **BIG)          (cx1, cy1, r1, cx2, cy2, r2)
     polygons("on out tangent~", **NEAR)      (cx, cy, r, V)
 
+After a way for two circles to lie, "slant" puts one nearly at 45 degrees beside the other, so that their
+distance is 1.4 times the size, of which alone a near miss is clear.
+
 The words of a polygon add corners, each beside a point P of the circle in whole numbers.
 
     on, in, out, far     at P, inside, outside, or 1,000 to 10,000 radii away
@@ -14,11 +17,13 @@ The words of a polygon add corners, each beside a point P of the circle in whole
     short, stub          two corners: P, and one that is 2**-4 to 2**-21 of the radius away, or 1e-7 of it
     again                the first corner once more
     dot                  the first word of all: r is 0; at, by: at C, or on the other side of C
+    slant                two corners as far on both sides of C, in nearly a diagonal
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from fractions import Fraction
 from functools import cache
 from math import isqrt
 from typing import Any
@@ -71,12 +76,17 @@ def _level_pair(
     if word.startswith("dot-"):
         a, b = (0, a) if draw.boolean() else (a, 0)
     nudges = [Nudge(3 if word == "same" else 2, 0)] if near else []
-    return [Point([0, 0]), Length([a]), Point([d, 0]), Length([b])], nudges
+    centre = Point([d, 0])
+    if "slant" in words:
+        x, y, c = draw.choice(((20, 21, 29), (119, 120, 169)))
+        a, b, centre = a * c, b * c, Point([d * x, d * y])
+        nudges = [Nudge(1, 0, times=Fraction(3, 4))] if near else []
+    return [Point([0, 0]), Length([a]), centre, Length([b])], nudges
 
 
 def _check(words: list[str]) -> None:
     for word in words:
-        checked(word, _PAIRS, "a way for two circles to lie")
+        checked(word, (*_PAIRS, "slant"), "a way for two circles to lie")
 
 
 pairs = scene(_level_pair, lambda C1, r1, C2, r2: (*C1, r1, *C2, r2), _check)
@@ -98,6 +108,7 @@ _CORNERS = (
     "right",
     "at",
     "by",
+    "slant",
 )
 _BRUSH = 2048  # parts of the radius: a corner is so few of them away from where its edge touches
 
@@ -167,6 +178,10 @@ def _corners(draw: Draw, name: str, x: int, y: int, before: Sequence[Point]) -> 
     if name == "box":
         out = draw.integer(160, 400)
         return [Point([out * px // 100, out * py // 100]) for px, py in ((x, y), (-y, x), (-x, -y), (y, -x))]
+    if name == "slant":
+        far = isqrt(x * x + y * y) * 2
+        corner = [far * draw.sign(), (far - draw.integer(1, far // 20)) * draw.sign()]
+        return [Point(corner), Point([-n for n in corner])]
     if name in ("left", "right"):  # of the circle, and nearly level
         side = 1 if name == "right" else -1
         return [
