@@ -229,7 +229,7 @@ def near_gap(draw: Draw, size: int, lowest: int = 10) -> int:
 
     With a `lowest` of 7 also 0.7 times that, which is clear where a turn makes the size as much smaller.
     """
-    finer = [(lowest, 9)] * 8 if lowest < 10 else []  # most of which are not clear
+    finer = [(lowest, 9)] * 4 if lowest < 10 else []  # most of which are not clear
     least, most = draw.choice([(10, 12), (10, 20), (30, 80), *finer])
     return draw.integer(least * size, most * size) // 10**8 + 1
 

@@ -5,7 +5,7 @@ from functools import partial
 from judge.geometry import plain
 from judge.geometry.hooks import POLYGON, hooks
 from judge.geometry.polygon import crossings
-from judge.geometry.scenes import AXIS, BIG, HUGE, NEAR, OFFSET, PLAIN, STEEP, TINY, cornered, either, grid, polygons, polygons_of, telling, uniform, whole
+from judge.geometry.scenes import AXIS, BIG, FAR, HUGE, NEAR, OFFSET, PLAIN, STEEP, TINY, cornered, either, grid, polygons, polygons_of, telling, uniform, whole
 from judge.problem.declare import group
 
 HOOKS = hooks(POLYGON)
@@ -42,7 +42,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("near-corner", "Corners just inside or just outside the circle.", polygons("on~ out on~ in", "on~ in on~ out", "on~ on on~", **{**NEAR, "least": 7}), skills="nearly is not on it"),
     group("tiny", "All of it tiny, down to 1e-29.", polygons("tangent out", "tangent~ out", "on out in", "on~ out in", **TINY), skills=("no absolute epsilon", "scale invariance")),
     group("offset", "A small figure far from the plane's origin.", polygons("in out in out", "tangent out", "on out in", "tangent in", "tangent~ out", "on~ out in", **OFFSET), skills="far from the origin"),
-    group("far-corner", "A corner thousands of radii away: its size is the figure's.", polygons("tangent far", "on far in", "far across", "tangent far out", **{**BIG, "size": 2**16}), skills="the size of the whole"),
+    group("far-corner", "A corner thousands or millions of radii away: its size is the figure's.", either(polygons("tangent far", "on far in", "far across", "tangent far out", **{**BIG, "size": 2**16}), polygons("remote across", "remote across out", "remote on across", "remote on in", **FAR)), cases=120, skills="the size of the whole"),
     group("dot-turned", "r = 0, and edges at any angle: |f|² − (f·u)² is all rounding there.", either(polygons("dot out by out", "dot out by in", "dot out out by", **BIG), polygons("dot out by out", "dot out out by", **FULL), polygons("dot slant in", "dot slant slant", **{**FULL, "turn": "axis"})), cases=90, skills="r = 0"),
     group("steep", "Edges almost along an axis.", polygons("tangent out", "across out", "on out in", "in out out", **STEEP), skills="no slopes"),
     group("zigzag", "Up to 64 corners, and nearly every edge crosses twice.", polygons_of("left", "right", count=(20, 64), turns=True, **PLAIN), cases=40, skills="edge by edge"),

@@ -30,10 +30,10 @@ INTERVIEW = [
 PRODUCTION = [  # the same, where rounding bites
     group("gap", "A tiny circle is between, close to the point.", lights("gap", **{**PLAIN, "size": 3000}), skills=("a ray that ends", "off the surface, a little")),
     group("close", "The way to the light nearly touches a circle.", lights("close", "close-early", "close-large", **FINE), skills="nearly is not touching"),
-    group("first-close", "The ray itself nearly touches a circle.", lights("first-close", **FINE), skills="nearly is not touching"),
+    group("first-close", "The ray itself nearly touches a circle, or begins just before it.", lights("first-close", "brink", **FINE), cases=90, skills="nearly is not touching"),
     group("own-wall", "From inside, nearly along the wall: the way to the light leaves the room right beside the point.", lights("level-wall", **{**BIG, "size": 20_000}), skills="off the surface, a little"),
     group("skin", "The point is just inside another circle: its wall is right behind the start.", lights("skin", **FINE), skills="off the surface, a little"),
-    group("at-the-light", "A wall a thousandth or a millionth of the way before the light, or just beyond it.", lights("lamp", "lamp-thin", **{**BIG, "size": 10**7}), cases=90, skills="a ray that ends"),
+    group("at-the-light", "A wall a thousandth or a ten-millionth of the way before the light, or just beyond it.", lights("lamp", "lamp-thin", **{**BIG, "size": 10**7}), cases=90, skills="a ray that ends"),
     group("ledge", "The point is just outside of another circle, beside the ray: whoever starts far off the surface starts in it.", lights("ledge", **FINE), skills="off the surface, a little"),
     group("home", "The ray begins at the centre, or level with it or upright, and so does the way to the light.", shaded(either(home(20), home(2**28)), "lit", "lit", "own"), skills="off the surface, a little"),
     group("rooms", "Circles one in another, often about one centre: a wall around everything blocks nothing, one around the point does.", either(lights("court", "court", "pillar", "moat", **PLAIN), lights("court", "pillar", "moat", **AXIS)), skills=("a second ray", "a ray that ends")),

@@ -4,6 +4,7 @@ A word says what the light L is to the point P that the ray hits first.
 
     miss                          the ray hits nothing
     open, back                    nothing is between; on the side that the ray does not see
+    brink                         open, and the ray begins just before the circle
     level-open, level-back        the same, nearly on the tangent at P
     room, wall, level-wall        the ray begins inside: L is in the same room, or outside of it
     outdoors                      the same, and L is on the other side of the tangent
@@ -37,7 +38,9 @@ from judge.problem.declare import InvalidCase
 _BLOCKED = ("blocked", "gap", "around-light", "around-point", "skin", "pillar", "moat")
 _SHADES: dict[str, tuple[Shade, ...]] = {
     "miss": (Shade.NOTHING,),
-    **dict.fromkeys(("open", "room", "court", "beyond", "behind", "level-open", "ledge"), (Shade.LIT,)),
+    **dict.fromkeys(
+        ("open", "brink", "room", "court", "beyond", "behind", "level-open", "ledge"), (Shade.LIT,)
+    ),
     **dict.fromkeys(("back", "level-back", "outdoors"), (Shade.BACK,)),
     **dict.fromkeys(("wall", "level-wall"), (Shade.OWN,)),
     **dict.fromkeys(_BLOCKED, (Shade.BLOCKED,)),
@@ -125,13 +128,18 @@ def _laid(draw: Draw, word: str, size: int) -> tuple[list[Row], Spot]:
             return [(x, y, r)], (back + along * y - draw.integer(1, 9), along * half)
         dx, dy = spot(r if word == "room" else 3 * size)
         return [(x, y, r)], (x + dx, y + dy)
-    at = draw.integer(1, 2 * size)
+    if word == "brink":
+        if half * 2 < r:
+            draw.reject()
+        at = near_gap(draw, 3 * size, 7) * r // half + 1
+    else:
+        at = draw.integer(1, 2 * size)
     circle = at + half, y, r
     wx, wy = draw.integer(-2 * size, size), draw.integer(-2 * size, 2 * size)
     if (wx * half + wy * y > 0) != (word == "back"):  # it would be on the other side of the tangent
         wx, wy = -wx, -wy
     light = at + wx, wy
-    if word in ("open", "back"):
+    if word in ("open", "back", "brink"):
         return [circle], light
     if word == "court":
         x, y = draw.choice((circle[:2], spot(size)))
@@ -182,7 +190,8 @@ def _lamp(draw: Draw, word: str, light: Spot, way: Spot, size: int) -> Row:
     length = max(1, isqrt(way[0] ** 2 + way[1] ** 2))
     kind = "large" if word == "lamp-thin" else draw.choice(("around", "before", "beyond", "large"))
     r = draw.integer(size // 100, size // 10) if kind == "large" else draw.integer(size // 2000, size // 1500)
-    off = size // (1_000_000 if word == "lamp-thin" else 3000) * draw.sign()
+    off = near_gap(draw, 4 * size, 7) if word == "lamp-thin" else size // 3000
+    off *= draw.sign()
     past = {"around": 0, "before": -r - r // 4, "beyond": r + r // 4, "large": r + off}[kind]
     return light[0] + way[0] * past // length, light[1] + way[1] * past // length, r
 

@@ -8,7 +8,8 @@ distance is 1.4 times the size, of which alone a near miss is clear.
 
 The words of a polygon add corners, each beside a point P of the circle in whole numbers.
 
-    on, in, out, far     at P, inside, outside, or 1,000 to 10,000 radii away
+    on, in, out          at P, inside, outside
+    far, remote          1,000 to 10,000 radii away, or a million and more
     tangent, brush       two corners on the tangent at P, near it or one of them very near
     across               two corners outside whose edge cuts the circle
     box                  four corners around the circle
@@ -96,6 +97,7 @@ _CORNERS = (
     "in",
     "out",
     "far",
+    "remote",
     "tangent",
     "brush",
     "across",
@@ -192,6 +194,7 @@ def _corners(draw: Draw, name: str, x: int, y: int, before: Sequence[Point]) -> 
         "in": lambda: grown(5, 60),
         "out": lambda: grown(150, 400),
         "far": lambda: grown(10**5, 10**6),
+        "remote": lambda: grown(10**8, 4 * 10**8),
         "level": lambda: Point([draw.sign() * (abs(x) + abs(y)) * draw.integer(1, 400) // 100, 0]),
         "at": lambda: Point([0, 0]),
         "by": lambda: Point([-before[-1][0] * draw.integer(1, 3), -before[-1][1] * draw.integer(1, 3)]),
