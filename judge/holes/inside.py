@@ -96,7 +96,7 @@ def _loaded(entry: str, code: str, name: str, number: int) -> Callable[..., Any]
 
 def _within(function: Callable[..., Any], *given: Any) -> Any:
     """What it returns, unless it takes too long or leaves."""
-    signal.setitimer(signal.ITIMER_VIRTUAL, SECONDS)
+    signal.setitimer(signal.ITIMER_VIRTUAL, SECONDS, SECONDS)
     try:
         return function(*given)
     except Exception:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import copy
+import gc
 import runpy
 import signal
 from collections.abc import Iterator
@@ -132,13 +133,17 @@ class _Grown(ast.NodeTransformer):
 
 @contextmanager
 def suppressed_after(seconds: float) -> Iterator[None]:
-    """Whatever is raised inside is nothing, and so is what takes longer than that of CPU."""
+    """Whatever is raised inside is nothing, and so is what takes longer than that of CPU.
+
+    What a signal raises in the middle of collecting garbage is lost: that waits, and the signal comes again.
+    """
 
     def late(*_: object) -> None:
         raise TimeoutError
 
-    before = signal.signal(signal.SIGVTALRM, late)
-    signal.setitimer(signal.ITIMER_VIRTUAL, seconds)
+    before, collects = signal.signal(signal.SIGVTALRM, late), gc.isenabled()
+    gc.disable()
+    signal.setitimer(signal.ITIMER_VIRTUAL, seconds, seconds)
     try:
         yield
     except Exception:  # no such row can be drawn
@@ -146,3 +151,5 @@ def suppressed_after(seconds: float) -> Iterator[None]:
     finally:
         signal.setitimer(signal.ITIMER_VIRTUAL, 0)
         signal.signal(signal.SIGVTALRM, before)
+        if collects:
+            gc.enable()
