@@ -252,7 +252,8 @@ const figure = (kind, start, N, args) => {
       told.answer = found.length ? found.map(hit => `${TAGS[hit.w]} ${hit.index}`).join(", ") : "no hit";
       return;
     }
-    const spans = inSolid(circles.length, places, program.map(x => Math.round(N.float(x))));
+    const below = program.some(x => sign(N.pure(x) + int(3)) < 0);  // before it is rounded
+    const spans = below ? null : inSolid(circles.length, places, program.map(x => Math.round(N.float(x))));
     if (spans === null) {
       refuse("The program is no solid");
       return;
@@ -334,8 +335,15 @@ const figure = (kind, start, N, args) => {
     told.answer = dark ? `dark: ${dark}` : "lit";
   }
 
+  /* From below 0 to π: 0 for angles below 0, 1 for those from 0 up to π, 2 for π itself. */
+  const turn = D => (sign(D[1]) < 0 ? 0 : !sign(D[1]) && sign(D[0]) < 0 ? 2 : 1);
+
   /* The first hit of each ray; what is behind it, or clearly further, decides nothing. */
   function many([circles, ...rest], [c, ...slots]) {
+    if (rest.length === 2) rest[1].slice(1).forEach((D, i) => {
+      const before = rest[1][i], apart = turn(before) - turn(D);
+      if (apart > 0 || (!apart && sign(cross(before, D)) < 0)) refuse(`Direction ${i} comes before one of a lesser angle`);
+    });
     const pairs = rest.length === 2 ? rest[1].map(D => [rest[0], D]) : rest[0];
     const places = rest.length === 2 ? slots[1].map((d, i) => [i ? null : slots[0], d]) : slots[0];
     told.answer = pairs.map(([O, D], i) => {
