@@ -164,8 +164,8 @@ class Session:
         return (_WEAK,) if isolation == "limits" and self.options.isolation is None else ()
 
     def _judged(self, source: bytes, name: str, told_first: Callable[[Result], None] | None) -> Result:
+        from judge.run.entry import entry_error
         from judge.run.execute import judge_submission
-        from judge.run.hurdle import with_hurdle
         from judge.run.printed import with_printed
 
         options, settings, groups = self.options, self.settings, self.options.chosen(self.problem)
@@ -179,7 +179,7 @@ class Session:
             result = replace(result, out_of=every if every > len(result.groups) > 0 else 0)
             if runner is None:
                 return result
-            result = with_hurdle(result, runner, box, source)
+            result = replace(result, hurdle=entry_error(result, runner, box.inspect(), source))
             if result.hurdle is not None:
                 return result
             result = with_printed(result, self.data, runner, box)

@@ -105,4 +105,4 @@ def runner_for(problem: Problem, inspection: Inspection, source: bytes, *, progr
     """
     if inspection.defines(problem.entry) and not program:
         return FunctionRunner(problem, inspection.language)
-    return ProgramRunner(problem, inspection.names, source, inspection.language, asked=program)
+    return ProgramRunner(problem, source, inspection.language, asked=program)

@@ -121,7 +121,7 @@ def _lines(judged: Judged, form: str) -> str:
     """The result as another program reads it."""
     from judge.report.formats import annotation, editor_lines
 
-    asked = judged.result, judged.source, judged.data.problem.entry if judged.data else ""
+    asked = judged.result, judged.source, judged.data.problem if judged.data else None
     lines = editor_lines(*asked) if form == EDITOR else (annotation(*asked, os.environ),)
     return "".join(f"{line}\n" for line in lines)
 
