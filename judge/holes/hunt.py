@@ -29,10 +29,10 @@ from judge.holes.programs import SOURCE, Base, Candidate, Crowd, bases
 from judge.problem import Case, Problem
 from judge.problem.solutions import MISTAKES
 from judge.problem.toml import TomlFile
-from judge.run.verify import Fault, Progress, fault_of
 from judge.sandbox.boundary import LEVELS, BoxFactory, Reply, Stop
 from judge.values import parameters
 from judge.values.show import shown, wanted
+from judge.verify.model import Fault, Progress, fault_of
 
 MARKS = "same.toml"  # beside the folders of solutions: mutants that nobody wants to hold
 _SAVED = 5.0  # seconds between two times that a search is kept

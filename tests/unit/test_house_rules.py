@@ -37,6 +37,7 @@ ROOMS = [
         "geometry",
         "packs",
         "holes",
+        "verify",
         "mistakes",
         "diagnose",
     ),
@@ -128,7 +129,18 @@ def test_every_room_has_its_place():
 
 def test_the_engine_has_no_word_of_its_topic():
     """SVG's own element apart, and what the package itself is called."""
-    rooms = ("values", "exact", "data", "problem", "run", "judging", "diagnose", "mistakes", "holes")
+    rooms = (
+        "values",
+        "exact",
+        "data",
+        "problem",
+        "run",
+        "judging",
+        "diagnose",
+        "mistakes",
+        "holes",
+        "verify",
+    )
     told = {
         f"{path.relative_to(PACKAGE)}:{number}": row
         for room in rooms
