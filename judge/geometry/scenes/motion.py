@@ -22,6 +22,7 @@ end; "home".
     graze, slide          it passes just in touch; along the side
     start, end            it touches at t = 0 and leaves, or at t = 1
     short, away, past     it stops before, it leaves, it meets only the wall's line
+    shy, stop             it stops before it would graze, or where it does
     overlap, rest         it overlaps at t = 0; it does not move
     broad                 the disc is hundreds of times as large as the wall
 """
@@ -42,7 +43,7 @@ _RADII = ("dot", "tiny", "grain")
 _FINE = 30  # bits by which a way grows beside grains
 _WHAT = (
     *("hit", "fast", "flat", "graze", "slide", "start", "end", "short", "away", "past", "overlap", "rest"),
-    "broad",
+    *("shy", "stop", "broad"),
 )
 _WHERE = ("side", "cap", "post")
 _HOW = ("dot", "grain", "level", "upright", "afar", "rim", "home")
@@ -89,9 +90,9 @@ def _level_wall(draw: Draw, words: Sequence[str], size: int = 30) -> tuple[list[
     what, where, near = words[0].rstrip("~"), words[1], words[0][-1] == "~"
     W = 0 if where == "post" else draw.integer(1, 3 * size)
     if "grain" in words:
-        W <<= draw.integer(draw.choice((10, 32)), 34)
+        W <<= draw.integer(*draw.choice(((10, 34), (18, 24), (32, 34))))
     if what == "flat":
-        W *= draw.choice((10, 3000))
+        W *= draw.choice((10, 3_000, 100_000))
     if where == "side":
         R = draw.integer(size // 4 + 1, size) * (draw.integer(100, 600) if what == "broad" else 1)
         R = 0 if "dot" in words else R
@@ -109,7 +110,7 @@ def _level_wall(draw: Draw, words: Sequence[str], size: int = 30) -> tuple[list[
         1, (R or size) // max(map(abs, away)) // 4, W >> draw.integer(6, 11) if "grain" in words else 0
     )
     way = _way(draw, away, "level" if "level" in words else what)
-    if what == "flat":
+    if what == "flat" and "grain" not in words:
         stride = 1
 
     def at(d: Sequence[int], n: int) -> Point:
@@ -121,20 +122,26 @@ def _level_wall(draw: Draw, words: Sequence[str], size: int = 30) -> tuple[list[
         a, b = a * draw.integer(100, 1000), b * draw.integer(100, 1000)
     if "afar" in words:
         a *= 10 ** draw.integer(3, 7)
-    rests = at(way, draw.choice((0, -3)))
-    deep = draw.integer(1, max(1, R // 2)) if where == "side" else 1
-    inside = Point([spot[0] - away[0] * deep, spot[1] - away[1] * deep])
-    start, end = {
-        **dict.fromkeys(("hit", "fast", "flat", "past", "broad"), (at(way, -a), at(way, b))),
-        "graze": (at(across, -a), at(across, b)),
-        "slide": (Point([-R * a - 1, R]), Point([draw.integer(0, W), R])),
-        "start": (at(way, 0), at(way, -b)),
-        "end": (at(way, -a), at(way, 0)),
-        "short": (at(way, -a - b), at(way, -a)),
-        "away": (at(way, -a), at(way, -a - b)),
-        "overlap": (inside, at(way, b - 5)),
-        "rest": (rests, Point(rests)),
-    }[what]
+    if what == "shy":  # by 1 or the least part of R that is clear
+        stride, a = 1, a * stride
+        b = max(1, R // max(map(abs, away)) * draw.integer(5, 300) // 10_000)
+    rests = draw.choice((0, -3))
+    d, first, last = {
+        "graze": (across, -a, b),
+        "shy": (across, -a - b, -b),
+        "stop": (across, -a, 0),
+        "start": (way, 0, -b),
+        "end": (way, -a, 0),
+        "short": (way, -a - b, -a),
+        "away": (way, -a, -a - b),
+        "rest": (way, rests, rests),
+    }.get(what, (way, -a, b))
+    start, end = at(d, first), at(d, last)
+    if what == "slide":
+        start, end = Point([-R * a // b - 1, R]), Point([draw.integer(0, W), R])
+    elif what == "overlap":
+        deep = draw.integer(1, max(1, R // 2)) if where == "side" else 1
+        start, end = Point([spot[0] - away[0] * deep, spot[1] - away[1] * deep]), at(way, b - 5)
     outwards = draw.sign() if what in ("graze", "slide", "end", "start") else 1
     moved = {"graze": (0, 1), "slide": (0, 1), "end": (1,), "start": (0,)}.get(what, ()) if near else ()
     along = way if "level" in words and not R else away  # a point is just off on its own line
@@ -146,6 +153,11 @@ def _level_wall(draw: Draw, words: Sequence[str], size: int = 30) -> tuple[list[
             whole = [sum(map(mul, each, axis)) for axis in (away, across)]
             each[:] = whole if isinstance(each, Point) else [R * c]
         nudges = [Nudge(at, 0, outwards) for at in moved]
+        y = draw.choice((start[1], sum([each[1] for each in ends]), -start[0] * across[0]))
+        if y == -start[0] * across[0]:  # from the line of the wall; or from beside its other end
+            for each in atoms:
+                each[:] = [-away[0] * n for n in each]
+        start[1], end[1] = y or start[1], -y or end[1]
     if "home" in words:
         _home(draw, atoms, (0, 1, 3))
     return atoms, nudges
