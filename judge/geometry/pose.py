@@ -93,7 +93,8 @@ def posed(
     """The figure as the caller's numbers: a tuple for a point or vector, one number for a length.
 
     Args:
-        turn: "axis" (the symmetries of the axes), "small" (triples to 65), "any" (to 4,418) or "steep".
+        turn: "axis" (the symmetries of the axes), "small" (triples to 65), "any" (to 4,418), "steep", or
+            "diagonal" in space.
         move: by whole numbers of so many bits. Or "split": the second point takes the last bits of the way
             from the first one, which takes all others, so that their difference is no double.
         shift: the power of two that scales all, or "least" for numbers just above 1e-30; of several one is
@@ -176,6 +177,8 @@ def _turned_in_space(draw: Draw, turn: str) -> tuple[Matrix, int]:
         return tuple(tuple(draw.sign() if j == i else 0 for j in range(3)) for i in order), 1
     most = 3 if turn == "small" else 40
     a, b, c, d = (draw.integer(-most, most) for _ in range(4))
+    if turn == "diagonal":
+        a, b, c, d = 0, 11, 4 * draw.sign(), 4 * draw.sign()  # x to one of (89, ±88, ±88)/153
     n = a * a + b * b + c * c + d * d
     if not n:
         draw.reject()
