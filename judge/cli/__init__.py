@@ -17,6 +17,7 @@ Starting is kept short on purpose: `judge --help` imports click and nothing else
 from __future__ import annotations
 
 import _signal as signal  # type: ignore[import-not-found]  # signal itself takes longer to import
+import atexit
 import gc
 import os
 import sys
@@ -42,10 +43,39 @@ def main() -> NoReturn:
         app.main()
     except KeyboardInterrupt:
         sys.exit(_INTERRUPTED)
+    except SystemExit as left:
+        status = left.code  # and its frames are let go, with all that they held open
     finally:
         # Of an interrupt inside an exec of text, as namedtuple does one, Python keeps a mark though it was
         # handled, and in place of our status it would end by SIGINT. The next exec takes the mark away.
         exec("")
+    if status in (0, 1) and _is_outermost(sys._getframe(1)):
+        _end(status)
+    sys.exit(status)
+
+
+def _is_outermost(caller: FrameType) -> bool:
+    """Whether the one who called `main` is the whole program: a script, `python -m`, but no profiler or test."""
+    while above := caller.f_back:
+        if above.f_globals.get("__name__") != "runpy":
+            return False
+        caller = above
+    return True
+
+
+def _end(status: int) -> None:
+    """End the process as the interpreter does, but leave its modules standing: to take them down is a tenth
+    of an accepted run. Where the output cannot be written, the interpreter is to say so.
+    """
+    try:
+        if threading := sys.modules.get("threading"):
+            threading._shutdown()
+        atexit._run_exitfuncs()
+        sys.stdout.flush()
+        sys.stderr.flush()
+    except (OSError, ValueError, KeyboardInterrupt):
+        return
+    os._exit(status)
 
 
 def _leave(_number: int, _frame: FrameType | None) -> NoReturn:
