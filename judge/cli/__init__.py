@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from types import FrameType
     from typing import NoReturn
 
+_OFTEN_ENOUGH = 100_000  # new objects until garbage is looked for, which a run hardly makes
 _INTERRUPTED = 130  # ExitCode.INTERRUPTED, which may not be imported yet
 
 
@@ -35,6 +36,9 @@ def main() -> NoReturn:
     if signal.getsignal(signal.SIGINT) is signal.default_int_handler:  # not for who runs us to ignore it
         signal.signal(signal.SIGINT, _leave)
     _open_standard_streams()
+    alone = _is_outermost(sys._getframe(1))
+    if alone:
+        gc.set_threshold(_OFTEN_ENOUGH)
     try:
         gc.disable()  # as in app.py
         from judge.cli.app import app  # in here, so that an early Ctrl-C is as quiet as a late one
@@ -49,13 +53,13 @@ def main() -> NoReturn:
         # Of an interrupt inside an exec of text, as namedtuple does one, Python keeps a mark though it was
         # handled, and in place of our status it would end by SIGINT. The next exec takes the mark away.
         exec("")
-    if status in (0, 1) and _is_outermost(sys._getframe(1)):
+    if alone and status in (0, 1):
         _end(status)
     sys.exit(status)
 
 
 def _is_outermost(caller: FrameType) -> bool:
-    """Whether the one who called `main` is the whole program: a script, `python -m`, but no profiler or test."""
+    """Whether who called `main` is the whole program: a script, `python -m`, but no profiler or test."""
     while above := caller.f_back:
         if above.f_globals.get("__name__") != "runpy":
             return False

@@ -165,8 +165,6 @@ class Session:
 
     def _judged(self, source: bytes, name: str, told_first: Callable[[Result], None] | None) -> Result:
         from judge.run.execute import judge_submission
-        from judge.run.hurdle import with_hurdle
-        from judge.run.printed import with_printed
 
         options, settings, groups = self.options, self.settings, self.options.chosen(self.problem)
         with self.take(source, name) as box:
@@ -179,10 +177,14 @@ class Session:
             result = replace(result, out_of=every if every > len(result.groups) > 0 else 0)
             if runner is None:
                 return result
-            result = with_hurdle(result, runner, box, source)
-            if result.hurdle is not None:
-                return result
-            result = with_printed(result, self.data, runner, box)
+            if result.failure is not None:
+                from judge.run.hurdle import with_hurdle  # only after a failure
+                from judge.run.printed import with_printed
+
+                result = with_hurdle(result, runner, box, source)
+                if result.hurdle is not None:
+                    return result
+                result = with_printed(result, self.data, runner, box)
             if options.timed and runner.language:
                 unbound = result.verdict is Verdict.AC and not result.time.reference
                 why = result.time.why or (_UNTIMED.format(runner.language) if unbound else "")
