@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
+import platform
 import sys
 from collections.abc import Iterable
+from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
-
-from msgspec import Struct
 
 from judge.errors import JudgeError, ShortageError
 from judge.sandbox import concealed, launch, roots
@@ -47,7 +47,8 @@ for path in sys.stdin.buffer.read().split(b"\\0"):
 _LOOKING = Limits(cpu_seconds=10.0, wall_seconds=30.0, memory_bytes=1 << 28, output_bytes=1 << 22)
 
 
-class Level(Struct, frozen=True):
+@dataclass(frozen=True)
+class Level:
     """What is known of one level on this machine; a key of `judge doctor --json` is a field.
 
     `visible` is what a submission could read there of what none may see: a path, "" for nothing, None where
@@ -93,8 +94,6 @@ def missing(level: str) -> str:
     if level == "limits":
         return ""
     if sys.platform != "linux":
-        import platform  # slow to import
-
         return f"{platform.system()} has no sandbox that the judge knows"
     if level == "full" and not launch.bubblewrap_path():
         return "bubblewrap is not installed"

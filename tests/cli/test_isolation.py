@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import json
 import os
+from dataclasses import replace
 
 import pytest
 from cli_support import FLOOR, MEAN, ROOT
-from msgspec.structs import replace
 from sampling import nightly
 
 from judge.judging.containment import keep_level, kept_level
