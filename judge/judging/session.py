@@ -164,9 +164,7 @@ class Session:
         return (_WEAK,) if isolation == "limits" and self.options.isolation is None else ()
 
     def _judged(self, source: bytes, name: str, told_first: Callable[[Result], None] | None) -> Result:
-        from judge.run.entry import entry_error
         from judge.run.execute import judge_submission
-        from judge.run.printed import with_printed
 
         options, settings, groups = self.options, self.settings, self.options.chosen(self.problem)
         with self.take(source, name) as box:
@@ -179,10 +177,14 @@ class Session:
             result = replace(result, out_of=every if every > len(result.groups) > 0 else 0)
             if runner is None:
                 return result
-            result = replace(result, hurdle=entry_error(result, runner, box.inspect(), source))
-            if result.hurdle is not None:
-                return result
-            result = with_printed(result, self.data, runner, box)
+            if result.failure is not None:
+                from judge.run.entry import entry_error  # only after a failure
+                from judge.run.printed import with_printed
+
+                result = replace(result, hurdle=entry_error(result, runner, box.inspect(), source))
+                if result.hurdle is not None:
+                    return result
+                result = with_printed(result, self.data, runner, box)
             if options.timed and runner.language:
                 unbound = result.verdict is Verdict.AC and not result.time.reference
                 why = result.time.why or (_UNTIMED.format(runner.language) if unbound else "")

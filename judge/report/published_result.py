@@ -41,6 +41,16 @@ class Judged(Struct, frozen=True):
         return (self.result,)
 
     @property
+    def line(self) -> str:
+        """All that is shown of it, where that is one line without a layout."""
+        if self.several or not self.quiet:
+            return ""
+        from judge.report.tell import tell
+
+        problem = self.data.problem if self.data else None
+        return "  ".join(tell(problem, self.result, self.source).line(self.result.submission))
+
+    @property
     def exit_code(self) -> ExitCode:
         """What it tells the shell."""
         return self.result.exit_code

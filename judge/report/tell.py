@@ -17,7 +17,7 @@ from msgspec import Struct
 from judge.languages import file_name
 from judge.problem import Problem, Verdict
 from judge.problem.model import Mode
-from judge.report.words import argument, counted, seconds, times
+from judge.report.words import argument, counted, seconds, shown_name, times
 from judge.run.result import EntryError, Failure, GroupResult, Growth, LevelResult, Obstacle, Pitfall, Result
 from judge.sandbox.boundary import IMPORTING
 
@@ -56,6 +56,12 @@ class Told(Struct, frozen=True, kw_only=True):
     more: int = 0
     commands: tuple[tuple[str, str], ...] = ()
     last: str = ""
+
+    def line(self, name: str) -> tuple[str, str, str]:
+        """The verdict, the file of that name, and what all of it comes to."""
+        meaning = f"{self.meaning}: " if self.verdict is not Verdict.AC else ""
+        last = self.happened if self.last == "nothing was run" else self.last
+        return self.verdict.value, shown_name(name), f"{meaning}{last}"
 
     @property
     def lines(self) -> list[str]:

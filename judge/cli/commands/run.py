@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 import os
-import random
 import sys
 from collections.abc import Generator, Iterator, Sequence
 from contextlib import closing
@@ -165,6 +164,8 @@ def _judged(
 
 def _fresh(problem: Problem, submissions: list[Submission], ask: RunAsk, common: Common) -> Iterator[Judged]:
     """One submission on new cases for so long. Raises KeyboardInterrupt if that ended it and none failed."""
+    import random
+
     from judge.data.load import ProblemData
     from judge.judging.cases import judge_fresh
     from judge.judging.session import Session
