@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from judge.cache import digest
 from judge.data.build import target_of, validate
-from judge.data.load import ProblemData
+from judge.data.model import ProblemData
 from judge.data.pins import hash_of
 from judge.holes.cases import Solved
 from judge.holes.model import Kept

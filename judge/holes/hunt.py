@@ -18,7 +18,8 @@ import msgspec
 from msgspec import Struct
 
 from judge.cache import Store, code_key
-from judge.data.load import ProblemData, kept_place
+from judge.data.load import kept_place
+from judge.data.model import ProblemData
 from judge.diagnose.polish import fewer, steps
 from judge.diagnose.simplicity import measure
 from judge.errors import ProblemError, UsageError

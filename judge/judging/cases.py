@@ -8,9 +8,9 @@ from collections.abc import Sequence
 from msgspec.structs import replace
 
 from judge.data.build import Fresh, target_of, validate
-from judge.data.load import ProblemData
+from judge.data.model import ProblemData
 from judge.errors import UsageError
-from judge.judging.api import RunOptions
+from judge.judging.options import RunOptions
 from judge.judging.session import NAMED, Bars, Session
 from judge.languages import file_name
 from judge.mistakes.puzzles import Puzzle, usual_group

@@ -19,7 +19,7 @@ from msgspec.structs import replace
 
 from judge.cache import DISK, Store
 from judge.errors import JudgeError, ShortageError, UsageError, shortage, told
-from judge.judging.api import RunOptions
+from judge.judging.options import RunOptions
 from judge.problem import Problem, Verdict
 from judge.run.alone import MeasureLock
 from judge.run.reference import Reference, check_needs
@@ -28,7 +28,7 @@ from judge.run.settings import Progress, Settings
 from judge.sandbox.boundary import Box, BoxFactory
 
 if TYPE_CHECKING:
-    from judge.data.load import ProblemData
+    from judge.data.model import ProblemData
     from judge.diagnose.shrink import Choices
     from judge.mistakes.namer import Namer
     from judge.run.execute import Judged

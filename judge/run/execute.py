@@ -23,7 +23,7 @@ from judge.run.unreadable import why_unreadable
 from judge.sandbox import Box, Usage
 
 if TYPE_CHECKING:
-    from judge.data.load import GroupData, ProblemData
+    from judge.data.model import GroupData, ProblemData
 
 _LONG_WAIT_SECONDS = 2.0
 _WAITED = "Waited: another judge of yours was timing"  # without the seconds, so that it is said once

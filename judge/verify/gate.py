@@ -19,9 +19,10 @@ from typing import Any, NamedTuple
 from msgspec import Struct
 from msgspec.structs import replace
 
-from judge.data.load import ProblemData, load_data
+from judge.data.load import load_data
+from judge.data.model import ProblemData
 from judge.data.pins import Kills, differences, pins_file, pins_of, read_pins, write_pins
-from judge.errors import ProblemError, UsageError
+from judge.errors import ProblemError, UsageError, meant
 from judge.languages import NAME as PYTHON
 from judge.languages import file_name, language_of
 from judge.languages.boxes import AnyBoxes
@@ -29,7 +30,7 @@ from judge.languages.signature import signature_of
 from judge.problem import Problem, Verdict
 from judge.problem.model import chosen_groups
 from judge.problem.solutions import Kind, Solution, read_solutions
-from judge.problem.toml import key_place, meant
+from judge.problem.toml import key_place
 from judge.run.execute import Judged, judge_submission
 from judge.run.reference import check_needs
 from judge.run.settings import Settings

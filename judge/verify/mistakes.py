@@ -16,7 +16,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from msgspec import Struct
 from msgspec.structs import replace
 
-from judge.data.load import ProblemData
+from judge.data.model import ProblemData
 from judge.data.pins import Kills
 from judge.errors import ProblemError
 from judge.mistakes.catalogue import FILE

@@ -17,7 +17,7 @@ from judge.cli.files import OutFile, Submission, Unjudged
 from judge.cli.options import Common, command, opt, seconds_of
 from judge.cli.resolve import Tasks, resolve
 from judge.errors import UsageError, told
-from judge.judging.api import RunOptions
+from judge.judging.options import RunOptions
 from judge.problem import Problem
 from judge.problem.model import LEVELS, chosen_groups
 from judge.report.published_result import Judged, Several
@@ -166,7 +166,7 @@ def _fresh(problem: Problem, submissions: list[Submission], ask: RunAsk, common:
     """One submission on new cases for so long. Raises KeyboardInterrupt if that ended it and none failed."""
     import random
 
-    from judge.data.load import ProblemData
+    from judge.data.model import ProblemData
     from judge.judging.cases import judge_fresh
     from judge.judging.session import Session
 

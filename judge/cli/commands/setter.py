@@ -19,8 +19,8 @@ from judge.errors import ProblemError, UsageError
 from judge.files import replace_file
 from judge.holes.hunt import look_for_holes
 from judge.holes.model import Holes, Search
-from judge.judging.api import RunOptions
 from judge.judging.containment import contained, kept_level
+from judge.judging.options import RunOptions
 from judge.packs.export.cases import file_names, group_files
 from judge.packs.export.job import Exported, Order, check_order, export
 from judge.packs.export.metadata import Version
