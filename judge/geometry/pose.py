@@ -10,7 +10,6 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from collections.abc import Callable, Sequence
-from fractions import Fraction
 from itertools import permutations
 from math import gcd, isqrt
 from typing import Any
@@ -219,12 +218,9 @@ def _decimals(draw: Draw, atoms: Sequence[Atom], turned: Sequence[Sequence[int]]
     places = [row for row, each in zip(exact, atoms, strict=True) if isinstance(each, Point)]
     for axis in range(len(places[0])):
         centre = draw.integer(-9, 9)
-        moved = [row[axis] + centre for row in places]
-        if all(
-            Fraction(after) - centre == Fraction(row[axis]) for after, row in zip(moved, places, strict=True)
-        ):
-            for row, after in zip(places, moved, strict=True):
-                row[axis] = after
+        if all(x + centre - centre == x and x + centre - x == centre for x in [row[axis] for row in places]):
+            for row in places:
+                row[axis] += centre  # exact: the sum gives both of its terms back
     return exact
 
 

@@ -35,7 +35,7 @@ from operator import mul
 from typing import Any
 
 from judge.data.draw import Draw
-from judge.geometry.level import HEIGHTS, PLACES, Nudge, Scene, checked, near_gap, over_circle, scene
+from judge.geometry.level import HEIGHTS, PLACES, Nudge, Scene, checked, over_circle, scene
 from judge.geometry.pose import Atom, Length, Point, triple
 
 _DRIFTS = ("rest", "alone", "along", "together", "rush")
@@ -56,7 +56,7 @@ def _level_balls(draw: Draw, words: Sequence[str], size: int = 30) -> tuple[list
         draw.reject()
     if "grain" in words:
         start[0], end[0] = start[0] << _FINE, end[0] << _FINE
-        R = near_gap(draw, max(abs(start[0]), abs(end[0] - start[0])))
+        R = draw.integer(10, 12) * max(abs(start[0]), abs(end[0] - start[0])) // 10**8 + 1
     if "rush" in words:
         end = Point([-2 * start[0], start[1]])
     far = draw.integer(20, 100) * size
@@ -203,12 +203,13 @@ def meeting(bits: int) -> Scene:
     def draw_case(draw: Draw) -> tuple[Any, ...]:
         whole = draw.boolean()
 
-        def number() -> int | float:
+        def point() -> list[int | float]:
+            large = draw.choice((3, bits, draw.integer(0, bits)))
             if whole:
-                return draw.sign() * draw.integer(0, 1 << draw.integer(0, bits))
-            return ldexp(draw.sign() * draw.integer(0, 1 << 53), draw.integer(0, bits) - 53)
+                return [draw.sign() * draw.integer(0, 1 << large) for _ in range(2)]
+            return [ldexp(draw.sign() * draw.integer(0, 1 << 53), large - 53) for _ in range(2)]
 
-        P, Q, X = ([number(), number()] for _ in range(3))
+        P, Q, X = point(), point(), point()
         axis = draw.integer(0, 2)
         if axis < 2:  # close together along it
             P[axis], Q[axis] = draw.integer(-9, 9), draw.integer(-9, 9)
