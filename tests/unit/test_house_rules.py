@@ -38,6 +38,7 @@ ROOMS = [
         "packs",
         "holes",
         "mistakes",
+        "repair",
         "diagnose",
     ),
     *("run", "data", "problem", "drawing", "manual", "languages", "values", "exact", "database"),
@@ -128,7 +129,18 @@ def test_every_room_has_its_place():
 
 def test_the_engine_has_no_word_of_its_topic():
     """SVG's own element apart, and what the package itself is called."""
-    rooms = ("values", "exact", "data", "problem", "run", "judging", "diagnose", "mistakes", "holes")
+    rooms = (
+        "values",
+        "exact",
+        "data",
+        "problem",
+        "run",
+        "judging",
+        "diagnose",
+        "repair",
+        "mistakes",
+        "holes",
+    )
     told = {
         f"{path.relative_to(PACKAGE)}:{number}": row
         for room in rooms
@@ -139,7 +151,10 @@ def test_the_engine_has_no_word_of_its_topic():
     assert told == {}
 
 
-PURE = ("exact", "values", "problem", "data", "geometry", "drawing", "diagnose", "mistakes", "run")
+PURE = (
+    *("exact", "values", "problem", "data", "geometry", "drawing", "diagnose", "repair", "mistakes"),
+    "run",
+)
 PLATFORM = (
     *("_posixsubprocess", "_socket", "ctypes", "fcntl", "hypothesis", "mmap", "multiprocessing", "resource"),
     *("signal", "socket", "sqlite3", "subprocess"),
