@@ -17,9 +17,11 @@ from judge.repair.search import Repair, Step, Steps
 from judge.run.result import Behaviour, MistakeStep, Pitfall, Result
 from judge.values.outline import Outline
 
-_TOLD = 0.5  # share of the failures that a name of the kind must have
+_TOLD = 0.55  # share of the failures that a name of the kind must have
+_FITS = 0.3  # … and one that is today's already
 _ANY = 0.6  # … and one that the kind does not propose,
 _AHEAD = 0.15  # by so much more than the next one
+_SAME = 0.9  # … and one of what is proved without a name
 _ALL = 0.95  # from here on all answers are those of the known program
 _FEW = 5  # failures, below which nothing is like anything
 _WORTH = 0.5  # of the failures that steps must take away where they do not take all
@@ -99,13 +101,27 @@ class Repaired:
             if next_one < shares[ordered[0]] and kind not in _PROVED:
                 return _Named(step, ordered[0], shares[ordered[0]])
         best = max(names, key=lambda name: shares[name] - 0.02 * names.index(name), default=None)
-        if best is not None and shares[best] >= _TOLD:
+        if best is not None and shares[best] >= (_SAME if kind in _PROVED else _TOLD):
             return _Named(step, best, shares[best])
         if len(ordered) > 1 and kind not in _PROVED and len(step.gone) >= _FEW:
             first, second = shares[ordered[0]], shares[ordered[1]]
             if first >= _ANY and first - second >= _AHEAD:
                 return _Named(step, ordered[0], first)
         return _Named(step, "", shares[best] if best else 0.0)
+
+    def joined(self, found: Sequence[_Named], names: Sequence[str]) -> list[_Named]:
+        """The steps, one without a name with that of today's which its kind may have and its failures fit."""
+        made = [*found]
+        for name in names:
+            if any(one.name == name for one in made):
+                continue
+            for at, one in enumerate(made):
+                kind = _plain(one.step.kind)
+                least = _TOLD if kind in _PROVED else _FITS
+                if not one.name and name in self.names(kind) and self.share(name, one.step.gone) >= least:
+                    made[at] = one._replace(name=name)
+                    break
+        return made
 
     def names(self, kind: str) -> Sequence[str]:
         """Those that a repair of that kind may have."""
@@ -141,10 +157,14 @@ def with_steps(result: Result, repaired: Repaired, kinds: Kinds, words: Catalogu
     today = result.pitfall
     if today is not None and _contradicts(repaired, today, found):
         today = None
-    if today is not None:
-        found = [one._replace(name=_of_today(one.name, today, alone=len(found) == 1)) for one in found]
-    steps = tuple(_told(one, repaired.failing, kinds) for one in found)
-    if today is not None:
+    if today is not None and len(found) == 1 == len(today.names):
+        found = [found[0]._replace(name=today.names[0])]
+    elif today is not None:
+        found = repaired.joined(found, today.names)
+        if not any(one.name in today.names for one in found):
+            return replace(result, pitfall=replace(today, steps=_told(found, repaired.failing, kinds)))
+    steps = _told(found, repaired.failing, kinds)
+    if today is not None and {one.name for one in found} >= {*today.names}:
         return replace(result, pitfall=replace(today, steps=steps))
     named = {one.name: one.share for one in found if one.name}
     advice = tuple(words[name].why if name in words else "" for name in named)
@@ -152,16 +172,13 @@ def with_steps(result: Result, repaired: Repaired, kinds: Kinds, words: Catalogu
     return replace(result, pitfall=Pitfall(tuple(named), score, advice, steps=steps))
 
 
-def _of_today(name: str, today: Pitfall, *, alone: bool) -> str:
-    if alone and len(today.names) == 1:
-        return today.names[0]
-    return name if name in today.names else ""
-
-
-def _told(one: _Named, failing: int, kinds: Kinds) -> MistakeStep:
-    kind, _, which = one.step.kind.partition(":")
-    why = kinds[kind].why.replace("{which}", which.replace("=", " = ")) if kind in kinds else ""
-    return MistakeStep(one.name or None, kind, one.step.line, len(one.step.gone), failing, why)
+def _told(found: Sequence[_Named], failing: int, kinds: Kinds) -> tuple[MistakeStep, ...]:
+    steps = []
+    for one in found:
+        kind, _, which = one.step.kind.partition(":")
+        why = kinds[kind].why.replace("{which}", which.replace("=", " = ")) if kind in kinds else ""
+        steps.append(MistakeStep(one.name or None, kind, one.step.line, len(one.step.gone), failing, why))
+    return tuple(steps)
 
 
 def _contradicts(repaired: Repaired, today: Pitfall, found: Sequence[_Named]) -> bool:

@@ -115,8 +115,15 @@ class Child:
 
         Raises LostError.
         """
+        return self._line("turning", chain, places)
+
+    def leaving(self, chain: Sequence[int] | None, places: Sequence[int]) -> int:
+        """The line where most of the cases are answered, or 0. Raises LostError."""
+        return self._line("leaving", chain, places)
+
+    def _line(self, what: str, chain: Sequence[int] | None, places: Sequence[int]) -> int:
         self.calls += 2 * len(places)
-        (found,) = self.ask(chain, [("turning", places)])
+        (found,) = self.ask(chain, [(what, places)])
         if not isinstance(found, list):
             return 0
         lines = [each for each in found if type(each) is int and 0 < each <= self._lines]

@@ -65,12 +65,22 @@ class _Submission:
                     kind = "number" if isinstance(value, int | float) else type(value).__name__
                     found[frame.f_code.co_firstlineno, name] = kind
 
-        before = sys.getprofile()
-        sys.setprofile(note)
-        try:
-            self.answers(range(0, len(self.cases), max(1, len(self.cases) // _WATCHED)))
-        finally:
-            sys.setprofile(before)
+        _while_noting(note, self.answers, range(0, len(self.cases), max(1, len(self.cases) // _WATCHED)))
+        return found
+
+    def leaving(self, places: Sequence[int]) -> list[int]:
+        """The line where the entry function returns each one's answer; 0 where it never does."""
+        found: list[int] = []
+
+        def note(frame: Any, event: str, _: Any) -> None:
+            code = frame.f_code
+            if event == "return" and (code.co_filename, code.co_name) == (_FILE, self.entry):
+                found[-1] = frame.f_lineno
+
+        space = self._space(vars(builtins), self.tree)
+        for place in places:
+            found.append(0)
+            _while_noting(note, self._answer, space, place)
         return found
 
     def answers(self, places: Sequence[int], tree: Any = None) -> list[list[Any]]:
@@ -163,6 +173,14 @@ class _Submission:
         return [lines[each[0]] if each else 0 for each in turned]
 
 
+def _while_noting(note: Any, function: Callable[..., Any], *given: Any) -> None:
+    sys.setprofile(note)
+    try:
+        function(*given)
+    finally:
+        sys.setprofile(None)
+
+
 def _fresh(value: Any) -> Any:
     return list(map(_fresh, value)) if type(value) is list else value
 
@@ -171,7 +189,7 @@ _opened: list[_Submission] = []
 
 
 def ask(what: str, *given: Any) -> Any:
-    """What is wanted: `open` first, then `table`, `answers`, `edited`, `exactly` or `turning`.
+    """What is wanted: `open` first, then `table` or a method of `_Submission`.
 
     Opening says whether the program may be changed, and lists its edits where it is given a chain of them.
     """

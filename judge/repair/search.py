@@ -135,6 +135,9 @@ class Search:
     def _chains(self, state: _State, rounding: bool) -> tuple[list[Steps], Steps]:
         """Chains that make it right, and the best one that does not."""
         states, part = [state], state.steps
+        whole = [*self._rounded(state)] if part else []
+        if whole:
+            return whole, part
         for _ in range(1 if rounding else _DEPTH):
             made = [each for one in states for each in self._next(one, rounding)]
             made.sort(key=_order)
@@ -145,13 +148,16 @@ class Search:
             if not states:
                 break
             part = states[0].steps
-            for each in () if rounding else states:
-                if self._without_rounding(each.chain, each.wrong, _LEFT, each)[0]:
-                    line = self._child.turning(each.chain, self._cases.spread(each.wrong, _TURNS))
-                    whole.append((*each.steps, Step("rounding", line, each.wrong)))
+            whole += [] if rounding else [steps for each in states for steps in self._rounded(each)]
             if whole:
                 return whole, part
         return [], part
+
+    def _rounded(self, state: _State) -> Iterator[Steps]:
+        """The steps, and that what is left is rounding, if it is."""
+        if self._without_rounding(state.chain, state.wrong, _LEFT, state)[0]:
+            line = self._child.turning(state.chain, self._cases.spread(state.wrong, _TURNS))
+            yield (*state.steps, Step("rounding", line, state.wrong))
 
     # -- question 2 ------------------------------------------------------------------------------------
 
@@ -190,7 +196,7 @@ class Search:
     def _next(self, state: _State, rounding: bool) -> Iterator[_State]:
         """The states that are one step further, with fewer wrong answers."""
         table = self._child.table(state.chain)
-        yield from self._asides(state, table)
+        yield from self._asides(state)
         few = self._cases.spread(state.wrong, _WRONG)
         good = self._cases.spread((at for at in self._everything if at not in state.wrong), _RIGHT)
         numbers = [n for n, (kind, *_) in enumerate(table) if not rounding or kind in _ROUNDING]
@@ -249,13 +255,15 @@ class Search:
                 found.append((number, then.after, self._wrong(pairs, places, then)))
         return found
 
-    def _asides(self, state: _State, table: Table) -> Iterator[_State]:
+    def _leaving(self, state: _State, gone: frozenset[int]) -> int:
+        return self._child.leaving(state.chain, self._cases.spread(gone, _TURNS))
+
+    def _asides(self, state: _State) -> Iterator[_State]:
         """What is asked of the answers alone: cases that coincide, equal items, points beyond, the order."""
-        top = min((line for _, line, _ in table), default=0)
         for name, some in self._cases.guards(state.wrong):
             gone = state.wrong & some
             kind = f"guard-{'zero' if name.endswith('=0') else 'same'}"
-            step = Step(f"{kind}:{name}", 0, gone)
+            step = Step(f"{kind}:{name}", self._leaving(state, gone), gone)
             yield state._replace(
                 guarded=state.guarded | some, steps=(*state.steps, step), wrong=state.wrong - some
             )
@@ -266,7 +274,9 @@ class Search:
             then = state._replace(after=(*state.after, name))
             left = self._wrong(pairs, self._everything, then)
             if len(left) < len(state.wrong):
-                yield then._replace(steps=(*state.steps, Step(name, top, state.wrong - left)), wrong=left)
+                gone = state.wrong - left
+                step = Step(name, self._leaving(state, gone), gone)
+                yield then._replace(steps=(*state.steps, step), wrong=left)
 
 
 def seek(
