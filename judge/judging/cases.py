@@ -168,7 +168,7 @@ def judge_fresh(
                     result = replace(failed, failure=result.failure)
                 if options.named and result.verdict in NAMED:
                     pinned = judge_submission(session.data, source, name, session.untimed)
-                    named = session.named(pinned.result, pinned.behaviour, source)
+                    named = session.named(pinned, source, box)
                     result = replace(result, pitfall=named.pitfall).noting(*named.notes)
             except KeyboardInterrupt:  # what broke is known, and worth more than the rest
                 stressed = replace(stressed, interrupted=True)

@@ -117,7 +117,12 @@ def place_of(failure: Failure | None) -> str:
 
 
 def mistake_text(pitfall: Pitfall) -> str:
-    """`Very likely mistake: above-for-left (or slope-intercept)`."""
+    """`Very likely mistake: above-for-left (or slope-intercept)`; without a name where it was found."""
+    if not pitfall.names:
+        if len(pitfall.steps) > 1:
+            return "Several mistakes found"
+        line = next((f" in line {step.line}" for step in pitfall.steps if step.line), "")
+        return f"Mistake found{line}"
     likely = "Very likely" if pitfall.score >= _LIKELY else "Likely"
     several = "mistakes" if len(pitfall.names) > 1 else "mistake"
     perhaps = f" (or {' or '.join(pitfall.perhaps)})" if pitfall.perhaps else ""
@@ -127,7 +132,27 @@ def mistake_text(pitfall: Pitfall) -> str:
 def _advice(pitfall: Pitfall) -> tuple[str, ...]:
     several = len(pitfall.names) > 1
     pairs = zip(pitfall.names, pitfall.advice, strict=False)  # a kept result may be damaged
-    return tuple(f"{name}: {text}" if several else text for name, text in pairs if text)
+    told = [f"{name}: {text}" if several else text for name, text in pairs if text]
+    return (*told, *(_step(pitfall, at) for at in range(len(pitfall.steps))))
+
+
+def _step(pitfall: Pitfall, at: int) -> str:
+    """`line 19: 73 of 531 failures hang on it`; what was seen there where the step has no name."""
+    step, several = pitfall.steps[at], len(pitfall.steps) > 1
+    parts = [
+        ("Then" if at else "One of several") if several else "",
+        f"line {step.line}" if step.line else "",
+    ]
+    place = ", ".join(filter(None, parts))
+    seen = (
+        f"{step.why} "
+        if step.why and step.name is None
+        else f"{step.name}: "
+        if several and step.name
+        else ""
+    )
+    share = f"{step.gone:,} of {counted(step.of, 'failure')} {'hangs' if step.gone == 1 else 'hang'} on it"
+    return f"{place}: {seen}{share}" if place else f"{seen}{share}"
 
 
 def _happened(problem: Problem | None, result: Result) -> str:

@@ -184,17 +184,33 @@ class Taken(Struct, frozen=True):
     why_not: str = ""
 
 
+class MistakeStep(Struct, frozen=True):
+    """One thing that is wrong, proved by a change of the program: `gone` of the `of` failures hang on it.
+
+    `name` is the mistake's where that is sure, `kind` the sort of change, `line` where it is, 0 where it has
+    no line. `why` says what was seen there.
+    """
+
+    name: str | None
+    kind: str
+    line: int
+    gone: int
+    of: int
+    why: str = ""
+
+
 class Pitfall(Struct, frozen=True):
     """The mistake that explains the wrong answers, or the two together; `score` is between 0 and 1.
 
     `advice` says of each what is wrong. `perhaps` is another mistake that explains them nearly as well, if
-    there is one.
+    there is one. `steps` are what was proved, the largest first: all that is known where there is no name.
     """
 
     names: tuple[str, ...]
     score: float
     advice: tuple[str, ...]
     perhaps: tuple[str, ...] = ()
+    steps: tuple[MistakeStep, ...] = ()
 
     @property
     def name(self) -> str:
@@ -265,7 +281,7 @@ class Result(Struct, frozen=True, kw_only=True):
     def __repr__(self) -> str:
         """One line: who did what, and how it ended."""
         where = f", in {self.failure.group}" if self.failure and self.failure.group else ""
-        named = f", {self.pitfall.name}" if self.pitfall else ""
+        named = f", {self.pitfall.name}" if self.pitfall and self.pitfall.names else ""
         points = f"{self.score} of {self.points} points"
         return f"<Result {self.problem} {self.submission}: {self.verdict.value}, {points}{where}{named}>"
 

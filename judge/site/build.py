@@ -45,7 +45,7 @@ _PACKAGE = Path(__file__).parent.parent
 _IN_A_TAB = (  # of this package; the rest is for processes, terminals and machines
     *("__init__.py", "cache.py", "errors.py", "files.py"),
     *("exact", "values", "drawing", "problem", "data", "geometry", "sandbox", "languages", "run", "diagnose"),
-    *("mistakes", "judging", "report", "site"),
+    *("repair", "mistakes", "judging", "report", "site"),
 )
 _LEFT_OUT = {"attacks.py", "drivers", "html", "page", "__pycache__"}
 _SEED = 1  # of what is left to chance in cards

@@ -40,6 +40,7 @@ ROOMS = [
         "holes",
         "verify",
         "mistakes",
+        "repair",
         "diagnose",
     ),
     *("run", "data", "problem", "drawing", "manual", "languages", "values", "exact", "database"),
@@ -159,6 +160,7 @@ def test_the_engine_has_no_word_of_its_topic():
         "run",
         "judging",
         "diagnose",
+        "repair",
         "mistakes",
         "holes",
         "verify",
@@ -173,7 +175,10 @@ def test_the_engine_has_no_word_of_its_topic():
     assert told == {}
 
 
-PURE = ("exact", "values", "problem", "data", "geometry", "drawing", "diagnose", "mistakes", "run")
+PURE = (
+    *("exact", "values", "problem", "data", "geometry", "drawing", "diagnose", "repair", "mistakes"),
+    "run",
+)
 PLATFORM = (
     *("_posixsubprocess", "_socket", "ctypes", "fcntl", "hypothesis", "mmap", "multiprocessing", "resource"),
     *("signal", "socket", "sqlite3", "subprocess"),

@@ -359,7 +359,7 @@ class _Interview(Round):
             solved=self._solved,
             verdict=last.verdict if last else None,
             score=last.score if last else None,
-            mistake=last.pitfall.name if last and last.pitfall else None,
+            mistake=last.pitfall.name if last and last.pitfall and last.pitfall.names else None,
             lacking=skills,
             practise=cards.practise[:_MOST],
         )
