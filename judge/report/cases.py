@@ -14,6 +14,7 @@ from judge.drawing import Picture
 from judge.drawing.braille import LEAST_ROWS
 from judge.practice.progress import HackState
 from judge.problem import Verdict
+from judge.report.entry import entry_text
 from judge.report.parts import (
     Cell,
     bad,
@@ -33,7 +34,6 @@ from judge.report.parts import (
 from judge.report.picture import case_picture, has_room, made, picture_rows
 from judge.report.published_cases import CaseTried, HackTurn, PageWritten
 from judge.report.screen import Screen, drawn
-from judge.report.tell import entry_text
 from judge.report.words import arguments, counted, shown_name
 from judge.run.result import Failure, Obstacle
 from judge.run.tried import Tried
