@@ -6,16 +6,15 @@ with the step are to those of the known program: one formula.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from typing import NamedTuple
 
 from msgspec.structs import replace
 
 from judge.mistakes.catalogue import Catalogue, Kinds
-from judge.mistakes.naming import Known
+from judge.mistakes.likeness import Likeness, Place
 from judge.repair.search import Repair, Step, Steps
-from judge.run.result import Behaviour, MistakeStep, Pitfall, Result
-from judge.values.outline import Outline
+from judge.run.result import MistakeStep, Pitfall, Result
 
 _TOLD = 0.55  # share of the failures that a name of the kind must have
 _FITS = 0.3  # … and one that is today's already
@@ -38,9 +37,6 @@ _STRENGTH = {  # how likely a repair of that kind is the mistake itself; 0.6 whe
 }
 _PROVED = ("rounding", "fresh", "parameter-order")  # what a name must not contradict
 
-Place = tuple[str, int]  # a group, and a case of it
-Wrong = Mapping[Place, Outline]
-
 
 class _Named(NamedTuple):
     step: Step
@@ -51,13 +47,10 @@ class _Named(NamedTuple):
 class Repaired:
     """What a repair says of a program, beside what known programs answer."""
 
-    def __init__(self, repair: Repair, known: Sequence[Known], does: Behaviour, kinds: Kinds) -> None:
+    def __init__(self, repair: Repair, likeness: Likeness, kinds: Kinds) -> None:
         self._repair, self._kinds, self.failing = repair, kinds, repair.failing
-        self._places = [(each.group.group.name, each.place) for each in repair.cases.all]
-        self._given = _wrong_of(does)
-        self._known: dict[str, list[Wrong]] = {}
-        for each in known:
-            self._known.setdefault(each.name, []).append(_wrong_of(each.behaviour))
+        self._places: list[Place] = [(each.group.group.name, each.place) for each in repair.cases.all]
+        self._likeness = likeness
 
     def chosen(self) -> list[_Named]:
         """The chain of steps that explains best, each with its name where that is sure."""
@@ -89,12 +82,12 @@ class Repaired:
 
     def _named(self, step: Step) -> _Named:
         kind = _plain(step.kind)
-        names = [name for name in self.names(kind) if name in self._known]
+        names = [name for name in self.names(kind) if name in self._likeness.names]
         if "scaled" in self._repair.ways and kind.startswith(("tolerance", "size", "room")):
-            names = [name for name in ("absolute-epsilon", *names) if name in self._known]
+            names = [name for name in ("absolute-epsilon", *names) if name in self._likeness.names]
         if kind in _SURE and names:
             return _Named(step, names[0], 1.0)
-        shares = {name: self.share(name, step.gone) for name in self._known}
+        shares = {name: self.share(name, step.gone) for name in self._likeness.names}
         ordered = sorted(shares, key=lambda name: (-shares[name], name))
         if ordered and len(step.gone) >= _FEW and shares[ordered[0]] >= _ALL:
             next_one = shares[ordered[1]] if len(ordered) > 1 else 0.0
@@ -130,23 +123,11 @@ class Repaired:
 
     def share(self, name: str, gone: frozenset[int]) -> float:
         """Of the failures that go, how many the known program has too, half of it for another answer."""
-        places = [self._places[at] for at in gone]
-        return max((self._share(places, wrong) for wrong in self._known[name]), default=0.0)
-
-    def _share(self, places: Sequence[Place], wrong: Wrong) -> float:
-        both = [each for each in places if each in wrong]
-        same = sum(self._given.get(each) == wrong[each] for each in both)
-        asked = set(self._places)
-        others = sum(each in asked and each not in self._given for each in wrong)
-        return (same + 0.5 * (len(both) - same)) / max(1, len(places) + others)
+        return self._likeness.share(name, [self._places[at] for at in gone])
 
 
 def _plain(kind: str) -> str:
     return kind.partition(":")[0]
-
-
-def _wrong_of(does: Behaviour) -> Wrong:
-    return {(group, case): outline for group, a in does.items() for case, outline in a.wrong.items()}
 
 
 def with_steps(result: Result, repaired: Repaired, kinds: Kinds, words: Catalogue) -> Result:
