@@ -23,6 +23,7 @@ _ANY = 0.6  # … and one that the kind does not propose,
 _AHEAD = 0.15  # by so much more than the next one
 _SAME = 0.9  # … and one of what is proved without a name
 _ALL = 0.95  # from here on all answers are those of the known program
+_STRONG = 0.87  # a kind that says what it is even where it explains a part
 _FEW = 5  # failures, below which nothing is like anything
 _WORTH = 0.5  # of the failures that steps must take away where they do not take all
 _SURE = ("fresh", "doubles")  # the kind proves the name
@@ -150,7 +151,10 @@ def _wrong_of(does: Behaviour) -> Wrong:
 
 
 def with_steps(result: Result, repaired: Repaired, kinds: Kinds, words: Catalogue) -> Result:
-    """The result with what the repair says, beside the name that it may have already."""
+    """The result with what the repair says, beside the name that it may have already.
+
+    Where the two tell of different things, and neither is proved, the name is all that is said.
+    """
     found = repaired.chosen()
     if not found:
         return result
@@ -162,7 +166,7 @@ def with_steps(result: Result, repaired: Repaired, kinds: Kinds, words: Catalogu
     elif today is not None:
         found = repaired.joined(found, today.names)
         if not any(one.name in today.names for one in found):
-            return replace(result, pitfall=replace(today, steps=_told(found, repaired.failing, kinds)))
+            return result
     steps = _told(found, repaired.failing, kinds)
     if today is not None and {one.name for one in found} >= {*today.names}:
         return replace(result, pitfall=replace(today, steps=steps))
@@ -173,10 +177,13 @@ def with_steps(result: Result, repaired: Repaired, kinds: Kinds, words: Catalogu
 
 
 def _told(found: Sequence[_Named], failing: int, kinds: Kinds) -> tuple[MistakeStep, ...]:
+    """The steps in words; of one that leaves something wrong only the line, unless its kind is strong."""
     steps = []
+    gone = frozenset[int]().union(*(one.step.gone for one in found))
     for one in found:
         kind, _, which = one.step.kind.partition(":")
-        why = kinds[kind].why.replace("{which}", which.replace("=", " = ")) if kind in kinds else ""
+        sure = len(gone) == failing or _STRENGTH.get(kind, 0.0) >= _STRONG
+        why = kinds[kind].why.replace("{which}", which.replace("=", " = ")) if sure and kind in kinds else ""
         steps.append(MistakeStep(one.name or None, kind, one.step.line, len(one.step.gone), failing, why))
     return tuple(steps)
 
