@@ -24,9 +24,9 @@ _AHEAD = 0.15  # by so much more than the next one
 _SAME = 0.9  # … and one of what is proved without a name
 _ALL = 0.95  # from here on all answers are those of the known program
 _STRONG = 0.87  # a kind that says what it is even where it explains a part
-_FEW = 5  # failures, below which nothing is like anything
+_FEW = 5  # failures: fewer are like too much
 _WORTH = 0.5  # of the failures that steps must take away where they do not take all
-_SURE = ("fresh", "doubles")  # the kind proves the name
+_SURE = ("fresh",)  # the kind proves the name
 _STRENGTH = {  # how likely a repair of that kind is the mistake itself; 0.6 where it is not listed
     **dict.fromkeys(("fresh", "parameter-order"), 1.0),
     **dict.fromkeys(("clamp", "guard-left-out", "whole-division"), 0.95),
@@ -96,19 +96,20 @@ class Repaired:
         if kind in _SURE and names:
             return _Named(step, names[0], 1.0)
         shares = {name: self.share(name, step.gone) for name in self._known}
-        ordered = sorted(shares, key=lambda name: (-shares[name], name))
-        if ordered and len(step.gone) >= _FEW and shares[ordered[0]] >= _ALL:
-            next_one = shares[ordered[1]] if len(ordered) > 1 else 0.0
-            if next_one < shares[ordered[0]] and kind not in _PROVED:
-                return _Named(step, ordered[0], shares[ordered[0]])
-        best = max(names, key=lambda name: shares[name] - 0.02 * names.index(name), default=None)
-        if best is not None and shares[best] >= (_SAME if kind in _PROVED else _TOLD):
+        first = min(shares, key=lambda name: (-shares[name], name), default="")
+        best = max(names, key=lambda name: shares[name] - 0.02 * names.index(name), default="")
+        proved, most = kind in _PROVED, shares.get(first, 0.0)
+        ahead = most - max((share for name, share in shares.items() if name != first), default=0.0)
+        if len(step.gone) < _FEW:
+            return _Named(step, "", shares.get(best, 0.0))
+        if not proved and most >= _ALL and ahead > 0:
+            return _Named(step, first, most)
+        twin = most >= _ALL and ahead == 0  # another mistake has all of these answers, too
+        if best and not twin and shares[best] >= (_SAME if proved else _TOLD):
             return _Named(step, best, shares[best])
-        if len(ordered) > 1 and kind not in _PROVED and len(step.gone) >= _FEW:
-            first, second = shares[ordered[0]], shares[ordered[1]]
-            if first >= _ANY and first - second >= _AHEAD:
-                return _Named(step, ordered[0], first)
-        return _Named(step, "", shares[best] if best else 0.0)
+        if not proved and most >= _ANY and ahead >= _AHEAD:
+            return _Named(step, first, most)
+        return _Named(step, "", shares.get(best, 0.0))
 
     def joined(self, found: Sequence[_Named], names: Sequence[str]) -> list[_Named]:
         """The steps, one without a name with that of today's which its kind may have and its failures fit."""
