@@ -17,23 +17,29 @@ Starting is kept short on purpose: `judge --help` imports click and nothing else
 from __future__ import annotations
 
 import _signal as signal  # type: ignore[import-not-found]  # signal itself takes longer to import
+import atexit
 import gc
 import os
 import sys
+
+from judge.cli.interrupt import INTERRUPTED, leave
 
 TYPE_CHECKING = False  # typing's is slow to import, and nothing may be slow before Ctrl-C is seen to
 if TYPE_CHECKING:
     from types import FrameType
     from typing import NoReturn
 
-_INTERRUPTED = 130  # ExitCode.INTERRUPTED, which may not be imported yet
+_OFTEN_ENOUGH = 100_000  # new objects until garbage is looked for, which a run hardly makes
 
 
 def main() -> NoReturn:
     """The console script."""
     if signal.getsignal(signal.SIGINT) is signal.default_int_handler:  # not for who runs us to ignore it
-        signal.signal(signal.SIGINT, _leave)
+        signal.signal(signal.SIGINT, leave)
     _open_standard_streams()
+    alone = _is_outermost(sys._getframe(1))
+    if alone:
+        gc.set_threshold(_OFTEN_ENOUGH)
     try:
         gc.disable()  # as in app.py
         from judge.cli.app import app  # in here, so that an early Ctrl-C is as quiet as a late one
@@ -41,22 +47,40 @@ def main() -> NoReturn:
         gc.enable()
         app.main()
     except KeyboardInterrupt:
-        sys.exit(_INTERRUPTED)
+        sys.exit(INTERRUPTED)
+    except SystemExit as left:
+        status = left.code  # and its frames are let go, with all that they held open
     finally:
         # Of an interrupt inside an exec of text, as namedtuple does one, Python keeps a mark though it was
         # handled, and in place of our status it would end by SIGINT. The next exec takes the mark away.
         exec("")
+    if alone and status in (0, 1):
+        _end(status)
+    sys.exit(status)
 
 
-def _leave(_number: int, _frame: FrameType | None) -> NoReturn:
-    """Ctrl-C while modules are imported, where an exception is now and then lost in the locks of imports."""
-    os._exit(_INTERRUPTED)  # nothing has been started or written
+def _is_outermost(caller: FrameType) -> bool:
+    """Whether who called `main` is the whole program: a script, `python -m`, but no profiler or test."""
+    while above := caller.f_back:
+        if above.f_globals.get("__name__") != "runpy":
+            return False
+        caller = above
+    return True
 
 
-def imported() -> None:
-    """All that takes long is imported: from here on Ctrl-C is an exception, and things are cleared up."""
-    if signal.getsignal(signal.SIGINT) is _leave:
-        signal.signal(signal.SIGINT, signal.default_int_handler)
+def _end(status: int) -> None:
+    """End the process as the interpreter does, but leave its modules standing: to take them down is a tenth
+    of an accepted run. Where the output cannot be written, the interpreter is to say so.
+    """
+    try:
+        if threading := sys.modules.get("threading"):
+            threading._shutdown()
+        atexit._run_exitfuncs()
+        sys.stdout.flush()
+        sys.stderr.flush()
+    except (OSError, ValueError, KeyboardInterrupt):
+        return
+    os._exit(status)
 
 
 def _open_standard_streams() -> None:

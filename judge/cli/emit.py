@@ -2,8 +2,8 @@
 
 A command returns a frozen Struct, or an iterator of them where the work is long; it never prints. A value
 may have `exit_code`, `published` (what goes out as JSON instead of it: a tuple of structs, one a line),
-`plain` (text for another program, such as CSV, which is written as it is) and `paged` (whether the pager
-shows what is longer than the terminal).
+`plain` (text for another program, such as CSV, which is written as it is), `line` (all that is shown, where
+that is one line) and `paged` (whether the pager shows what is longer than the terminal).
 """
 
 from __future__ import annotations
@@ -54,10 +54,15 @@ def _written(value: Struct, common: Common) -> ExitCode:
         sys.stdout.flush()
     else:
         from judge.report.screen import out, show  # --json does without the screen
-        from judge.report.views import view
 
         screen = out()
-        show(view(value, screen), screen, paged=getattr(value, "paged", False))
+        line = "" if screen.colour or screen.width else getattr(value, "line", "")
+        if line and line.isprintable():
+            screen.write(f"{line}\n")
+        else:
+            from judge.report.views import view
+
+            show(view(value, screen), screen, paged=getattr(value, "paged", False))
     return getattr(value, "exit_code", ExitCode.ACCEPTED)
 
 

@@ -22,11 +22,11 @@ from msgspec.structs import replace
 
 from judge.data.build import choices_of
 from judge.data.draw import Draw, seeded
-from judge.data.load import GroupData, ProblemData
+from judge.data.model import GroupData, ProblemData
 from judge.diagnose.budget import SearchBudget
 from judge.diagnose.polish import polished, rounded
 from judge.diagnose.replay import LONGEST, encode
-from judge.diagnose.simple import ladder
+from judge.diagnose.simple import Step, ladder
 from judge.diagnose.simplicity import items_of
 from judge.diagnose.trial import LIMITED, Finding, Outcome, Trial, sort_of
 from judge.problem import Case, Group, Problem, Verdict
@@ -138,6 +138,7 @@ class _Search:
         self._first = first
         self._number = number
         self._choices_of = choices_of
+        self._simple: list[list[Case]] = []  # of each step of the ladder, once it was climbed
 
     def run(self) -> Failure | None:
         """The best of what the stages find; None where it is too long for an id."""
@@ -163,19 +164,24 @@ class _Search:
 
     def _climbed(self, group: Group) -> Finding | None:
         """The simplest failing case of the first step that has one."""
-        for step in ladder(self._problem):
+        for place, step in enumerate(ladder(self._problem)):
             if self._trial.budget.spent:
                 break
-            cases = [
-                rung.case(Draw(seeded(f"{rung}/{number}")), self._problem)
-                for rung, count in step
-                for number in range(count)
-            ]
-            simple = [case for case in cases if self._trial.measure(case) < self._first.measure]
-            found = self._trial.simplest(simple, group)
+            if place == len(self._simple):
+                self._simple.append(self._cases(step))
+            found = self._trial.simplest(self._simple[place], group)
             if found is not None:
                 return found
         return None
+
+    def _cases(self, step: Step) -> list[Case]:
+        """The cases of a step that are simpler than the first one that failed."""
+        drawn = (
+            rung.case(Draw(seeded(f"{rung}/{number}")), self._problem)
+            for rung, count in step
+            for number in range(count)
+        )
+        return [case for case in drawn if self._trial.measure(case) < self._first.measure]
 
     def _by_parameters(self) -> Finding:
         if self._group.name == EXAMPLES or self._trial.budget.spent:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from enum import Enum
+from itertools import islice
 from typing import Any
 
 from msgspec import Struct
@@ -90,6 +91,7 @@ class Trial:
         self._known: dict[tuple[str, str], Finding | None] = {}
         self._answers: dict[str, Exact | InvalidCase] = {}
         self._targets: dict[tuple[str, str], Target] = {}
+        self._right = set[tuple[str, str]]()  # cases that were called right, by group
         self._kind: tuple[str, ...] | None = None
         self._used = Usage()  # by the last process
         self._slow = Usage()  # what every process needs before its first answer, where that is much
@@ -155,12 +157,12 @@ class Trial:
         Where `fair` is asked for, the problem's own reference solution must get it right: these cases were
         not built by a recipe that minds how well its answer is conditioned.
         """
-        fresh = {repr(case): case for case in cases if self.valid(case, group)}
-        ordered = sorted(fresh.values(), key=self.measure)
-        for start in range(0, len(ordered), _BATCH):
-            if self.budget.spent:
-                break
-            for finding in self._try(ordered[start : start + _BATCH], group)[:MOST_LOSSES]:
+        ordered = sorted({repr(case): case for case in cases}.values(), key=self.measure)
+        # An exact answer takes longer than a call, so none is sought before its batch.
+        valid = (case for case in ordered if self.valid(case, group))
+        while not self.budget.spent and (batch := list(islice(valid, _BATCH))):
+            unknown = [case for case in batch if (group.name, repr(case)) not in self._right]
+            for finding in self._try(unknown, group)[:MOST_LOSSES]:
                 if fair and not self._fair(finding):
                     continue
                 confirmed = self.alone(finding.case, group)
@@ -183,7 +185,7 @@ class Trial:
         """
         targets = [self._target(case, group) for case in cases]
         failing: list[Finding] = []
-        waiting = [(0, len(cases))]
+        waiting = [(0, len(cases))] if cases else []
         losses = 0
         most = 1 if self.verdict in LIMITED else MOST_LOSSES  # such a call costs much of the time there is
         while waiting and losses < most and (len(cases) == 1 or not self.budget.spent):
@@ -194,6 +196,8 @@ class Trial:
                 waiting += [(middle, end), (first, middle)]
                 continue
             failing += [each for each in ended if each is not None and self._counts(each)]
+            passed = zip(cases[first:end], ended, strict=False)
+            self._right.update((group.name, repr(case)) for case, each in passed if each is None)
             stopped = len(ended) < end - first
             losses += stopped or bool(ended and ended[-1] and ended[-1].verdict in LIMITED)
             if stopped:

@@ -19,7 +19,7 @@ from msgspec.structs import replace
 
 from judge.cache import DISK, Store
 from judge.errors import JudgeError, ShortageError, UsageError, shortage, told
-from judge.judging.api import RunOptions
+from judge.judging.options import RunOptions
 from judge.problem import Problem, Verdict
 from judge.run.alone import MeasureLock
 from judge.run.reference import Reference, check_needs
@@ -28,7 +28,7 @@ from judge.run.settings import Progress, Settings
 from judge.sandbox.boundary import Box, BoxFactory
 
 if TYPE_CHECKING:
-    from judge.data.load import ProblemData
+    from judge.data.model import ProblemData
     from judge.diagnose.shrink import Choices
     from judge.mistakes.namer import Namer
     from judge.repair.search import Repair
@@ -168,8 +168,6 @@ class Session:
 
     def _judged(self, source: bytes, name: str, told_first: Callable[[Result], None] | None) -> Result:
         from judge.run.execute import judge_submission
-        from judge.run.hurdle import with_hurdle
-        from judge.run.printed import with_printed
 
         options, settings, groups = self.options, self.settings, self.options.chosen(self.problem)
         with self.take(source, name) as box:
@@ -182,10 +180,14 @@ class Session:
             result = replace(result, out_of=every if every > len(result.groups) > 0 else 0)
             if runner is None:
                 return result
-            result = with_hurdle(result, runner, box, source)
-            if result.hurdle is not None:
-                return result
-            result = with_printed(result, self.data, runner, box)
+            if result.failure is not None:
+                from judge.run.entry import entry_error  # only after a failure
+                from judge.run.printed import with_printed
+
+                result = replace(result, hurdle=entry_error(result, runner, box.inspect(), source))
+                if result.hurdle is not None:
+                    return result
+                result = with_printed(result, self.data, runner, box)
             if options.timed and runner.language:
                 unbound = result.verdict is Verdict.AC and not result.time.reference
                 why = result.time.why or (_UNTIMED.format(runner.language) if unbound else "")

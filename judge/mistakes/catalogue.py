@@ -29,10 +29,10 @@ import msgspec
 from msgspec import Struct
 
 from judge.cache import DISK, digest
-from judge.errors import ProblemError
+from judge.errors import ProblemError, meant
 from judge.mistakes.features import FEATURES
 from judge.problem import Problem
-from judge.problem.toml import meant, parse_toml, read_text
+from judge.problem.toml import parse_toml, read_text
 
 FILE = "mistakes.toml"
 _KIND = "kind"  # the table of what is said of repairs

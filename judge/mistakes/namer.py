@@ -12,7 +12,7 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from judge.cache import DISK, Store
-from judge.data.load import ProblemData
+from judge.data.model import ProblemData
 from judge.languages import language_of
 from judge.mistakes.catalogue import read_catalogue, read_kinds
 from judge.mistakes.computed import Computer, Program

@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 from msgspec import Struct
 
-from judge.data.load import ProblemData
+from judge.data.model import ProblemData
 from judge.problem.solutions import LONGEST
 from judge.repair.cases import Cases
 from judge.repair.changed import Changed

@@ -10,7 +10,7 @@ from judge.errors import ExitCode
 from judge.run.result import Result, exit_code
 
 if TYPE_CHECKING:
-    from judge.data.load import ProblemData
+    from judge.data.model import ProblemData
     from judge.report.published_look import Standing
 
 
@@ -39,6 +39,16 @@ class Judged(Struct, frozen=True):
     def published(self) -> tuple[Result]:
         """What goes out as JSON."""
         return (self.result,)
+
+    @property
+    def line(self) -> str:
+        """All that is shown of it, where that is one line without a layout."""
+        if self.several or not self.quiet:
+            return ""
+        from judge.report.tell import tell
+
+        problem = self.data.problem if self.data else None
+        return "  ".join(tell(problem, self.result, self.source).line(self.result.submission))
 
     @property
     def exit_code(self) -> ExitCode:

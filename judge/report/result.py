@@ -106,9 +106,8 @@ def verdict_line(told: Told, name: str = "") -> Text:
     """The verdict, and what all of it comes to; with the `name` of the file where nothing else is shown."""
     if not name:
         return joined(label(told.verdict), f"  {told.last}")
-    meaning = f"{told.meaning}: " if told.verdict is not Verdict.AC else ""
-    last = told.happened if told.last == "nothing was run" else told.last
-    return joined(label(told.verdict), "  ", strong(shown_name(name)), f"  {meaning}{last}")
+    _, name, last = told.line(name)
+    return joined(label(told.verdict), "  ", strong(name), f"  {last}")
 
 
 def _parts(

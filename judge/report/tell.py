@@ -5,22 +5,16 @@ Nothing here writes, knows a terminal or reads the history.
 
 from __future__ import annotations
 
-import os
 import re
-import shlex
-import sys
 from collections.abc import Iterator, Sequence
-from pathlib import Path
 
 from msgspec import Struct
 
-from judge.errors import nearest
-from judge.languages import file_name
 from judge.problem import Problem, Verdict
 from judge.problem.model import Mode
-from judge.report.words import argument, counted, seconds, times
-from judge.run.result import Failure, GroupResult, Growth, Hurdle, LevelResult, Obstacle, Pitfall, Result
-from judge.sandbox.boundary import IMPORTING
+from judge.report.entry import entry_text
+from judge.report.words import argument, counted, seconds, shown_name, times
+from judge.run.result import Failure, GroupResult, Growth, LevelResult, Obstacle, Pitfall, Result
 
 _PLACE = re.compile(r" \(line (\d{1,9})\)")
 # As judge.run.execute writes a compiler's complaint, whose quotation of the line follows it.
@@ -57,6 +51,12 @@ class Told(Struct, frozen=True, kw_only=True):
     more: int = 0
     commands: tuple[tuple[str, str], ...] = ()
     last: str = ""
+
+    def line(self, name: str) -> tuple[str, str, str]:
+        """The verdict, the file of that name, and what all of it comes to."""
+        meaning = f"{self.meaning}: " if self.verdict is not Verdict.AC else ""
+        last = self.happened if self.last == "nothing was run" else self.last
+        return self.verdict.value, shown_name(name), f"{meaning}{last}"
 
     @property
     def lines(self) -> list[str]:
@@ -159,7 +159,7 @@ def _happened(problem: Problem | None, result: Result) -> str:
         return ""
     message, unplaced = failure.message, failure.input is None
     if result.hurdle is not None and problem is not None:
-        return obstacle_text(result.hurdle, problem, result.submission, message)
+        return entry_text(result.hurdle, problem, result.submission, verdict, message)
     if verdict is Verdict.JE or (verdict is Verdict.WA and not unplaced):
         return ""
     place = fault_place(result)
@@ -341,46 +341,3 @@ def annotated_place(result: Result, source: bytes, entry: str) -> FilePlace:
     # Not by parsing: the file is nobody's yet, and a compiler can be made to crash.
     defined = re.search(rb"^(?:async[ \t]+)?(?:def[ \t]+%s\b|%s[ \t]*(?::.*)?=)" % (name, name), source, re.M)
     return FilePlace(source.count(b"\n", 0, defined.start()) + 1 if defined and entry else 1)
-
-
-_ONE_FILE = "a submission is one file"
-_KNOWN = ("numpy", "scipy", "sympy", "mpmath", "shapely")  # of the modules that Python does not bring
-
-
-def obstacle_text(hurdle: Hurdle, problem: Problem, submission: str, message: str) -> str:
-    """The obstacle and the remedy in a sentence or two; `message` is the failure's."""
-    entry, count = problem.entry, len(problem.parameters)
-    call = f"{entry}({', '.join(parameter.name for parameter in problem.parameters)})"
-    match hurdle.kind:
-        case Obstacle.STUB:
-            line = f" (line {hurdle.line})" if hurdle.line else ""
-            return f"Write the body of {entry}{line}, then save."
-        case Obstacle.ARITY:
-            return f"{entry} takes {hurdle.takes} arguments and is called with {count}: {call}"
-        case Obstacle.MODULE:
-            return _missing_module(submission, hurdle.name)
-        case Obstacle.IMPORT:
-            ended = message.removesuffix(IMPORTING)
-            more = ", or use 'judge run --mode program'" if ended.startswith("EOFError") else ""
-            return f"{ended} ends the import; put what only you need below if __name__ == '__main__':{more}"
-        case Obstacle.NESTED:
-            return f"{entry} stands in a class or another function: move it out, to the left margin"
-        case Obstacle.MISNAMED:
-            return f"there is no {entry}; is {hurdle.name} meant to be it? Rename it: def {call}"
-        case Obstacle.NO_ENTRY:
-            return (
-                f"there is no {entry}: write def {call}, which returns the answer; "
-                "a print at the top level answers nothing"
-            )
-
-
-def _missing_module(submission: str, name: str) -> str:
-    top = name.partition(".")[0]
-    beside = Path(submission).parent / top
-    if any(os.path.lexists(path) for path in (beside, beside.with_name(file_name(top)))):
-        return f"{top} cannot be imported: {_ONE_FILE}; move what it needs of {top} into it"
-    meant = None if top in _KNOWN else nearest(top, [*_KNOWN, *sys.stdlib_module_names])
-    if meant:
-        return f"there is no module {top}; did you mean {meant}? {_ONE_FILE.capitalize()}"
-    install = shlex.join([sys.executable, "-m", "pip", "install", top])
-    return f"there is no module {top} where the judge runs, and {_ONE_FILE}. To add it: {install}"

@@ -16,7 +16,6 @@ from __future__ import annotations
 
 import os
 import stat
-import tempfile
 import time
 from collections.abc import Callable, Iterator
 from contextlib import AbstractContextManager, ExitStack, contextmanager, nullcontext, suppress
@@ -159,7 +158,8 @@ def _folders() -> Iterator[Path]:
         if runtime.is_absolute() and _ours(runtime.stat()):  # not so after `su`
             yield runtime / "judge"
     with suppress(OSError):  # of whoever has no folder for temporary files
-        yield Path(tempfile.gettempdir(), f"judge-locks-{os.geteuid()}")
+        # tempfile would be slow to import
+        yield Path(os.environ.get("TMPDIR") or "/tmp", f"judge-locks-{os.geteuid()}")
 
 
 def _ours(found: os.stat_result) -> bool:

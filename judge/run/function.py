@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from functools import partial
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from msgspec import Struct
 
@@ -13,11 +13,13 @@ from judge.problem.model import Mode
 from judge.run.replies import Replies
 from judge.run.result import NOTHING, Behaviour, Failure
 from judge.sandbox.boundary import Box, CallsResult, Limits, Stop
-from judge.values import check, outline, show
+from judge.values import check, show
 from judge.values.answers import Target
 from judge.values.check import ExactOf, Outcome
-from judge.values.outline import Outline
 from judge.values.wire import Raw
+
+if TYPE_CHECKING:
+    from judge.values.outline import Outline
 
 
 class FunctionRunner(Struct, frozen=True):
@@ -66,6 +68,8 @@ class FunctionRunner(Struct, frozen=True):
 
     def outline(self, answer: Any) -> Outline:
         """A wrong value's form and numbers."""
+        from judge.values import outline  # only after a wrong answer
+
         return outline.outline(self.problem.answer, answer)
 
     def raw(self, answer: Any) -> Raw:

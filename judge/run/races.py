@@ -7,21 +7,23 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import partial
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from msgspec.structs import replace
 
 from judge.problem import Problem, Verdict
 from judge.run.budget import Budget
-from judge.run.foreign import LongDuel, rival_of
 from judge.run.group import GroupRun
-from judge.run.growth import Course, Grown, grow
 from judge.run.measure import Duel, time_limit, track_of
 from judge.run.reference import Reference
 from judge.run.result import Growth
 from judge.run.runner import Runner
 from judge.run.timing import Against, Decision, Pace, busy, disturbed, race
 from judge.sandbox.boundary import Box
+
+if TYPE_CHECKING:
+    from judge.run.foreign import LongDuel
+    from judge.run.growth import Grown
 
 
 class Timed(NamedTuple):
@@ -113,6 +115,8 @@ def contest(
         return None
     limit = time_limit(problem, runs)
     if runner.language:
+        from judge.run.foreign import LongDuel, rival_of  # most submissions are in Python
+
         rival = rival_of(runner, problem.time, reference, limit)
         if rival is None:
             return None
@@ -177,6 +181,8 @@ def _grown(
     reference: Reference,
     budget: Budget,
 ) -> tuple[Grown, Against | None]:
+    from judge.run.growth import Course, Grown, grow  # few problems have a rule of growth
+
     rule = problem.growth
     contests = [contest(problem, runner, [run], submission, reference, budget) for run in growing]
     found = [each for each in contests if each is not None]

@@ -227,19 +227,24 @@ class Obstacle(Enum):
     IMPORT = "import"  # an exception ends its import
     NESTED = "nested"  # the entry function stands in a class or another function
     MISNAMED = "misnamed"  # there is a name like the entry function's
+    TEXT = "text"  # its definition stands in a text
+    COMMENT = "comment"  # or in a comment
+    EMPTY = "empty"  # nothing but comments is in the file
     NO_ENTRY = "no entry"  # there is no entry function, and nothing is read
 
 
-class Hurdle(Struct, frozen=True):
+class EntryError(Struct, frozen=True):
     """An obstacle in `line` of the file, 0 where it has none.
 
-    `name` is the module, or the name that is like the entry's; `takes` says how many arguments it takes.
+    `name` is the module, the name that is like the entry's, or the "print" that is there; `takes` says how
+    many arguments it takes, `within` what a function stands in: "class Solution", "function main".
     """
 
     kind: Obstacle
     line: int = 0
     name: str = ""
     takes: str = ""
+    within: str = ""
 
 
 class Result(Struct, frozen=True, kw_only=True):
@@ -266,7 +271,7 @@ class Result(Struct, frozen=True, kw_only=True):
     failure: Failure | None = None
     counterexample: Failure | None = None
     pitfall: Pitfall | None = None
-    hurdle: Hurdle | None = None
+    hurdle: EntryError | None = None
     time: Timing = Timing()
     memory_bytes: int = 0
     isolation: str = ""

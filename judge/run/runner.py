@@ -7,19 +7,20 @@ need not know whether a case is a call or a line of standard input.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import Any, Protocol
+from typing import TYPE_CHECKING, Any, Protocol
 
 from judge.problem import Case, Problem, TimeRule
 from judge.problem.model import Mode
 from judge.run.function import FunctionRunner
-from judge.run.program import ProgramRunner
 from judge.run.replies import Replies
 from judge.run.result import NOTHING, Behaviour, Failure
 from judge.sandbox.boundary import Box, Inspection, Limits
 from judge.values.answers import Target
 from judge.values.check import ExactOf, Outcome
-from judge.values.outline import Outline
 from judge.values.wire import Raw
+
+if TYPE_CHECKING:
+    from judge.values.outline import Outline
 
 
 class Runner(Protocol):
@@ -105,4 +106,6 @@ def runner_for(problem: Problem, inspection: Inspection, source: bytes, *, progr
     """
     if inspection.defines(problem.entry) and not program:
         return FunctionRunner(problem, inspection.language)
-    return ProgramRunner(problem, inspection.names, source, inspection.language, asked=program)
+    from judge.run.program import ProgramRunner  # most submissions are functions
+
+    return ProgramRunner(problem, source, inspection.language, asked=program)

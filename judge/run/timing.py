@@ -21,6 +21,7 @@ from judge.sandbox.boundary import Usage
 
 CLEARLY_BELOW = 0.8  # of the limit, for a single pair
 CLEARLY_ABOVE = 1.35
+_NO_QUESTION = 0.1  # where one pair will do whatever the reference took before
 _FAR_BELOW = 0.4  # where one pair will do, if the reference's time is known and
 _LONG_SECONDS = 0.006  # neither turn is so short that a moment of another speed shows
 MOST_PAIRS = 9
@@ -137,6 +138,8 @@ def race(
         if pairs[0].ratio > limit:
             if len(pairs) < _LEAST_PAIRS and (cautious or pair.submission < _SURE_SECONDS):
                 continue
+            break
+        if pair.ratio <= _NO_QUESTION * limit and pair.reference >= _TOO_SHORT_SECONDS:
             break
         if cautious and _one_will_do(pair, limit):
             break

@@ -7,7 +7,7 @@ from judging import GOOD, judged, make_data
 from msgspec.structs import replace
 from sampling import nightly
 
-from judge.data.load import ProblemData
+from judge.data.model import ProblemData
 from judge.errors import JudgeError
 from judge.problem import TimeRule, Verdict
 
@@ -86,7 +86,7 @@ def test_work_put_off_to_the_first_call_is_charged(timed):
 def test_who_answers_alike_has_a_ratio(timed, source):
     result = timed(source)
     assert (result.verdict, result.failure) == (Verdict.AC, None)
-    assert result.time.ratio.pairs >= 3
+    assert result.time.ratio.pairs == 1  # it is nowhere near the limit
 
 
 @pytest.mark.parametrize(

@@ -25,6 +25,7 @@ class Runs:
     ("mine", "pairs", "too_slow", "borderline"),
     [
         ([0.2], 1, True, False),  # far above it
+        ([0.01, 0.9], 1, False, False),  # a tenth of it
         ([0.095], MOST_PAIRS, False, True),
         ([0.105], MOST_PAIRS, True, True),
         ([0.05, 0.12], MOST_PAIRS, False, True),  # any pair near the limit asks for all nine
@@ -38,8 +39,9 @@ def test_as_many_pairs_are_run_as_settle_it(mine, pairs, too_slow, borderline):
     assert (decision.ratio.pairs, decision.too_slow, decision.borderline) == (pairs, too_slow, borderline)
 
 
-def test_a_submission_far_below_passes_with_a_few_pairs():
-    decision = race(Runs(0.02), Runs(0.01), LIMIT)
+@pytest.mark.parametrize("took", [(0.02, 0.01), (0.0004, 0.0004)])  # the second are too short for one
+def test_a_submission_far_below_passes_with_a_few_pairs(took):
+    decision = race(*map(Runs, took), LIMIT)
     assert (decision.too_slow, decision.borderline) == (False, False)
     assert 3 <= decision.ratio.pairs <= MOST_PAIRS
 
@@ -133,7 +135,7 @@ def paced(*times):
     ("mine", "turns", "median"),
     [
         ((0.05,), 3, 5.0),  # by the median of the turns before
-        ((0.004, 0.0041, 0.0042), 3, 0.41),  # short turns are repeated
+        ((0.004, 0.9), 1, 0.004 / 0.0105),  # however short the turns, at less than a tenth of it
         ((0.02, 0.9), 1, 2.0),  # far below the limit one will do
     ],
 )

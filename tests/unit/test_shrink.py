@@ -8,16 +8,22 @@ import subprocess
 import sys
 from contextlib import ExitStack
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
+from hypothesis.internal.conjecture import providers
 from mistaken import mistaken
 from msgspec.structs import replace
 
-from judge.data.load import ProblemData, load_data
+from judge.data.build import validate
+from judge.data.load import load_data
+from judge.data.model import ProblemData
 from judge.diagnose.budget import Guard, SearchBudget
 from judge.diagnose.replay import decode
+from judge.diagnose.search import shrunk as shrunk_by_parameters
 from judge.diagnose.shrink import shrink
 from judge.diagnose.simplicity import measure, numbers_of
+from judge.diagnose.trial import Trial
 from judge.problem import Verdict
 from judge.problem.find import find_problem
 from judge.problem.module import load_module
@@ -72,6 +78,35 @@ def test_the_smallest_case_fails_by_itself_and_always_is_the_same():
     space = {}
     exec(compile(LARGE, "mine.py", "exec"), space)
     assert repr(space["middle"](*case)) == found.got != found.expected
+
+
+def test_no_exact_answer_is_sought_before_its_case_may_be_called(monkeypatch):
+    sought = []
+    monkeypatch.setattr("judge.diagnose.trial.validate", lambda *asked: sought.append(1) or validate(*asked))
+    assert shrunk("middle", MIDDLE.format("return 7"))[2].replay is not None
+    assert 0 < len(sought) < 250  # of 500 in the first step alone
+
+
+def test_a_case_that_was_right_is_not_called_again():
+    source, budget = MIDDLE.format("pass").encode(), SearchBudget()
+    problem = find_problem("middle", PACKS)
+    data = load_data(problem)
+    group = data.groups[0]
+    with open_box(source, "mine.py") as box:
+        runner = runner_for(problem, box.inspect(), source)
+        trial = Trial(data.module, box, runner, Verdict.WA, budget)
+        called = [(trial.simplest(group.cases, group.group), budget.calls) for _ in range(2)]
+    assert called == [(None, len(group.cases))] * 2
+
+
+def test_the_search_reads_none_of_the_modules_around_it(monkeypatch):
+    monkeypatch.setattr(providers, "_get_local_constants", lambda: pytest.fail("they are read"))
+    trial = SimpleNamespace(
+        budget=SearchBudget(),
+        valid=lambda *_: True,
+        alone=lambda case, _: SimpleNamespace(measure=case) if case > 9 else None,
+    )
+    assert shrunk_by_parameters(trial, lambda draw: draw.integer(0, 99), None, [50]).measure == 10
 
 
 @pytest.mark.nightly

@@ -289,7 +289,7 @@ class _Interview(Round):
         """
         from judge.cli.judging import Wish
         from judge.cli.watching import WatchedFile
-        from judge.judging.api import RunOptions
+        from judge.judging.options import RunOptions
 
         if self._left() <= 0:
             raise StoppedError
