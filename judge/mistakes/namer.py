@@ -14,7 +14,7 @@ from msgspec.structs import replace
 from judge.cache import DISK, Store
 from judge.data.model import ProblemData
 from judge.languages import language_of
-from judge.mistakes.catalogue import read_catalogue, read_kinds
+from judge.mistakes.catalogue import read_kinds
 from judge.mistakes.computed import Computer, Program
 from judge.mistakes.family import Choice, Family
 from judge.mistakes.features import features
@@ -98,13 +98,15 @@ class Namer:
         if known is None or found is None:
             return result
         kinds = read_kinds(self._data.problem)
-        told = Repaired(found, known, does, kinds)
-        return with_steps(result, told, kinds, read_catalogue(self._data.problem))
+        return with_steps(result, Repaired(found, known, does, kinds), kinds)
 
     def _named(
         self, result: Result, does: Behaviour, source: bytes, alone: Alone
-    ) -> tuple[Result, Sequence[Known] | None]:
-        """The result with its name, and what else it may be like; None where the answers' form is wrong."""
+    ) -> tuple[Result, Sequence[tuple[Known, str]] | None]:
+        """The result with its name, and what else it may be like, each with what is said of it.
+
+        None where the form of the answers is wrong.
+        """
         has = features(source, language_of(result.submission))
         if has is None:
             return result, None
@@ -119,6 +121,7 @@ class Namer:
             place for place, each in enumerate(ready.known) if vetoes.allow(ready.makers[place].words, each)
         ]
         makers, known = [ready.makers[place] for place in kept], [ready.known[place] for place in kept]
+        like = [(each, _what_is_wrong(maker)) for each, maker in zip(known, makers, strict=True)]
         joint = self._joint(ready.read.family, [ready.choices[place] for place in kept])
         match, alike = self._match(joint, known, does)
         if match is None:
@@ -126,10 +129,10 @@ class Namer:
             match = as_match(does, alike, known)
         if match is None:
             note = [_why_not(does, [makers[place] for place in alike])] if alike else []
-            return result.noting(*note), known
+            return result.noting(*note), like
         if not all(vetoes.lasting(makers[place].words) for place in match.places):
-            return result, known
-        return replace(result, pitfall=_pitfall(match, makers)), known
+            return result, like
+        return replace(result, pitfall=_pitfall(match, makers)), like
 
     def _match(
         self, joint: Joint | None, known: Sequence[Known], does: Behaviour

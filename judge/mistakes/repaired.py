@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 from msgspec.structs import replace
 
-from judge.mistakes.catalogue import Catalogue, Kinds
+from judge.mistakes.catalogue import Kinds
 from judge.mistakes.naming import Known
 from judge.repair.search import Repair, Step, Steps
 from judge.run.result import Behaviour, MistakeStep, Pitfall, Result
@@ -52,13 +52,19 @@ class _Named(NamedTuple):
 class Repaired:
     """What a repair says of a program, beside what known programs answer."""
 
-    def __init__(self, repair: Repair, known: Sequence[Known], does: Behaviour, kinds: Kinds) -> None:
+    def __init__(
+        self, repair: Repair, known: Sequence[tuple[Known, str]], does: Behaviour, kinds: Kinds
+    ) -> None:
+        """`known` are programs to compare with, each with what is said of whoever writes such a one."""
         self._repair, self._kinds, self.failing = repair, kinds, repair.failing
         self._places = [(each.group.group.name, each.place) for each in repair.cases.all]
         self._given = _wrong_of(does)
-        self._known: dict[str, list[Wrong]] = {}
-        for each in known:
-            self._known.setdefault(each.name, []).append(_wrong_of(each.behaviour))
+        self._known: dict[str, list[tuple[Wrong, str]]] = {}
+        state = () if "fresh" in repair.ways else self.names("fresh")
+        for each, text in known:
+            if each.name in state:  # it keeps nothing between its calls
+                continue
+            self._known.setdefault(each.name, []).append((_wrong_of(each.behaviour), text))
 
     def chosen(self) -> list[_Named]:
         """The chain of steps that explains best, each with its name where that is sure."""
@@ -119,7 +125,7 @@ class Repaired:
                 continue
             for at, one in enumerate(made):
                 kind = _plain(one.step.kind)
-                least = _TOLD if kind in _PROVED else _FITS
+                least = _SAME if kind in _PROVED else _FITS
                 if not one.name and name in self.names(kind) and self.share(name, one.step.gone) >= least:
                     made[at] = one._replace(name=name)
                     break
@@ -132,8 +138,16 @@ class Repaired:
 
     def share(self, name: str, gone: frozenset[int]) -> float:
         """Of the failures that go, how many the known program has too, half of it for another answer."""
+        return max((share for share, _ in self._shares(name, gone)), default=0.0)
+
+    def text(self, one: _Named) -> str:
+        """What is said of the program of that name that is most alike."""
+        shares = self._shares(one.name, one.step.gone)
+        return max(shares, key=lambda each: each[0])[1]
+
+    def _shares(self, name: str, gone: frozenset[int]) -> list[tuple[float, str]]:
         places = [self._places[at] for at in gone]
-        return max((self._share(places, wrong) for wrong in self._known[name]), default=0.0)
+        return [(self._share(places, wrong), text) for wrong, text in self._known.get(name, ())]
 
     def _share(self, places: Sequence[Place], wrong: Wrong) -> float:
         both = [each for each in places if each in wrong]
@@ -151,7 +165,7 @@ def _wrong_of(does: Behaviour) -> Wrong:
     return {(group, case): outline for group, a in does.items() for case, outline in a.wrong.items()}
 
 
-def with_steps(result: Result, repaired: Repaired, kinds: Kinds, words: Catalogue) -> Result:
+def with_steps(result: Result, repaired: Repaired, kinds: Kinds) -> Result:
     """The result with what the repair says, beside the name that it may have already.
 
     Where the two tell of different things, and neither is proved, the name is all that is said.
@@ -172,7 +186,8 @@ def with_steps(result: Result, repaired: Repaired, kinds: Kinds, words: Catalogu
     if today is not None and {one.name for one in found} >= {*today.names}:
         return replace(result, pitfall=replace(today, steps=steps))
     named = {one.name: one.share for one in found if one.name}
-    advice = tuple(words[name].why if name in words else "" for name in named)
+    texts = {one.name: repaired.text(one) for one in reversed(found) if one.name}
+    advice = tuple(texts[name] for name in named)
     score = round(min(named.values(), default=0.0), 3)
     return replace(result, pitfall=Pitfall(tuple(named), score, advice, steps=steps))
 
