@@ -13,6 +13,7 @@ from msgspec.structs import replace
 
 from judge.cache import DISK, Store
 from judge.data.model import ProblemData
+from judge.errors import told
 from judge.languages import language_of
 from judge.mistakes.catalogue import read_kinds
 from judge.mistakes.computed import Computer, Program
@@ -94,8 +95,13 @@ class Namer:
             return result
         with _collecting_later():
             result, known = self._named(result, does, source, alone)
-        found = repair() if known is not None else None
-        if known is None or found is None:
+        if known is None:
+            return result
+        try:
+            found = repair()
+        except Exception as fault:  # the name is known, and worth more
+            return result.noting(f"no line is looked for: {told(fault)}")
+        if found is None:
             return result
         kinds = read_kinds(self._data.problem)
         return with_steps(result, Repaired(found, known, does, kinds), kinds)

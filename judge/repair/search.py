@@ -17,7 +17,7 @@ from judge.data.model import ProblemData
 from judge.problem.solutions import LONGEST
 from judge.repair.cases import Cases
 from judge.repair.changed import Changed
-from judge.repair.child import NAME, SOURCE, Child, LostError, Table, limits_of
+from judge.repair.child import NAME, SOURCE, Child, LostError, Table
 from judge.repair.edits import KINDS
 from judge.run.execute import Judged
 from judge.sandbox.boundary import Box, BoxFactory
@@ -115,6 +115,7 @@ class Search:
         found = Repair(cases=self._cases, ways=ways)
         if not start or "fresh" in ways:
             return found
+        self._child.try_out(self._everything[:_WRONG])
         exact, tolerance = self._without_rounding(None, start, _SAMPLE)
         rounding = exact or tolerance
         state = self._ordered(_State((), (), frozenset(), (), start))
@@ -293,7 +294,7 @@ def seek(
     cases = Cases(data, judged.behaviour)
     if runner is None or not cases.wrong:
         return None
-    ways = Changed(cases, runner, box, limits_of(data.problem)).ways()
+    ways = Changed(cases, runner, box).ways()
     found = Repair(cases=cases, ways=ways)
     if runner.calls and not runner.language and len(source) <= LONGEST:
         with suppress(LostError, UnicodeDecodeError), boxes(SOURCE, NAME) as beside:
