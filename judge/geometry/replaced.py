@@ -20,9 +20,8 @@ _ENDS = ("A", "B")
 def replaced(problem: Problem, case: Case, change: Change) -> Case | None:
     """The case with every point, direction and length of it as `change(role, name, numbers)` makes it.
 
-    The role is "point", "end" for a point that the line or the segment is given by, "way" or "length"; the
-    two numbers of a point that are parameters of their own have the name of the first. None where there is
-    no point in it.
+    The role is "point", "end" for a point that the line or the segment is given by, "way" or "length". None
+    where there is no point in it.
     """
     names = [parameter.name for parameter in problem.parameters]
     made: list[Any] = []
@@ -40,7 +39,7 @@ def replaced(problem: Problem, case: Case, change: Change) -> Case | None:
         if kind in ("number", "integer"):
             if _X.fullmatch(name) and names[at + 1 : at + 2] == [name.replace("x", "y")]:
                 role = "end" if name[0].upper() in _ENDS else "point"
-                made += pair(role, name, case[at : at + 2])
+                made += pair(role, f"({name}, {names[at + 1]})", case[at : at + 2])
             elif len(made) == at:
                 made += change("length", name, (value,)) if _LENGTHS.fullmatch(name) else (value,)
             continue

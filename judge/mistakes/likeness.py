@@ -23,10 +23,14 @@ Wrong = Mapping[Place, Outline]
 
 
 class Known(Struct, frozen=True):
-    """A program that makes a mistake, and what it answers; its `own` kata's, or one of every kata's."""
+    """A program that makes a mistake, what it answers, and what is said of whoever writes such a one.
+
+    It is its `own` kata's, or one of every kata's.
+    """
 
     name: str
     behaviour: Behaviour
+    text: str = ""
     own: bool = True
 
 
@@ -36,9 +40,9 @@ class Likeness:
     def __init__(self, known: Sequence[Known], does: Behaviour) -> None:
         self._given = wrong_of(does)
         self._reached = {group: min(CASES, answers.reached) for group, answers in does.items()}
-        self._known: dict[str, list[tuple[int, Wrong]]] = {}
-        for place, each in enumerate(known):
-            self._known.setdefault(each.name, []).append((place, wrong_of(each.behaviour)))
+        self._known: dict[str, list[tuple[Known, Wrong]]] = {}
+        for each in known:
+            self._known.setdefault(each.name, []).append((each, wrong_of(each.behaviour)))
         self._own = {each.name for each in known if each.own}
 
     @property
@@ -48,12 +52,16 @@ class Likeness:
 
     def share(self, name: str, some: Collection[Place] | None = None) -> float:
         """How alike it is to the nearest program with that mistake, in `some` of the failures, or in all."""
-        return self._nearest(name, some)[0]
+        return max(self._shares(name, some), default=0.0)
 
-    def _nearest(self, name: str, some: Collection[Place] | None = None) -> tuple[float, int]:
-        """The share, and the place of the known program."""
+    def nearest(self, name: str, some: Collection[Place] | None = None) -> Known:
+        """The program with that mistake that it is most like."""
+        shares = self._shares(name, some)
+        return self._known[name][shares.index(max(shares))][0]
+
+    def _shares(self, name: str, some: Collection[Place] | None) -> list[float]:
         given = self._given.keys() if some is None else self._given.keys() & set(some)
-        return max(((self._share(given, wrong), -place) for place, wrong in self._known[name]))
+        return [self._share(given, wrong) for _, wrong in self._known[name]]
 
     def _share(self, places: Collection[Place], wrong: Wrong) -> float:
         both = [each for each in places if each in wrong]
@@ -63,8 +71,8 @@ class Likeness:
         )
         return (same + 0.5 * (len(both) - same)) / max(1, len(places) + others)
 
-    def best(self) -> tuple[int, float] | None:
-        """The place of the known program that it is most like, and how much, where that is sure.
+    def best(self) -> tuple[str, float] | None:
+        """The name that it is most like, and how much, where that is sure.
 
         One of the kata's own goes before a twin of all katas.
         """
@@ -78,7 +86,7 @@ class Likeness:
         if first in self._own:
             rest = [name for name in rest if name in self._own or shares[name] < shares[first]]
         ahead = shares[first] - max((shares[name] for name in rest), default=0.0)
-        return (-self._nearest(first)[1], shares[first]) if ahead >= _AHEAD else None
+        return (first, shares[first]) if ahead >= _AHEAD else None
 
 
 def wrong_of(does: Behaviour) -> Wrong:

@@ -14,8 +14,9 @@ from msgspec.structs import replace
 from judge.cache import DISK, Store
 from judge.data.build import target_of
 from judge.data.model import ProblemData
+from judge.errors import told
 from judge.languages import language_of
-from judge.mistakes.catalogue import Words, read_catalogue, read_kinds
+from judge.mistakes.catalogue import Words, read_kinds
 from judge.mistakes.computed import Computer
 from judge.mistakes.features import features
 from judge.mistakes.forms import of_form
@@ -31,6 +32,8 @@ from judge.run.settings import Settings
 from judge.values.outline import Outline
 
 _SENTENCE = re.compile(r".*?(?:[.!?](?=\s)|$)", re.DOTALL)  # the first one of a text
+
+_FEW = 8  # different right answers, up to which many mistakes have the same wrong ones
 
 Alone = Callable[[str, int], bool]  # whether a submission fails that case of the group, called for it alone
 
@@ -87,12 +90,17 @@ class Namer:
             return result
         with _collecting_later():
             result, known = self._named(result, does, source, alone)
-        found = repair() if known is not None else None
-        if known is None or found is None:
+        if known is None:
+            return result
+        try:
+            found = repair()
+        except Exception as fault:  # the name is known, and worth more
+            return result.noting(f"no line is looked for: {told(fault)}")
+        if found is None:
             return result
         kinds = read_kinds(self._data.problem)
-        told = Repaired(found, known, kinds)
-        return with_steps(result, told, kinds, read_catalogue(self._data.problem))
+        answers = {outline for outlines in self._rights.values() for outline in outlines}
+        return with_steps(result, Repaired(found, known, kinds, few=len(answers) <= _FEW), kinds)
 
     def _named(
         self, result: Result, does: Behaviour, source: bytes, alone: Alone
@@ -111,12 +119,12 @@ class Namer:
         best = likeness.best()
         if best is None:
             return result, likeness
-        maker, share = made[best[0]].maker, best[1]
+        name, share = best
+        nearest = likeness.nearest(name)
+        maker = next(each.maker for each in made if each.known is nearest)
         if not self._fails(maker, result) or (maker.words.state and self._steady(does, alone)):
             return result, likeness
-        return replace(
-            result, pitfall=Pitfall((maker.name,), round(share, 3), (_what_is_wrong(maker),))
-        ), likeness
+        return replace(result, pitfall=Pitfall((name,), round(share, 3), (nearest.text,))), likeness
 
     def _fails(self, maker: Maker, result: Result) -> bool:
         """Whether the known program fails the case that is shown, as far as it can be called here."""
@@ -149,7 +157,8 @@ class Namer:
                 maker = read.all[places[0]]
                 choice, family = maker.choice, read.family
                 own = choice is None or family is None or not family.general(choice)
-                self._made.append(_Made(maker, Known(maker.name, behaviours[places[0]], own)))
+                known = Known(maker.name, behaviours[places[0]], _what_is_wrong(maker), own)
+                self._made.append(_Made(maker, known))
         return self._made
 
 

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 from msgspec.structs import replace
 
-from judge.mistakes.catalogue import Catalogue, Kinds
+from judge.mistakes.catalogue import Kinds
 from judge.mistakes.likeness import Likeness, Place
 from judge.repair.search import Repair, Step, Steps
 from judge.run.result import MistakeStep, Pitfall, Result
@@ -22,9 +22,10 @@ _ANY = 0.6  # … and one that the kind does not propose,
 _AHEAD = 0.15  # by so much more than the next one
 _SAME = 0.9  # … and one of what is proved without a name
 _ALL = 0.95  # from here on all answers are those of the known program
-_FEW = 5  # failures, below which nothing is like anything
+_STRONG = 0.87  # a kind that says what it is even where it explains a part
+_FEW = 5  # failures: fewer are like too much
 _WORTH = 0.5  # of the failures that steps must take away where they do not take all
-_SURE = ("fresh", "doubles")  # the kind proves the name
+_SURE = ("fresh",)  # the kind proves the name
 _STRENGTH = {  # how likely a repair of that kind is the mistake itself; 0.6 where it is not listed
     **dict.fromkeys(("fresh", "parameter-order"), 1.0),
     **dict.fromkeys(("clamp", "guard-left-out", "whole-division"), 0.95),
@@ -47,10 +48,13 @@ class _Named(NamedTuple):
 class Repaired:
     """What a repair says of a program, beside what known programs answer."""
 
-    def __init__(self, repair: Repair, likeness: Likeness, kinds: Kinds) -> None:
+    def __init__(self, repair: Repair, likeness: Likeness, kinds: Kinds, *, few: bool) -> None:
+        """`few` says that a kata has so few different answers that many mistakes have the same."""
         self._repair, self._kinds, self.failing = repair, kinds, repair.failing
         self._places: list[Place] = [(each.group.group.name, each.place) for each in repair.cases.all]
-        self._likeness = likeness
+        self._likeness, self._few = likeness, few
+        state = () if "fresh" in repair.ways else self.names("fresh")  # it keeps nothing between its calls
+        self._known = [name for name in likeness.names if name not in state]
 
     def chosen(self) -> list[_Named]:
         """The chain of steps that explains best, each with its name where that is sure."""
@@ -82,25 +86,26 @@ class Repaired:
 
     def _named(self, step: Step) -> _Named:
         kind = _plain(step.kind)
-        names = [name for name in self.names(kind) if name in self._likeness.names]
+        names = [name for name in self.names(kind) if name in self._known]
         if "scaled" in self._repair.ways and kind.startswith(("tolerance", "size", "room")):
-            names = [name for name in ("absolute-epsilon", *names) if name in self._likeness.names]
+            names = [name for name in ("absolute-epsilon", *names) if name in self._known]
         if kind in _SURE and names:
             return _Named(step, names[0], 1.0)
-        shares = {name: self.share(name, step.gone) for name in self._likeness.names}
-        ordered = sorted(shares, key=lambda name: (-shares[name], name))
-        if ordered and len(step.gone) >= _FEW and shares[ordered[0]] >= _ALL:
-            next_one = shares[ordered[1]] if len(ordered) > 1 else 0.0
-            if next_one < shares[ordered[0]] and kind not in _PROVED:
-                return _Named(step, ordered[0], shares[ordered[0]])
-        best = max(names, key=lambda name: shares[name] - 0.02 * names.index(name), default=None)
-        if best is not None and shares[best] >= (_SAME if kind in _PROVED else _TOLD):
+        shares = {name: self.share(name, step.gone) for name in self._known}
+        first = min(shares, key=lambda name: (-shares[name], name), default="")
+        best = max(names, key=lambda name: shares[name] - 0.02 * names.index(name), default="")
+        proved, most = kind in _PROVED or self._few, shares.get(first, 0.0)
+        ahead = most - max((share for name, share in shares.items() if name != first), default=0.0)
+        if len(step.gone) < _FEW:
+            return _Named(step, "", shares.get(best, 0.0))
+        if not proved and most >= _ALL and ahead > 0:
+            return _Named(step, first, most)
+        twin = most >= _ALL and ahead == 0  # another mistake has all of these answers, too
+        if best and not twin and shares[best] >= (_SAME if proved else _TOLD):
             return _Named(step, best, shares[best])
-        if len(ordered) > 1 and kind not in _PROVED and len(step.gone) >= _FEW:
-            first, second = shares[ordered[0]], shares[ordered[1]]
-            if first >= _ANY and first - second >= _AHEAD:
-                return _Named(step, ordered[0], first)
-        return _Named(step, "", shares[best] if best else 0.0)
+        if not proved and most >= _ANY and ahead >= _AHEAD:
+            return _Named(step, first, most)
+        return _Named(step, "", shares.get(best, 0.0))
 
     def joined(self, found: Sequence[_Named], names: Sequence[str]) -> list[_Named]:
         """The steps, one without a name with that of today's which its kind may have and its failures fit."""
@@ -110,7 +115,7 @@ class Repaired:
                 continue
             for at, one in enumerate(made):
                 kind = _plain(one.step.kind)
-                least = _TOLD if kind in _PROVED else _FITS
+                least = _SAME if kind in _PROVED else _FITS
                 if not one.name and name in self.names(kind) and self.share(name, one.step.gone) >= least:
                     made[at] = one._replace(name=name)
                     break
@@ -122,16 +127,23 @@ class Repaired:
         return words.names if words else ()
 
     def share(self, name: str, gone: frozenset[int]) -> float:
-        """Of the failures that go, how many the known program has too, half of it for another answer."""
-        return self._likeness.share(name, [self._places[at] for at in gone])
+        """How alike the failures that go are to those of the known programs of that name."""
+        return self._likeness.share(name, [self._places[at] for at in gone]) if name in self._known else 0.0
+
+    def text(self, one: _Named) -> str:
+        """What is said of the program of that name that is most alike."""
+        return self._likeness.nearest(one.name, [self._places[at] for at in one.step.gone]).text
 
 
 def _plain(kind: str) -> str:
     return kind.partition(":")[0]
 
 
-def with_steps(result: Result, repaired: Repaired, kinds: Kinds, words: Catalogue) -> Result:
-    """The result with what the repair says, beside the name that it may have already."""
+def with_steps(result: Result, repaired: Repaired, kinds: Kinds) -> Result:
+    """The result with what the repair says, beside the name that it may have already.
+
+    Where the two tell of different things, and neither is proved, the name is all that is said.
+    """
     found = repaired.chosen()
     if not found:
         return result
@@ -143,21 +155,23 @@ def with_steps(result: Result, repaired: Repaired, kinds: Kinds, words: Catalogu
     elif today is not None:
         found = repaired.joined(found, today.names)
         if not any(one.name in today.names for one in found):
-            return replace(result, pitfall=replace(today, steps=_told(found, repaired.failing, kinds)))
+            return result
     steps = _told(found, repaired.failing, kinds)
-    if today is not None and {one.name for one in found} >= {*today.names}:
-        return replace(result, pitfall=replace(today, steps=steps))
     named = {one.name: one.share for one in found if one.name}
-    advice = tuple(words[name].why if name in words else "" for name in named)
+    texts = {one.name: repaired.text(one) for one in reversed(found) if one.name}
+    advice = tuple(texts[name] for name in named)
     score = round(min(named.values(), default=0.0), 3)
     return replace(result, pitfall=Pitfall(tuple(named), score, advice, steps=steps))
 
 
 def _told(found: Sequence[_Named], failing: int, kinds: Kinds) -> tuple[MistakeStep, ...]:
+    """The steps in words; of one that leaves something wrong only the line, unless its kind is strong."""
     steps = []
+    gone = frozenset[int]().union(*(one.step.gone for one in found))
     for one in found:
         kind, _, which = one.step.kind.partition(":")
-        why = kinds[kind].why.replace("{which}", which.replace("=", " = ")) if kind in kinds else ""
+        sure = len(gone) == failing or _STRENGTH.get(kind, 0.0) >= _STRONG
+        why = kinds[kind].why.replace("{which}", which.replace("=", " = ")) if sure and kind in kinds else ""
         steps.append(MistakeStep(one.name or None, kind, one.step.line, len(one.step.gone), failing, why))
     return tuple(steps)
 

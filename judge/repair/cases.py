@@ -140,18 +140,15 @@ class Cases:
         names = [each.name for each in self.problem.parameters]
 
         def value(name: str) -> str:
-            at = names.index(name)
-            numbers = self.figures[0].all_points.get(name) if self.figures[0] else None
-            plain = numbers is not None and self.problem.parameters[at].type.text in ("number", "integer")
-            return f"(_case_[{at}], _case_[{at + 1}])" if plain else f"_case_[{at}]"
+            parts = [f"_case_[{names.index(each)}]" for each in name.strip("()").split(", ")]
+            return parts[0] if len(parts) == 1 else f"({', '.join(parts)})"
 
         found = []
         for each in self.same:
             one, other = each.split("=")
-            zero = (
-                "not any(x)" if any(one in figure.ways for figure in self.figures[:1] if figure) else "not x"
-            )
-            found.append(zero.replace("x", value(one)) if other == "0" else f"{value(one)} == {value(other)}")
+            way = any(figure and one in figure.ways for figure in self.figures)
+            zero = f"not any({value(one)})" if way else f"not {value(one)}"
+            found.append(zero if other == "0" else f"tuple({value(one)}) == tuple({value(other)})")
         return found
 
     def right(self, at: int, raw: Raw, after: Sequence[str] = ()) -> bool:

@@ -32,8 +32,16 @@ Other = tuple[Case, Target, Exact]
 class Changed:
     """The program in its box."""
 
-    def __init__(self, cases: Cases, runner: Runner, box: Box, limits: Limits) -> None:
-        self._cases, self._runner, self._box, self._limits = cases, runner, box, limits
+    def __init__(self, cases: Cases, runner: Runner, box: Box) -> None:
+        self._cases, self._runner, self._box = cases, runner, box
+        usual = cases.problem.limits
+        self._limits = Limits(
+            usual.cpu_seconds,
+            usual.wall_seconds,
+            usual.memory_bytes,
+            usual.output_bytes,
+            items=cases.problem.answer.items,
+        )
         wrong = frozenset(cases.wrong)
         self._wrong = [cases.all[at] for at in cases.spread(wrong, _WRONG)]
         right = (at for at in range(len(cases.all)) if at not in wrong)

@@ -7,7 +7,6 @@ from collections.abc import Sequence
 from pkgutil import get_data
 from typing import Any
 
-from judge.problem import Problem
 from judge.repair import edits
 from judge.repair.cases import Cases
 from judge.sandbox.boundary import Box, Limits, Stop
@@ -23,6 +22,7 @@ NAME = "repair.py"
 _ITEMS = 500_000  # of one reply
 _OUTPUT = 64 << 20
 _SECONDS = 20.0
+_SLOW = 0.5
 _REAL_DIGITS = 80
 _MOST_DIGITS = 2_000
 
@@ -52,17 +52,23 @@ class Child:
         self._about = names, cases.tests(), several, digits, whole
         self._given = [list(each) for each in problem.calls([each.case for each in cases.all])]
         self.calls = 0
+        self.seconds = 0.0  # of CPU that the last process took
 
     def ask(self, chain: Sequence[int] | None, calls: Sequence[Call]) -> list[Raw]:
         """What it says to the calls, after those edits; None: nothing is to be changed. Raises LostError."""
         first = ("open", self._text, self._entry, self._about, self._given, self._cases.sizes, chain)
-        found = self._box.call_many("ask", [first, *calls], self._limits).replies
-        answers = [each.answer for each in found if each.stop is Stop.ANSWERED]
-        if len(answers) < len(calls) + 1:
-            raise LostError
-        if answers[0] != 1:
+        found = self._box.call_many("ask", [first, *calls], self._limits)
+        answers = [each.answer for each in found.replies if each.stop is Stop.ANSWERED]
+        self.seconds = found.usage.cpu_seconds
+        if len(answers) < len(calls) + 1 or answers[0] != 1:
             raise LostError
         return answers[1:]
+
+    def try_out(self, places: Sequence[int]) -> None:
+        """Call it unchanged. Raises LostError, also where it is too slow to be called by the thousand."""
+        self.ask(None, [("answers", places)])
+        if self.seconds > _SLOW:
+            raise LostError
 
     @property
     def _entry(self) -> str:
@@ -70,7 +76,9 @@ class Child:
 
     @property
     def _limits(self) -> Limits:
-        return limits_of(self._cases.problem)
+        """As much as many groups: time ends nothing but what would never end."""
+        memory = self._cases.problem.limits.memory_bytes
+        return Limits(_SECONDS, 3 * _SECONDS, memory, _OUTPUT, items=_ITEMS)
 
     def table(self, chain: Sequence[int]) -> Table:
         """The edits that can be made after those of the chain. Raises LostError."""
@@ -128,11 +136,6 @@ class Child:
             return 0
         lines = [each for each in found if type(each) is int and 0 < each <= self._lines]
         return max(sorted(set(lines)), key=lines.count, default=0)
-
-
-def limits_of(problem: Problem) -> Limits:
-    """Of one child, which is asked as much as many groups: time ends nothing but what would never end."""
-    return Limits(_SECONDS, 3 * _SECONDS, problem.limits.memory_bytes, _OUTPUT, items=_ITEMS)
 
 
 def _pairs(raw: Raw, places: Sequence[int]) -> list[tuple[int, Raw]]:

@@ -17,7 +17,7 @@ from judge.data.model import ProblemData
 from judge.problem.solutions import LONGEST
 from judge.repair.cases import Cases
 from judge.repair.changed import Changed
-from judge.repair.child import NAME, SOURCE, Child, LostError, Table, limits_of
+from judge.repair.child import NAME, SOURCE, Child, LostError, Table
 from judge.repair.edits import KINDS
 from judge.run.execute import Judged
 from judge.sandbox.boundary import Box, BoxFactory
@@ -107,13 +107,15 @@ class Search:
         self._cases, self._child = cases, child
         self._most = int(_MOST_CALLS * share)
         self._everything = [*range(len(cases.all))]
+        self._start = frozenset(cases.wrong)
 
     def repair(self, ways: tuple[str, ...]) -> Repair:
         """What is found, in the order of the questions. Raises LostError."""
-        start = frozenset(self._cases.wrong)
+        start = self._start
         found = Repair(cases=self._cases, ways=ways)
         if not start or "fresh" in ways:
             return found
+        self._child.try_out(self._everything[:_WRONG])
         exact, tolerance = self._without_rounding(None, start, _SAMPLE)
         rounding = exact or tolerance
         state = self._ordered(_State((), (), frozenset(), (), start))
@@ -139,7 +141,8 @@ class Search:
         if whole:
             return whole, part
         for _ in range(1 if rounding else _DEPTH):
-            made = [each for one in states for each in self._next(one, rounding)]
+            full = _FULL // len(states)
+            made = [each for one in states for each in self._next(one, rounding, full)]
             made.sort(key=_order)
             whole = [each.steps for each in made if not each.wrong]
             if whole:
@@ -157,7 +160,7 @@ class Search:
         """The steps, and that what is left is rounding, if it is."""
         if self._without_rounding(state.chain, state.wrong, _LEFT, state)[0]:
             line = self._child.turning(state.chain, self._cases.spread(state.wrong, _TURNS))
-            yield (*state.steps, Step("rounding", line, state.wrong))
+            yield (*state.steps, Step("rounding", line, state.wrong & self._start))
 
     # -- question 2 ------------------------------------------------------------------------------------
 
@@ -189,11 +192,11 @@ class Search:
                 (pairs,) = self._child.edited((), [number], self._everything)
                 left = self._wrong(pairs, self._everything, state)
                 if len(left) < len(state.wrong):
-                    step = Step(kind, line, state.wrong - left)
+                    step = Step(kind, line, (state.wrong - left) & self._start)
                     return state._replace(chain=(number,), steps=(step,), wrong=left)
         return state
 
-    def _next(self, state: _State, rounding: bool) -> Iterator[_State]:
+    def _next(self, state: _State, rounding: bool, full: int) -> Iterator[_State]:
         """The states that are one step further, with fewer wrong answers."""
         table = self._child.table(state.chain)
         yield from self._asides(state)
@@ -217,21 +220,21 @@ class Search:
                 gain = (len(few) - len(wrong)) * worth[0] - second[number, after] * worth[1]
                 kind, line, hash_ = table[number]
                 ranked.append(_Candidate(gain, (KINDS.index(kind), line, hash_), number, after))
-        best = [*self._best(ranked, table)]
+        best = [*self._best(ranked, table, full)]
         runs = self._child.edited(state.chain, [each.number for each in best], self._everything)
         for each, pairs in zip(best, runs, strict=True):
             then = state._replace(after=each.after)
             left = self._wrong(pairs, self._everything, then)
             if len(state.wrong) - len(left) >= max(1, _WORTH * len(state.wrong)) or not left:
                 kind, line, _ = table[each.number]
-                step = Step(kind, line, state.wrong - left)
+                step = Step(kind, line, (state.wrong - left) & self._start)
                 chain = (*state.chain, each.number)
                 yield then._replace(chain=chain, steps=(*state.steps, step), wrong=left)
 
-    def _best(self, ranked: list[_Candidate], table: Table) -> Iterator[_Candidate]:
+    def _best(self, ranked: list[_Candidate], table: Table, full: int) -> Iterator[_Candidate]:
         """Those that are worth all cases."""
         taken: dict[tuple[str, int], int] = {}
-        left = min(_FULL, (self._most - self._child.calls) // max(1, len(self._everything)))
+        left = min(full, (self._most - self._child.calls) // max(1, len(self._everything)))
         for each in sorted(ranked, key=lambda each: (-each.gain, *each.rank)):
             place = table[each.number][:2]
             if each.gain <= 0 or left <= 0:
@@ -261,7 +264,7 @@ class Search:
     def _asides(self, state: _State) -> Iterator[_State]:
         """What is asked of the answers alone: cases that coincide, equal items, points beyond, the order."""
         for name, some in self._cases.guards(state.wrong):
-            gone = state.wrong & some
+            gone = state.wrong & some & self._start
             kind = f"guard-{'zero' if name.endswith('=0') else 'same'}"
             step = Step(f"{kind}:{name}", self._leaving(state, gone), gone)
             yield state._replace(
@@ -274,7 +277,7 @@ class Search:
             then = state._replace(after=(*state.after, name))
             left = self._wrong(pairs, self._everything, then)
             if len(left) < len(state.wrong):
-                gone = state.wrong - left
+                gone = (state.wrong - left) & self._start
                 step = Step(name, self._leaving(state, gone), gone)
                 yield then._replace(steps=(*state.steps, step), wrong=left)
 
@@ -291,7 +294,7 @@ def seek(
     cases = Cases(data, judged.behaviour)
     if runner is None or not cases.wrong:
         return None
-    ways = Changed(cases, runner, box, limits_of(data.problem)).ways()
+    ways = Changed(cases, runner, box).ways()
     found = Repair(cases=cases, ways=ways)
     if runner.calls and not runner.language and len(source) <= LONGEST:
         with suppress(LostError, UnicodeDecodeError), boxes(SOURCE, NAME) as beside:

@@ -128,7 +128,9 @@ def _advice(pitfall: Pitfall) -> tuple[str, ...]:
     several = len(pitfall.names) > 1
     pairs = zip(pitfall.names, pitfall.advice, strict=False)  # a kept result may be damaged
     told = [f"{name}: {text}" if several else text for name, text in pairs if text]
-    return (*told, *(_step(pitfall, at) for at in range(len(pitfall.steps))))
+    steps = [_step(pitfall, at) for at in range(len(pitfall.steps))]
+    placed = any(step.line or step.name is None for step in pitfall.steps)  # else nothing is new
+    return (*told, *(steps if placed else ()))
 
 
 def _step(pitfall: Pitfall, at: int) -> str:

@@ -1,0 +1,326 @@
+"""Which small change makes a wrong program right: the kind, the line, and what hangs on it."""
+
+from __future__ import annotations
+
+import ast
+import builtins
+import subprocess
+import sys
+
+import pytest
+from repairs import FIRST, PROGRAMS, SEGMENT, WRONG
+
+from judge.data.load import load_data
+from judge.judging.inprocess import InProcess
+from judge.mistakes.likeness import Likeness
+from judge.mistakes.repaired import Repaired
+from judge.problem.find import find_problem
+from judge.repair.cases import Cases
+from judge.repair.child import NAME, SOURCE, Child, LostError
+from judge.repair.search import seek
+from judge.run.execute import judge_submission
+from judge.run.result import Answers
+from judge.run.settings import Settings
+from judge.sandbox import Boxes
+from judge.sandbox.boundary import CallsResult, Reply, Stop, Usage
+
+pytestmark = pytest.mark.slow
+
+
+@pytest.fixture(scope="module")
+def kata(built):
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("JUDGE_CACHE", str(built))
+        yield lambda name: load_data(find_problem(name, []))
+
+
+def judged(data, text, box):
+    source = text.encode()
+    return judge_submission(data, source, "a.py", Settings(measured=False), box=box)
+
+
+def repair(data, text, boxes=InProcess):
+    """What is found of a program, and what a person is told of it: kinds with their lines."""
+    with boxes(text.encode(), "a.py") as box:
+        found = judged(data, text, box)
+        made = seek(data, found, text.encode(), box, boxes)
+    steps = Repaired(made, Likeness([], found.behaviour), {}, few=False).chosen() if made else []
+    return made, [(one.step.kind, one.step.line) for one in steps]
+
+
+@pytest.mark.parametrize("name", PROGRAMS)
+def test_a_right_program_needs_no_repair(kata, name):
+    assert repair(kata(name), PROGRAMS[name]) == (None, [])
+
+
+@pytest.mark.parametrize("wrong", WRONG, ids=lambda wrong: f"{wrong.kata}: {wrong.new[:40]}")
+def test_one_change_is_found_at_its_line(kata, wrong):
+    _, told = repair(kata(wrong.kata), wrong.text)
+    assert told == [(wrong.kind, wrong.line)]
+
+
+DRAFTS = {
+    "both roots, an exact comparison, A = B": (
+        *("segment", FIRST),
+        {("once", 17), ("guard-same:A=B", 8), ("rounding", 15)},
+    ),
+    "and no clamp": (
+        *("segment", FIRST.replace("0 <= t <= 1", "True")),
+        {("once", 17), ("filter", 17), ("guard-same:A=B", 8), ("rounding", 11)},
+    ),
+    "larger root, absolute tolerance, a length for t": (
+        "ray-nearest",
+        PROGRAMS["ray-nearest"]
+        .replace("foot - half, foot + half", "foot + half, foot - half")
+        .replace("1e-10 * max(r, abs(fx), abs(fy))", "1e-9")
+        .replace("s) / length", "s)"),
+        {("measure", 17), ("coordinates", 15), ("tolerance-scaled", 9)},
+    ),
+    "parameters in another order, A = B": (
+        "count",
+        PROGRAMS["count"].replace("cx, cy, r, A, B", "A, B, cx, cy, r").replace("return None", "return 0"),
+        {("parameter-order", 3), ("guard-same:A=B", 6)},
+    ),
+}
+
+
+@pytest.mark.parametrize("draft", DRAFTS)
+def test_mistakes_in_company_are_told_one_by_one(kata, draft):
+    name, text, wanted = DRAFTS[draft]
+    made, told = repair(kata(name), text)
+    assert set(told) == wanted
+    assert frozenset().union(*(step.gone for step in made.whole[0])) == frozenset(made.cases.wrong)
+
+
+def test_rounding_alone_is_proved(kata):
+    text = SEGMENT.replace("-slack <= s <= length + slack", "0 <= s <= length")
+    made, _ = repair(kata("segment"), text)
+    assert made.rounding
+    made, _ = repair(kata("segment"), SEGMENT.replace("1e-10 * size", "1e-6 * size"))
+    assert (made.rounding, made.tolerance) == (False, True)
+
+
+def test_whole_numbers_of_a_hundred_digits_are_exact(kata):
+    right = """\
+def exact_count(cx, cy, r, A, B):
+    if A == B:
+        return None
+    dx, dy = B[0] - A[0], B[1] - A[1]
+    k = dx * (A[1] - cy) - dy * (A[0] - cx)
+    room = r * r * (dx * dx + dy * dy) - k * k
+    return 1 if room == 0 else 2 if room > 0 else 0
+"""
+    data = kata("exact-count")
+    assert repair(data, right) == (None, [])
+    wrong = right.replace("room = ", "room = float(1) * ").replace("k * k\n", "float(k) * k\n")
+    made, _ = repair(data, wrong)
+    assert made.rounding
+
+
+# -- what a hostile program does ---------------------------------------------------------------------------
+
+HOSTILE = {
+    "an endless loop after an edit": "    n = 0\n    while n < 3:\n        n += 1\n",
+    "a list times a large number": "    big = [0] + [1] * min(3, int(1e9 * size) + 3)\n",
+    "equal to everything": "    class E:\n        __eq__ = lambda self, other: True\n    e = E()\n",
+    "a deep recursion": "    deep = lambda n: deep(n - 1) if n > 0 else 0\n    deep(5)\n",
+    "it leaves": "    if size < 0:\n        raise SystemExit\n",
+    "an exception of its own": "    if size < 0:\n        raise BaseException\n",
+}
+
+
+@pytest.mark.parametrize("what", HOSTILE)
+def test_a_hostile_program_is_repaired_all_the_same(kata, what):
+    text = SEGMENT.replace("    slack =", HOSTILE[what] + "    slack =").replace("1e-10", "1e-5")
+    _, told = repair(kata("segment"), text, Boxes())
+    assert [kind for kind, _ in told] == ["tolerance-smaller"]
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        "import os\nif '_turn_' in globals(): os._exit(0)",
+        "import os, signal\nif '_turn_' in globals(): os.kill(os.getpid(), signal.SIGKILL)",
+        "while '_turn_' in globals(): print('x' * 999999)",
+    ],
+)
+def test_a_child_that_dies_or_floods_is_no_repair(kata, body):
+    text = body + "\n" + SEGMENT.replace("1e-10", "1e-5")
+    with Boxes()(SEGMENT.replace("1e-10", "1e-5").encode(), "a.py") as box:
+        found = judged(kata("segment"), SEGMENT, box)
+        made = seek(kata("segment"), found, text.encode(), box, Boxes())
+    assert made is None or not made.whole
+
+
+def test_ten_thousand_lines_are_read_and_left(kata):
+    text = SEGMENT.replace("1e-10", "1e-5").replace("    slack =", "    pass\n" * 10_000 + "    slack =")
+    made, told = repair(kata("segment"), text)
+    assert made is None or not made.whole or told[0][1] <= text.count("\n") + 1
+
+
+class Lying:
+    """A box whose child answers what it likes."""
+
+    def __init__(self, answers):
+        self._answers = answers
+
+    def call_many(self, entry, calls, limits):
+        found = [Reply(Stop.ANSWERED, each) for each in self._answers]
+        return CallsResult(tuple(found[: len(calls)]), Usage())
+
+
+@pytest.mark.parametrize(
+    "rows",
+    [
+        None,
+        7,
+        [[0, 1]],
+        [[0, 1, "x"]],
+        [[999, 1, 0]],
+        [[0, 999_999, 0]],
+        [[0, 0, 0]],
+        [[-1, 1, 0]],
+        [{"int": "1"}],
+    ],
+)
+def test_a_table_that_is_none_is_no_repair(kata, rows):
+    data = kata("segment")
+    cases = Cases(data, {data.groups[0].group.name: Answers(2, {})})
+    asked = Child(Lying([1, rows]), SEGMENT, cases)
+    if isinstance(rows, list):
+        with pytest.raises(LostError):
+            asked.table(())
+    else:
+        assert asked.table(()) == []
+
+
+def test_a_child_that_says_too_little_is_lost(kata):
+    data = kata("segment")
+    cases = Cases(data, {data.groups[0].group.name: Answers(2, {})})
+    for answers in ([], [1], [0, []], [1, [[1]]]):
+        with pytest.raises(LostError):
+            Child(Lying(answers), SEGMENT, cases).answers((), [0, 1])
+
+
+# -- what holds whatever the program is --------------------------------------------------------------------
+
+
+def test_the_order_of_the_candidates_does_not_matter(kata, monkeypatch):
+    wrong = [SEGMENT.replace("1e-10 * size", "1e-9"), FIRST]
+    first = [repair(kata("segment"), text)[1] for text in wrong]
+    other = SOURCE.replace(b"found = _Edits(", b"found = _Reversed(") + (
+        b"\nclass _Reversed(_Edits):\n    def __init__(self, *a):\n"
+        b"        super().__init__(*a)\n        self.made = self.made[::-1]\n"
+    )
+    assert other.count(b"_Reversed") == 2
+    monkeypatch.setattr("judge.repair.search.SOURCE", other)
+    assert [repair(kata("segment"), text)[1] for text in wrong] == first
+
+
+def test_half_the_counts_find_one_change(kata):
+    text = SEGMENT.replace("1e-10 * size", "1e-9")
+    with InProcess(text.encode(), "a.py") as box:
+        found = judged(kata("segment"), text, box)
+        made = seek(kata("segment"), found, text.encode(), box, InProcess, share=0.5)
+    assert made.whole
+
+
+def test_a_library_is_no_program_to_be_changed(kata):
+    text = "try:\n    import shapely\nexcept ImportError:\n    pass\n" + SEGMENT.replace("1e-10", "1e-5")
+    made, _ = repair(kata("segment"), text)
+    assert made is None or not made.whole
+
+
+def secrets(data):
+    """Numbers of right answers that are in no case, and are no size of one."""
+    cases = Cases(data, {group.group.name: Answers(len(group.cases), {}) for group in data.groups})
+    open_ = repr([[each.case for each in cases.all], cases.sizes])
+    found = [
+        number[2]
+        for each in cases.all
+        if isinstance(each.target, tuple | list)
+        for point in each.target
+        for number in point
+        if len(repr(number[2])) > 15
+    ]
+    return cases, sorted({number for number in found if repr(abs(number)) not in open_})[:300]
+
+
+def test_no_right_answer_enters_the_box(kata):
+    """What is sent is the text, the arguments and sizes: no target is among it, in whatever form."""
+    sent = []
+
+    class Spying(InProcess):
+        def call_many(self, entry, calls, limits):
+            sent.append(repr((entry, calls)))
+            return super().call_many(entry, calls, limits)
+
+    data = kata("segment")
+    _, hidden = secrets(data)
+    assert len(hidden) > 100
+    made, _ = repair(data, SEGMENT.replace("-slack <= s <= length + slack", "True"), Spying)
+    assert made.whole
+    asked = [each for each in sent if each.startswith("('ask'")]
+    assert len(asked) > 3
+    written = "".join(asked)
+    assert [number for number in hidden if repr(number) in written] == []
+
+
+LOOKING = """
+import gc, sys
+
+def circle_segment(cx, cy, r, A, B):
+    wanted = {2 * x for x in HALVES}
+    waiting, seen = [], set()
+    frame = sys._getframe(1)
+    while frame is not None:
+        waiting += [*frame.f_locals.values(), frame.f_globals.get("_opened")]
+        frame = frame.f_back
+    for one in waiting:
+        if type(one) is float and one in wanted:
+            return [(0.0, 0.0)] * 7
+        if id(one) not in seen and len(waiting) < 500_000:
+            seen.add(id(one))
+            waiting += [each for each in gc.get_referents(one) if each is not wanted]
+    return [(1.0, 1.0)] * 6
+"""
+
+
+def test_the_memory_of_the_child_holds_no_right_answer(kata):
+    """A program that looks through the objects about it for a number of a right answer finds none."""
+    data = kata("segment")
+    cases, hidden = secrets(data)
+    text = LOOKING.replace("HALVES", repr([number / 2 for number in hidden]))
+    with Boxes()(SOURCE.replace(b"MOST_TURNS = 20_000", b"MOST_TURNS = 10**9"), NAME) as box:
+        pairs = Child(box, text, cases).answers((), [0, 1])
+    assert [len(raw) for _, raw in pairs] == [6] * 2
+    cases.sizes[0] = (hidden[0], 1.0)  # it would find one
+    with Boxes()(SOURCE.replace(b"MOST_TURNS = 20_000", b"MOST_TURNS = 10**9"), NAME) as box:
+        pairs = Child(box, text, cases).answers((), [0, 1])
+    assert [len(raw) for _, raw in pairs] == [7] * 2
+
+
+def test_the_judge_parses_no_submission(kata):
+    """Neither here nor in what it imports: with a parser that refuses, one change is found all the same."""
+    text = SEGMENT.replace("1e-10 * size", "1e-9")
+    data = kata("segment")
+    assert data.module
+    with Boxes()(text.encode(), "a.py") as box:
+        found = judged(data, text, box)
+        with pytest.MonkeyPatch.context() as patch:
+            for name in ("parse", "walk", "literal_eval"):
+                patch.setattr(ast, name, refused)
+            patch.setattr(builtins, "compile", refused)
+            made = seek(data, found, text.encode(), box, Boxes())
+    assert made.whole
+
+
+def refused(*_, **__):
+    raise AssertionError("the judge parses")
+
+
+def test_the_file_in_the_box_needs_nothing_of_the_judge():
+    first, _, rest = SOURCE.decode().partition("\n")
+    script = f"{first}\nimport sys; sys.modules['judge'] = None\n{rest}\nprint(ask.__name__)"
+    ended = subprocess.run([sys.executable, "-S", "-"], input=script, capture_output=True, text=True)
+    assert (ended.stdout, ended.stderr) == ("ask\n", "")

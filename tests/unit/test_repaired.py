@@ -1,0 +1,137 @@
+"""What is said of a repair: a name where it is sure, else the line; never against what is proved."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+
+import pytest
+
+from judge.mistakes.catalogue import KindWords
+from judge.mistakes.likeness import Known, Likeness
+from judge.mistakes.repaired import Repaired, with_steps
+from judge.problem import Verdict
+from judge.repair.search import Repair, Step
+from judge.run.result import Answers, Pitfall, Result
+
+CASES = 40
+KINDS = {
+    "room": KindWords("No room for {which}.", ("no-room", "other-room")),
+    "rounding": KindWords("Rounding alone.", ("rounds",)),
+    "fresh": KindWords("Kept.", ("keeps",)),
+    "guard-same": KindWords("{which} is wrong.", ()),
+    "sign": KindWords("A sign.", ()),
+}
+RESULT = Result(problem="sum", submission="a.py", verdict=Verdict.WA)
+
+
+def one(count):
+    return ("count", (float(count),))
+
+
+def known(name, wrong, count=1):
+    return Known(name, {"g": Answers(CASES, {case: one(count) for case in wrong})}, f"why {name}")
+
+
+def said(repair, *programs, wrong=range(10), today=None, few=False):
+    """The pitfall of a program that answers 1 in these cases, and is right after those steps."""
+    group = SimpleNamespace(group=SimpleNamespace(name="g"))
+    cases = SimpleNamespace(
+        all=[SimpleNamespace(group=group, place=case) for case in range(CASES)], wrong=[*wrong]
+    )
+    does = {"g": Answers(CASES, {case: one(1) for case in wrong})}
+    made = Repair(cases=cases, **repair)
+    result = Result(problem="sum", submission="a.py", verdict=Verdict.WA, pitfall=today)
+    return with_steps(result, Repaired(made, Likeness(programs, does), KINDS, few=few), KINDS).pitfall
+
+
+def whole(*steps, **more):
+    return {"whole": (tuple(Step(kind, line, frozenset(gone)) for kind, line, gone in steps),), **more}
+
+
+def test_a_name_is_told_where_its_failures_are_those_that_go():
+    found = said(whole(("room", 7, range(10))), known("no-room", range(10)), known("far", range(20, 30)))
+    assert (found.names, found.advice) == (("no-room",), ("why no-room",))
+    assert [(step.name, step.line, step.gone, step.of) for step in found.steps] == [("no-room", 7, 10, 10)]
+
+
+@pytest.mark.parametrize(
+    "programs",
+    [
+        [],
+        [known("no-room", range(4))],  # too few of them
+        [known("no-room", range(30))],  # and many others
+        [known("no-room", range(10)), known("twin", range(10))],  # another one has them, too
+        [known("no-room", range(10), count=2)],  # another answer
+    ],
+)
+def test_else_the_line_alone_is(programs):
+    found = said(whole(("room", 7, range(10))), *programs)
+    assert found.names == ()
+    assert [(step.name, step.line, step.why) for step in found.steps] == [(None, 7, "No room for .")]
+
+
+def test_too_few_failures_are_like_nothing():
+    found = said(whole(("room", 7, range(4))), known("no-room", range(4)), wrong=range(4))
+    assert found.names == ()
+
+
+def test_a_name_that_the_kind_does_not_know_must_be_far_ahead():
+    far = known("far", range(8))
+    assert said(whole(("sign", 3, range(10))), far).names == ("far",)
+    assert said(whole(("sign", 3, range(10))), far, known("near", range(7))).names == ()
+
+
+def test_the_name_that_is_known_already_gets_the_line():
+    today = Pitfall(("far",), 0.9, ("why far",))
+    found = said(whole(("sign", 3, range(10))), known("far", range(6)), today=today)
+    assert (found.names, found.advice) == (("far",), ("why far",))
+    assert [(step.name, step.line) for step in found.steps] == [("far", 3)]
+
+
+def test_where_answers_are_few_a_name_must_be_the_kinds_own_and_nearly_all_the_same():
+    far, near = known("far", range(8)), known("no-room", range(8))
+    assert said(whole(("sign", 3, range(10))), far, few=True).names == ()
+    assert said(whole(("room", 3, range(10))), near).names == ("no-room",)
+    assert said(whole(("room", 3, range(10))), near, few=True).names == ()
+    assert said(whole(("room", 3, range(10))), known("no-room", range(10)), few=True).names == ("no-room",)
+
+
+def test_what_is_proved_is_not_contradicted():
+    today = Pitfall(("far",), 0.9, ("words",))
+    found = said(whole(("rounding", 5, range(10)), rounding=True), today=today)
+    assert found.names == ()
+    assert [step.why for step in found.steps] == ["Rounding alone."]
+    kept = Pitfall(("rounds",), 0.9, ("words",))
+    assert said(
+        whole(("rounding", 5, range(10)), rounding=True), known("rounds", range(10)), today=kept
+    ).names == ("rounds",)
+
+
+def test_state_is_named_only_where_a_fresh_process_proves_it():
+    keeps = known("keeps", range(10))
+    assert said({"ways": ("fresh",)}, keeps).names == ("keeps",)
+    assert said(whole(("sign", 3, range(10))), keeps).names == ()
+
+
+def test_each_step_has_its_own_name():
+    steps = whole(("room", 7, range(6)), ("guard-same:A=B", 4, range(6, 10)))
+    found = said(steps, known("no-room", range(6)), known("far", range(20, 30)))
+    assert found.names == ("no-room",)
+    assert [(step.name, step.why) for step in found.steps] == [
+        ("no-room", "No room for ."),
+        (None, "A = B is wrong."),
+    ]
+
+
+def test_a_single_name_that_no_step_bears_out_is_told_without_them():
+    today = Pitfall(("far",), 0.9, ("words",))
+    found = said(whole(("room", 7, range(6)), ("sign", 4, range(6, 10))), today=today)
+    assert found == today
+
+
+def test_of_a_part_only_the_line_is_told():
+    part = (Step("sign", 3, frozenset(range(6))),)
+    found = said({"part": part}, known("far", range(6)))
+    assert [(step.name, step.line, step.gone, step.why) for step in found.steps] == [(None, 3, 6, "")]
+    assert said({"part": (Step("sign", 3, frozenset(range(4))),)}) is None
+    assert said({}) is None
