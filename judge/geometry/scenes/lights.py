@@ -41,7 +41,8 @@ _BLOCKED = ("blocked", "gap", "around-light", "around-point", "skin", "sill", "p
 _SHADES: dict[str, tuple[Shade, ...]] = {
     "miss": (Shade.NOTHING,),
     **dict.fromkeys(
-        ("open", "brink", "room", "court", "beyond", "behind", "level-open", "level-far", "ledge"), (Shade.LIT,)
+        ("open", "brink", "room", "court", "beyond", "behind", "level-open", "level-far", "ledge"),
+        (Shade.LIT,),
     ),
     **dict.fromkeys(("back", "level-back", "outdoors"), (Shade.BACK,)),
     **dict.fromkeys(("wall", "level-wall"), (Shade.OWN,)),
