@@ -122,7 +122,7 @@ def is_steep(
     It is so by the worst of its `pairs` on the smaller size and by the slowest turn of the reference on the
     larger one, so that a machine that is busy for a moment rejects nobody.
     """
-    if own < QUICK_SECONDS or min(pair.reference for pair in pairs) < LEAST_SECONDS:
+    if own < QUICK_SECONDS or min(*theirs, *(pair.reference for pair in pairs)) < LEAST_SECONDS:
         return False
     ratios = max(pair.ratio for pair in pairs), own / max(theirs)
     return exponent([*zip(sizes, ratios, strict=True)]) > slope + GREY
