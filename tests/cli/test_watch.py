@@ -264,7 +264,7 @@ def test_a_verdict_is_shown_before_it_is_explained(watch, submit):
     terminal = watch("middle", submit(FLOOR))
     terminal.until("21 of 52 cases pass. Looking for the smallest that fails …")
     assert "Smallest failing case" not in terminal.written
-    assert last(terminal.sees("Smallest failing case")).startswith("WA  21 of 52 cases pass, 40 of 100 points")
+    assert last(terminal.sees("Smallest failing case")).startswith("WA  21 of 52 cases pass, 40 of 100")
     terminal.leaves()
 
 
