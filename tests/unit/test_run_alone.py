@@ -79,9 +79,9 @@ def test_another_process_keeps_a_measurer_out_and_judges_only_where_it_measures(
 def test_what_is_run_for_its_answers_waits_for_nobody():
     told = []
     problem = find_problem("middle", [PACK])
-    with Session(problem, bars=lambda label: told.append(label) or contextlib.nullcontext()) as session:
-        with another("measuring"), session.untimed.lock.judging():
-            assert told == []
+    bars = lambda label: told.append(label) or contextlib.nullcontext()  # noqa: E731
+    with Session(problem, bars=bars) as session, another("measuring"), session.untimed.lock.judging():
+        assert told == []
 
 
 def test_a_killed_process_gives_its_locks_back_at_once():
