@@ -157,6 +157,7 @@ class ForkServerBox:
         payload = packed[0].ljust(max(map(len, packed)), b"\0")  # the later ones take its place
         try:
             with shared.stdio(b"") as stdio, shared.file(series_file.pack(counts, packed)) as later:
+                del packed  # it may be large
                 descriptors = (*stdio, later) if len(series) > 1 else stdio
                 done = self._ask(wire.CALLS, descriptors, payload, limits, len(series), on_series)
                 printed = _printed(*stdio[1:])
