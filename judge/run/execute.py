@@ -14,7 +14,7 @@ from judge.run.alone import Admitted
 from judge.run.budget import Budget
 from judge.run.group import GroupRun
 from judge.run.groups import run_groups
-from judge.run.races import NO_FIRSTS, Timed, growing_of, race_all, worth_racing
+from judge.run.races import Timed, growing_of, race_all, worth_racing
 from judge.run.reference import Reference
 from judge.run.result import Behaviour, Failure, GroupResult, LevelResult, Result, Timing, earned
 from judge.run.runner import Runner, runner_for
@@ -24,7 +24,6 @@ from judge.sandbox import Box, SourceFault, Usage
 
 if TYPE_CHECKING:
     from judge.data.load import ProblemData
-    from judge.run.growing import Begun
 
 _LONG_WAIT_SECONDS = 2.0
 _WAITED = "Waited: another judge of yours was timing"  # without the seconds, so that it is said once
@@ -165,15 +164,10 @@ def _race(
     with ExitStack() as stack:
         shared = settings.reference or stack.enter_context(Reference(problem, settings.box_factory))
         place = stack.enter_context(settings.lock.measuring())
-        begun = judging.growing(box, growing, shared) if growing else None
-        if begun and begun.too_slow:
-            timing = Timed(begun.decision, begun.growth)
-        elif worth_racing(problem, runs):
-            timing = race_all(
-                problem, runner, runs, box, shared, budget, begun.firsts if begun else NO_FIRSTS
-            )
-        else:
-            timing = Timed(Decision(None))
+        timing = judging.growing(box, growing, shared) if growing else None
+        if timing is None:
+            worth = worth_racing(problem, runs)
+            timing = race_all(problem, runner, runs, box, shared, budget) if worth else Timed(Decision(None))
         if not place.alone:
             timing = timing._replace(decision=disturbed(timing.decision, BESIDE))
         return timing, place
@@ -204,13 +198,13 @@ class _Judging:
         )
         self._give_up(runs)
 
-    def growing(self, box: Box, runs: Sequence[GroupRun], reference: Reference) -> Begun:
-        """Judge those of the rule of growth, the smallest first."""
+    def growing(self, box: Box, runs: Sequence[GroupRun], reference: Reference) -> Timed | None:
+        """Judge those of the rule of growth; what they come to where that is clear."""
         from judge.run.growing import judge_growing  # few problems have one
 
-        begun = judge_growing(self.runner, runs, box, reference, self.budget, self._after_group)
+        found = judge_growing(self.runner, runs, box, reference, self.budget, self._after_group)
         self._give_up(runs)
-        return begun
+        return found
 
     def _give_up(self, runs: Sequence[GroupRun]) -> None:
         """Those that were not begun, since the budget is used up."""

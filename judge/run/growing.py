@@ -7,7 +7,6 @@ accepted submission runs its largest size once, and one that is clearly too stee
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import NamedTuple
 
 from msgspec.structs import replace
 
@@ -18,25 +17,11 @@ from judge.run.group import GroupRun
 from judge.run.groups import run_timed
 from judge.run.growth import SHORT_SECONDS, Course, grow, is_steep
 from judge.run.measure import theirs_on, time_limit
-from judge.run.races import Firsts, too_slow
+from judge.run.races import Timed, too_slow
 from judge.run.reference import Reference
-from judge.run.result import Growth
 from judge.run.runner import Runner
 from judge.run.timing import Decision, Pair, decide, is_sure
 from judge.sandbox.boundary import Box, Usage
-
-
-class Begun(NamedTuple):
-    """The turns in which the groups were judged; what is `too_slow` by them is not to be raced."""
-
-    firsts: Firsts
-    decision: Decision
-    growth: Growth | None
-
-    @property
-    def too_slow(self) -> bool:
-        """Beside the reference, or by how it grows."""
-        return self.decision.too_slow or self.growth is not None
 
 
 def judge_growing(
@@ -46,8 +31,10 @@ def judge_growing(
     reference: Reference,
     budget: Budget,
     on_group: Callable[[GroupRun], None],
-) -> Begun:
+) -> Timed | None:
     """Judge these groups, the smallest first, until the submission is clearly too slow or too steep.
+
+    What it comes to then; None where it is to be raced, or is not accepted for another reason.
 
     Raises:
         JudgeError: the reference does not come to the end of the cases.
@@ -56,13 +43,12 @@ def judge_growing(
     for place, run in enumerate(runs):
         judging.judge(run)
         on_group(run)
-        begun = Begun(judging.firsts, judging.decision, judging.growth)
-        if begun.too_slow:
+        if judging.timed is not None:
             for larger in runs[place + 1 :]:
                 larger.give_up(Verdict.TLE, "it is too slow before")
-        if begun.too_slow or budget.over:
+        if judging.timed is not None or budget.over:
             break
-    return begun
+    return judging.timed
 
 
 class _Growing:
@@ -75,9 +61,7 @@ class _Growing:
         self._rival = reference.open(runner.reference(rule)) if rule else None
         self._budget = budget
         self._smaller: GroupRun | None = None  # the last one that was accepted
-        self.firsts: dict[str, tuple[Pair, Usage]] = {}
-        self.decision = Decision(None)
-        self.growth: Growth | None = None
+        self.timed: Timed | None = None
 
     def judge(self, run: GroupRun) -> None:
         """Judge the group, and note what both took."""
@@ -95,19 +79,19 @@ class _Growing:
                 return
         if self._rival is not None and run.reached == len(run.cases) and theirs.cpu_seconds:
             pair, limit = Pair(own, theirs.cpu_seconds), time_limit(run.problem, [run])
-            self.firsts[run.group.name] = pair, theirs
+            run.first = pair, theirs
             self._smaller = run
             if is_sure(pair, limit):
-                self.decision = replace(decide([pair], limit), limit=limit)
-                too_slow([run], self.decision)
+                self.timed = Timed(replace(decide([pair], limit), limit=limit))
+                too_slow([run], self.timed.decision)
 
     def _is_steep(self, run: GroupRun, cases: Sequence[Case], own: float, used: Usage) -> bool:
         """Whether the submission is too steep by what it took here; then the group says so."""
         problem, smaller = self._runner.problem, self._smaller
-        if smaller is None or problem.growth is None or self._rival is None:
+        if smaller is None or smaller.first is None or problem.growth is None:
             return False
         sizes, slope = (smaller.group.size or 1, run.group.size or 1), problem.growth.slope
-        pairs, theirs = [self.firsts[smaller.group.name][0]], [used.cpu_seconds]
+        pairs, theirs = [smaller.first[0]], [used.cpu_seconds]
         if not is_steep(sizes, pairs, own, theirs, slope):
             return False
         # All that is not long is run again.
@@ -131,8 +115,9 @@ class _Growing:
             Course(each.group.name, size, _none, _none, cases=count, first=first)
             for each, size, count, first in of_both
         ]
-        self.growth = grow(courses, slope, lambda: False).growth
-        run.too_slow(f"{self.growth}; its exponent may exceed that by {slope:g}")
+        growth = grow(courses, slope, lambda: False).growth
+        self.timed = Timed(Decision(None), growth)
+        run.too_slow(f"{growth}; its exponent may exceed that by {slope:g}")
         return True
 
     def _pair(self, run: GroupRun, cases: Sequence[Case]) -> Pair | None:

@@ -5,9 +5,8 @@ A group with a time limit of its own, or one of the rule of growth, is raced by 
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from functools import partial
-from types import MappingProxyType
 from typing import TYPE_CHECKING, NamedTuple
 
 from msgspec.structs import replace
@@ -19,16 +18,12 @@ from judge.run.measure import Duel, time_limit, track_of
 from judge.run.reference import Reference
 from judge.run.result import Growth
 from judge.run.runner import Runner
-from judge.run.timing import Against, Decision, Pace, Pair, busy, disturbed, race
-from judge.sandbox.boundary import Box, Usage
+from judge.run.timing import Against, Decision, Pace, busy, disturbed, race
+from judge.sandbox.boundary import Box
 
 if TYPE_CHECKING:
     from judge.run.foreign import LongDuel
     from judge.run.growth import Grown
-
-
-Firsts = Mapping[str, tuple[Pair, Usage]]  # by a group's name a pair, and the reference's usage in it
-NO_FIRSTS: Firsts = MappingProxyType({})
 
 
 class Timed(NamedTuple):
@@ -70,11 +65,8 @@ def race_all(
     submission: Box,
     reference: Reference,
     budget: Budget,
-    firsts: Firsts = NO_FIRSTS,
 ) -> Timed:
     """Race the submission on all groups that are `worth_racing`, until one is too slow.
-
-    `firsts` are the turns in which groups were judged.
 
     Raises:
         JudgeError: the reference does not come to the end of the cases.
@@ -95,7 +87,7 @@ def race_all(
             return Timed(decision, against=against)
     if not growing or problem.growth is None:
         return Timed(decision, against=against)
-    grown, against = _grown(problem, runner, growing, submission, reference, budget, firsts)
+    grown, against = _grown(problem, runner, growing, submission, reference, budget)
     for run in growing:
         if run.group.name in grown.decisions and run.verdict is Verdict.AC:
             raced = grown.decisions[run.group.name]
@@ -188,7 +180,6 @@ def _grown(
     submission: Box,
     reference: Reference,
     budget: Budget,
-    firsts: Firsts,
 ) -> tuple[Grown, Against | None]:
     from judge.run.growth import Course, Grown, grow  # few problems have a rule of growth
 
@@ -200,7 +191,7 @@ def _grown(
     courses = []
     for run, each in zip(growing, found, strict=True):
         ended = run.verdict is Verdict.AC
-        first, used = firsts.get(run.group.name, (None, None))
+        first, used = run.first or (None, None)
         if used is not None and isinstance(each.duel, Duel):
             each.duel.theirs_took.append(used)
         courses.append(
