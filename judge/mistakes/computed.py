@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import hashlib
 import pickle
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from decimal import Context, localcontext
 from functools import cached_property, partial
 from typing import Any
@@ -50,17 +50,11 @@ class Computer:
         self._problem = data.problem
         self._groups = [_Group(data, each) for each in data.groups if each.group.size is None]
 
-    def behaviour(self, program: Program, only: Mapping[str, Sequence[int]] | None = None) -> Behaviour:
-        """What the program answers wrongly. Raises ProblemError.
-
-        `only` are the cases asked for, by group, if not all.
-        """
+    def behaviour(self, program: Program) -> Behaviour:
+        """What the program answers wrongly. Raises ProblemError."""
         with localcontext(Context()):  # as in a container, whatever the caller's precision
             function = entry_of(self._problem, program)
-            return {
-                each.name: each.answers(function, None if only is None else only.get(each.name, ()))
-                for each in self._groups
-            }
+            return {each.name: each.answers(function) for each in self._groups}
 
     def answer(self, program: Program, case: Case, target: Target, exact: ExactOf) -> Outline | None:
         """The outline of its answer to a case of one's own, None of a right one. Raises ProblemError."""
@@ -82,16 +76,10 @@ class _Group:
         self._group = group
         self._decided: list[dict[bytes, Outline | None]] = [{} for _ in group.cases]
 
-    def answers(self, function: Callable[..., Any], only: Sequence[int] | None) -> Answers:
+    def answers(self, function: Callable[..., Any]) -> Answers:
         """What a function answers wrongly, the cases being called in order."""
-        cases = self._group.cases
-        asked: Sequence[int]
-        if only is None:
-            asked, calls = range(len(cases)), self._all_calls()
-        else:
-            asked, calls = only, self._data.problem.calls([cases[index] for index in only])
         wrong: dict[int, Outline] = {}
-        for index, given in zip(asked, calls, strict=True):
+        for index, given in enumerate(self._all_calls()):
             try:
                 answer = function(*given)
             except Exception as fault:  # as a submission's would be, a wrong answer
@@ -100,7 +88,7 @@ class _Group:
             found = self._known(index, answer)
             if found is not None:
                 wrong[index] = found
-        return Answers(len(cases), wrong)
+        return Answers(len(self._group.cases), wrong)
 
     def _all_calls(self) -> Sequence[tuple[Any, ...]]:
         """Every case as a program receives it. It may change its lists, so that each has its own."""
@@ -135,11 +123,9 @@ class _Group:
         return wrong_outline(type_, raw, group.targets[index], exact)
 
 
-def computed(
-    data: ProblemData, program: Program, only: Mapping[str, Sequence[int]] | None = None
-) -> Behaviour:
+def computed(data: ProblemData, program: Program) -> Behaviour:
     """What one trusted program answers wrongly, as a `Computer` finds it. Raises ProblemError."""
-    return Computer(data).behaviour(program, only)
+    return Computer(data).behaviour(program)
 
 
 def entry_of(problem: Problem, program: Program) -> Callable[..., Any]:

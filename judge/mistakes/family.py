@@ -78,25 +78,6 @@ class Family:
         for i, each in enumerate(self._transforms):
             yield Choice(0, after=i) if each.after else Choice(0, before=i)
 
-    def together(self, one: Choice, other: Choice) -> Choice | None:
-        """Both at once, or None where they exclude each other."""
-        if one.route != other.route:
-            if not other.changes and not self.routes[other.route].mistake:
-                return self._merged(one, other)
-            if not one.changes and not self.routes[one.route].mistake:
-                return self._merged(other, one)
-            return None
-        return self._merged(one, other)
-
-    def _merged(self, one: Choice, other: Choice) -> Choice | None:
-        if (one.before >= 0 and other.before >= 0) or (one.after >= 0 and other.after >= 0):
-            return None
-        mine, theirs = self.changes(one), self.changes(other)
-        if any(each.clashes(change) for each in mine for change in theirs):
-            return None
-        both = tuple(sorted({*one.changes, *other.changes}))
-        return Choice(one.route, both, max(one.before, other.before), max(one.after, other.after))
-
     def names(self, choice: Choice) -> tuple[str, ...]:
         """The mistakes it makes, in the order of the program."""
         found = [self._transforms[choice.before].name] if choice.before >= 0 else []

@@ -6,7 +6,7 @@ import gc
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, contextmanager
-from functools import cached_property
+from functools import cached_property, partial
 from typing import NamedTuple
 
 from msgspec.structs import replace
@@ -100,7 +100,8 @@ class Namer:
             return result
         kinds = read_kinds(self._data.problem)
         answers = {outline for outlines in self._rights.values() for outline in outlines}
-        return with_steps(result, Repaired(found, known, kinds, few=len(answers) <= _FEW), kinds)
+        told_of = Repaired(found, known, kinds, few=len(answers) <= _FEW)
+        return with_steps(result, told_of, kinds, partial(self._fails, result))
 
     def _named(
         self, result: Result, does: Behaviour, source: bytes, alone: Alone
@@ -121,14 +122,17 @@ class Namer:
             return result, likeness
         name, share = best
         nearest = likeness.nearest(name)
-        maker = next(each.maker for each in made if each.known is nearest)
-        if not self._fails(maker, result) or (maker.words.state and self._steady(does, alone)):
+        state = self._maker(nearest).words.state and self._steady(does, alone)
+        if state or not self._fails(result, nearest):
             return result, likeness
         return replace(result, pitfall=Pitfall((name,), round(share, 3), (nearest.text,))), likeness
 
-    def _fails(self, maker: Maker, result: Result) -> bool:
+    def _maker(self, known: Known) -> Maker:
+        return next(each.maker for each in self._ready() if each.known is known)
+
+    def _fails(self, result: Result, known: Known) -> bool:
         """Whether the known program fails the case that is shown, as far as it can be called here."""
-        shown, data = result.counterexample or result.failure, self._data
+        maker, shown, data = self._maker(known), result.counterexample or result.failure, self._data
         group = data.problem.group(shown.group or "") if shown else None
         if shown is None or shown.input is None or group is None or not maker.program.trusted:
             return True

@@ -6,13 +6,13 @@ with the step are to those of the known program: one formula.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 from msgspec.structs import replace
 
 from judge.mistakes.catalogue import Kinds
-from judge.mistakes.likeness import Likeness, Place
+from judge.mistakes.likeness import Known, Likeness, Place
 from judge.repair.search import Repair, Step, Steps
 from judge.run.result import MistakeStep, Pitfall, Result
 
@@ -130,19 +130,22 @@ class Repaired:
         """How alike the failures that go are to those of the known programs of that name."""
         return self._likeness.share(name, [self._places[at] for at in gone]) if name in self._known else 0.0
 
-    def text(self, one: _Named) -> str:
-        """What is said of the program of that name that is most alike."""
-        return self._likeness.nearest(one.name, [self._places[at] for at in one.step.gone]).text
+    def nearest(self, one: _Named) -> Known:
+        """The program of that name that is most alike."""
+        return self._likeness.nearest(one.name, [self._places[at] for at in one.step.gone])
 
 
 def _plain(kind: str) -> str:
     return kind.partition(":")[0]
 
 
-def with_steps(result: Result, repaired: Repaired, kinds: Kinds) -> Result:
+def with_steps(
+    result: Result, repaired: Repaired, kinds: Kinds, fails: Callable[[Known], bool] = lambda _: True
+) -> Result:
     """The result with what the repair says, beside the name that it may have already.
 
-    Where the two tell of different things, and neither is proved, the name is all that is said.
+    Where the two tell of different things, and neither is proved, the name is all that is said. No name is,
+    where none of the programs of these names `fails` the case that is shown.
     """
     found = repaired.chosen()
     if not found:
@@ -156,9 +159,11 @@ def with_steps(result: Result, repaired: Repaired, kinds: Kinds) -> Result:
         found = repaired.joined(found, today.names)
         if not any(one.name in today.names for one in found):
             return result
+    if not any(fails(repaired.nearest(one)) for one in found if one.name):
+        found = [one._replace(name="", share=0.0) for one in found]
     steps = _told(found, repaired.failing, kinds)
     named = {one.name: one.share for one in found if one.name}
-    texts = {one.name: repaired.text(one) for one in reversed(found) if one.name}
+    texts = {one.name: repaired.nearest(one).text for one in reversed(found) if one.name}
     advice = tuple(texts[name] for name in named)
     score = round(min(named.values(), default=0.0), 3)
     return replace(result, pitfall=Pitfall(tuple(named), score, advice, steps=steps))

@@ -61,10 +61,6 @@ class Change(Struct, frozen=True):
     equal: str = ""
     rules: tuple[str, ...] = ()
 
-    def clashes(self, other: Change) -> bool:
-        """Whether both change the same lines."""
-        return any(a.start < b.end and b.start < a.end for a in self.pieces for b in other.pieces)
-
 
 class Route(Struct, frozen=True):
     """One way through the problem; `mistake` is empty for a right one, `code` has None for lines of marks."""

@@ -136,18 +136,11 @@ def _advice(pitfall: Pitfall) -> tuple[str, ...]:
 def _step(pitfall: Pitfall, at: int) -> str:
     """`line 19: 73 of 531 failures hang on it`; what was seen there where the step has no name."""
     step, several = pitfall.steps[at], len(pitfall.steps) > 1
-    parts = [
-        ("Then" if at else "One of several") if several else "",
-        f"line {step.line}" if step.line else "",
-    ]
-    place = ", ".join(filter(None, parts))
-    seen = (
-        f"{step.why} "
-        if step.why and step.name is None
-        else f"{step.name}: "
-        if several and step.name
-        else ""
-    )
+    name = f"({step.name})" if several and step.name else ""
+    line = f"line {step.line}" if step.line else ""
+    order = ("Then" if at else "One of several") if several else ""
+    place = " ".join(filter(None, (", ".join(filter(None, (order, line))), name)))
+    seen = f"{step.why} " if step.why and step.name is None else ""
     share = f"{step.gone:,} of {counted(step.of, 'failure')} {'hangs' if step.gone == 1 else 'hang'} on it"
     return f"{place}: {seen}{share}" if place else f"{seen}{share}"
 

@@ -14,29 +14,24 @@ Other types make forms of their own in the same manner. A run that ended without
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from itertools import islice
-from math import inf, isfinite
 from operator import sub
 from typing import Any
 
-from msgspec import Struct
-
 from judge.cache import digest
 from judge.values.answers import Target
-from judge.values.atoms import LONGEST, Atom, IntType, NumberType, RealType, Type, Value
+from judge.values.atoms import LONGEST, Atom, IntType, NumberType, Type, Value
 from judge.values.check import ExactOf, decide
 from judge.values.reading import read, read_line
 from judge.values.show import best
-from judge.values.types import ListType, TupleType, lasting
+from judge.values.types import TupleType, lasting
 from judge.values.wire import Fault, Raw, Unreadable, items, near, number, word
 
 Outline = tuple[str, tuple[float, ...]]
 
-CLOSE = 1e-3  # of the largest number: an error that is smaller is one of digits
-SAME = 0.05  # of the larger error: numbers that differ by less are the same
+_CLOSE = 1e-3  # of the largest number: an error that is smaller is one of digits
 UNREADABLE = "text"  # the form of a line that holds no answer
-_FEW = 8  # different answers, up to which any other number is the mark of having none
 _MOST = 64  # numbers that are kept
 _LONGEST = 40  # characters of a foreign type's name that are kept, and of a form that is not cut
 
@@ -122,88 +117,11 @@ def _wrong_type(raw: Any) -> Outline:
     return f"type {'str' if word(raw) is not None else name}", ()
 
 
-# -- kinds of wrong answers --------------------------------------------------------------------------------
-
-
-class Usual(Struct, frozen=True):
-    """What the right answers of a problem's data are like: the numbers that occur, where these are few."""
-
-    few: frozenset[float] = frozenset()
-    negative: bool = False
-
-    @classmethod
-    def of(cls, rights: Iterable[Outline]) -> Usual:
-        """That of the outlines of right answers."""
-        numbers = {number for _, found in rights for number in found}
-        few = numbers | {0.0, 1.0, 2.0}
-        return cls(frozenset(few) if len(few) <= _FEW else frozenset(), min(numbers, default=0.0) < 0.0)
-
-
-def kind(type_: Type, given: Outline, right: Outline, usual: Usual) -> str:
-    """What kind of wrong answer one is, beside the right one and what is usual in the problem."""
-    inner = lasting(type_)
-    (form, numbers), (wanted_form, wanted) = given, right
-    if isinstance(inner, IntType):
-        # Where few are usual, one that is none of them stands for having no answer.
-        unusual = not numbers or (usual.few and numbers[0] not in usual.few)
-        if form in ("count", "type float") and unusual:
-            return "sentinel"
-        return f"{numbers[0]:.0f}" if form == "count" else form
-    if isinstance(inner, RealType):
-        return _kind_of_number(given, wanted, usual)
-    alike = form == wanted_form and len(numbers) == len(wanted)
-    if alike and only_digits(numbers, wanted):
-        return "digits"
-    special = _kind_of_list(inner, given, right) if isinstance(inner, ListType) else ""
-    return special or ("elsewhere" if alike else form)
-
-
-def _kind_of_number(given: Outline, wanted: tuple[float, ...], usual: Usual) -> str:
-    form, numbers = given
-    if form not in ("number", "type float"):
-        return form
-    t = numbers[0] if form == "number" else inf  # or nan
-    if not isfinite(t):
-        return "sentinel"
-    if not wanted:
-        return "invented" if t >= 0.0 or usual.negative else "sentinel"
-    if only_digits(numbers, wanted):
-        return "digits"
-    if t < 0.0 and not usual.negative:
-        return "negative"
-    return "less" if t < wanted[0] else "more"
-
-
-def _kind_of_list(type_: ListType, given: Outline, right: Outline) -> str:
-    """Fewer or more items, the right ones in another order, or nothing."""
-    (name, *words), (wanted_name, *wanted_words) = (form.split(" ", 2) for form, _ in (given, right))
-    if not name == wanted_name == type_.several:
-        return ""
-    count, size = int(words[0]), int(wanted_words[0])
-    if count != size:
-        return f"{'fewer' if count < size else 'more'} {count}"
-    return "reordered" if reordered(given[1], right[1], count) else ""
-
-
-def largest(numbers: Sequence[float], others: Sequence[float]) -> float:
+def _largest(numbers: Sequence[float], others: Sequence[float]) -> float:
     """The largest difference of two numbers in the same place."""
     return max(map(abs, map(sub, numbers, others)), default=0.0)
 
 
 def only_digits(numbers: Sequence[float], wanted: Sequence[float]) -> bool:
     """Whether numbers differ from as many wanted ones by no more than lost digits."""
-    return largest(numbers, wanted) <= CLOSE * max(map(abs, (*numbers, *wanted)), default=0.0)
-
-
-def reordered(numbers: Sequence[float], wanted: Sequence[float], count: int) -> bool:
-    """Whether the numbers of so many items are those wanted in another order."""
-    size = len(wanted) // count if count else 0
-    if count < 2 or not size or size * count != len(wanted) or len(numbers) != len(wanted):
-        return False
-    if count == 2:
-        turned = (*wanted[size:], *wanted[:size])
-        return largest(numbers, turned) <= SAME * largest(wanted, turned)
-    given, right = (
-        sorted(tuple(each[at : at + size]) for at in range(0, len(each), size)) for each in (numbers, wanted)
-    )
-    return only_digits([x for item in given for x in item], [x for item in right for x in item])
+    return _largest(numbers, wanted) <= _CLOSE * max(map(abs, (*numbers, *wanted)), default=0.0)

@@ -32,12 +32,16 @@ def known(name, wrong, count=1):
     return Known(name, {"g": Answers(CASES, {case: one(count) for case in wrong})}, f"why {name}")
 
 
-def said(repair, *programs, wrong=range(10), today=None, few=False):
-    """The pitfall of a program that answers 1 in these cases, and is right after those steps."""
+def asked(wrong):
     group = SimpleNamespace(group=SimpleNamespace(name="g"))
-    cases = SimpleNamespace(
+    return SimpleNamespace(
         all=[SimpleNamespace(group=group, place=case) for case in range(CASES)], wrong=[*wrong]
     )
+
+
+def said(repair, *programs, wrong=range(10), today=None, few=False):
+    """The pitfall of a program that answers 1 in these cases, and is right after those steps."""
+    cases = asked(wrong)
     does = {"g": Answers(CASES, {case: one(1) for case in wrong})}
     made = Repair(cases=cases, **repair)
     result = Result(problem="sum", submission="a.py", verdict=Verdict.WA, pitfall=today)
@@ -135,3 +139,12 @@ def test_of_a_part_only_the_line_is_told():
     assert [(step.name, step.line, step.gone, step.why) for step in found.steps] == [(None, 3, 6, "")]
     assert said({"part": (Step("sign", 3, frozenset(range(4))),)}) is None
     assert said({}) is None
+
+
+def test_no_name_is_told_whose_program_does_not_fail_the_case_that_is_shown():
+    made = Repair(cases=asked(range(10)), **whole(("room", 7, range(10))))
+    does = {"g": Answers(CASES, {case: one(1) for case in range(10)})}
+    repaired = Repaired(made, Likeness([known("no-room", range(10))], does), KINDS, few=False)
+    assert with_steps(RESULT, repaired, KINDS, lambda _: True).pitfall.names == ("no-room",)
+    told = with_steps(RESULT, repaired, KINDS, lambda _: False).pitfall
+    assert (told.names, [step.line for step in told.steps]) == ((), [7])
