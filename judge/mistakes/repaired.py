@@ -24,6 +24,7 @@ _AHEAD = 0.15  # by so much more than the next one
 _SAME = 0.9  # … and one of what is proved without a name
 _ALL = 0.95  # from here on all answers are those of the known program
 _LIKELY = 0.9  # the score of a name that is very likely
+_LAST = "rounding"  # what is left after all other steps
 _STRONG = 0.87  # a kind that says what it is even where it explains a part
 _FEW = 5  # failures: fewer are like too much
 _WORTH = 0.5  # of the failures that steps must take away where they do not take all
@@ -202,7 +203,7 @@ def _told(found: Sequence[_Named], failing: int, kinds: Kinds) -> tuple[MistakeS
     Of one that leaves something wrong only the line is told, unless its kind is strong.
     """
     places: dict[tuple[object, ...], list[_Named]] = {}
-    for at, one in enumerate(found):
+    for at, one in enumerate(sorted(found, key=lambda one: (one.step.kind == _LAST, -len(one.step.gone)))):
         places.setdefault((one.name or at, one.step.line), []).append(one)
     gone = frozenset[int]().union(*(one.step.gone for one in found))
     steps = []
