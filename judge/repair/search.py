@@ -271,7 +271,7 @@ class Search:
                 guarded=state.guarded | some, steps=(*state.steps, step), wrong=state.wrong - some
             )
         pairs = self._child.answers(state.chain, self._everything)
-        for name in _AFTER:
+        for name in _AFTER if self._cases.several else ():
             if name in state.after:
                 continue
             then = state._replace(after=(*state.after, name))

@@ -99,6 +99,23 @@ def test_rounding_alone_is_proved(kata):
     assert (made.rounding, made.tolerance) == (False, True)
 
 
+FOOT = """\
+def foot(A, B, C):
+    dx, dy = B[0] - A[0], B[1] - A[1]
+    if dx == dy == 0:
+        return None
+    t = ((C[0] - A[0]) * dx + (C[1] - A[1]) * dy) / (dx * dx + dy * dy)
+    return (A[0] + t * dx, A[1] + t * dy), t
+"""
+
+
+def test_parts_of_one_answer_are_no_list_in_another_order(kata):
+    _, told = repair(kata("foot"), FOOT)
+    assert "order" not in [kind for kind, _ in told]
+    cases = Cases(kata("foot"), {"grid": Answers(3, {0: ("", ())})})
+    assert not cases.right(0, [1.0, [2.0, 3.0]], ("once", "filter"))
+
+
 def test_whole_numbers_of_a_hundred_digits_are_exact(kata):
     right = """\
 def exact_count(cx, cy, r, A, B):
