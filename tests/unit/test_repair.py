@@ -99,6 +99,27 @@ def test_rounding_alone_is_proved(kata):
     assert (made.rounding, made.tolerance) == (False, True)
 
 
+LINES = """\
+import sys
+from math import hypot
+
+next(sys.stdin)
+for line in sys.stdin:
+    cx, cy, r, ax, ay, bx, by = map(float, line.split())
+    ux, uy, px, py = bx - ax, by - ay, ax - cx, ay - cy
+    if hypot(px, py) > hypot(bx - cx, by - cy):
+        px, py = bx - cx, by - cy
+    length = hypot(ux, uy)
+    off = abs(ux / length * py - uy / length * px) if length else 0
+    print("none" if length == 0 else 1 if abs(off - r) <= 1e-10 else 2 if off < r else 0)
+"""
+
+
+def test_what_reads_standard_input_is_asked_the_first_question_alone(kata):
+    made, told = repair(kata("count"), LINES)
+    assert (made.ways, made.whole, told) == (("scaled",), (), [("scaled", 0)])
+
+
 FOOT = """\
 def foot(A, B, C):
     dx, dy = B[0] - A[0], B[1] - A[1]
