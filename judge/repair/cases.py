@@ -20,7 +20,7 @@ from judge.values.wire import Raw
 
 _ALIKE = 1e-7  # of the figure: two points nearer than that are one
 _BEYOND = 1e-9  # of the figure: a point so far beyond an end is still on it
-_MOST_ITEMS = 5  # of a list whose orders are tried
+_MOST_ITEMS = 4  # of a list whose orders are tried
 _LEAST_SHARE = 0.3  # of the cases that a guard would catch, so many must fail
 
 
