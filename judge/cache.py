@@ -95,7 +95,7 @@ def decoded(body: bytes, kind: type[T]) -> T:
     except msgspec.DecodeError:  # it knows no infinity
         import json
 
-        return msgspec.convert(json.loads(body), kind)
+        return msgspec.convert(json.loads(body), kind, str_keys=True)
 
 
 def digest(*parts: bytes) -> str:

@@ -89,7 +89,8 @@ class Row(Struct, frozen=True, dict=True):
     """What is kept of one hand-in: `digest` is that of the source, `at` the second of the epoch.
 
     It has no standard where nothing was judged. `copied` names the file of equal bytes that was judged in its
-    place, empty where it was judged itself.
+    place, empty where it was judged itself. `small` is the published result with its smallest case, once a
+    page has shown it.
     """
 
     student: str
@@ -100,6 +101,7 @@ class Row(Struct, frozen=True, dict=True):
     standard: Standard | None
     at: float
     copied: str = ""
+    small: dict[str, Any] | None = None
 
     @property
     def key(self) -> str:
@@ -113,6 +115,14 @@ class Row(Struct, frozen=True, dict=True):
             return replace(read_result(self.done.result), submission=self.file)
         except ValueError as fault:
             return judge_fault(self.problem, self.file, str(fault))
+
+    @cached_property
+    def smallest(self) -> Result | None:
+        """The same with its smallest case, where that is kept and can be read."""
+        try:
+            return read_result(self.small) if self.small else None
+        except ValueError:
+            return None
 
     @property
     def accepted(self) -> bool:

@@ -1,11 +1,12 @@
 """The smallest failing cases of hand-ins, for the pages that show them.
 
-Looking for one takes about two seconds, so it is done only for what a page shows, and once for equal texts.
+Looking for one takes about two seconds, so it is done only for what a page shows, once for equal texts, and
+kept.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import suppress
 from pathlib import PurePath
 
@@ -35,31 +36,32 @@ def smallest_cases(
     problems: Mapping[str, Problem],
     options: RunOptions,
     bars: Bars,
+    keep: Callable[[list[Row]], None],
 ) -> dict[tuple[str, str], Result]:
     """The result of each row, by problem and file, with its smallest case; `handins` are those of the rows.
 
-    One whose problem is not there, or that another verdict comes of now, is as it was.
+    `keep` is handed the rows that have a smallest case now. One whose problem is not there, or that another
+    verdict comes of now, is as it was.
     """
     found = {(row.problem, row.file): row.result for row in rows}
     sources = {each.file: each.source for each in handins}
     options = replace(options, timed=False, diagnosed=True)
     for problem in problems.values():
         broken = [row for row in rows if row.problem == problem.id and row.result.verdict in _BROKEN]
-        texts = {row.digest: row for row in broken}
-        if not texts:
-            continue
-        small: dict[str, Result] = {}
-        with (
-            suppress(JudgeError),  # then the pages show the failing cases as they are
-            bars(f"smallest cases of {problem.id}") as advance,
-            Session(problem, options) as session,
-        ):
-            for done, (digest, row) in enumerate(texts.items()):
-                if advance:
-                    advance(done, len(texts))
-                small[digest] = session.judge(sources[row.file], PurePath(row.file).name)
-        for row in broken:
-            result = small.get(row.digest)
-            if result is not None and result.verdict is row.result.verdict:
-                found[row.problem, row.file] = result
+        small = {row.digest: row.smallest for row in broken if row.smallest}
+        texts = {row.digest: row for row in broken if row.digest not in small}
+        if texts:
+            with (
+                suppress(JudgeError),  # then the pages show the failing cases as they are
+                bars(f"smallest cases of {problem.id}") as advance,
+                Session(problem, options) as session,
+            ):
+                for done, (digest, row) in enumerate(texts.items()):
+                    if advance:
+                        advance(done, len(texts))
+                    result = session.judge(sources[row.file], PurePath(row.file).name)
+                    if result.verdict is row.result.verdict:
+                        small[digest], plain = result, result.as_json()
+                        keep([replace(each, small=plain) for each in broken if each.digest == digest])
+        found |= {(row.problem, row.file): small[row.digest] for row in broken if row.digest in small}
     return found

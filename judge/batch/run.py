@@ -132,7 +132,8 @@ class Classroom:
         """What pages show, by kata and file, with smallest cases: one file a mistake, or all that count."""
         rows = current(self._handins, self._store.every(), self._standards).values()
         shown = list(counting(rows).values()) if everybody else representatives(cohort, rows)
-        return smallest_cases(shown, self._handins, self.problems(), self._options, progress)
+        keep = self._store.keep_all
+        return smallest_cases(shown, self._handins, self.problems(), self._options, progress, keep)
 
     def _ground(self, executor: Executor) -> Ground:
         """By what the class is judged; workers elsewhere have an isolation, and find the katas themselves.

@@ -6,7 +6,7 @@ Containers are started as early as can be: most of what judging and showing need
 from __future__ import annotations
 
 import atexit
-from collections.abc import Generator, Sequence
+from collections.abc import Callable, Generator, Sequence
 from contextlib import AbstractContextManager, suppress
 from functools import cache, partial
 from importlib import import_module
@@ -25,7 +25,9 @@ from judge.problem import Problem
 from judge.problem.load import load_problem
 from judge.report.published_result import Judged
 from judge.report.screen import Notes, note
-from judge.report.wait import Advance, progress
+from judge.report.tell import looking
+from judge.report.wait import Advance, Live, progress
+from judge.report.words import shown_name
 from judge.run.result import Result, judge_fault
 
 
@@ -60,9 +62,14 @@ def judged(problem: Problem, submissions: Sequence[Submission], wish: Wish) -> G
 
 
 def judged_by(
-    session: Session, submissions: Sequence[Submission], wish: Wish
+    session: Session,
+    submissions: Sequence[Submission],
+    wish: Wish,
+    on_verdict: Callable[[Result], None] | None = None,
 ) -> Generator[Judged, None, None]:
-    """As `judged`, by a session that is open."""
+    """As `judged`, by a session that is open; `on_verdict` hears of a failure before it is explained, in
+    place of who looks at the terminal.
+    """
 
     def numbered(label: str) -> AbstractContextManager[Advance | None]:
         return progress(f"{done + 1} of {wish.total}: {label}")
@@ -83,7 +90,7 @@ def judged_by(
         said.say(filter(None, [pool.short]))
     else:
         session.prepare()
-        results = (session.judge(each.source, each.name) for each in submissions)
+        results = (_judge(session, each, on_verdict) for each in submissions)
     said.say(session.data.notes)
     for submission, result in zip(submissions, results, strict=True):
         # Before it is shown: whoever has seen it finds it there, even if the judge is killed at that moment.
@@ -91,6 +98,17 @@ def judged_by(
         said.say(result.notes)
         done += 1
         yield Judged(result, submission.source, session.data)
+
+
+def _judge(session: Session, submission: Submission, on_verdict: Callable[[Result], None] | None) -> Result:
+    with Live() as live:
+
+        def show(result: Result) -> None:
+            if live.terminal and session.options.diagnosed:
+                verdict = f"{result.verdict.value}  {shown_name(result.submission)}"
+                live.show(lambda: f"{verdict}  {looking(result)}")
+
+        return session.judge(submission.source, submission.name, on_verdict or show)
 
 
 def _judge_one(

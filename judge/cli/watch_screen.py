@@ -35,10 +35,11 @@ from judge.report.parts import faint, good, warning
 from judge.report.picture import has_room, statement
 from judge.report.published_practise import HintShown
 from judge.report.published_result import Judged
-from judge.report.result import magnified, screenful, told_of, verdict_line
+from judge.report.result import begun, magnified, screenful, told_of, verdict_line
 from judge.report.screen import Screen, drawn, out
 from judge.report.tell import shown_failure
 from judge.report.views import view
+from judge.run.result import Result
 
 _END = ("q", "\x04", texts.GONE)
 _ASKED = {  # what is done when the key is pressed again
@@ -157,7 +158,7 @@ class _Loop:
         signal.setitimer(signal.ITIMER_REAL, _LOOK)
         try:
             with redirect_stderr(notes):  # a bar would be drawn over
-                found = self._file.judge()
+                found = self._file.judge(self._begin)
         finally:
             self._since = None
         self._found, self._why = None, ""
@@ -170,6 +171,14 @@ class _Loop:
         if self._found and self._found.result.solved:  # the verdict stands there already, and is worth more
             self._found = with_standing(self._found, self._common)
             self._draw()
+
+    def _begin(self, result: Result) -> None:
+        """Show a verdict that is still to be explained; the timer goes on below it."""
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        screen = out()
+        with suppress(OSError):  # the terminal is gone
+            texts.redraw(screen, drawn(Group(begun(result, self._kata.name), ""), screen), Text())
+        signal.setitimer(signal.ITIMER_REAL, _LOOK)
 
     def _course(self) -> Course:
         with history_at(self._common.db, reading=True) as history:

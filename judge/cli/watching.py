@@ -7,6 +7,7 @@ through links.
 from __future__ import annotations
 
 import time
+from collections.abc import Callable
 from contextlib import suppress
 from pathlib import Path
 
@@ -18,6 +19,7 @@ from judge.judging.session import Session
 from judge.problem import Verdict
 from judge.problem.load import load_problem, own_files
 from judge.report.published_result import Judged
+from judge.run.result import Result
 
 _PAUSE = 0.05  # seconds in which a file that is written on would change
 _PAUSES = 20  # of them at most
@@ -74,8 +76,10 @@ class WatchedFile:
         before, self._seen = self._seen, settled(self._kata.path)
         return self._seen != before
 
-    def judge(self) -> Judged | str:
+    def judge(self, on_verdict: Callable[[Result], None] | None = None) -> Judged | str:
         """Judge the file as it is now, as `judge run` does; a sentence where that cannot be done.
+
+        `on_verdict` hears of a failure before it is explained.
 
         Raises:
             UsageError: the isolation that was demanded cannot be had.
@@ -90,13 +94,13 @@ class WatchedFile:
         if not submission.source.strip():
             return f"{name} is empty; it is judged when there is something in it"
         try:
-            return self._judged(submission)
+            return self._judged(submission, on_verdict)
         except UsageError:
             raise
         except JudgeError as fault:
             return str(fault)
 
-    def _judged(self, submission: Submission) -> Judged:
+    def _judged(self, submission: Submission, on_verdict: Callable[[Result], None] | None) -> Judged:
         """Judge it; whatever is raised, and a verdict that says nothing of it, ends what was kept.
 
         So does a change of the problem, at which a setter may be at work.
@@ -112,7 +116,7 @@ class WatchedFile:
         try:
             if self._session is None:
                 self._session = Session(problem, self._wish.options, had=self._had)
-            (judged,) = judged_by(self._session, [submission], self._wish)
+            (judged,) = judged_by(self._session, [submission], self._wish, on_verdict)
             if judged.result.verdict is not Verdict.JE:  # that one was held nowhere
                 self._had = judged.result.isolation or self._had
                 clean = True

@@ -9,7 +9,7 @@
 from __future__ import annotations
 
 import os
-from typing import TYPE_CHECKING, Any, Union
+from typing import Any, Union
 
 from judge.cache import DISK, Store, digest
 from judge.data.model import GroupData, ProblemData, Progress, reseeded
@@ -18,10 +18,8 @@ from judge.problem import Problem
 from judge.problem.load import problem_key
 from judge.problem.model import tupled
 
-if TYPE_CHECKING:
-    pass
-
-FORMAT = 4  # raise it when the form of the file changes
+FORMAT = 5  # raise it when the form of the file changes
+MOST_KEPT = 200_000  # items of a group's cases that are kept as they are: to draw them takes far longer
 
 
 _value: Any = None | bool | int | float | str
@@ -55,7 +53,9 @@ def load_data(
     data.groups = tuple(build(problem, data.module, seed, progress))
     if store and problem.key and problem_key(problem.folder) == problem.key:  # its files are still these
         plain = {
-            each.group.name: [each.cases, each.targets] if each.group.size is None else as_seeds(each)
+            each.group.name: [each.cases, each.targets]
+            if (each.group.size or 0) * len(each.cases) <= MOST_KEPT
+            else as_seeds(each)
             for each in data.groups
         }
         data.notes = tuple(filter(None, [store.write(*place, plain)]))
@@ -83,9 +83,9 @@ def _data(plain: Any, problem: Problem, seed: int | None) -> ProblemData | None:
     try:
         for each in problem.groups:
             group, kept = reseeded(each, seed), plain[each.name]
-            if each.size is None:
+            if not isinstance(kept, dict):
                 cases, targets = kept
-            else:  # big cases are built again
+            else:  # huge cases are drawn again
                 from judge.data.build import from_seeds
 
                 cases, targets = (

@@ -85,7 +85,8 @@ class Session:
         self.reference = Reference(problem, self.open_box)
         self.lock = MeasureLock(waiting=lambda: self.bars(_WAITING))
         self.settings = Settings(self.take, options.timed, self.lock, self.reference, options.program)
-        self.untimed = replace(self.settings, measured=False)
+        # What is run for its answers waits for nobody's measuring.
+        self.untimed = replace(self.settings, measured=False, lock=MeasureLock(patience=0.0))
         self._ahead: dict[tuple[bytes, str], Box] = {}
         self._namer: Namer | None = None
 
@@ -143,8 +144,8 @@ class Session:
         with self.bars(f"building {self.problem.id}") as advance:
             return load_data(self.problem, store=self._store, seed=self.options.seed, progress=advance)
 
-    def judge(self, source: bytes, name: str, told_first: Callable[[Result], None] | None = None) -> Result:
-        """Judge one submission as the options say; `told_first` hears of a failure before it is explained.
+    def judge(self, source: bytes, name: str, on_verdict: Callable[[Result], None] | None = None) -> Result:
+        """Judge one submission as the options say; `on_verdict` hears of a failure before it is explained.
 
         A fault of the problem's or of the judge's own is a result too, JE: it costs this submission alone.
 
@@ -154,7 +155,7 @@ class Session:
         """
         notes = self.data.notes
         try:
-            result = self._judged(source, name, told_first)
+            result = self._judged(source, name, on_verdict)
         except UsageError:
             raise
         except Exception as fault:  # such as a reference that fails on a case
@@ -166,7 +167,7 @@ class Session:
         """A warning where a submission was held by limits only and nobody asked for that."""
         return (_WEAK,) if isolation == "limits" and self.options.isolation is None else ()
 
-    def _judged(self, source: bytes, name: str, told_first: Callable[[Result], None] | None) -> Result:
+    def _judged(self, source: bytes, name: str, on_verdict: Callable[[Result], None] | None) -> Result:
         from judge.run.execute import judge_submission
 
         options, settings, groups = self.options, self.settings, self.options.chosen(self.problem)
@@ -192,8 +193,8 @@ class Session:
                 unbound = result.verdict is Verdict.AC and not result.time.reference
                 why = result.time.why or (_UNTIMED.format(runner.language) if unbound else "")
                 result = result.noting(why) if why else result
-            if told_first and result.failure is not None:
-                told_first(result)
+            if on_verdict and result.failure is not None:
+                on_verdict(result)
             judged = judged._replace(result=result)
             if options.diagnosed:
                 judged = judged._replace(result=self.diagnosed(judged, self.data, box))

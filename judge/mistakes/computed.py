@@ -17,9 +17,11 @@ from msgspec import Struct
 
 from judge.data.model import GroupData, ProblemData
 from judge.errors import ProblemError
-from judge.problem import Problem
+from judge.problem import Case, Problem
 from judge.run.result import Answers, Behaviour
 from judge.sandbox.encode import encode
+from judge.values.answers import Target
+from judge.values.check import ExactOf
 from judge.values.outline import Outline, wrong_outline
 
 _PROTOCOL = 5
@@ -59,6 +61,16 @@ class Computer:
                 each.name: each.answers(function, None if only is None else only.get(each.name, ()))
                 for each in self._groups
             }
+
+    def answer(self, program: Program, case: Case, target: Target, exact: ExactOf) -> Outline | None:
+        """The outline of its answer to a case of one's own, None of a right one. Raises ProblemError."""
+        with localcontext(Context()):
+            function = entry_of(self._problem, program)
+            try:
+                raw = encode(function(*self._problem.calls([case])[0]))
+            except Exception as fault:
+                return raised(type(fault).__name__)
+        return wrong_outline(self._problem.answer, raw, target, exact)
 
 
 class _Group:

@@ -1,8 +1,8 @@
 """What the known mistakes answer on a problem's data: found once and kept.
 
 <cache folder>/mistakes/<id>-<place>-<seed>-<key>.json
-    {hash of a program: {group: its answers as judge.mistakes.packed has them, …}, …}; instead of what another
-    program answers as well, that one's hash
+    {hash of a program: {group: [cases, {case: [form, numbers], …}], …}, …}; in place of what a program before
+    answers as well, that one's hash
 
 A mistake that is a choice (`judge.mistakes.family`) is computed here: it is the setter's own code, trusted as
 problem.py is. A file of `wrong/` may keep state, loop or read standard input; it is judged in containment.
@@ -12,43 +12,41 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from functools import cached_property, partial
 from itertools import chain
 from typing import Any
 
+from msgspec.structs import replace
+
 from judge.cache import DISK, Store, code_key
 from judge.data.load import kept_place
-from judge.data.model import ProblemData
-from judge.mistakes.agreement import kind_of
+from judge.data.model import GroupData, ProblemData
 from judge.mistakes.computed import Computer, Program
-from judge.mistakes.packed import packed, unpacked
-from judge.mistakes.rights import right_outlines
+from judge.mistakes.likeness import CASES
 from judge.problem import Problem
-from judge.run.result import Behaviour
+from judge.run.result import Answers, Behaviour
 from judge.run.settings import Settings
-from judge.values.outline import Outline, Usual
 
-FORMAT = 3  # raise it when the form of the file changes
+FORMAT = 4  # raise it when the form of the file changes
 
 Progress = Callable[[int, int], None]  # programs done, programs in all
 _CODE = ("run", "sandbox")  # beside the packages that the data depend on
 _WHAT = "the known mistakes' answers"
+_FORM: Any = dict[str, str | dict[str, tuple[int, dict[int, tuple[str, tuple[float, ...]]]]]]
 
 
 class KnownAnswers:
     """The answers of known programs on one problem's data, read from the cache and added to it."""
 
     def __init__(self, data: ProblemData, seed: int | None, settings: Settings, store: Store = DISK) -> None:
-        self._data = data
+        self._data = ProblemData(data.problem, tuple(map(_first, data.groups)), loaded=data.loaded)
         self._settings = settings
-        self._kinds: dict[tuple[str, int, Outline], str] = {}
         self._store = store
         self._place = _place(data.problem, seed)
 
     @property
     def kept(self) -> bool:
         """Whether anything is kept of these data."""
-        return self._store.read(*self._place, dict[str, Any]) is not None
+        return self._store.read(*self._place, _FORM) is not None
 
     def of(
         self, programs: Sequence[Program], progress: Progress | None = None
@@ -57,20 +55,16 @@ class KnownAnswers:
 
         Raises ProblemError for a choice that cannot be run, JudgeError where nothing can be.
         """
-        plain = self._store.read(*self._place, dict[str, Any]) or {}
-        kept = {each.key: plain.get(each.key) for each in programs}
-        found = _from_plain(kept)
-        missing = {each.key: each for each in programs if each.key not in found}
+        kept = _unshared(self._store.read(*self._place, _FORM) or {})
+        missing = {each.key: each for each in programs if each.key not in kept}
         note = None
         if missing:
             try:
-                for key, each in self._learnt(missing, progress):
-                    kept[key] = self._as_plain(each)
+                kept |= self._learnt(missing, progress)
             finally:
-                kept = _shared({key: each for key, each in kept.items() if each is not None})
-                note = self._store.write(*self._place, kept, _WHAT)
-            found = _from_plain(kept)
-        return [found[each.key] for each in programs], note
+                note = self._store.write(*self._place, _shared(kept), _WHAT)
+        first: dict[str, Behaviour] = {}
+        return [first.setdefault(repr(kept[each.key]), kept[each.key]) for each in programs], note
 
     def _learnt(
         self, missing: Mapping[str, Program], progress: Progress | None
@@ -91,29 +85,18 @@ class KnownAnswers:
             if progress:
                 progress(done, len(missing))
 
-    def _as_plain(self, known: Behaviour) -> dict[str, Any]:
-        return {name: packed(answers, partial(self._kind, name)) for name, answers in known.items()}
 
-    def _kind(self, group: str, case: int, given: Outline) -> str:
-        """What kind of wrong answer that is; found once of what several programs answer."""
-        key = group, case, given
-        if key not in self._kinds:
-            right = self._rights[group][case]
-            self._kinds[key] = kind_of(given, right, self._data.problem.answer, self._usual)
-        return self._kinds[key]
-
-    @cached_property
-    def _rights(self) -> Mapping[str, Sequence[Outline]]:
-        return right_outlines(self._data)
-
-    @cached_property
-    def _usual(self) -> Usual:
-        return Usual.of(right for outlines in self._rights.values() for right in outlines)
+def _first(each: GroupData) -> GroupData:
+    """Its first cases; all of them where these are big."""
+    if each.group.size is not None:
+        return each
+    group = replace(each.group, count=min(CASES, each.group.count))
+    return GroupData(group, each.cases[:CASES], each.targets[:CASES])
 
 
 def is_kept(problem: Problem, seed: int | None) -> bool:
     """Whether anything is kept of what the known mistakes answer."""
-    return DISK.read(*_place(problem, seed), dict[str, Any]) is not None
+    return DISK.read(*_place(problem, seed), _FORM) is not None
 
 
 def _place(problem: Problem, seed: int | None) -> tuple[str, str]:
@@ -122,25 +105,20 @@ def _place(problem: Problem, seed: int | None) -> tuple[str, str]:
     return name, f"{FORMAT}/{sys.version}/{key}/{code_key(*_CODE)}"
 
 
-def _shared(kept: dict[str, Any]) -> dict[str, Any]:
-    """The same with the first one's hash in place of what was there before."""
+def _shared(kept: Mapping[str, Behaviour]) -> dict[str, Any]:
+    """What is written of the behaviours."""
     firsts: dict[str, str] = {}
-    found: dict[str, Any] = {}
-    for key, plain in kept.items():
-        first = firsts.setdefault(repr(plain), key) if isinstance(plain, dict) else key
-        found[key] = plain if first == key else first
-    return found
+    found = {key: firsts.setdefault(repr(each), key) for key, each in kept.items()}
+    return {key: each if found[key] == key else found[key] for key, each in kept.items()}
 
 
-def _from_plain(kept: Mapping[str, Any]) -> dict[str, Behaviour]:
-    """The behaviours that were written; without those that are anything else."""
-    found: dict[str, Behaviour] = {}
-    for key, plain in kept.items():
-        if isinstance(plain, str) and plain in found:
-            found[key] = found[plain]
-        elif isinstance(plain, dict):
-            try:
-                found[key] = {name: unpacked(each) for name, each in plain.items()}
-            except (TypeError, ValueError):  # whatever a foreign file can hold
-                continue
-    return found
+def _unshared(plain: Mapping[str, Any]) -> dict[str, Behaviour]:
+    """The behaviours that were written."""
+    whole = {
+        key: {group: Answers(*each) for group, each in groups.items()}
+        for key, groups in plain.items()
+        if isinstance(groups, dict)
+    }
+    return whole | {
+        key: whole[first] for key, first in plain.items() if isinstance(first, str) and first in whole
+    }

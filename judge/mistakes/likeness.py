@@ -1,98 +1,103 @@
-"""How alike a submission and a hypothesis are over all cases: what best explains need not be what is there.
+"""How alike a submission's wrong answers are to those of programs that make a known mistake: one formula.
 
-Evidence is relative: the least bad of the known mistakes wins where none fits. What a mistake does is known
-case by case, though, so that a program that makes it fails nearly the same cases with the same answers. One
-that fails many others, or passes many of them, does something else, and nothing is said of it.
-
-Where chance decides which cases fail, as with rounding, far less agrees.
+Of the failures, how many the known program has too, half of it where it gives another answer; out of these
+failures and those that it alone has. Compared are the first cases of each group.
 """
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Collection, Mapping, Sequence
 
 from msgspec import Struct
 
-_NEARLY_ALL = 0.9  # of all wrong answers of either, that are the same in both
-_TRUE = (
-    0.97  # of the hypothesis's wrong answers, that the submission gives; then it may fail other cases too …
-)
-_COVERED = 0.5  # … but no more than these of its own are unexplained
-_HALF = 0.5  # of all wrong answers of either, where chance decides; or less, if all else …
-_BY_CHANCE, _SURE = 0.2, 0.85  # … makes it sure: the share, and the score
-BOTH = 0.92  # the same for two mistakes at once, by the program that makes both
-IN_PART = 0.7  # where it does for one of two mistakes
-NEEDED = 0.02  # by how much less than two mistakes each of them explains alone; less is a side of the one
+from judge.run.result import Behaviour
+from judge.values.outline import Outline, only_digits
+
+CASES = 24  # of a group that are compared
+_FEW = 5  # failures, below which nothing is like anything
+_ENOUGH = 0.6  # of likeness, for a name
+_AHEAD = 0.15  # of the next name
+
+Place = tuple[str, int]  # a group, and a case of it
+Wrong = Mapping[Place, Outline]
 
 
-class Overlap(Struct, frozen=True):
-    """The cases of one group by what a submission and a known program answered."""
+class Known(Struct, frozen=True):
+    """A program that makes a mistake, what it answers, and what is said of whoever writes such a one.
 
-    same: frozenset[int]  # both wrong with the same answer
-    kind: frozenset[int]  # both wrong with answers of one kind
-    other: frozenset[int]  # both wrong in different ways
-    ours: frozenset[int]  # only the submission is wrong
-    theirs: Collection[int]  # only the known program is
-    size: int
-    open: int = 0  # cases in which either would fit
-    ended: int = 0  # of `kind`, how often both end by an exception
-
-    @property
-    def failed(self) -> int:
-        """How many the known program fails."""
-        return len(self.same) + len(self.kind) + len(self.other) + len(self.theirs)
-
-    def within(self, cases: Iterable[int]) -> Overlap:
-        """The same of some cases."""
-        only = frozenset(cases)
-        same, kind, other, ours = (part & only for part in (self.same, self.kind, self.other, self.ours))
-        return Overlap(
-            same, kind, other, ours, only.intersection(self.theirs), len(only), 0, min(self.ended, len(kind))
-        )
-
-
-class Likeness(Struct, frozen=True):
-    """The wrong answers of a submission and a hypothesis, by number: the same in both, and of each one all.
-
-    `alike` are those of one kind as well, such as digits that are lost in different ways. Of the cases that a
-    hypothesis leaves open it fails one half.
+    It is its `own` kata's, or one of every kata's.
     """
 
-    same: int
-    alike: int
-    ours: int
-    theirs: float
+    name: str
+    behaviour: Behaviour
+    text: str = ""
+    own: bool = True
 
-    @staticmethod
-    def of(overlaps: Iterable[Overlap | None]) -> Likeness:
-        """Over all groups."""
-        same, alike, ours, theirs = 0, 0, 0, 0.0
-        for each in overlaps:
-            if each is not None:
-                same += len(each.same) + each.ended
-                alike += len(each.same) + len(each.kind)
-                ours += each.failed - len(each.theirs) + len(each.ours)
-                theirs += each.failed + each.open / 2
-        return Likeness(same, alike, ours, theirs)
+
+class Likeness:
+    """A submission, by what it `does`, beside known programs."""
+
+    def __init__(self, known: Sequence[Known], does: Behaviour) -> None:
+        self._given = wrong_of(does)
+        self._reached = {group: min(CASES, answers.reached) for group, answers in does.items()}
+        self._known: dict[str, list[tuple[Known, Wrong]]] = {}
+        for each in known:
+            self._known.setdefault(each.name, []).append((each, wrong_of(each.behaviour)))
+        self._own = {each.name for each in known if each.own}
 
     @property
-    def share(self) -> float:
-        """How much of what either fails both fail alike: 1 if they answer the same everywhere."""
-        return self._of_either(self.same)
+    def names(self) -> Collection[str]:
+        """All that are known."""
+        return self._known.keys()
 
-    def _of_either(self, both: int) -> float:
-        failed = self.ours + self.theirs - both
-        return both / failed if failed else 0.0
+    def share(self, name: str, some: Collection[Place] | None = None) -> float:
+        """How alike it is to the nearest program with that mistake, in `some` of the failures, or in all."""
+        return max(self._shares(name, some), default=0.0)
 
-    def enough(self, chances: Sequence[bool], score: float) -> bool:
-        """Whether it is enough for a name of that score; `chances` say of each one whether chance decides."""
-        if all(chances):
-            share = self._of_either(self.alike)
-            return share >= _HALF or (share >= _BY_CHANCE and score >= _SURE)
-        if any(chances):
-            return self.share >= IN_PART
-        if self.share >= _NEARLY_ALL:
-            return True
-        if len(chances) > 1:
-            return False  # two can be made to fit too much
-        return self.same >= _TRUE * self.theirs and self.same >= _COVERED * self.ours
+    def nearest(self, name: str, some: Collection[Place] | None = None) -> Known:
+        """The program with that mistake that it is most like."""
+        shares = self._shares(name, some)
+        return self._known[name][shares.index(max(shares))][0]
+
+    def _shares(self, name: str, some: Collection[Place] | None) -> list[float]:
+        given = self._given.keys() if some is None else self._given.keys() & set(some)
+        return [self._share(given, wrong) for _, wrong in self._known[name]]
+
+    def _share(self, places: Collection[Place], wrong: Wrong) -> float:
+        both = [each for each in places if each in wrong]
+        same = sum(_same(self._given[each], wrong[each]) for each in both)
+        others = sum(
+            case < self._reached.get(group, 0) and (group, case) not in self._given for group, case in wrong
+        )
+        return (same + 0.5 * (len(both) - same)) / max(1, len(places) + others)
+
+    def best(self) -> tuple[str, float] | None:
+        """The name that it is most like, and how much, where that is sure.
+
+        One of the kata's own goes before a twin of all katas.
+        """
+        if len(self._given) < _FEW:
+            return None
+        shares = {name: self.share(name) for name in self._known}
+        ordered = sorted(shares, key=lambda name: (-round(shares[name], 9), name not in self._own, name))
+        if not ordered or shares[ordered[0]] < _ENOUGH:
+            return None
+        first, *rest = ordered
+        if first in self._own:
+            rest = [name for name in rest if name in self._own or shares[name] < shares[first]]
+        ahead = shares[first] - max((shares[name] for name in rest), default=0.0)
+        return (first, shares[first]) if ahead >= _AHEAD else None
+
+
+def wrong_of(does: Behaviour) -> Wrong:
+    """The wrong answers to the cases that are compared."""
+    return {
+        (group, case): outline
+        for group, answers in does.items()
+        for case, outline in answers.wrong.items()
+        if case < CASES
+    }
+
+
+def _same(given: Outline, other: Outline) -> bool:
+    return given == other or (given[0] == other[0] and only_digits(given[1], other[1]))

@@ -7,27 +7,25 @@ import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, contextmanager
 from functools import cached_property
+from typing import NamedTuple
 
-from msgspec import Struct
 from msgspec.structs import replace
 
 from judge.cache import DISK, Store
+from judge.data.build import target_of
 from judge.data.model import ProblemData
 from judge.errors import told
 from judge.languages import language_of
-from judge.mistakes.catalogue import read_kinds
-from judge.mistakes.computed import Computer, Program
-from judge.mistakes.family import Choice, Family
+from judge.mistakes.catalogue import Words, read_kinds
+from judge.mistakes.computed import Computer
 from judge.mistakes.features import features
 from judge.mistakes.forms import of_form
 from judge.mistakes.known import KnownAnswers, Progress
-from judge.mistakes.makers import Maker, Makers, distinct, read_makers
-from judge.mistakes.naming import Known, Match, best_match
-from judge.mistakes.nearest import nearest
+from judge.mistakes.likeness import Known, Likeness
+from judge.mistakes.makers import Maker, distinct, read_makers
 from judge.mistakes.repaired import Repaired, with_steps
 from judge.mistakes.rights import right_outlines
-from judge.mistakes.same import Cases, Joint, Same, as_match, twins, wrong_answers
-from judge.mistakes.vetoes import Vetoes
+from judge.problem.model import case_of
 from judge.repair.search import Repair
 from judge.run.result import Behaviour, Pitfall, Result
 from judge.run.settings import Settings
@@ -35,19 +33,16 @@ from judge.values.outline import Outline
 
 _SENTENCE = re.compile(r".*?(?:[.!?](?=\s)|$)", re.DOTALL)  # the first one of a text
 
+_FEW = 8  # different right answers, up to which many mistakes have the same wrong ones
+
 Alone = Callable[[str, int], bool]  # whether a submission fails that case of the group, called for it alone
 
 
-class _Ready(Struct):
-    """What is compared with, and what each of them answers; `makers`, `choices` and `known` belong together.
+class _Made(NamedTuple):
+    """What makes a mistake, and what it answers."""
 
-    `choices` are all that make the same mistake with the same answers, on whatever route.
-    """
-
-    read: Makers
-    makers: list[Maker]
-    choices: list[list[Choice]]
-    known: list[Known]
+    maker: Maker
+    known: Known
 
 
 class Namer:
@@ -68,9 +63,9 @@ class Namer:
         self.notes: list[str] = []
         self._data = data
         self._answers = KnownAnswers(data, seed, settings, store)
-        self._computer = Computer(data)  # of what makes two mistakes at once
+        self._computer = Computer(data)
         self._progress = progress
-        self._made: _Ready | None = None
+        self._made: list[_Made] | None = None
 
     def learn(self) -> None:
         """Find what the mistakes answer while the data are new; later runs have it. Raises JudgeError."""
@@ -104,94 +99,66 @@ class Namer:
         if found is None:
             return result
         kinds = read_kinds(self._data.problem)
-        return with_steps(result, Repaired(found, known, does, kinds), kinds)
+        answers = {outline for outlines in self._rights.values() for outline in outlines}
+        return with_steps(result, Repaired(found, known, kinds, few=len(answers) <= _FEW), kinds)
 
     def _named(
         self, result: Result, does: Behaviour, source: bytes, alone: Alone
-    ) -> tuple[Result, Sequence[tuple[Known, str]] | None]:
-        """The result with its name, and what else it may be like, each with what is said of it.
-
-        None where the form of the answers is wrong.
-        """
+    ) -> tuple[Result, Likeness | None]:
+        """The result with its name, and what else it may be like; None where the answers' form is wrong."""
         has = features(source, language_of(result.submission))
         if has is None:
             return result, None
-        found = of_form(result, does, self._data, has, self._rights)
-        if found.pitfall is not None:
-            return replace(result, pitfall=found.pitfall), None
-        if found.unreadable:
+        formed = of_form(result, does, self._data, has, self._rights)
+        if formed.pitfall is not None:
+            return replace(result, pitfall=formed.pitfall), None
+        if formed.unreadable:
             return result, None
-        ready = self._ready()
-        vetoes = Vetoes(ready.read.problem, result, does, has, form=found.faulty, alone=alone)
-        kept = [
-            place for place, each in enumerate(ready.known) if vetoes.allow(ready.makers[place].words, each)
-        ]
-        makers, known = [ready.makers[place] for place in kept], [ready.known[place] for place in kept]
-        like = [(each, _what_is_wrong(maker)) for each, maker in zip(known, makers, strict=True)]
-        joint = self._joint(ready.read.family, [ready.choices[place] for place in kept])
-        match, alike = self._match(joint, known, does)
-        if match is None:
-            alike = [place for place in alike if vetoes.lasting(makers[place].words)]
-            match = as_match(does, alike, known)
-        if match is None:
-            note = [_why_not(does, [makers[place] for place in alike])] if alike else []
-            return result.noting(*note), like
-        if not all(vetoes.lasting(makers[place].words) for place in match.places):
-            return result, like
-        return replace(result, pitfall=_pitfall(match, makers)), like
+        made = [each for each in self._ready() if _may_be(each.maker.words, has, faulty=formed.faulty)]
+        likeness = Likeness([each.known for each in made], does)
+        best = likeness.best()
+        if best is None:
+            return result, likeness
+        name, share = best
+        nearest = likeness.nearest(name)
+        maker = next(each.maker for each in made if each.known is nearest)
+        if not self._fails(maker, result) or (maker.words.state and self._steady(does, alone)):
+            return result, likeness
+        return replace(result, pitfall=Pitfall((name,), round(share, 3), (nearest.text,))), likeness
 
-    def _match(
-        self, joint: Joint | None, known: Sequence[Known], does: Behaviour
-    ) -> tuple[Match | None, Sequence[int]]:
-        """What explains the submission, or else the programs that answer just as it does."""
-        data, rights = self._data, self._rights
-        near = nearest(does, known, data.groups)
-        same = Same(does, known, data.groups, data.problem.answer, rights, joint)
-        match = same.one(near.same) or same.two(near.pairs)
-        if match is None:
-            worth = near.worth
+    def _fails(self, maker: Maker, result: Result) -> bool:
+        """Whether the known program fails the case that is shown, as far as it can be called here."""
+        shown, data = result.counterexample or result.failure, self._data
+        group = data.problem.group(shown.group or "") if shown else None
+        if shown is None or shown.input is None or group is None or not maker.program.trusted:
+            return True
+        case = case_of(shown.input)
+        target = target_of(data.problem, *data.exact(case, group))
+        return self._computer.answer(maker.program, case, target, lambda: data.exact(case, group)) is not None
 
-            def fits(one: int, other: int) -> float | None:
-                return same.fits(worth[one], worth[other])
-
-            few = [known[place] for place in worth]
-            match = best_match(does, few, data.groups, data.problem.answer, fits, rights)
-            match = match and match.at(worth)
-        return match, () if match else twins(does, known)
+    def _steady(self, does: Behaviour, alone: Alone) -> bool:
+        """Whether a case fails that is called alone too: then nothing is kept between calls."""
+        failing = next((name for name, answers in does.items() if answers.wrong), None)
+        return failing is None or alone(failing, max(does[failing].wrong))
 
     @cached_property
     def _rights(self) -> Mapping[str, Sequence[Outline]]:
         return right_outlines(self._data)
 
-    def _joint(self, family: Family | None, choices: Sequence[Sequence[Choice]]) -> Joint | None:
-        """What the program answers that makes two mistakes at once, by the first choices that go together."""
-        if family is None:
-            return None
-
-        def joint(one: int, other: int, only: Cases) -> Behaviour | None:
-            pairs = (family.together(first, second) for first in choices[one] for second in choices[other])
-            both = next((each for each in pairs if each is not None), None)
-            if both is None:
-                return None
-            return self._computer.behaviour(Program(family.program(both).encode(), family.place(both)), only)
-
-        return joint
-
-    def _ready(self) -> _Ready:
+    def _ready(self) -> Sequence[_Made]:
         if self._made is None:
             read = read_makers(self._data.problem)
             self.notes += [f"a known mistake is left out: {fault}" for fault in read.faults]
             with self._progress() as advance:
                 behaviours, note = self._answers.of([each.program for each in read.all], advance)
             self.notes += [note] if note else []
-            alike = distinct(read.all, behaviours)
-            makers = [read.all[places[0]] for places in alike]
-            choices = [[c for i in places if (c := read.all[i].choice) is not None] for places in alike]
-            known = [
-                Known(maker.name, behaviours[places[0]], maker.chance)
-                for maker, places in zip(makers, alike, strict=True)
-            ]
-            self._made = _Ready(read, makers, choices, known)
+            self._made = []
+            for places in distinct(read.all, behaviours):
+                maker = read.all[places[0]]
+                choice, family = maker.choice, read.family
+                own = choice is None or family is None or not family.general(choice)
+                known = Known(maker.name, behaviours[places[0]], _what_is_wrong(maker), own)
+                self._made.append(_Made(maker, known))
         return self._made
 
 
@@ -209,14 +176,9 @@ def _collecting_later() -> Iterator[None]:
         gc.enable()
 
 
-def _pitfall(match: Match, makers: Sequence[Maker]) -> Pitfall:
-    found = [makers[place] for place in match.places]
-    return Pitfall(
-        tuple(maker.name for maker in found),
-        round(match.score, 3),
-        tuple(_what_is_wrong(maker) for maker in found),
-        tuple(makers[place].name for place in match.perhaps),
-    )
+def _may_be(words: Words, has: frozenset[str], *, faulty: bool) -> bool:
+    """Whether the name may be said of a program that has this; of `faulty` forms only what is one."""
+    return (not words.needs or bool(has.intersection(words.needs))) and (words.form or not faulty)
 
 
 def _what_is_wrong(maker: Maker) -> str:
@@ -224,13 +186,3 @@ def _what_is_wrong(maker: Maker) -> str:
     if maker.text == maker.words.told and maker.words.why:
         return maker.words.why
     return _SENTENCE.match(maker.text)[0] if maker.text else ""  # type: ignore[index]  # it always matches
-
-
-def _why_not(does: Behaviour, alike: Sequence[Maker]) -> str:
-    """Why a submission that answers exactly as known programs do is given no name."""
-    files = ", ".join(maker.file for maker in alike)
-    if len({maker.name for maker in alike}) > 1:
-        return f"the mistake is not named: {files} all answer as this does, and make different ones"
-    count = wrong_answers(does)
-    told = "1 wrong answer is" if count == 1 else f"{count} wrong answers are"
-    return f"the mistake is not named: it answers as {files} does, but {told} too few to be sure"

@@ -6,16 +6,15 @@ with the step are to those of the known program: one formula.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from typing import NamedTuple
 
 from msgspec.structs import replace
 
 from judge.mistakes.catalogue import Kinds
-from judge.mistakes.naming import Known
+from judge.mistakes.likeness import Likeness, Place
 from judge.repair.search import Repair, Step, Steps
-from judge.run.result import Behaviour, MistakeStep, Pitfall, Result
-from judge.values.outline import Outline
+from judge.run.result import MistakeStep, Pitfall, Result
 
 _TOLD = 0.55  # share of the failures that a name of the kind must have
 _FITS = 0.3  # … and one that is today's already
@@ -41,9 +40,6 @@ _STRENGTH = {  # how likely a repair of that kind is the mistake itself; 0.6 whe
 }
 _PROVED = ("rounding", "fresh", "parameter-order")  # what a name must not contradict
 
-Place = tuple[str, int]  # a group, and a case of it
-Wrong = Mapping[Place, Outline]
-
 
 class _Named(NamedTuple):
     step: Step
@@ -54,19 +50,13 @@ class _Named(NamedTuple):
 class Repaired:
     """What a repair says of a program, beside what known programs answer."""
 
-    def __init__(
-        self, repair: Repair, known: Sequence[tuple[Known, str]], does: Behaviour, kinds: Kinds
-    ) -> None:
-        """`known` are programs to compare with, each with what is said of whoever writes such a one."""
+    def __init__(self, repair: Repair, likeness: Likeness, kinds: Kinds, *, few: bool) -> None:
+        """`few` says that a kata has so few different answers that many mistakes have the same."""
         self._repair, self._kinds, self.failing = repair, kinds, repair.failing
-        self._places = [(each.group.group.name, each.place) for each in repair.cases.all]
-        self._given = _wrong_of(does)
-        self._known: dict[str, list[tuple[Wrong, str]]] = {}
-        state = () if "fresh" in repair.ways else self.names("fresh")
-        for each, text in known:
-            if each.name in state:  # it keeps nothing between its calls
-                continue
-            self._known.setdefault(each.name, []).append((_wrong_of(each.behaviour), text))
+        self._places: list[Place] = [(each.group.group.name, each.place) for each in repair.cases.all]
+        self._likeness, self._few = likeness, few
+        state = () if "fresh" in repair.ways else self.names("fresh")  # it keeps nothing between its calls
+        self._known = [name for name in likeness.names if name not in state]
 
     def chosen(self) -> list[_Named]:
         """The chain of steps that explains best, each with its name where that is sure."""
@@ -106,7 +96,7 @@ class Repaired:
         shares = {name: self.share(name, step.gone) for name in self._known}
         first = min(shares, key=lambda name: (-shares[name], name), default="")
         best = max(names, key=lambda name: shares[name] - 0.02 * names.index(name), default="")
-        proved, most = kind in _PROVED, shares.get(first, 0.0)
+        proved, most = kind in _PROVED or self._few, shares.get(first, 0.0)
         ahead = most - max((share for name, share in shares.items() if name != first), default=0.0)
         if len(step.gone) < _FEW:
             return _Named(step, "", shares.get(best, 0.0))
@@ -139,32 +129,16 @@ class Repaired:
         return words.names if words else ()
 
     def share(self, name: str, gone: frozenset[int]) -> float:
-        """Of the failures that go, how many the known program has too, half of it for another answer."""
-        return max((share for share, _ in self._shares(name, gone)), default=0.0)
+        """How alike the failures that go are to those of the known programs of that name."""
+        return self._likeness.share(name, [self._places[at] for at in gone]) if name in self._known else 0.0
 
     def text(self, one: _Named) -> str:
         """What is said of the program of that name that is most alike."""
-        shares = self._shares(one.name, one.step.gone)
-        return max(shares, key=lambda each: each[0])[1]
-
-    def _shares(self, name: str, gone: frozenset[int]) -> list[tuple[float, str]]:
-        places = [self._places[at] for at in gone]
-        return [(self._share(places, wrong), text) for wrong, text in self._known.get(name, ())]
-
-    def _share(self, places: Sequence[Place], wrong: Wrong) -> float:
-        both = [each for each in places if each in wrong]
-        same = sum(self._given.get(each) == wrong[each] for each in both)
-        asked = set(self._places)
-        others = sum(each in asked and each not in self._given for each in wrong)
-        return (same + 0.5 * (len(both) - same)) / max(1, len(places) + others)
+        return self._likeness.nearest(one.name, [self._places[at] for at in one.step.gone]).text
 
 
 def _plain(kind: str) -> str:
     return kind.partition(":")[0]
-
-
-def _wrong_of(does: Behaviour) -> Wrong:
-    return {(group, case): outline for group, a in does.items() for case, outline in a.wrong.items()}
 
 
 def with_steps(result: Result, repaired: Repaired, kinds: Kinds) -> Result:

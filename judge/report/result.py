@@ -31,7 +31,7 @@ from judge.report.parts import (
 )
 from judge.report.published_result import Judged, Several
 from judge.report.screen import Screen
-from judge.report.tell import Told, place_of, tell
+from judge.report.tell import Told, looking, place_of, tell
 from judge.report.words import counted, shown_name, times
 from judge.run.result import GroupResult, Result
 
@@ -100,6 +100,13 @@ def screenful(found: Judged, screen: Screen, rows: int | None) -> RenderableType
     )
     laid = (blocks(top, *_parts(found, told, drawing, cut, width), verdict_line(told)) for cut in _CUTS)
     return first_that_fits(laid, screen, rows)
+
+
+def begun(result: Result, name: str) -> RenderableType:
+    """The verdict of a failure, as long as it is being explained."""
+    told = tell(None, result)
+    top = joined(label(told.verdict), f"  {told.meaning}  ", strong(shown_name(name)))
+    return blocks(top, indented(text(looking(result))))
 
 
 def verdict_line(told: Told, name: str = "") -> Text:

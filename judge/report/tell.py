@@ -279,6 +279,12 @@ def _last(result: Result) -> str:
     return ", ".join(filter(None, parts)) + only
 
 
+def looking(result: Result) -> str:
+    """What is known of a failure as long as it is being explained."""
+    passed, cases = sum(each.passed for each in result.groups), sum(each.cases for each in result.groups)
+    return f"{passed:,} of {counted(cases, 'case')} pass. Looking for the smallest that fails …"
+
+
 def _points(result: Result) -> str:
     if result.score < result.points:
         return f"{result.score} of {counted(result.points, 'point')}"

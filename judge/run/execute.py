@@ -13,7 +13,7 @@ from judge.run.alone import Admitted
 from judge.run.budget import Budget
 from judge.run.group import GroupRun
 from judge.run.groups import run_groups
-from judge.run.races import Timed, race_all, worth_racing
+from judge.run.races import Timed, growing_of, race_all, worth_racing
 from judge.run.reference import Reference
 from judge.run.result import Behaviour, Failure, GroupResult, LevelResult, Result, Timing, earned
 from judge.run.runner import Runner, runner_for
@@ -23,7 +23,7 @@ from judge.run.unreadable import why_unreadable
 from judge.sandbox import Box, Usage
 
 if TYPE_CHECKING:
-    from judge.data.model import GroupData, ProblemData
+    from judge.data.model import ProblemData
 
 _LONG_WAIT_SECONDS = 2.0
 _WAITED = "Waited: another judge of yours was timing"  # without the seconds, so that it is said once
@@ -72,13 +72,18 @@ def judge_submission(
     runner = opened(box, problem, source, program=settings.program)
     if isinstance(runner, Failure):
         return Judged(uncompiled(problem, name, runner, box), None, {})
-    budget = Budget(problem)
-    judging = _Judging(data, runner, on_progress, budget)
+    runs = [GroupRun(data, group, runner) for group in chosen]
+    judging = _Judging(runs, runner, on_progress, Budget(problem))
+    # Those of the rule of growth are timed when they are judged; another language is raced with many passes.
+    growing = growing_of(problem, runs) if settings.measured and problem.time and not runner.language else []
     with settings.lock.judging() as place:
-        runs = judging.groups(box, chosen)
+        judging.groups(box, [run for run in runs if run not in growing])
+        if any(run.verdict is not Verdict.AC for run in runs):  # nothing hangs on the time
+            judging.groups(box, growing)
+            growing = []
     timing, waited = Timed(Decision(None)), place.waited
-    if settings.measured and worth_racing(problem, runs):
-        timing, place = _race(runner, runs, box, settings, budget)
+    if growing or (settings.measured and worth_racing(problem, runs)):
+        timing, place = _race(judging, runs, growing, box, settings)
         waited += place.waited
     result = _result(problem, name, runner, runs, timing, box.isolation)
     notes = [_WAITED] if waited >= _LONG_WAIT_SECONDS else []
@@ -152,13 +157,17 @@ def _close(timing: Timed) -> bool:
 
 
 def _race(
-    runner: Runner, runs: Sequence[GroupRun], box: Box, settings: Settings, budget: Budget
+    judging: _Judging, runs: Sequence[GroupRun], growing: Sequence[GroupRun], box: Box, settings: Settings
 ) -> tuple[Timed, Admitted]:
-    problem = runner.problem
+    """Judge the groups that grow, and race whatever is worth it."""
+    problem, runner, budget = judging.runner.problem, judging.runner, judging.budget
     with ExitStack() as stack:
         shared = settings.reference or stack.enter_context(Reference(problem, settings.box_factory))
         place = stack.enter_context(settings.lock.measuring())
-        timing = race_all(problem, runner, runs, box, shared, budget)
+        timing = judging.growing(box, growing, shared) if growing else None
+        if timing is None:
+            worth = worth_racing(problem, runs)
+            timing = race_all(problem, runner, runs, box, shared, budget) if worth else Timed(Decision(None))
         if not place.alone:
             timing = timing._replace(decision=disturbed(timing.decision, BESIDE))
         return timing, place
@@ -168,32 +177,41 @@ class _Judging:
     """The groups of one submission."""
 
     def __init__(
-        self, data: ProblemData, runner: Runner, on_progress: Progress | None, budget: Budget
+        self, runs: Sequence[GroupRun], runner: Runner, on_progress: Progress | None, budget: Budget
     ) -> None:
-        self._data = data
-        self._runner = runner
+        self.budget = budget
+        self.runner = runner
         self._on_progress = on_progress
-        self._budget = budget
         self._called: set[str] = set()
-        self._done = self._total = 0
+        self._done = 0
+        self._total = sum(len(run.cases) for run in runs)
 
-    def groups(self, box: Box, groups: Sequence[GroupData]) -> list[GroupRun]:
-        """Judge the groups in the box."""
-        runs = [GroupRun(self._data, group, self._runner) for group in groups]
-        self._total = sum(len(group.cases) for group in groups)
+    def groups(self, box: Box, runs: Sequence[GroupRun]) -> None:
+        """Judge these of the groups in the box."""
         run_groups(
-            self._runner,
+            self.runner,
             box,
             runs,
-            budget=self._budget,
+            budget=self.budget,
             on_calls=self._after_calls,
             on_group=self._after_group,
         )
+        self._give_up(runs)
+
+    def growing(self, box: Box, runs: Sequence[GroupRun], reference: Reference) -> Timed | None:
+        """Judge those of the rule of growth; what they come to where that is clear."""
+        from judge.run.growing import judge_growing  # few problems have one
+
+        found = judge_growing(self.runner, runs, box, reference, self.budget, self._after_group)
+        self._give_up(runs)
+        return found
+
+    def _give_up(self, runs: Sequence[GroupRun]) -> None:
+        """Those that were not begun, since the budget is used up."""
         for run in runs:
-            if not run.ended:
-                assert self._budget.over
-                run.give_up(*self._budget.over)
-        return runs
+            if not (run.ended or run.given_up):
+                assert self.budget.over
+                run.give_up(*self.budget.over)
 
     def _after_calls(self, run: GroupRun) -> None:
         if run.group.name not in self._called:
@@ -206,4 +224,4 @@ class _Judging:
         run.ended = True
         self._after_calls(run)
         if run.verdict is Verdict.TLE or run.out_of_time:
-            self._budget.ran_out_of_time(at_once=run.reached <= 1 < len(run.cases))
+            self.budget.ran_out_of_time(at_once=run.reached <= 1 < len(run.cases))

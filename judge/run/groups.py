@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from itertools import takewhile
 
 from judge.errors import JudgeError
@@ -53,6 +53,24 @@ def run_groups(
             if progress.over:
                 on_group(progress.group)
         waiting = [progress for progress in waiting if not progress.over]
+
+
+def run_timed(
+    runner: Runner, box: Box, group: GroupRun, budget: Budget, *, one_first: bool
+) -> Iterator[tuple[Sequence[Case], float]]:
+    """As `run_groups` for one group: what was run, and its CPU seconds without the import, piece by piece.
+
+    That is all cases, or the first one and then the others.
+    """
+    progress = _Progress(runner, box, group, budget)
+    while not progress.over and not budget.over:
+        cases = progress.rest[:1] if one_first and not group.reached else progress.rest
+        within = budget.within(group_limits(group.problem, group.group, group.usage))
+        replies = budget.booked(runner.timed(box, cases, within))
+        if not (replies.replies or replies.breakdown):
+            raise JudgeError("the sandbox made no call at all", where=group.group.name)
+        progress.take(replies)
+        yield cases, replies.usage.cpu_seconds
 
 
 class _Progress:

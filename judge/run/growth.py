@@ -2,9 +2,10 @@
 
 The logarithm of the ratio of both times is fitted against log n by least squares. Its slope is by how much
 the submission's exponent exceeds the reference's: it says the same on any machine, in any language.
-Groups that take the reference less than 10 ms say nothing. Two interleaved rounds settle most submissions; in
-the grey zone around the limit nine pairs do, and both their medians and the least times must be too steep.
-No submission is too steep by two rounds of short turns: a machine that is busy for a moment looks like that.
+Groups that take the reference less than 10 ms say nothing. A pair for each size settles most submissions, two
+where turns are short; in the grey zone around the limit nine pairs do, and both their medians and the least
+times must be too steep. No submission is too steep by one round, nor by two of short turns: a machine that is
+busy for a moment looks like that. What is clearly too steep is not run on its largest sizes: see `is_steep`.
 What a submission took before its time was up is the least that it takes, so such a group may make the fit
 steeper, never flatter, than the groups that came to an end.
 """
@@ -21,7 +22,8 @@ from judge.run.result import Growth, GrowthPoint
 from judge.run.timing import MOST_PAIRS, Decision, Pair, Run, decide, is_clear, quantile, turn
 
 LEAST_SECONDS = 0.01  # of the reference, for a group to count
-ROUNDS = 2
+ROUNDS = 2  # that it takes to be too steep, and of short turns to be accepted
+QUICK_SECONDS = 0.2  # turns that are so short
 GREY = 0.15  # on either side of the limit
 SHORT_SECONDS = 0.5  # turns of the steepest course; where they are shorter, to be too steep takes
 ROUNDS_OF_SHORT = 5
@@ -31,7 +33,7 @@ _SHORTEST = 1e-4  # seconds: what takes less cannot be told from nothing
 class Course(Struct, frozen=True):
     """One group to be run on: its size n, a turn each, and its limit as a multiple of the reference's time.
 
-    `cases` is how many cases of that size a turn runs.
+    `cases` is how many cases of that size a turn runs, `first` the pair of when it was judged, if known.
     Where a submission ran out of time, its turn gives the least that all cases take it, the limit is None and
     it has not `ended`.
     """
@@ -43,6 +45,7 @@ class Course(Struct, frozen=True):
     limit: float | None = None
     cases: int = 1
     ended: bool = True
+    first: Pair | None = None
 
 
 class Grown(Struct, frozen=True):
@@ -65,8 +68,8 @@ def grow(
     `goes_on` is asked after each round whether there may be another; `cautious` is as in `timing.race`. A
     submission whose turn does not end well is not judged by its growth.
     """
-    pairs: dict[str, list[Pair]] = {course.name: [] for course in courses}
-    waiting: Sequence[Course] = courses
+    pairs = {course.name: [course.first] if course.first else [] for course in courses}
+    waiting = [course for course in courses if course.first is None]
     for number in range(MOST_PAIRS):
         for course in waiting:
             pair = turn(course.submission, course.reference, swapped=number % 2 == 1)
@@ -75,7 +78,7 @@ def grow(
             pairs[course.name].append(pair)
         if not goes_on():
             break
-        if number + 1 >= ROUNDS + cautious:
+        if not cautious or number >= ROUNDS:
             waiting = _unclear(courses, pairs, slope)
     counting = _counting(courses, pairs)
     decisions = {
@@ -96,15 +99,33 @@ def _unclear(courses: Sequence[Course], pairs: dict[str, list[Pair]], slope: flo
     if len({each.size for each in counting}) >= 2:
         steepest, by_medians, by_least = _steepest(counting, pairs)
         largest = pairs[max(steepest, key=lambda each: each.size).name]
-        hasty = len(largest) < ROUNDS_OF_SHORT and _least(largest).submission < SHORT_SECONDS
+        hasty = len(largest) < (ROUNDS if _least(largest).submission >= SHORT_SECONDS else ROUNDS_OF_SHORT)
         near = min(by_medians, by_least) < slope + GREY
         grey = max(by_medians, by_least) > slope - GREY and (near or hasty)
     return [
         each
         for each in courses
-        if (grey and each in counting)
+        if (each in counting and (grey or _is_hasty(pairs[each.name])))
         or (each.limit is not None and not is_clear(pairs[each.name], each.limit))
     ]
+
+
+def _is_hasty(pairs: Sequence[Pair]) -> bool:
+    return len(pairs) < ROUNDS and _least(pairs).reference < QUICK_SECONDS
+
+
+def is_steep(
+    sizes: tuple[int, int], pairs: Sequence[Pair], own: float, theirs: Sequence[float], slope: float
+) -> bool:
+    """Whether a submission is clearly too steep by its `own` least time, not short, on the larger size.
+
+    It is so by the worst of its `pairs` on the smaller size and by the slowest turn of the reference on the
+    larger one, so that a machine that is busy for a moment rejects nobody.
+    """
+    if own < QUICK_SECONDS or min(*theirs, *(pair.reference for pair in pairs)) < LEAST_SECONDS:
+        return False
+    ratios = max(pair.ratio for pair in pairs), own / max(theirs)
+    return exponent([*zip(sizes, ratios, strict=True)]) > slope + GREY
 
 
 def _counting(courses: Sequence[Course], pairs: dict[str, list[Pair]]) -> list[Course]:

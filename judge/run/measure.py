@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from judge.errors import JudgeError
-from judge.problem import Problem
+from judge.problem import Case, Problem
 from judge.run.again import as_before, exactly, limits_of
 from judge.run.budget import Budget
 from judge.run.group import GroupRun
 from judge.run.reference import Reference, Track
 from judge.run.runner import Runner
-from judge.sandbox.boundary import Box, Usage
+from judge.sandbox.boundary import Box, Limits, Usage
 
 _MORE_CPU_SECONDS = 1.0  # that a turn may take beyond twice what it took to judge all cases
 _MORE_WALL_SECONDS = 4.0
@@ -73,11 +73,8 @@ class Duel:
 
     def theirs(self) -> float | None:
         """The reference's turn. Raises JudgeError where it does not come to the end of the cases."""
-        replies = self._runner.timed(self._rival, self._cases, self._limits)
-        if replies.trouble:
-            raise JudgeError(f"the reference solution cannot be timed: {replies.trouble}")
-        self.theirs_took.append(replies.usage)
-        return replies.usage.cpu_seconds
+        self.theirs_took.append(theirs_on(self._runner, self._rival, self._cases, self._limits))
+        return self.theirs_took[-1].cpu_seconds
 
     def goes_on(self) -> bool:
         """Whether it has not kept the judge waiting, for nothing or for its imports."""
@@ -85,6 +82,14 @@ class Duel:
             return False
         # a busy machine lets it wait too, but hardly for more than twice as long as it works
         return self._taken.waiting_seconds <= _LONG_WAIT_SECONDS + 2 * self._taken.cpu_seconds
+
+
+def theirs_on(runner: Runner, rival: Box, cases: Sequence[Case], limits: Limits) -> Usage:
+    """What the reference took. Raises JudgeError where it does not come to the end of the cases."""
+    replies = runner.timed(rival, cases, limits)
+    if replies.trouble:
+        raise JudgeError(f"the reference solution cannot be timed: {replies.trouble}")
+    return replies.usage
 
 
 def track_of(reference: Reference, runner: Runner, runs: Sequence[GroupRun]) -> Track:

@@ -71,7 +71,7 @@ def race_all(
     Raises:
         JudgeError: the reference does not come to the end of the cases.
     """
-    growing = _growing(problem, runs)
+    growing = growing_of(problem, runs)
     alone = [run for run in runs if run.group.time_limit is not None and run not in growing]
     together = [run for run in runs if run not in growing and run not in alone]
     decision, against = Decision(None), None
@@ -80,7 +80,7 @@ def race_all(
         parts = []  # it is too slow, and what is left to say is why
     for part in parts:
         raced = measure(problem, runner, part, submission, reference, budget)
-        _too_slow(part, raced)
+        too_slow(part, raced)
         against = raced.against
         decision = _worse(decision, raced)
         if any(run.verdict is not Verdict.AC for run in part):
@@ -91,7 +91,7 @@ def race_all(
     for run in growing:
         if run.group.name in grown.decisions and run.verdict is Verdict.AC:
             raced = grown.decisions[run.group.name]
-            _too_slow([run], raced)
+            too_slow([run], raced)
             decision = _worse(decision, raced)
     if grown.growth is not None and grown.too_steep:
         _too_steep(growing, grown.growth)
@@ -159,7 +159,7 @@ def measure(
     return disturbed(decision, busy(duel.theirs_took))
 
 
-def _growing(problem: Problem, runs: Sequence[GroupRun]) -> list[GroupRun]:
+def growing_of(problem: Problem, runs: Sequence[GroupRun]) -> list[GroupRun]:
     """The groups of the rule of growth that came to an end of their own, the smallest first."""
     if problem.growth is None:
         return []
@@ -191,6 +191,9 @@ def _grown(
     courses = []
     for run, each in zip(growing, found, strict=True):
         ended = run.verdict is Verdict.AC
+        first, used = run.first or (None, None)
+        if used is not None and isinstance(each.duel, Duel):
+            each.duel.theirs_took.append(used)
         courses.append(
             Course(
                 run.group.name,
@@ -200,11 +203,17 @@ def _grown(
                 each.limit if ended else None,
                 each.cases,
                 ended,
+                first,
             )
         )
     against = found[0].against
     cautious = against is not None
-    grown = grow(courses, rule.slope, lambda: all(each.duel.goes_on() for each in found), cautious=cautious)
+
+    def goes_on() -> bool:
+        # of one that is too slow it only remains to say how it grows
+        return all(course.ended for course in courses) and all(each.duel.goes_on() for each in found)
+
+    grown = grow(courses, rule.slope, goes_on, cautious=cautious)
     for course, each in zip(courses, found, strict=True):
         if course.name in grown.decisions:
             decision = grown.decisions[course.name]
@@ -217,7 +226,8 @@ def _at_least(run: GroupRun, cases: int) -> float:
     return run.usage.cpu_seconds * cases / (run.passed + 1)
 
 
-def _too_slow(runs: Sequence[GroupRun], decision: Decision) -> None:
+def too_slow(runs: Sequence[GroupRun], decision: Decision) -> None:
+    """Record it in the slowest of the groups that were raced together, if it was decided."""
     if decision.too_slow and decision.ratio:
         slowest = max(runs, key=lambda run: run.usage.cpu_seconds)
         against = decision.against

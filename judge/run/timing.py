@@ -150,6 +150,11 @@ def race(
     return decide(pairs, limit, cautious=cautious)
 
 
+def is_sure(pair: Pair, limit: float) -> bool:
+    """Whether a single pair says that a submission is too slow: a long turn, a ratio far above the limit."""
+    return pair.submission >= _SURE_SECONDS and pair.ratio > CLEARLY_ABOVE * limit
+
+
 def decide(pairs: list[Pair], limit: float, *, cautious: bool = False) -> Decision:
     """The ratio of the pairs, and whether it exceeds the limit.
 

@@ -151,9 +151,11 @@ class ForkServerBox:
             return self._one_at_a_time(entry, series, limits, on_series)
         counts = [len(calls) for calls in series]
         packed = packing.packed(entry, series, limits.items)
-        payload = packed[0].ljust(max(map(len, packed)), b"\0")  # the later ones take its place
+        payload, size = packed[0], max(map(len, packed))
         try:
             with shared.stdio(b"") as stdio, shared.file(series_file.pack(counts, packed)) as later:
+                del packed  # which may be large
+                payload = payload.ljust(size, b"\0")  # the later ones take its place
                 descriptors = (*stdio, later) if len(series) > 1 else stdio
                 done = self._ask(wire.CALLS, descriptors, payload, limits, len(series), on_series)
                 printed = _printed(*stdio[1:])

@@ -67,5 +67,5 @@ def _packed(entry: str, series: Sequence[Series], most: int) -> list[bytes]:
 
 
 def _sent(arguments: Sequence[Any]) -> tuple[Any, ...]:
-    """The arguments, an array as its code and its bytes."""
-    return tuple([(each.typecode, each.tobytes()) if type(each) is array else each for each in arguments])
+    """The arguments, an array as its code and what marshal writes as its bytes."""
+    return tuple([(each.typecode, each) if type(each) is array else each for each in arguments])

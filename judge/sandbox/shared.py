@@ -57,6 +57,7 @@ def stdio(stdin: bytes) -> Iterator[tuple[int, int, int]]:
 def file(data: bytes) -> Iterator[int]:
     """The descriptor of a new file holding `data`, closed at the end."""
     descriptor = nameless(data)
+    del data  # it may be large
     try:
         yield descriptor
     finally:

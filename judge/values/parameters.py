@@ -79,9 +79,15 @@ def listed(type_: Type, value: Value) -> Any:
 
 def argument(type_: Type, value: Value) -> Any:
     """The value as a submission receives it."""
+    found = dense(type_, value)
+    return listed(type_, value) if found is value else found
+
+
+def dense(type_: Type, value: Value) -> Any:
+    """The value, an array as one."""
     if value is not None and isinstance(lasting(type_), ArrayType):
         return array("d", value)
-    return listed(type_, value)
+    return value
 
 
 def literal(type_: Type, value: Value) -> str:

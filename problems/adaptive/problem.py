@@ -17,7 +17,7 @@ def solve(cx, cy, r, ax, ay, bx, by):
 INTERVIEW = [
     group("plain", "Anything anywhere within a hundred units.", doubles.plain, cases=100, skills="trust a double, or do not"),
     group("touches", "Small touches, cuts and misses.", seven(lines(*TOUCH, "cut ?by ?by", "miss ?by ?by", **PLAIN)), skills="collapse the tangent"),
-    group("same-point", "A and B are one point: Δ is 0.", seven(lines("cut before =", "touch foot =", "miss by =", **PLAIN)), skills="degenerate line"),
+    group("same-point", "A and B are one point: Δ is 0.", seven(either(lines("cut before =", "touch foot =", "miss by =", **PLAIN), grid("nnrpp", 0))), skills="degenerate line"),
     group("repeated", "Neighbouring calls differ in one argument.", seven(grid("nnrpp", 5)), turns=True, skills="nothing kept between calls"),
 ]
 

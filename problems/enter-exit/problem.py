@@ -28,6 +28,13 @@ def solve(circles, O, D):
     return AnyOf(orders) if len(orders) > 1 else orders[0]
 
 
+def leaning(draw):
+    """As `aligned`, with a ray nearly along the tangent at its origin."""
+    circles, O, _ = aligned(2**20, (1, 3))(draw)
+    D = draw.sign(), draw.integer(20, 2000)
+    return circles, O, D if circles[0][1] == O[1] else D[::-1]
+
+
 INTERVIEW = [
     group("grid", "Small whole numbers: everything that can happen.", anywhere(3, (1, 4)), cases=120, skills="the small grid"),
     group("two", "Two circles ahead of the origin, and one behind it or beside the ray.", either(crowds("cut cut behind", "cut enter beside", "enter cut", **PLAIN), crowds("cut cut beside", **AXIS)), skills=("hits in order", "enter, touch, exit")),
@@ -44,8 +51,10 @@ INTERVIEW = [
 PRODUCTION = [  # the same, where rounding bites
     group("decimals", "Touches in short decimals, which == does not see.", telling(crowds("touch touch", "touch0 touch", "touch around", **DECIMALS), *TELLING), skills="collapse the tangent"),
     group("turned", "Touches and ties that squares cannot see.", crowds("touch touch", "touch exit2 enter2", "touch cut", "around touch", **BIG), skills="a tangent has a width"),
-    group("ties-full", "Hits at one place that floats put in order, and touches that they miss.", crowds("exit2 enter2 touch", "cut1 mirror copy", "enter3 touch3 exit3", "dot cut", "dot2 dot", "dot0 enter dot", "enter2 dot2", **FULL), skills=("hits at one place", "a tangent has a width")),
-    group("origin-full", "The origin on a circle, and rounding puts it beside.", telling(either(crowds(*ORIGIN, "exit0", "touch0", "touch0 behind", **FULL), aligned(20, (1, 3)), aligned(2**28, (1, 3))), *TELLING), cases=90, skills="origin on the circle"),
+    group("ties-full", "Hits at one place that floats put in order, and touches that they miss.", crowds("exit2 enter2 touch", "cut1 mirror copy", "enter3 touch3 exit3", "dot cut", "dot2 dot", "dot0 enter dot", "enter2 dot2", "dot0 touch", "dot0 touch", "dot0 touch touch", "dot0 exit0 touch", **FULL), cases=160, skills=("hits at one place", "a tangent has a width")),
+    group("origin-full", "The origin on a circle, and rounding puts it beside.", telling(crowds(*ORIGIN, "exit0", "touch0", "touch0 behind", **FULL), *TELLING), skills="origin on the circle"),
+    group("origin-touch", "The ray touches a circle at its origin, and rounding puts that behind.", crowds("touch0", "touch0 behind", "touch0 exit0", **BIG), cases=90, skills="origin on the circle"),
+    group("origin-level", "The origin on circles, level with their centres or upright, and the ray any way or nearly along them.", either(telling(either(aligned(20, (1, 3)), aligned(2**28, (1, 3))), *TELLING), leaning), cases=90, skills="origin on the circle"),
     group("near", "Nearly a touch: 1e-7 of the figure away.", crowds("touch~ cut", "touch~ touch~", "around touch~", "dot~ cut", **{**NEAR, "least": 7}), skills="nearly is not touching"),
     group("ties-near", "Two hits nearly at one place: their order counts.", crowds("exit2~ enter2", "enter2 enter2~", "exit2~ exit2", "touch2 enter2~", **NEAR), skills="hits in order"),
     group("origin-near", "The origin is just off a circle, inside or outside.", crowds("exit0~ enter", "enter0~ cut", "exit0~", "enter0~ exit0~", **NEAR), skills="origin on the circle"),

@@ -1,5 +1,7 @@
 """The common points of a circle and a line in ints of any size: no tolerance, no promise."""
 
+from math import gcd
+
 from judge.geometry import whole
 from judge.geometry.hooks import LINE, hooks
 from judge.geometry.scenes import AXIS, PLAIN, either, grid, hairlines, lines, signs
@@ -22,6 +24,28 @@ def level(draw):
     return cx, cy, r, A, B
 
 
+def odd(draw):
+    """k is r·|D| ± 1, a little above 2**53, where a double holds every second number."""
+    m, n = draw.integer(9000, 11000), draw.integer(1, 3000)
+    if gcd(m, n) != 1 or (m - n) % 2 == 0:
+        draw.reject()
+    way, length = (m * m - n * n, 2 * m * n), m * m + n * n
+    r = draw.integer(2**53 // length + 1, 2**27 - 1)
+    product = (r * length + draw.sign()) * draw.sign()
+    x, y = signs.across(way, product, 0)
+    start = signs.across(way, product, -((x * way[0] + y * way[1]) // length**2))
+    (cx, cy), A, B = signs.fitted(draw, 2**29, [(0, 0), start, (start[0] + way[0], start[1] + way[1])])
+    return cx, cy, r, A, B
+
+
+def brim(draw):
+    """Δ is 1, 4 or 9 at the end of the bounds, where k² and r²·|D|² have 480 and 481 digits."""
+    n, times, steps = draw.integer(4 * 10**119, 5 * 10**119 - 9), draw.integer(1, 3), draw.integer(-2, 0)
+    ends = [(1 + step * n, step - 2 * n) for step in (steps, steps + times)]
+    (cx, cy), A, B = signs.fitted(draw, 10**120, [(0, 0), *ends])
+    return cx, cy, 2 * n, A, B
+
+
 INTERVIEW = [
     group("grid", "Small whole numbers: everything that can happen.", signs.ints(grid("nnrpp", 3)), cases=220, skills="distance against radius"),
     group("same-point", "A equals B: there is no line.", lines("cut before =", "cut in =", "touch foot =", "miss by =", **INT), skills="degenerate line"),
@@ -35,10 +59,10 @@ INTERVIEW = [
 
 PRODUCTION = [  # the same, where rounding bites
     group("tangent-huge", "Touches at 1e6 to 1e119: no double holds their squares.", hairlines.hairlines(10**6, 10**12, 10**40, 10**119), cases=80, skills="integers of any size"),
-    group("just-off", "The least that ints allow: r²a − k² is 1 or -1.", hairlines.least(10**3, 10**4, 10**6, 10**20, 10**50, 10**100, 10**119), cases=160, skills="exact count for integers"),
-    group("hairline", "The line cuts or misses by a hair at 1e6 to 1e15: k is r·|D| ± 1.", hairlines.hairlines(10**6, 10**9, 10**15, off=(1, -1, 2, -2)), cases=120, skills="exact count for integers"),
+    group("just-off", "The least that ints allow: r²a − k² is 1 or -1.", either(*[hairlines.least(10**3, 10**4, 10**6, 10**20, 10**50, 10**100, 10**119)] * 8, brim), cases=180, skills="exact count for integers"),
+    group("hairline", "The line cuts or misses by a hair at 1e6 to 1e15: k is r·|D| ± 1.", either(*[hairlines.hairlines(10**6, 10**9, 10**15, off=(1, -1, 2, -2))] * 2, odd), cases=160, skills="exact count for integers"),
     group("hairline-huge", "The same at 1e30 to 1e100: beyond any fixed number of digits.", hairlines.hairlines(10**30, 10**60, 10**100, off=(1, -1)), cases=100, skills="integers of any size"),
-    group("wide", "Anything anywhere within 1e6 to 1e100: products leave 64 bits, 128 bits, and then any float.", signs.scattered("nnrpp", 10**6, 10**9, 10**12, 10**30, 10**100), cases=160, skills="integers of any size"),
+    group("wide", "Anything anywhere within 1e6 to 1e120: products leave 64 bits, 128 bits, and then any float.", signs.scattered("nnrpp", 10**6, 10**9, 10**12, 10**30, *[2 * 10**75] * 3, 10**100, 10**120), cases=160, skills="integers of any size"),
     group("offset", "A small figure so far from the origin that a double cannot tell its points apart.", either(*[hairlines.hairlines(10**3, off=(0, 0, 1, -1, 200, -200), away=10**far) for far in (17, 40, 100)]), cases=80, skills="far from the origin"),
     group("slid", "A and B are close together and 1e20 to 1e60 lengths away along the line.", hairlines.hairlines(10**3, 10**6, off=(0, 1, -1), away=10**70, slid=(20, 40, 60)), skills="integers of any size"),
     group("radius-zero-huge", "The circle is a point at 1e6 and 1e40: on the line, or next to it.", hairlines.hairlines(10**6, 10**40, off=(0, 1, -1), radius=0), skills="integers of any size"),

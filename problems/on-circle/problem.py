@@ -1,5 +1,7 @@
 """Inside, on or outside a circle: the exact sign of |P − C| − r."""
 
+from math import frexp
+
 from judge.geometry import Line
 from judge.geometry.hooks import POINT, hooks
 from judge.geometry.scenes import AXIS, BIG, HUGE, NEAR, OFFSET, PLAIN, SPLIT, TINY, corners, either, grid, points, uniform, whole
@@ -27,6 +29,13 @@ def halfway(draw):
     return cx, cy, r, P
 
 
+def speck(draw):
+    """On a circle of 1e-26, in numbers of 53 bits: their squares have 220 digits."""
+    *C, r, P = points("on", **{**HUGE, "move": 0, "shift": 0})(draw)
+    small = 2.0 ** -(87 + frexp(r)[1])
+    return *C, r * small, tuple(x * small for x in P)
+
+
 INTERVIEW = [
     group("grid", "Small whole numbers: everything that can happen.", grid("nnrp", 4), cases=180, skills="inside, on or outside"),
     group("inside", "Points inside, and the centre itself.", points("in", "in", "centre", **PLAIN), skills="inside, on or outside"),
@@ -40,7 +49,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("on-turned", "On the circle, where squares are rounded.", points("on", **BIG), skills="on the circle has a width"),
     group("on-full", "On the circle, where differences are rounded, too.", either(points("on", **HUGE), points("on", **SPLIT)), skills="on the circle has a width"),
     group("near", "Nearly on the circle: 1e-7 of the figure away.", points("on~", "on~", "dot-on~", **CLEAR), skills="nearly is not on it"),
-    group("tiny", "All of it tiny, down to 1e-29.", points("on", "on~", "in", "dot-on~", **TINY), skills=("no absolute epsilon", "scale invariance")),
+    group("tiny", "All of it tiny, down to 1e-29.", either(points("on", "on~", "in", "dot-on~", **TINY), speck), skills=("no absolute epsilon", "scale invariance")),
     group("offset", "A small figure far from the origin.", points("on", "on", "in", "out", "dot-out", "dot-on", **OFFSET), skills="far from the origin"),
     group("offset-near", "Small figures far from the origin, nearly on the circle.", points("on~", **{**NEAR, "move": 47, "shift": -20}), skills="far from the origin"),
     group("dot-split", "The circle is a point, and P is this point in its last bits.", points("dot-on~", "dot-out", "dot-on", **{**NEAR, "move": "split"}), skills="no absolute epsilon"),

@@ -22,6 +22,13 @@ def solve(cx, cy, r, O, D):
     return None if which is None else ray.time(which)
 
 
+def slant(draw):
+    """The ray goes through the centre of a circle that is ten million times smaller than the way to it, nearly along a diagonal."""
+    x, y = (draw.integer(3 * 2**27, 2**29) * draw.sign() for _ in "xy")
+    scale = 2.0 ** -draw.integer(0, 20)
+    return 0, 0, max(abs(x), abs(y)) * draw.integer(1001, 1100) / 10**10 * scale, (-x * scale, -y * scale), (x * scale, y * scale)
+
+
 INTERVIEW = [
     group("grid", "Small whole numbers: everything that can happen.", grid("nnrpd", 3), cases=200, skills="the small grid"),
     group("ahead", "The circle is ahead of the origin: the nearer of two points.", rays("cut before", "through before", **PLAIN), skills="clamp to a ray"),
@@ -48,7 +55,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("tiny", "All of it tiny, down to 1e-29.", either(rays("touch before", "touch~ before", "chord first~", "cut before", "touch after", "cut after", **TINY), rays("touch before", "cut before", **{**TINY, "turn": "axis"})), skills=("no absolute epsilon", "scale invariance")),
     group("offset", "A small figure far from the plane's origin.", rays("cut before", "cut in", "miss before", "dot-miss before", "chord last", "chord first~", "chord last~", **OFFSET), skills="far from the origin"),
     group("offset-touch", "A small figure far from the plane's origin, and a touch.", rays("touch before", "touch before", "touch before", "touch near", "touch near", "touch~ before", **OFFSET), cases=120, skills="far from the origin"),
-    group("far", "The circle is up to a hundred million times smaller than its distance.", either(rays("touch far", "cut very-far", "through farther", "touch remote", "touch~ far", **FAR), rays("touch far", "touch far", **{**FAR, "size": 1 << 20, "turn": "any"})), cases=90, skills="the sharp discriminant"),
+    group("far", "The circle is up to a hundred million times smaller than its distance.", either(rays("touch far", "cut very-far", "through farther", "touch remote", "touch~ far", **FAR), rays("touch far", "touch far", **{**FAR, "size": 1 << 20, "turn": "any"}), slant, slant), cases=140, skills="the sharp discriminant"),
     group("dot-full", "The circle is a point, on a ray that floats put beside it.", rays("dot before", "dot foot", "dot after", **SPLIT), skills="r = 0"),
     group("steep", "Directions almost along an axis.", either(rays(*TOUCHES, "cut before", "miss before", **STEEP), rays("cut before", "cut in", "miss before", "chord last", **{**TILTED, "tilt": (20, 75)})), cases=120, skills="no slopes"),
     group("large", "Whole numbers up to 2**30, some of them touches.", either(whole("nnrpd", 30), rays(*TOUCHES, **{**BIG, "shift": 0, "numbers": "int"})), skills=("whole numbers that are large", "scale invariance")),

@@ -33,6 +33,14 @@ def beside(draw):
     return (cx, cy, r, B, A) if draw.integer(0, 3) else (cx, cy, r, A, B)
 
 
+def radial(draw):
+    """An end is on the circle, the other one straight above it or below, by 1e-7 of the radius."""
+    cx, cy, r, A = points("on", **{**HUGE, "size": 2**30, "shift": -40})(draw)
+    times = 1 + draw.integer(1000, 1200) / 10**10 * draw.sign()
+    B = cx + times * (A[0] - cx), cy + times * (A[1] - cy)
+    return (cx, cy, r, B, A) if draw.boolean() else (cx, cy, r, A, B)
+
+
 def quarter(draw):
     """One end beside the centre, the other one above or below it, both on the circle."""
     cx, cy, r, _ = points("on", **{**HUGE, "size": 2**30, "shift": -40})(draw)
@@ -101,7 +109,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("turned", "A touch that squares cannot see.", lines(*TOUCHES, *BEYOND, **BIG), skills="a tangent has a width"),
     group("full", "A touch that no formula in floats can see.", either(lines(*TOUCHES, **HUGE), lines(*TOUCHES, **SPLIT)), skills="a tangent has a width"),
     group("near", "Nearly a touch: 1e-7 of the figure away.", lines("touch~ before after", "touch~ before after", "touch~ foot by", **CLEAR), skills="nearly is not touching"),
-    group("end-full", "An end is on the circle, and rounding puts it beside.", either(lines(*ENDS, **HUGE), lines(*ENDS, **SPLIT), *[telling(BESIDE, inside, partial(inside, slack=1e-9))] * 4), cases=110, skills="closed ends"),
+    group("end-full", "An end is on the circle, and rounding puts it beside.", either(lines(*ENDS, **HUGE), lines(*ENDS, **SPLIT), *[telling(BESIDE, inside, partial(inside, slack=1e-9))] * 4, telling(radial, partial(inside, slack=1e-9), partial(inside, slack=1e-7))), cases=120, skills="closed ends"),
     group("end-near", "An end stops just before the circle, or goes on just past it.", lines("chord first~ in", "chord first~ after", "chord before first~", "chord last~ after", "chord in last~", "through first~ in", "through in last~", "through before first~", "through last~ after", **CLEAR), cases=100, skills="ends no wider than rounding"),
     group("point", "A equals B: on the circle, or 1e-7 of the figure beside it.", either(telling(POINT, squares, always), rounded, lines("chord first =", "chord last =", **BIG), lines("chord first~ =", "chord last~ =", **CLEAR)), cases=80, skills="degenerate segment"),
     group("dot-full", "The circle is a point, on a line that floats put beside it.", lines("dot before after", "dot foot after", **SPLIT), skills="r = 0"),
@@ -112,5 +120,5 @@ PRODUCTION = [  # the same, where rounding bites
     group("close-points", "A and B are close together, and still two points.", closed_up("touch foot", "touch by", "cut by", "chord first", "through in"), skills="degenerate segment"),
     group("steep", "Directions almost along an axis.", either(lines(*TOUCHES, "cut before in", "miss before after", **STEEP), lines("cut before after", "cut before in", "cut in after", "miss before after", **TILTED)), skills="no slopes"),
     group("large", "Whole numbers up to 2**30, some of them touches.", either(whole("nnrpp", 30), lines(*TOUCHES, **{**BIG, "shift": 0, "numbers": "int"})), skills=("whole numbers that are large", "scale invariance")),
-    group("repeated", "Neighbouring calls differ in one argument.", grid("nnrpp", 4), turns=True, skills="nothing kept between calls"),
+    group("repeated", "Neighbouring calls differ in one argument.", grid("nnrpp", 4), cases=90, turns=True, skills="nothing kept between calls"),
 ]

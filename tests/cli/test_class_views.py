@@ -10,6 +10,8 @@ from pathlib import Path
 import pytest
 from cli_support import FLOOR, MEAN
 
+from judge.judging.session import Session
+
 pytestmark = pytest.mark.slow
 
 LONG = """
@@ -40,6 +42,19 @@ def homework(submit):
     submit(FLOOR, f"homework/{MARKUP}/middle.py")
     submit(f'id,name,group\nada,=1+1,a\nzoe,Zoe,"{MARKUP.replace(chr(34), chr(34) * 2)}"\n', "list.csv")
     return "homework"
+
+
+def test_smallest_cases_are_kept_and_not_sought_again(judge, homework, monkeypatch):
+    monkeypatch.setenv("SOURCE_DATE_EPOCH", "1800000000")
+
+    def pages():
+        assert judge("class", homework, "--feedback", "pages").status == 1
+        return {path.name: path.read_text(encoding="utf-8") for path in Path("pages").iterdir()}
+
+    first = pages()
+    assert "Smallest failing case" in first["bob.html"]
+    monkeypatch.setattr(Session, "judge", None)
+    assert pages() == first
 
 
 def test_everything_after_the_table(judge, homework, monkeypatch):

@@ -9,7 +9,7 @@ import io
 import re
 
 import pytest
-from cli_support import MEAN
+from cli_support import FLOOR, MEAN
 from msgspec.structs import replace
 from sampling import nightly
 from terminals import on_a_terminal
@@ -34,6 +34,16 @@ def test_a_terminal_is_coloured_unless_it_asks_for_none(settings, coloured, subm
     assert status == 0
     assert (f"{ESCAPE}[1;32mAC{ESCAPE}[0m" in written) is coloured
     assert (ESCAPE in written) is coloured
+
+
+@pytest.mark.slow
+def test_a_verdict_is_said_before_it_is_explained(submit):
+    _, written = on_a_terminal("run", "middle", submit(FLOOR), **PLAIN)
+    said = "WA  mine.py  21 of 52 cases pass. Looking for the smallest that fails …"
+    before, after = written.split(f"\r{ESCAPE}[K{said}")
+    assert "WA" not in before
+    assert after.startswith(f"\r{ESCAPE}[K")  # it is taken off the screen again
+    assert "Smallest failing case" in after
 
 
 @pytest.mark.slow

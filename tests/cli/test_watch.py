@@ -260,6 +260,14 @@ def test_a_new_kata_is_shown_before_it_is_judged_and_started_over(watch, tmp_pat
         assert [run.verdict.value for run in history.runs()] == ["WA"]  # not the stub
 
 
+def test_a_verdict_is_shown_before_it_is_explained(watch, submit):
+    terminal = watch("middle", submit(FLOOR))
+    terminal.until("21 of 52 cases pass. Looking for the smallest that fails …")
+    assert "Smallest failing case" not in terminal.written
+    assert last(terminal.sees("Smallest failing case")).startswith("WA  21 of 52 cases pass, 40 of 100")
+    terminal.leaves()
+
+
 def test_what_is_judged_is_said_with_its_time(watch, submit):
     terminal = watch("middle", submit(SLEEPS))
     terminal.until("judging mine.py  1.")

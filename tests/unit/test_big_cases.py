@@ -103,7 +103,24 @@ def cache(tmp_path, monkeypatch):
     return tmp_path / "cache" / "data"
 
 
-def test_big_cases_are_kept_as_seeds_and_built_again(cache):
+@pytest.fixture
+def few_kept(monkeypatch):
+    monkeypatch.setattr("judge.data.load.MOST_KEPT", 1_000)
+
+
+@pytest.mark.usefixtures("cache")
+def test_big_cases_are_kept_as_they_are(monkeypatch):
+    cold = load_data(problem_of("inversions"))
+    monkeypatch.setattr("judge.data.build.build", None)
+    monkeypatch.setattr("judge.data.build.from_seeds", None)
+    warm = load_data(problem_of("inversions"))
+    assert repr([(g.cases, g.targets) for g in warm.groups]) == repr(
+        [(g.cases, g.targets) for g in cold.groups]
+    )
+
+
+@pytest.mark.usefixtures("few_kept")
+def test_huge_cases_are_kept_as_seeds_and_drawn_again(cache):
     problem, seed = problem_of("inversions"), 7
     cold = load_data(problem, seed=seed)
     (file,) = cache.iterdir()
@@ -119,6 +136,7 @@ def test_big_cases_are_kept_as_seeds_and_built_again(cache):
     ]
 
 
+@pytest.mark.usefixtures("few_kept")
 @pytest.mark.parametrize("spoilt", [{"inputs": "0" * 64}, {"attempts": [1, 0, 0]}, {"targets": []}])
 def test_kept_seeds_that_make_other_cases_are_not_believed(cache, spoilt):
     problem = problem_of("inversions")

@@ -5,9 +5,10 @@ from __future__ import annotations
 import math
 
 import pytest
+from msgspec.structs import replace
 
-from judge.run.growth import Course, exponent, grow
-from judge.run.timing import MOST_PAIRS
+from judge.run.growth import Course, exponent, grow, is_steep
+from judge.run.timing import MOST_PAIRS, Pair
 
 SLOPE = 0.4
 SIZES = (2_000, 8_000, 32_000)
@@ -140,8 +141,34 @@ def test_the_rounds_are_interleaved_and_who_goes_first_changes():
     log = []
     grow(law(1.2, log=log), SLOPE)
     first = [(name, size) for size in SIZES for name in ("mine", "theirs")]
-    second = [(name, size) for size in SIZES for name in ("theirs", "mine")]
-    assert log == first + second
+    second = [(name, size) for size in SIZES[:2] for name in ("theirs", "mine")]
+    assert log == first + second  # the turns of the largest size are long: a pair will do
+
+
+def test_turns_in_which_a_group_was_judged_are_not_run_again():
+    log = []
+    courses = law(1.2, factor=20.0, theirs=1.2, log=log)
+    judged = [replace(each, first=Pair(each.submission() / 20, each.reference())) for each in courses]
+    log.clear()
+    grown = grow(judged, SLOPE)
+    assert {size for _, size in log} == set(SIZES[:2])
+    assert (grown.too_steep, grown.growth.pairs, grown.growth.borderline) == (False, 2, False)
+
+
+@pytest.mark.parametrize(
+    ("pairs", "own", "theirs", "steep"),
+    [
+        ([Pair(0.2, 0.2)], 0.8 * 4**0.6, [0.8], True),
+        ([Pair(0.2, 0.2)], 0.8 * 4**0.5, [0.8], False),  # near the limit
+        ([Pair(0.2, 0.2), Pair(0.3, 0.2)], 0.8 * 4**0.6, [0.8], False),  # busy at the smaller size
+        ([Pair(0.2, 0.2)], 0.8 * 4**0.6, [0.8, 1.2], False),  # … and at the larger
+        ([Pair(0.001, 0.009)], 9.0, [0.08], False),  # too short for the reference
+        ([Pair(0.001, 0.02)], 9.0, [0.009], False),
+        ([Pair(0.001, 0.02)], 0.19, [0.08], False),  # … and for the submission
+    ],
+)
+def test_what_is_clearly_too_steep_by_one_turn(pairs, own, theirs, steep):
+    assert is_steep((2_000, 8_000), pairs, own, theirs, SLOPE) is steep
 
 
 def test_only_what_is_near_its_limit_is_run_again():

@@ -12,6 +12,7 @@ from repairs import FIRST, PROGRAMS, SEGMENT, WRONG
 
 from judge.data.load import load_data
 from judge.judging.inprocess import InProcess
+from judge.mistakes.likeness import Likeness
 from judge.mistakes.repaired import Repaired
 from judge.problem.find import find_problem
 from judge.repair.cases import Cases
@@ -43,7 +44,7 @@ def repair(data, text, boxes=InProcess):
     with boxes(text.encode(), "a.py") as box:
         found = judged(data, text, box)
         made = seek(data, found, text.encode(), box, boxes)
-    steps = Repaired(made, [], found.behaviour, {}).chosen() if made else []
+    steps = Repaired(made, Likeness([], found.behaviour), {}, few=False).chosen() if made else []
     return made, [(one.step.kind, one.step.line) for one in steps]
 
 

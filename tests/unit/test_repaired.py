@@ -7,7 +7,7 @@ from types import SimpleNamespace
 import pytest
 
 from judge.mistakes.catalogue import KindWords
-from judge.mistakes.naming import Known
+from judge.mistakes.likeness import Known, Likeness
 from judge.mistakes.repaired import Repaired, with_steps
 from judge.problem import Verdict
 from judge.repair.search import Repair, Step
@@ -29,10 +29,10 @@ def one(count):
 
 
 def known(name, wrong, count=1):
-    return Known(name, {"g": Answers(CASES, {case: one(count) for case in wrong})}), f"why {name}"
+    return Known(name, {"g": Answers(CASES, {case: one(count) for case in wrong})}, f"why {name}")
 
 
-def said(repair, *programs, wrong=range(10), today=None):
+def said(repair, *programs, wrong=range(10), today=None, few=False):
     """The pitfall of a program that answers 1 in these cases, and is right after those steps."""
     group = SimpleNamespace(group=SimpleNamespace(name="g"))
     cases = SimpleNamespace(
@@ -41,7 +41,7 @@ def said(repair, *programs, wrong=range(10), today=None):
     does = {"g": Answers(CASES, {case: one(1) for case in wrong})}
     made = Repair(cases=cases, **repair)
     result = Result(problem="sum", submission="a.py", verdict=Verdict.WA, pitfall=today)
-    return with_steps(result, Repaired(made, programs, does, KINDS), KINDS).pitfall
+    return with_steps(result, Repaired(made, Likeness(programs, does), KINDS, few=few), KINDS).pitfall
 
 
 def whole(*steps, **more):
@@ -81,11 +81,19 @@ def test_a_name_that_the_kind_does_not_know_must_be_far_ahead():
     assert said(whole(("sign", 3, range(10))), far, known("near", range(7))).names == ()
 
 
-def test_todays_name_keeps_its_words_and_gets_the_line():
-    today = Pitfall(("far",), 0.9, ("words",), ("perhaps",))
-    found = said(whole(("sign", 3, range(10))), today=today)
-    assert (found.names, found.advice, found.perhaps) == (("far",), ("words",), ("perhaps",))
+def test_the_name_that_is_known_already_gets_the_line():
+    today = Pitfall(("far",), 0.9, ("why far",))
+    found = said(whole(("sign", 3, range(10))), known("far", range(6)), today=today)
+    assert (found.names, found.advice) == (("far",), ("why far",))
     assert [(step.name, step.line) for step in found.steps] == [("far", 3)]
+
+
+def test_where_answers_are_few_a_name_must_be_the_kinds_own_and_nearly_all_the_same():
+    far, near = known("far", range(8)), known("no-room", range(8))
+    assert said(whole(("sign", 3, range(10))), far, few=True).names == ()
+    assert said(whole(("room", 3, range(10))), near).names == ("no-room",)
+    assert said(whole(("room", 3, range(10))), near, few=True).names == ()
+    assert said(whole(("room", 3, range(10))), known("no-room", range(10)), few=True).names == ("no-room",)
 
 
 def test_what_is_proved_is_not_contradicted():
@@ -94,7 +102,9 @@ def test_what_is_proved_is_not_contradicted():
     assert found.names == ()
     assert [step.why for step in found.steps] == ["Rounding alone."]
     kept = Pitfall(("rounds",), 0.9, ("words",))
-    assert said(whole(("rounding", 5, range(10)), rounding=True), today=kept).names == ("rounds",)
+    assert said(
+        whole(("rounding", 5, range(10)), rounding=True), known("rounds", range(10)), today=kept
+    ).names == ("rounds",)
 
 
 def test_state_is_named_only_where_a_fresh_process_proves_it():
@@ -103,10 +113,9 @@ def test_state_is_named_only_where_a_fresh_process_proves_it():
     assert said(whole(("sign", 3, range(10))), keeps).names == ()
 
 
-def test_of_two_names_today_those_stay_that_a_step_bears_out():
-    today = Pitfall(("no-room", "far"), 0.6, ("a", "b"))
+def test_each_step_has_its_own_name():
     steps = whole(("room", 7, range(6)), ("guard-same:A=B", 4, range(6, 10)))
-    found = said(steps, known("no-room", range(6)), known("far", range(20, 30)), today=today)
+    found = said(steps, known("no-room", range(6)), known("far", range(20, 30)))
     assert found.names == ("no-room",)
     assert [(step.name, step.why) for step in found.steps] == [
         ("no-room", "No room for ."),

@@ -14,6 +14,8 @@ from pathlib import Path
 import pytest
 from sandboxed import call, require
 
+from judge.judging.session import Session
+from judge.problem.find import find_problem
 from judge.run.alone import VARIABLE, MeasureLock
 
 OTHER = """
@@ -23,6 +25,7 @@ with getattr(MeasureLock(), sys.argv[1])():
     print("in", flush=True)
     sys.stdin.read()
 """
+PACK = Path(__file__).parents[1] / "fixtures" / "pack" / "problems"
 LONG = 20.0  # seconds, for what ends at once where nothing is wrong
 
 
@@ -71,6 +74,14 @@ def test_another_process_keeps_a_measurer_out_and_judges_only_where_it_measures(
         assert not tried("measuring").alone
         assert waits("judging") is (how == "measuring")
     assert tried("measuring").alone
+
+
+def test_what_is_run_for_its_answers_waits_for_nobody():
+    told = []
+    problem = find_problem("middle", [PACK])
+    bars = lambda label: told.append(label) or contextlib.nullcontext()  # noqa: E731
+    with Session(problem, bars=bars) as session, another("measuring"), session.untimed.lock.judging():
+        assert told == []
 
 
 def test_a_killed_process_gives_its_locks_back_at_once():

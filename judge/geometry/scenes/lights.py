@@ -6,6 +6,7 @@ A word says what the light L is to the point P that the ray hits first.
     open, back                    nothing is between; on the side that the ray does not see
     brink                         open, and the ray begins just before the circle
     level-open, level-back        the same, nearly on the tangent at P
+    level-far                     open, nearly on the tangent, and all is far from the small circle
     room, wall, level-wall        the ray begins inside: L is in the same room, or outside of it
     outdoors                      the same, and L is on the other side of the tangent
     straight                      the ray runs through the centre, from inside or outside; L is upright over O
@@ -13,6 +14,7 @@ A word says what the light L is to the point P that the ray hits first.
     beyond, behind                a circle is on the line, but not between
     around-light, around-point    a circle around L, or around the way to P
     skin, ledge                   P is just inside another circle, or just outside of one beside the ray
+    sill                          the same, and the way to L goes into that one
     pillar, moat, court           a second circle about the centre, or around all: a smaller one that blocks,
                                   a larger one that blocks, one that does not
     lamp                          a tiny circle around L, just before or just beyond it, or a large one there
@@ -35,11 +37,12 @@ from judge.geometry.scenes.crowds import Row, circles_of, mixed
 from judge.geometry.shadow import Shade, shade
 from judge.problem.declare import InvalidCase
 
-_BLOCKED = ("blocked", "gap", "around-light", "around-point", "skin", "pillar", "moat")
+_BLOCKED = ("blocked", "gap", "around-light", "around-point", "skin", "sill", "pillar", "moat")
 _SHADES: dict[str, tuple[Shade, ...]] = {
     "miss": (Shade.NOTHING,),
     **dict.fromkeys(
-        ("open", "brink", "room", "court", "beyond", "behind", "level-open", "ledge"), (Shade.LIT,)
+        ("open", "brink", "room", "court", "beyond", "behind", "level-open", "level-far", "ledge"),
+        (Shade.LIT,),
     ),
     **dict.fromkeys(("back", "level-back", "outdoors"), (Shade.BACK,)),
     **dict.fromkeys(("wall", "level-wall"), (Shade.OWN,)),
@@ -147,18 +150,23 @@ def _laid(draw: Draw, word: str, size: int) -> tuple[list[Row], Spot]:
     if word == "moat":
         wall = isqrt(circle[0] ** 2 + y * y) + draw.integer(2, size)
         return [circle, (circle[0], y, wall)], (-draw.integer(0, 9 * size), draw.integer(-9 * size, 9 * size))
-    if word in ("level-open", "level-back"):
+    if word.startswith("level-"):
         along, inward = draw.integer(2, 4) * draw.sign(), 1 if word == "level-back" else -1
+        if word == "level-far":
+            at += size * draw.integer(1000, 4000)
+            circle, along = (at + half, y, r), along * draw.integer(300, 1000)
+            inward = -size * draw.integer(5, 9) // 1000
         up = (y > 0) - (y < 0)
         return [circle], (at + along * y + inward, -along * half + inward * up)
     if word == "skin":
         light = at + 3 * wx, 3 * wy
         return [circle, (near_gap(draw, max(at + half + r, *map(abs, light))), 0, at)], light
-    if word == "ledge":
+    if word in ("ledge", "sill"):
         side, high = (1 if y < 0 else -1), draw.integer(size // 4, size)
         light = at - draw.integer(size, 3 * size), -side * draw.integer(1, max(1, half // 2))
-        reach = max(at + half + r, *map(abs, light))
-        return [circle, (at, side * high, high - near_gap(draw, reach))], light
+        light = light if word == "ledge" else (at, side * draw.integer(size // 8, 3 * size))
+        reach = max(at + half, r, high, *map(abs, light))
+        return [circle, (at, side * high, high - near_gap(draw, reach, 7))], light
     if word == "around-point":
         return [
             circle,
@@ -240,7 +248,7 @@ def home(reach: int) -> Scene:
             by = draw.choice((0, 0, draw.integer(-most, most)))
             return (O[0] + by, O[1]) if axis else (O[0], O[1] + by)
 
-        D = draw.integer(-9, 9), draw.integer(1, 9) * draw.sign()
+        D = draw.choice((0, draw.integer(-9, 9))), draw.integer(1, 9) * draw.sign()
         if draw.integer(0, 2) == 0:
             D = D[0] * 2.0 ** -draw.integer(10, 30), D[1]  # type: ignore[assignment]  # steep
         return ((*beside(r - 1), r),), O, D[:: draw.sign()], beside(r)

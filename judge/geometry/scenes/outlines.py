@@ -10,6 +10,7 @@ The words of a polygon add corners, each beside a point P of the circle in whole
 
     on, in, out          at P, inside, outside
     far, remote          1,000 to 10,000 radii away, or a million and more
+    farthest             nearly as far as a circle is clear of its own centre
     tangent, brush       two corners on the tangent at P, near it or one of them very near
     across               two corners outside whose edge cuts the circle
     box                  four corners around the circle
@@ -98,6 +99,7 @@ _CORNERS = (
     "out",
     "far",
     "remote",
+    "farthest",
     "tangent",
     "brush",
     "across",
@@ -195,6 +197,7 @@ def _corners(draw: Draw, name: str, x: int, y: int, before: Sequence[Point]) -> 
         "out": lambda: grown(150, 400),
         "far": lambda: grown(10**5, 10**6),
         "remote": lambda: grown(10**8, 4 * 10**8),
+        "farthest": lambda: grown(67 * 10**7, 85 * 10**7),
         "level": lambda: Point([draw.sign() * (abs(x) + abs(y)) * draw.integer(1, 400) // 100, 0]),
         "at": lambda: Point([0, 0]),
         "by": lambda: Point([-before[-1][0] * draw.integer(1, 3), -before[-1][1] * draw.integer(1, 3)]),

@@ -24,8 +24,8 @@ ENTRY = struct.Struct("=II")
 
 def pack(calls: Sequence[int], arguments: Sequence[bytes]) -> bytes:
     """The file's content, for the judge's side; `arguments` are those of every series, packed."""
-    table = b"".join(ENTRY.pack(count, len(data)) for count, data in zip(calls, arguments, strict=True))
-    return table + b"".join(arguments[1:])
+    table = [ENTRY.pack(count, len(data)) for count, data in zip(calls, arguments, strict=True)]
+    return b"".join([*table, *arguments[1:]])
 
 
 class Series:

@@ -1,0 +1,136 @@
+"""Judging the groups of the rule of growth: each is timed by the way, and what grows too fast ends early.
+
+The first turn of a race is the one in which a group is judged; the reference's turn follows at once. So an
+accepted submission runs its largest size once, and one that is clearly too steep never does.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from msgspec.structs import replace
+
+from judge.problem import Case, Verdict
+from judge.run.again import limits_of
+from judge.run.budget import Budget
+from judge.run.group import GroupRun
+from judge.run.groups import run_timed
+from judge.run.growth import SHORT_SECONDS, Course, grow, is_steep
+from judge.run.measure import theirs_on, time_limit
+from judge.run.races import Timed, too_slow
+from judge.run.reference import Reference
+from judge.run.runner import Runner
+from judge.run.timing import Decision, Pair, decide, is_sure
+from judge.sandbox.boundary import Box, Usage
+
+
+def judge_growing(
+    runner: Runner,
+    runs: Sequence[GroupRun],
+    submission: Box,
+    reference: Reference,
+    budget: Budget,
+    on_group: Callable[[GroupRun], None],
+) -> Timed | None:
+    """Judge these groups, the smallest first, until the submission is clearly too slow or too steep.
+
+    What it comes to then; None where it is to be raced, or is not accepted for another reason.
+
+    Raises:
+        JudgeError: the reference does not come to the end of the cases.
+    """
+    judging = _Growing(runner, submission, reference, budget)
+    for place, run in enumerate(runs):
+        judging.judge(run)
+        on_group(run)
+        if judging.timed is not None:
+            for larger in runs[place + 1 :]:
+                larger.give_up(Verdict.TLE, "it is too slow before")
+        if judging.timed is not None or budget.over:
+            break
+    return judging.timed
+
+
+class _Growing:
+    """What is known so far of how a submission grows."""
+
+    def __init__(self, runner: Runner, submission: Box, reference: Reference, budget: Budget) -> None:
+        rule = runner.problem.time
+        self._runner = runner
+        self._submission = submission
+        self._rival = reference.open(runner.reference(rule)) if rule else None
+        self._budget = budget
+        self._smaller: GroupRun | None = None  # the last one that was accepted
+        self.timed: Timed | None = None
+
+    def judge(self, run: GroupRun) -> None:
+        """Judge the group, and note what both took."""
+        own, theirs = 0.0, Usage()
+        one_first = self._smaller is not None
+        for cases, seconds in run_timed(
+            self._runner, self._submission, run, self._budget, one_first=one_first
+        ):
+            if self._rival is None or run.verdict is not Verdict.AC:
+                self._rival = None  # nothing hangs on the time any more
+                continue
+            used = self._theirs(run, cases)
+            own, theirs = own + seconds, theirs + used
+            if self._is_steep(run, cases, seconds, used):
+                return
+        if self._rival is not None and run.reached == len(run.cases) and theirs.cpu_seconds:
+            pair, limit = Pair(own, theirs.cpu_seconds), time_limit(run.problem, [run])
+            run.first = pair, theirs
+            self._smaller = run
+            if is_sure(pair, limit):
+                self.timed = Timed(replace(decide([pair], limit), limit=limit))
+                too_slow([run], self.timed.decision)
+
+    def _is_steep(self, run: GroupRun, cases: Sequence[Case], own: float, used: Usage) -> bool:
+        """Whether the submission is too steep by what it took here; then the group says so."""
+        problem, smaller = self._runner.problem, self._smaller
+        if smaller is None or smaller.first is None or problem.growth is None:
+            return False
+        sizes, slope = (smaller.group.size or 1, run.group.size or 1), problem.growth.slope
+        pairs, theirs = [smaller.first[0]], [used.cpu_seconds]
+        if not is_steep(sizes, pairs, own, theirs, slope):
+            return False
+        # All that is not long is run again.
+        pair = self._pair(smaller, smaller.cases)
+        if pair is None:
+            return False
+        pairs.append(pair)
+        if own < SHORT_SECONDS:
+            pair = self._pair(run, cases)
+            if pair is None:
+                return False
+            own = min(own, pair.submission)
+            theirs.append(pair.reference)
+        else:
+            theirs.append(self._theirs(run, cases).cpu_seconds)
+        if not is_steep(sizes, pairs, own, theirs, slope):
+            return False
+        worst = max(pairs, key=lambda pair: pair.ratio), Pair(own, max(theirs))
+        of_both = zip((smaller, run), sizes, (len(smaller.cases), len(cases)), worst, strict=True)
+        courses = [
+            Course(each.group.name, size, _none, _none, cases=count, first=first)
+            for each, size, count, first in of_both
+        ]
+        growth = grow(courses, slope, lambda: False).growth
+        self.timed = Timed(Decision(None), growth)
+        run.too_slow(f"{growth}; its exponent may exceed that by {slope:g}")
+        return True
+
+    def _pair(self, run: GroupRun, cases: Sequence[Case]) -> Pair | None:
+        """One more turn each; None where the submission's does not end well."""
+        within = self._budget.within(limits_of(run.problem, [run]))
+        again = self._budget.booked(self._runner.timed(self._submission, cases, within))
+        theirs = self._theirs(run, cases)
+        return None if again.trouble else Pair(again.usage.cpu_seconds, theirs.cpu_seconds)
+
+    def _theirs(self, run: GroupRun, cases: Sequence[Case]) -> Usage:
+        assert self._rival is not None
+        return theirs_on(self._runner, self._rival, cases, limits_of(run.problem, [run]))
+
+
+def _none() -> None:
+    """No further turn."""
