@@ -22,6 +22,8 @@ _ANY = 0.6  # … and one that the kind does not propose,
 _AHEAD = 0.15  # by so much more than the next one
 _SAME = 0.9  # … and one of what is proved without a name
 _ALL = 0.95  # from here on all answers are those of the known program
+_LIKELY = 0.9  # the score of a name that is very likely
+_LAST = "rounding"  # what is left after all other steps
 _STRONG = 0.87  # a kind that says what it is even where it explains a part
 _FEW = 5  # failures: fewer are like too much
 _WORTH = 0.5  # of the failures that steps must take away where they do not take all
@@ -157,8 +159,11 @@ def with_steps(
         found = [found[0]._replace(name=today.names[0])]
     elif today is not None:
         found = repaired.joined(found, today.names)
-        if not any(one.name in today.names for one in found):
+        bearing = [one for one in found if one.name in today.names]
+        if not bearing:
             return result
+        if len(today.names) == 1 and today.score >= _LIKELY:  # the other steps would say less
+            found = bearing
     if not any(fails(repaired.nearest(one)) for one in found if one.name):
         found = [one._replace(name="", share=0.0) for one in found]
     steps = _told(found, repaired.failing, kinds)
@@ -170,14 +175,22 @@ def with_steps(
 
 
 def _told(found: Sequence[_Named], failing: int, kinds: Kinds) -> tuple[MistakeStep, ...]:
-    """The steps in words; of one that leaves something wrong only the line, unless its kind is strong."""
-    steps = []
+    """The steps in words, those of one name at one line as one.
+
+    Of one that leaves something wrong only the line is told, unless its kind is strong.
+    """
+    places: dict[tuple[object, ...], list[_Named]] = {}
+    for at, one in enumerate(sorted(found, key=lambda one: (one.step.kind == _LAST, -len(one.step.gone)))):
+        places.setdefault((one.name or at, one.step.line), []).append(one)
     gone = frozenset[int]().union(*(one.step.gone for one in found))
-    for one in found:
-        kind, _, which = one.step.kind.partition(":")
+    steps = []
+    for some in places.values():
+        name, step = some[0].name, some[0].step
+        kind, _, which = step.kind.partition(":")
         sure = len(gone) == failing or _STRENGTH.get(kind, 0.0) >= _STRONG
         why = kinds[kind].why.replace("{which}", which.replace("=", " = ")) if sure and kind in kinds else ""
-        steps.append(MistakeStep(one.name or None, kind, one.step.line, len(one.step.gone), failing, why))
+        count = len(step.gone.union(*(one.step.gone for one in some)))
+        steps.append(MistakeStep(name or None, kind, step.line, count, failing, why))
     return tuple(steps)
 
 

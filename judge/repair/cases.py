@@ -20,7 +20,7 @@ from judge.values.wire import Raw
 
 _ALIKE = 1e-7  # of the figure: two points nearer than that are one
 _BEYOND = 1e-9  # of the figure: a point so far beyond an end is still on it
-_MOST_ITEMS = 5  # of a list whose orders are tried
+_MOST_ITEMS = 4  # of a list whose orders are tried
 _LEAST_SHARE = 0.3  # of the cases that a guard would catch, so many must fail
 
 
@@ -108,6 +108,8 @@ class Cases:
                 if place in answers.wrong:
                     self.wrong.append(len(self.all))
                 self.all.append(Asked(group, place, group.cases[place], group.targets[place]))
+        answer = data.problem.answer.text
+        self.several = answer.startswith("[") or answer == "points"  # a list, not parts of one thing
         self._known: dict[tuple[int, str], bool] = {}
 
     @cached_property
@@ -205,7 +207,7 @@ def _is_row(raw: Raw) -> bool:
 
 
 def _near(one: Raw, other: Raw, width: float) -> bool:
-    pair = (one, other) if isinstance(one, list) else ([one], [other])
+    pair = [each if isinstance(each, list) else [each] for each in (one, other)]
     return len(pair[0]) == len(pair[1]) and all(abs(a - b) <= width for a, b in zip(*pair, strict=True))
 
 

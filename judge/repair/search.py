@@ -216,8 +216,9 @@ class Search:
         )
         ranked = []
         for number, after, wrong in first:
-            if (number, after) in second:
-                gain = (len(few) - len(wrong)) * worth[0] - second[number, after] * worth[1]
+            if number in promising:
+                lost = second.get((number, after), 0)
+                gain = (len(few) - len(wrong)) * worth[0] - lost * worth[1]
                 kind, line, hash_ = table[number]
                 ranked.append(_Candidate(gain, (KINDS.index(kind), line, hash_), number, after))
         best = [*self._best(ranked, table, full)]
@@ -271,7 +272,7 @@ class Search:
                 guarded=state.guarded | some, steps=(*state.steps, step), wrong=state.wrong - some
             )
         pairs = self._child.answers(state.chain, self._everything)
-        for name in _AFTER:
+        for name in _AFTER if self._cases.several else ():
             if name in state.after:
                 continue
             then = state._replace(after=(*state.after, name))

@@ -100,6 +100,44 @@ def test_rounding_alone_is_proved(kata):
     assert (made.rounding, made.tolerance) == (False, True)
 
 
+LINES = """\
+import sys
+from math import hypot
+
+next(sys.stdin)
+for line in sys.stdin:
+    cx, cy, r, ax, ay, bx, by = map(float, line.split())
+    ux, uy, px, py = bx - ax, by - ay, ax - cx, ay - cy
+    if hypot(px, py) > hypot(bx - cx, by - cy):
+        px, py = bx - cx, by - cy
+    length = hypot(ux, uy)
+    off = abs(ux / length * py - uy / length * px) if length else 0
+    print("none" if length == 0 else 1 if abs(off - r) <= 1e-10 else 2 if off < r else 0)
+"""
+
+
+def test_what_reads_standard_input_is_asked_the_first_question_alone(kata):
+    made, told = repair(kata("count"), LINES)
+    assert (made.ways, made.whole, told) == (("scaled",), (), [("scaled", 0)])
+
+
+FOOT = """\
+def foot(A, B, C):
+    dx, dy = B[0] - A[0], B[1] - A[1]
+    if dx == dy == 0:
+        return None
+    t = ((C[0] - A[0]) * dx + (C[1] - A[1]) * dy) / (dx * dx + dy * dy)
+    return (A[0] + t * dx, A[1] + t * dy), t
+"""
+
+
+def test_parts_of_one_answer_are_no_list_in_another_order(kata):
+    _, told = repair(kata("foot"), FOOT)
+    assert "order" not in [kind for kind, _ in told]
+    cases = Cases(kata("foot"), {"grid": Answers(3, {0: ("", ())})})
+    assert not cases.right(0, [1.0, [2.0, 3.0]], ("once", "filter"))
+
+
 def test_whole_numbers_of_a_hundred_digits_are_exact(kata):
     right = """\
 def exact_count(cx, cy, r, A, B):

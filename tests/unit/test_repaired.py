@@ -133,6 +133,15 @@ def test_a_single_name_that_no_step_bears_out_is_told_without_them():
     assert found == today
 
 
+def test_a_very_likely_name_is_told_with_its_own_steps_alone():
+    steps = whole(("room", 7, range(6)), ("room", 7, range(6, 8)), ("sign", 4, range(8, 10)))
+    programs = known("no-room", range(8)), known("far", range(20, 30))
+    sure = said(steps, *programs, today=Pitfall(("no-room",), 0.95, ("a",)))
+    assert [(step.name, step.line, step.gone) for step in sure.steps] == [("no-room", 7, 6)]
+    likely = said(steps, *programs, today=Pitfall(("no-room",), 0.6, ("a",)))
+    assert [(step.name, step.line) for step in likely.steps] == [("no-room", 7), (None, 7), (None, 4)]
+
+
 def test_of_a_part_only_the_line_is_told():
     part = (Step("sign", 3, frozenset(range(6))),)
     found = said({"part": part}, known("far", range(6)))
