@@ -31,17 +31,18 @@ A type checker reads `__init__.pyi`.
 
 from __future__ import annotations
 
+from judge.version import __version__
+
 TYPE_CHECKING = False  # typing's takes longer to import than all of this
 if TYPE_CHECKING:
     from typing import Any
 
-__version__ = "0.1.0"
 _FROM = {
-    "Job": "judge.judging.api",
+    "Job": "judge.judging.options",
     "JudgeError": "judge.errors",
     "ProblemError": "judge.errors",
     "Result": "judge.run.result",
-    "RunOptions": "judge.judging.api",
+    "RunOptions": "judge.judging.options",
     "Session": "judge.judging.session",
     "ShortageError": "judge.errors",
     "UsageError": "judge.errors",

@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import errno
 import os
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from enum import IntEnum
 from typing import TYPE_CHECKING
 
@@ -143,3 +143,9 @@ def nearest(name: str, names: Iterable[str]) -> str | None:
         return ratio, sum(map(str.__eq__, name, other))
 
     return max(difflib.get_close_matches(name, list(names)), key=likeness, default=None)
+
+
+def meant(name: str, names: Sequence[str], introduction: str = "there are") -> str:
+    """What to do about a name that is none of `names`."""
+    near = nearest(name, names)
+    return f"did you mean {near!r}?" if near else f"{introduction} {', '.join(names) or 'none'}"

@@ -24,7 +24,8 @@ from typing import Any
 from msgspec import Struct
 from msgspec.structs import replace
 
-from judge.data.load import ProblemData, load_data
+from judge.data.load import load_data
+from judge.data.model import ProblemData
 from judge.errors import UsageError
 from judge.judging.inprocess import InProcess, Routine
 from judge.mistakes.told import told_mistakes

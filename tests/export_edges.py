@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import judge.packs.export as export
-from judge.data.load import GroupData, ProblemData
+from judge.data.model import GroupData, ProblemData
 from judge.exact import Surd
 from judge.packs.export.forms import accepted_form, form_of
 from judge.run.program import ProgramRunner

@@ -14,7 +14,7 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from judge.cache import digest
-from judge.judging.api import RunOptions
+from judge.judging.options import RunOptions
 from judge.problem.model import Verdict
 from judge.run.result import Result, judge_fault, read_result
 

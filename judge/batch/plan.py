@@ -12,7 +12,7 @@ from msgspec.structs import replace
 
 from judge.batch.model import Done, Handin, Row, Standard, Task, text_of
 from judge.batch.standard import differing
-from judge.judging.api import RunOptions
+from judge.judging.options import RunOptions
 from judge.problem import Problem, Verdict
 from judge.report.words import counted
 

@@ -14,7 +14,7 @@ from msgspec.structs import replace
 
 from judge.batch.model import Handin, Row
 from judge.errors import JudgeError
-from judge.judging.api import RunOptions
+from judge.judging.options import RunOptions
 from judge.judging.session import Bars, Session
 from judge.problem import Problem, Verdict
 from judge.report.published_klass import Cohort

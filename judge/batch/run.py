@@ -24,7 +24,7 @@ from judge.batch.store import Store
 from judge.batch.work import judge_task, learn_task, release
 from judge.data.load import is_kept as data_kept
 from judge.errors import JudgeError, ProblemError, UsageError
-from judge.judging.api import RunOptions
+from judge.judging.options import RunOptions
 from judge.judging.pool import Executor, Processes
 from judge.mistakes.known import is_kept
 from judge.problem import Problem

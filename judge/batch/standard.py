@@ -7,13 +7,13 @@ import sys
 import msgspec
 from msgspec.structs import replace
 
-from judge import __version__
 from judge.batch.model import Standard
 from judge.cache import code_key, content_key, digest
-from judge.judging.api import RunOptions, judged_by
+from judge.judging.options import RunOptions, judged_by
 from judge.judging.session import Session
 from judge.languages import file_name
 from judge.problem import Problem
+from judge.version import __version__
 
 _SIGNS = 12  # of a hash; they tell versions apart, and nobody would forge one
 _WORDS = {

@@ -22,19 +22,20 @@ import gc
 import os
 import sys
 
+from judge.cli.interrupt import INTERRUPTED, leave
+
 TYPE_CHECKING = False  # typing's is slow to import, and nothing may be slow before Ctrl-C is seen to
 if TYPE_CHECKING:
     from types import FrameType
     from typing import NoReturn
 
 _OFTEN_ENOUGH = 100_000  # new objects until garbage is looked for, which a run hardly makes
-_INTERRUPTED = 130  # ExitCode.INTERRUPTED, which may not be imported yet
 
 
 def main() -> NoReturn:
     """The console script."""
     if signal.getsignal(signal.SIGINT) is signal.default_int_handler:  # not for who runs us to ignore it
-        signal.signal(signal.SIGINT, _leave)
+        signal.signal(signal.SIGINT, leave)
     _open_standard_streams()
     alone = _is_outermost(sys._getframe(1))
     if alone:
@@ -46,7 +47,7 @@ def main() -> NoReturn:
         gc.enable()
         app.main()
     except KeyboardInterrupt:
-        sys.exit(_INTERRUPTED)
+        sys.exit(INTERRUPTED)
     except SystemExit as left:
         status = left.code  # and its frames are let go, with all that they held open
     finally:
@@ -80,17 +81,6 @@ def _end(status: int) -> None:
     except (OSError, ValueError, KeyboardInterrupt):
         return
     os._exit(status)
-
-
-def _leave(_number: int, _frame: FrameType | None) -> NoReturn:
-    """Ctrl-C while modules are imported, where an exception is now and then lost in the locks of imports."""
-    os._exit(_INTERRUPTED)  # nothing has been started or written
-
-
-def imported() -> None:
-    """All that takes long is imported: from here on Ctrl-C is an exception, and things are cleared up."""
-    if signal.getsignal(signal.SIGINT) is _leave:
-        signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 def _open_standard_streams() -> None:

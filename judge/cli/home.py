@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from judge.cli.options import Common
-from judge.cli.resolve import current, history_at, is_there, this_folder
+from judge.cli.resolve import current, history_at, is_there, seen_cards, this_folder
 from judge.practice import events
 from judge.practice.progress import skills
 from judge.practice.review import read_learner
@@ -20,7 +20,7 @@ def home(common: Common) -> Home:
     done = at is not None and any(run.solved for run in mine.own.get(at.problem, ()))
     return Home(
         learner=mine,
-        due=mine.due(events.now().astimezone()),
+        due=mine.due(events.now().astimezone(), seen_cards(mine)),
         begun=bool(mine.own or places or mine.answers),
         now=None if done else at,
         here=here is not None,

@@ -19,7 +19,7 @@ from judge.cli.files import Submission
 from judge.cli.options import Common
 from judge.cli.resolve import history_at
 from judge.errors import JudgeError, StoreError, told
-from judge.judging.api import RunOptions
+from judge.judging.options import RunOptions
 from judge.judging.session import Session
 from judge.problem import Problem
 from judge.problem.load import load_problem

@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from judge.cli.options import Common
     from judge.practice.events import Event, Started
     from judge.practice.history import History
+    from judge.practice.review import Learner, Review
 
 
 class Kata(Struct, frozen=True):
@@ -280,3 +281,12 @@ def usual_file(problem: str, db: Path | None) -> str:
 def _is_file(word: str) -> bool:
     """Whether there is something of that name to be judged, and not a kata's own folder."""
     return os.path.lexists(word) and not os.path.exists(os.path.join(word, "problem.toml"))  # noqa: PTH110, PTH118
+
+
+def seen_cards(learner: Learner) -> list[Review]:
+    """The cards that were answered; whoever has answered none waits for no deck."""
+    if not learner.answers:
+        return []
+    from judge.practice.cards import known_cards
+
+    return known_cards(learner.answers, learner.extra)

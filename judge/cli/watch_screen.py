@@ -19,13 +19,13 @@ from msgspec.structs import replace
 from rich.console import Group, RenderableType
 from rich.text import Text
 
-from judge.cli.commands.practise import HintAsk, hints, note_seen
+from judge.cli.hints import HintAsk, hints, note_seen
 from judge.cli.judging import Wish, with_standing
 from judge.cli.options import Common
 from judge.cli.resolve import Kata, history_at, take_up
 from judge.cli.watching import WatchedFile
 from judge.errors import JudgeError
-from judge.judging.api import RunOptions
+from judge.judging.options import RunOptions
 from judge.languages import language_of
 from judge.practice.progress import solved
 from judge.practice.stub import make_stub, usual_name, write_stub

@@ -24,7 +24,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from msgspec import Struct
 
 from judge.data.draw import Draw, Pick, Rejected, quick, seeded
-from judge.data.load import GroupData, Progress, reseeded
+from judge.data.model import GroupData, Progress, reseeded
 from judge.errors import UsageError
 from judge.problem import Case, Example, Group, Problem, Tolerance
 from judge.problem.declare import InvalidCase

@@ -18,7 +18,7 @@ from typing import Any
 
 import msgspec
 
-from judge.data.load import GroupData
+from judge.data.model import GroupData
 from judge.files import read_ordinary, replace_file
 from judge.problem import Problem
 

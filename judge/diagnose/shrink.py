@@ -22,7 +22,7 @@ from msgspec.structs import replace
 
 from judge.data.build import choices_of
 from judge.data.draw import Draw, seeded
-from judge.data.load import GroupData, ProblemData
+from judge.data.model import GroupData, ProblemData
 from judge.diagnose.budget import SearchBudget
 from judge.diagnose.polish import polished, rounded
 from judge.diagnose.replay import LONGEST, encode

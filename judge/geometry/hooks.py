@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
 from judge.problem import Case, Problem
-from judge.problem.declare import Hooks, Puzzle, Shown
+from judge.problem.declare import Change, Hooks, Puzzle, Shown
 
 if TYPE_CHECKING:
     from judge.data.draw import Draw
@@ -57,4 +57,9 @@ def hooks(kind: str) -> Hooks:
 
         return puzzle(kind, form, draw)
 
-    return Hooks(picture, simpler, explore, puzzle)
+    def figure(problem: Problem, case: Case, change: Change) -> Case | None:
+        from judge.geometry.replaced import replaced
+
+        return replaced(problem, case, change)
+
+    return Hooks(picture, simpler, explore, puzzle, figure)

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from collections.abc import Callable, Sequence
-from fractions import Fraction
 from itertools import permutations
 from math import gcd, isqrt
 from typing import Any
@@ -93,7 +92,8 @@ def posed(
     """The figure as the caller's numbers: a tuple for a point or vector, one number for a length.
 
     Args:
-        turn: "axis" (the symmetries of the axes), "small" (triples to 65), "any" (to 4,418) or "steep".
+        turn: "axis" (the symmetries of the axes), "small" (triples to 65), "any" (to 4,418), "steep", or
+            "diagonal" in space.
         move: by whole numbers of so many bits. Or "split": the second point takes the last bits of the way
             from the first one, which takes all others, so that their difference is no double.
         shift: the power of two that scales all, or "least" for numbers just above 1e-30; of several one is
@@ -176,6 +176,8 @@ def _turned_in_space(draw: Draw, turn: str) -> tuple[Matrix, int]:
         return tuple(tuple(draw.sign() if j == i else 0 for j in range(3)) for i in order), 1
     most = 3 if turn == "small" else 40
     a, b, c, d = (draw.integer(-most, most) for _ in range(4))
+    if turn == "diagonal":
+        a, b, c, d = 0, 11, 4 * draw.sign(), 4 * draw.sign()  # x to one of (89, ±88, ±88)/153
     n = a * a + b * b + c * c + d * d
     if not n:
         draw.reject()
@@ -216,12 +218,9 @@ def _decimals(draw: Draw, atoms: Sequence[Atom], turned: Sequence[Sequence[int]]
     places = [row for row, each in zip(exact, atoms, strict=True) if isinstance(each, Point)]
     for axis in range(len(places[0])):
         centre = draw.integer(-9, 9)
-        moved = [row[axis] + centre for row in places]
-        if all(
-            Fraction(after) - centre == Fraction(row[axis]) for after, row in zip(moved, places, strict=True)
-        ):
-            for row, after in zip(places, moved, strict=True):
-                row[axis] = after
+        if all(x + centre - centre == x and x + centre - x == centre for x in [row[axis] for row in places]):
+            for row in places:
+                row[axis] += centre  # exact: the sum gives both of its terms back
     return exact
 
 

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from judge.cache import digest
 from judge.data.build import target_of, validate
-from judge.data.load import ProblemData
+from judge.data.model import ProblemData
 from judge.data.pins import hash_of
 from judge.holes.cases import Solved
 from judge.holes.model import Kept
@@ -16,10 +16,10 @@ from judge.holes.programs import GIVEN_UP, Base, Candidate, Crowd, original
 from judge.holes.rows import suppressed_after
 from judge.problem import Case, Group, Problem, Tolerance
 from judge.problem.declare import decisions
-from judge.run.verify import Progress
 from judge.sandbox.boundary import Reply, Stop
 from judge.values.answers import Exact, Target, within
 from judge.values.check import is_right
+from judge.verify.model import Progress
 
 _WAVES = (8, 24, 96, 384)  # cases that are asked before the rest: most mutants die there
 _KEPT = 4  # groups that are remembered to reject a mutant

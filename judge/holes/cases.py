@@ -22,7 +22,7 @@ from typing import Any, NamedTuple
 from msgspec import Struct
 
 from judge.data.build import Fresh
-from judge.data.load import ProblemData
+from judge.data.model import ProblemData
 from judge.diagnose.simplicity import numbers_of, with_numbers
 from judge.holes.rows import Rows
 from judge.problem import Case

@@ -18,7 +18,8 @@ import msgspec
 from msgspec import Struct
 
 from judge.cache import Store, code_key
-from judge.data.load import ProblemData, kept_place
+from judge.data.load import kept_place
+from judge.data.model import ProblemData
 from judge.diagnose.polish import fewer, steps
 from judge.diagnose.simplicity import measure
 from judge.errors import ProblemError, UsageError
@@ -29,10 +30,10 @@ from judge.holes.programs import SOURCE, Base, Candidate, Crowd, bases
 from judge.problem import Case, Problem
 from judge.problem.solutions import MISTAKES
 from judge.problem.toml import TomlFile
-from judge.run.verify import Fault, Progress, fault_of
 from judge.sandbox.boundary import LEVELS, BoxFactory, Reply, Stop
 from judge.values import parameters
 from judge.values.show import shown, wanted
+from judge.verify.model import Fault, Progress, fault_of
 
 MARKS = "same.toml"  # beside the folders of solutions: mutants that nobody wants to hold
 _SAVED = 5.0  # seconds between two times that a search is kept

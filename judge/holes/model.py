@@ -6,7 +6,7 @@ from msgspec import Struct
 
 from judge.errors import ExitCode
 from judge.published import Published
-from judge.run.verify import Fault
+from judge.verify.model import Fault
 
 
 class Hole(Struct, frozen=True):

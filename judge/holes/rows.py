@@ -13,7 +13,7 @@ from random import Random
 from typing import Any
 
 from judge.data.draw import Draw, Rejected, quick
-from judge.data.load import ProblemData
+from judge.data.model import ProblemData
 from judge.problem import Case
 
 _CASES = 12  # of a changed row

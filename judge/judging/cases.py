@@ -8,9 +8,9 @@ from collections.abc import Sequence
 from msgspec.structs import replace
 
 from judge.data.build import Fresh, target_of, validate
-from judge.data.load import ProblemData
+from judge.data.model import ProblemData
 from judge.errors import UsageError
-from judge.judging.api import RunOptions
+from judge.judging.options import RunOptions
 from judge.judging.session import NAMED, Bars, Session
 from judge.languages import file_name
 from judge.mistakes.puzzles import Puzzle, usual_group
@@ -19,9 +19,9 @@ from judge.problem.declare import InvalidCase
 from judge.problem.model import case_of
 from judge.problem.module import load_module
 from judge.problem.solutions import accepted_source
+from judge.run.entry import entry_error
 from judge.run.execute import Judged, judge_submission, opened
 from judge.run.group import group_limits
-from judge.run.hurdle import hurdle_of, with_hurdle
 from judge.run.printed import message_of, text_of
 from judge.run.replies import VERDICTS, Replies
 from judge.run.result import Failure, GroupResult, Result, short_answer
@@ -76,7 +76,7 @@ def ask(session: Session, tried: Tried, source: bytes, name: str) -> Said:
         result = Result(
             problem=tried.problem.id, submission=name, verdict=verdict, groups=(group,), failure=failure
         )
-        hurdle = hurdle_of(result, runner, box.inspect(), source)
+        hurdle = entry_error(result, runner, box.inspect(), source)
         return replace(said, message=failure.message, hurdle=hurdle)
 
 
@@ -153,7 +153,7 @@ def judge_fresh(
         )
         result, broken, runner = stressed.result, stressed.broken, stressed.runner
         if broken is not None and runner is not None:
-            result = with_hurdle(result, runner, box, source)
+            result = replace(result, hurdle=entry_error(result, runner, box.inspect(), source))
             if result.hurdle is not None:
                 return replace(stressed, result=result)
             try:
@@ -168,7 +168,7 @@ def judge_fresh(
                     result = replace(failed, failure=result.failure)
                 if options.named and result.verdict in NAMED:
                     pinned = judge_submission(session.data, source, name, session.untimed)
-                    named = session.named(pinned.result, pinned.behaviour, source)
+                    named = session.named(pinned, source, box)
                     result = replace(result, pitfall=named.pitfall).noting(*named.notes)
             except KeyboardInterrupt:  # what broke is known, and worth more than the rest
                 stressed = replace(stressed, interrupted=True)

@@ -8,17 +8,17 @@ from contextlib import suppress
 from datetime import date
 from pathlib import Path
 
-from judge import __version__
 from judge.cache import DISK, digest
 from judge.errors import JudgeError
 from judge.files import cache_folder
-from judge.judging.api import RunOptions
+from judge.judging.options import RunOptions
 from judge.languages.boxes import AnyBoxes
 from judge.languages.signature import signature_of
 from judge.problem import Problem
 from judge.problem.find import problem_roots
 from judge.sandbox import LEVELS, Boxes, room
 from judge.sandbox.boundary import BoxFactory
+from judge.version import __version__
 
 
 def contained(problem: Problem, options: RunOptions, jobs: int = 1, had: str | None = None) -> BoxFactory:

@@ -19,12 +19,10 @@ from typing import Any
 from judge.sandbox.boundary import (
     IMPORTING,
     CallsResult,
-    Defined,
     Inspection,
     Limits,
     ProgramResult,
     Reply,
-    SourceFault,
     Stop,
     Usage,
 )
@@ -99,10 +97,7 @@ class InProcess:
 
     def inspect(self) -> Inspection:
         """See `Box.inspect`."""
-        found = inspect(self._source, self._name)
-        functions = tuple(Defined(*each) for each in found["functions"])
-        fault = SourceFault(*found["fault"]) if found["fault"] else None
-        return Inspection(fault, tuple(map(tuple, found["names"])), functions)
+        return Inspection.read(inspect(self._source, self._name))
 
     def call_many(self, entry: str, calls: Sequence[Sequence[Any]], limits: Limits) -> CallsResult:
         """See `Box.call_many`."""

@@ -19,18 +19,19 @@ from msgspec.structs import replace
 
 from judge.cache import DISK, Store
 from judge.errors import JudgeError, ShortageError, UsageError, shortage, told
-from judge.judging.api import RunOptions
+from judge.judging.options import RunOptions
 from judge.problem import Problem, Verdict
 from judge.run.alone import MeasureLock
 from judge.run.reference import Reference, check_needs
-from judge.run.result import Behaviour, Result, judge_fault
+from judge.run.result import Result, judge_fault
 from judge.run.settings import Progress, Settings
 from judge.sandbox.boundary import Box, BoxFactory
 
 if TYPE_CHECKING:
-    from judge.data.load import ProblemData
+    from judge.data.model import ProblemData
     from judge.diagnose.shrink import Choices
     from judge.mistakes.namer import Namer
+    from judge.repair.search import Repair
     from judge.run.execute import Judged
 
 NAMED = (Verdict.WA, Verdict.RTE)  # the other verdicts do not come from wrong answers
@@ -70,6 +71,7 @@ class Session:
 
         Without `boxes` there are containers. The `store` keeps the data, and what known mistakes answer.
         """
+        given = boxes is not None
         if boxes is None:
             from judge.judging.containment import contained  # not in a tab, which has no processes
 
@@ -78,6 +80,7 @@ class Session:
         self.options = options
         self.bars = bars
         self.open_box = boxes
+        self._in_process = given
         self._store = store
         self.reference = Reference(problem, self.open_box)
         self.lock = MeasureLock(waiting=lambda: self.bars(_WAITING))
@@ -173,16 +176,16 @@ class Session:
                 judged = judge_submission(
                     self.data, source, name, settings, box=box, groups=groups, on_progress=advance
                 )
-            result, runner, does = judged
+            result, runner, _ = judged
             every = len(self.problem.groups)
             result = replace(result, out_of=every if every > len(result.groups) > 0 else 0)
             if runner is None:
                 return result
             if result.failure is not None:
-                from judge.run.hurdle import with_hurdle  # only after a failure
+                from judge.run.entry import entry_error  # only after a failure
                 from judge.run.printed import with_printed
 
-                result = with_hurdle(result, runner, box, source)
+                result = replace(result, hurdle=entry_error(result, runner, box.inspect(), source))
                 if result.hurdle is not None:
                     return result
                 result = with_printed(result, self.data, runner, box)
@@ -192,9 +195,10 @@ class Session:
                 result = result.noting(why) if why else result
             if on_verdict and result.failure is not None:
                 on_verdict(result)
+            judged = judged._replace(result=result)
             if options.diagnosed:
-                result = self.diagnosed(judged._replace(result=result), self.data, box)
-        return self.named(result, does, source) if options.named else result
+                judged = judged._replace(result=self.diagnosed(judged, self.data, box))
+            return self.named(judged, source, box) if options.named else judged.result
 
     def diagnosed(
         self, judged: Judged, data: ProblemData, box: Box, choices: Choices | None = None
@@ -218,17 +222,20 @@ class Session:
             found = runner.explained(found, does)
         return replace(result, counterexample=found)
 
-    def named(self, result: Result, does: Behaviour, source: bytes) -> Result:
+    def named(self, judged: Judged, source: bytes, box: Box) -> Result:
         """The result with its pitfall where there is one; what goes wrong with that is only a note.
 
-        `does` is what the submission answers to the session's cases.
+        `judged` is what the submission in `box` answers to the session's cases.
         """
+        result = judged.result
         if result.verdict not in NAMED:
             return result
         # Whoever waits for the learning sees the verdict meanwhile.
         namer = self._mistakes(f"{result.verdict.value}  {result.submission}; ")
         try:
-            result = namer.named(result, does, source, partial(self._fails_alone, source, result.submission))
+            alone = partial(self._fails_alone, source, result.submission)
+            repair = partial(self._repair, judged, source, box)
+            result = namer.named(result, judged.behaviour, source, alone, repair)
         except Exception as fault:  # the verdict is known, and worth more
             result = result.noting(f"the mistake is not named: {told(fault)}")
         notes, namer.notes = namer.notes, []
@@ -242,6 +249,13 @@ class Session:
             bar = partial(self.bars, f"{told}learning the mistakes of {self.problem.id}, once")
             self._namer = Namer(self.data, self.options.seed, self.untimed, bar, store=self._store)
         return self._namer
+
+    def _repair(self, judged: Judged, source: bytes, box: Box) -> Repair | None:
+        """What makes it right, sought in a box of its own; half as long where everything is one process."""
+        from judge.repair.search import seek
+
+        share = 0.5 if self._in_process else 1.0
+        return seek(self.data, judged, source, box, self.open_box, share=share)
 
     def _fails_alone(self, source: bytes, name: str, group: str, case: int) -> bool:
         """Whether the submission fails one case when nothing was called before it."""

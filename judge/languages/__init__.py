@@ -6,15 +6,16 @@ Python's own end is known here. The others are data, a TOML file each, and none 
 from __future__ import annotations
 
 import os
-from pathlib import Path, PurePath
+from pathlib import PurePath
 from typing import TYPE_CHECKING
+
+from judge.languages.described import NAME as NAME
+from judge.languages.described import SUFFIX as SUFFIX
+from judge.languages.described import VARIABLE as VARIABLE
 
 if TYPE_CHECKING:
     from judge.languages.model import Language
 
-NAME = "Python"
-SUFFIX = ".py"
-VARIABLE = "JUDGE_LANGUAGES"  # more folders with such files, parted by the system's own sign
 PATTERN = f"*{SUFFIX}"  # of such files, for a shell and for a person
 
 
@@ -37,22 +38,6 @@ def language_of(name: str | os.PathLike[str]) -> Language | None:
     from judge.languages.model import language_of_file
 
     return language_of_file(path.name)
-
-
-def folders() -> list[Path]:
-    """Where languages are described: here, and in the folders that `$JUDGE_LANGUAGES` names."""
-    more = os.environ.get(VARIABLE, "").split(os.pathsep)
-    return [Path(__file__).parent, *(Path(each).absolute() for each in more if each)]
-
-
-def is_described(language: str) -> bool:
-    """Whether there is a language of that id; none is read for that."""
-    return language.isidentifier() and any((each / f"{language}.toml").is_file() for each in folders())
-
-
-def described() -> list[str]:
-    """The ids of all languages that are described, by name."""
-    return sorted({path.stem for each in folders() for path in each.glob("*.toml")})
 
 
 def file_name(stem: str, language: Language | None = None) -> str:

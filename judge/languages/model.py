@@ -20,7 +20,7 @@ from msgspec import Meta, Struct
 
 from judge.cache import digest
 from judge.errors import JudgeError, UsageError, nearest
-from judge.languages import NAME, SUFFIX, VARIABLE, folders
+from judge.languages.described import NAME, SUFFIX, VARIABLE, folders
 from judge.languages.scan import PARAMETERS, Tokens, usual_tokens
 from judge.languages.steps import check_pattern, check_tokens
 

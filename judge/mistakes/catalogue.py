@@ -12,6 +12,10 @@ edits = { "b = 2 * b" = "…" }  # lines that make it before the call of a right
 
 [floor-division.in.middle] # in one problem other words, or other of the keys above
 why = "…"
+
+[kind.room]                # what is said of a repair of that kind (judge.repair); {which} is what coincides
+why = "…"
+names = ["…"]              # the mistakes that it may be, the likeliest first
 """
 
 from __future__ import annotations
@@ -25,12 +29,13 @@ import msgspec
 from msgspec import Struct
 
 from judge.cache import DISK, digest
-from judge.errors import ProblemError
+from judge.errors import ProblemError, meant
 from judge.mistakes.features import FEATURES
 from judge.problem import Problem
-from judge.problem.toml import meant, parse_toml, read_text
+from judge.problem.toml import parse_toml, read_text
 
 FILE = "mistakes.toml"
+_KIND = "kind"  # the table of what is said of repairs
 
 
 class Words(Struct, frozen=True):
@@ -50,14 +55,31 @@ class Words(Struct, frozen=True):
         return f"{self.why} {self.advice}".strip()
 
 
+class KindWords(Struct, frozen=True):
+    """What is said of a kind of repair, and the names that it may have."""
+
+    why: str = ""
+    names: tuple[str, ...] = ()
+
+
 Catalogue = Mapping[str, Words]
+Kinds = Mapping[str, KindWords]
 
 
 def read_catalogue(problem: Problem) -> Catalogue:
     """Every mistake's words in this problem; none where the pack has no such file. Raises ProblemError."""
+    return _read(problem)[0]
+
+
+def read_kinds(problem: Problem) -> Kinds:
+    """What is said of each kind of repair; nothing where the pack has no such file. Raises ProblemError."""
+    return _read(problem)[1]
+
+
+def _read(problem: Problem) -> tuple[Catalogue, Kinds]:
     path = problem.solutions.parent / FILE
     if not path.is_file():
-        return {}
+        return {}, {}
     where = f"{path.parent.name}/{FILE}"
     text = read_text(path)
     store, place = DISK, (f"mistakes/words-{digest(os.fsencode(path))[:8]}", text)
@@ -65,11 +87,17 @@ def read_catalogue(problem: Problem) -> Catalogue:
     known = tables is not None
     if tables is None:
         tables = parse_toml(text, where)
-    found = {name: _words(name, table, problem.id, where) for name, table in tables.items()}
+    try:
+        told = msgspec.convert(tables.get(_KIND, {}), dict[str, KindWords])
+    except msgspec.ValidationError as fault:
+        remedy = "why is a text, names is a list"
+        raise ProblemError(f"in [{_KIND}]: {fault}", where=where, remedy=remedy) from None
+    names = [name for name in tables if name != _KIND]
+    found = {name: _words(name, tables[name], problem.id, where) for name in names}
     if not known:
         with suppress(TypeError):  # a date in the words for another problem
             store.write(*place, tables)
-    return found
+    return found, told
 
 
 def _words(name: str, table: Any, problem: str, where: str) -> Words:

@@ -11,7 +11,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from msgspec import Struct
 
-from judge.data.load import ProblemData
+from judge.data.model import ProblemData
 from judge.run.result import Behaviour, Pitfall, Result
 from judge.values import outline
 from judge.values.outline import UNREADABLE, Outline, only_digits
@@ -69,13 +69,24 @@ def of_form(
     if _prints(result, does, forms, has, rights):
         advice = "The function prints its answer and returns None. Return it; printing is for programs."
         return Form(Pitfall(("print-for-return",), 1.0, (advice,)))
+    if forms["type str"] >= _ALL * len(given) and _empty_ones(does, rights):
+        item = problem.answer.one
+        advice = f"Where there is no {item}, a text is returned. Return []."
+        return Form(Pitfall(("none-for-empty",), 1.0, (advice,)))
     for form, (name, advice) in _OF_TYPE.items():
         if forms[form] >= _ALL * len(given):
             return Form(Pitfall((name,), 1.0, (advice,)))
-    if _bare(does, data) >= _ALL * len(given):
-        item = getattr(problem.answer, "one", "item")
+    bare = _bare(does, data)
+    if bare.total() >= _ALL * len(given):
+        item, several = getattr(problem.answer, "one", "item"), max(bare)
+        name = f"{item.replace(' ', '-')}-not-in-a-list"
         advice = f"A single {item} is returned as it is. Return a list, even if it has only one {item}."
-        return Form(Pitfall((f"{item.replace(' ', '-')}-not-in-a-list",), 1.0, (advice,)))
+        if several > 1:
+            name = f"{item.replace(' ', '-')}s-in-one-list"
+            advice = (
+                f"The numbers of {several} {problem.answer.several} are returned in one list. Group them."
+            )
+        return Form(Pitfall((name,), 1.0, (advice,)))
     constant = _constant(does, rights, forms)
     if constant:
         advice = f"{constant} is the answer to every case, whatever the input is."
@@ -99,17 +110,26 @@ def _prints(
     return all(form == "none" for form, _ in _passed(does, rights))
 
 
-def _bare(does: Behaviour, data: ProblemData) -> int:
-    """How many wrong answers are the one item that is wanted, without the list around it."""
+def _empty_ones(does: Behaviour, rights: Mapping[str, Sequence[Outline]]) -> bool:
+    """Whether wrong answers come only where the right one is a list without items."""
+    right = (rights[name][case] for name, answers in does.items() for case in answers.wrong)
+    return all(form.endswith(" 0") for form, _ in right)
+
+
+def _bare(does: Behaviour, data: ProblemData) -> Counter[int]:
+    """How many wrong answers are the right items without a list around each or all, by how many they are."""
     answer = data.problem.answer
     if answer.lengths <= 1:
-        return 0
+        return Counter()
     targets = {each.group.name: each.targets for each in data.groups}
-    return sum(
-        form.startswith("shape ") and _same(numbers, outline.right(answer, targets[name][case])[1])
-        for name, answers in does.items()
-        for case, (form, numbers) in answers.wrong.items()
-    )
+    found: Counter[int] = Counter()
+    for name, answers in does.items():
+        for case, (form, numbers) in answers.wrong.items():
+            right, wanted = outline.right(answer, targets[name][case])
+            if form.startswith("shape ") and _same(numbers, wanted):
+                words = right.split()
+                found[int(words[1]) if words[1:] and words[1].isdigit() else 1] += 1
+    return found
 
 
 def _constant(does: Behaviour, rights: Mapping[str, Sequence[Outline]], forms: Counter[str]) -> str:

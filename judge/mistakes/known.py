@@ -17,7 +17,8 @@ from itertools import chain
 from typing import Any
 
 from judge.cache import DISK, Store, code_key
-from judge.data.load import ProblemData, kept_place
+from judge.data.load import kept_place
+from judge.data.model import ProblemData
 from judge.mistakes.agreement import kind_of
 from judge.mistakes.computed import Computer, Program
 from judge.mistakes.packed import packed, unpacked

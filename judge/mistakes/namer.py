@@ -12,8 +12,9 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from judge.cache import DISK, Store
-from judge.data.load import ProblemData
+from judge.data.model import ProblemData
 from judge.languages import language_of
+from judge.mistakes.catalogue import read_catalogue, read_kinds
 from judge.mistakes.computed import Computer, Program
 from judge.mistakes.family import Choice, Family
 from judge.mistakes.features import features
@@ -22,9 +23,11 @@ from judge.mistakes.known import KnownAnswers, Progress
 from judge.mistakes.makers import Maker, Makers, distinct, read_makers
 from judge.mistakes.naming import Known, Match, best_match
 from judge.mistakes.nearest import nearest
+from judge.mistakes.repaired import Repaired, with_steps
 from judge.mistakes.rights import right_outlines
 from judge.mistakes.same import Cases, Joint, Same, as_match, twins, wrong_answers
 from judge.mistakes.vetoes import Vetoes
+from judge.repair.search import Repair
 from judge.run.result import Behaviour, Pitfall, Result
 from judge.run.settings import Settings
 from judge.values.outline import Outline
@@ -73,26 +76,43 @@ class Namer:
         if not self._answers.kept:
             self._ready()
 
-    def named(self, result: Result, does: Behaviour, source: bytes, alone: Alone) -> Result:
-        """The result with its pitfall, if its wrong answers are well explained by one or two mistakes.
+    def named(
+        self,
+        result: Result,
+        does: Behaviour,
+        source: bytes,
+        alone: Alone,
+        repair: Callable[[], Repair | None] = lambda: None,
+    ) -> Result:
+        """The result with its pitfall: what wrong answers like its own are known for, and what is proved.
 
         `does` is what the submission answers, `source` its text; of one that is longer than any that a person
-        writes nothing is said. Raises JudgeError where the mistakes' programs cannot be judged.
+        writes nothing is said. `repair` seeks the changes that make it right, where nothing is wrong with the
+        answers' form. Raises JudgeError where the mistakes' programs cannot be judged.
         """
         if not any(answers.wrong for answers in does.values()):
             return result
         with _collecting_later():
-            return self._named(result, does, source, alone)
+            result, known = self._named(result, does, source, alone)
+        found = repair() if known is not None else None
+        if known is None or found is None:
+            return result
+        kinds = read_kinds(self._data.problem)
+        told = Repaired(found, known, does, kinds)
+        return with_steps(result, told, kinds, read_catalogue(self._data.problem))
 
-    def _named(self, result: Result, does: Behaviour, source: bytes, alone: Alone) -> Result:
+    def _named(
+        self, result: Result, does: Behaviour, source: bytes, alone: Alone
+    ) -> tuple[Result, Sequence[Known] | None]:
+        """The result with its name, and what else it may be like; None where the answers' form is wrong."""
         has = features(source, language_of(result.submission))
         if has is None:
-            return result
+            return result, None
         found = of_form(result, does, self._data, has, self._rights)
         if found.pitfall is not None:
-            return replace(result, pitfall=found.pitfall)
+            return replace(result, pitfall=found.pitfall), None
         if found.unreadable:
-            return result
+            return result, None
         ready = self._ready()
         vetoes = Vetoes(ready.read.problem, result, does, has, form=found.faulty, alone=alone)
         kept = [
@@ -105,10 +125,11 @@ class Namer:
             alike = [place for place in alike if vetoes.lasting(makers[place].words)]
             match = as_match(does, alike, known)
         if match is None:
-            return result.noting(_why_not(does, [makers[place] for place in alike])) if alike else result
+            note = [_why_not(does, [makers[place] for place in alike])] if alike else []
+            return result.noting(*note), known
         if not all(vetoes.lasting(makers[place].words) for place in match.places):
-            return result
-        return replace(result, pitfall=_pitfall(match, makers))
+            return result, known
+        return replace(result, pitfall=_pitfall(match, makers)), known
 
     def _match(
         self, joint: Joint | None, known: Sequence[Known], does: Behaviour

@@ -22,7 +22,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from msgspec import Struct
 from msgspec.structs import replace
 
-from judge.data.load import GroupData
+from judge.data.model import GroupData
 from judge.mistakes.evidence import Evidence, log_sum
 from judge.mistakes.likeness import BOTH, IN_PART, NEEDED, Likeness
 from judge.run.result import Answers, Behaviour

@@ -11,7 +11,7 @@ from math import isclose
 
 from msgspec import Struct
 
-from judge.data.load import GroupData
+from judge.data.model import GroupData
 from judge.mistakes.naming import Known
 from judge.run.result import Behaviour
 from judge.values.outline import Outline

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from judge.data.load import ProblemData
+from judge.data.model import ProblemData
 from judge.values import outline
 from judge.values.outline import Outline
 

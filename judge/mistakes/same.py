@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cached_property
 from itertools import islice
 
-from judge.data.load import GroupData
+from judge.data.model import GroupData
 from judge.mistakes.evidence import Evidence
 from judge.mistakes.likeness import NEEDED, Likeness
 from judge.mistakes.naming import Known, Match, Rights, gather

@@ -23,7 +23,7 @@ from typing import Annotated
 
 from msgspec import Meta, Struct
 
-from judge.errors import ProblemError, UsageError
+from judge.errors import ProblemError, UsageError, meant
 from judge.practice.events import Answer
 from judge.practice.review import Review, card_reviews
 from judge.practice.syllabus import (
@@ -37,7 +37,7 @@ from judge.practice.syllabus import (
 )
 from judge.problem.find import problem_folders
 from judge.problem.model import TEXT, Name
-from judge.problem.toml import TomlFile, meant, refusal
+from judge.problem.toml import TomlFile, refusal
 
 _QUOTED = 40  # characters of what is typed
 _NUMBER = re.compile(r"(?ai)[+-]?\d{1,40}((\.\d{0,40})?(e[+-]?\d{1,3})?|/0*[1-9]\d{0,39})")

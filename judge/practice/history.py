@@ -260,7 +260,7 @@ def run_of(result: Result, source: bytes, path: str) -> Run:
         verdict=result.verdict,
         score=result.score,
         mode=result.mode,
-        mistake=result.pitfall.name if result.pitfall else None,
+        mistake=result.pitfall.name if result.pitfall and result.pitfall.names else None,
         ratio=result.time.ratio.median if result.time.ratio else None,
         passed=tuple(group.name for group in result.groups if group.verdict is Verdict.AC),
         failed=tuple(group.name for group in result.groups if group.verdict is not Verdict.AC),

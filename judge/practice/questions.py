@@ -24,7 +24,8 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from judge.data.draw import Draw, seeded
-from judge.data.load import ProblemData, Progress, load_data
+from judge.data.load import load_data
+from judge.data.model import ProblemData, Progress
 from judge.drawing import Picture
 from judge.errors import ProblemError
 from judge.practice import cards

@@ -165,8 +165,8 @@ class Learner(Course, frozen=True):
         won = [len(levels_passed(each, self.own.get(each.id, ()))) for each in problems]
         return won.count(1), won.count(2)
 
-    def due(self, time: datetime) -> Due:
-        """What is to be done at that time; a kata that is unfinished is not repeated yet."""
+    def due(self, time: datetime, cards: Sequence[Review] = ()) -> Due:
+        """What is to be done at that time, of the known cards too; an unfinished kata is not repeated yet."""
         here = {folder.name for folder in problem_folders(self.extra)}
         own = ((name, runs) for name, runs in self.own.items() if name in here)
         unsolved = {name: runs for name, runs in own if not any(run.solved for run in runs)}
@@ -176,12 +176,7 @@ class Learner(Course, frozen=True):
         now = [
             Unfinished(name, max(run.score for run in runs), runs[-1].when) for name, runs in unsolved.items()
         ]
-        cards: list[Review] = []
-        if self.answers:  # whoever has answered none waits for no deck
-            from judge.practice.cards import known_cards
-
-            cards = known_cards(self.answers, self.extra)
-        return Due(time, now, due, later, cards)
+        return Due(time, now, due, later, list(cards))
 
 
 def read_learner(history: History, extra: Sequence[Path] = ()) -> Learner:

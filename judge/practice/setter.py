@@ -31,7 +31,7 @@ from judge.problem.load import load_problem
 from judge.problem.model import EXAMPLES, is_name
 from judge.problem.texts import read_hints
 from judge.published import Published
-from judge.run.verify import Fault, Verified, fault_of
+from judge.verify.model import Fault, Verified, fault_of
 
 _TEMPLATE = Path(__file__).resolve().parent.parent / "manual" / "new-kata.md"
 _FILE = re.compile(r"^## `([^`]+)`\n\n```\w+\n(.*?)^```$", re.MULTILINE | re.DOTALL)

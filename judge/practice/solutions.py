@@ -8,11 +8,10 @@ from importlib.util import decode_source
 
 from msgspec import Struct
 
-from judge.errors import ProblemError, UsageError
+from judge.errors import ProblemError, UsageError, meant
 from judge.languages import NAME, SUFFIX
 from judge.problem import Problem
 from judge.problem.solutions import Kind, Solution, parted, read_solutions, tree_of
-from judge.problem.toml import meant
 from judge.run.result import Taken
 
 

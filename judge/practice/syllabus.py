@@ -111,7 +111,8 @@ def find_set(name: str, problems: Sequence[P], extra: Sequence[Path] = ()) -> Pr
         UsageError: there is none of that name.
         ProblemError: its file, or a problem that it lists, is broken, or it has no problem.
     """
-    from judge.problem.toml import TomlFile, meant
+    from judge.errors import meant
+    from judge.problem.toml import TomlFile
 
     files = set_files(extra)
     if name not in files:
@@ -255,7 +256,8 @@ def find_row(name: str, rows: Iterable[Row]) -> Row:
 
 def unknown_names(problems: Iterable[Problem], extra: Sequence[Path] = ()) -> Iterator[ProblemError]:
     """A fault for each set and skill that a problem names and no file does. Raises as read_checklist."""
-    from judge.problem.toml import key_place, meant
+    from judge.errors import meant
+    from judge.problem.toml import key_place
 
     sets, skills = list(set_files(extra)), [skill.name for skill in read_checklist(extra).skills]
     for problem in problems:
@@ -283,7 +285,7 @@ def refuse_unknown(
     file: TomlFile, names: Iterable[str], known: Sequence[str], said: str, *path: str | int
 ) -> None:
     """Raise a ProblemError for the first name of a list in the file that is not known."""
-    from judge.problem.toml import meant
+    from judge.errors import meant
 
     for at, name in enumerate(names):
         if name not in known:

@@ -95,6 +95,9 @@ class Puzzle(Struct, frozen=True):
     why: str = ""
 
 
+Change = Callable[[str, str, tuple[Any, ...]], tuple[Any, ...]]  # (role, name, numbers) -> other numbers
+
+
 class Hooks(Struct, frozen=True):
     """What a topic adds to the engine, all of it optional.
 
@@ -105,12 +108,16 @@ class Hooks(Struct, frozen=True):
             arguments by parameter name, or a usual case. None where the problem has no such page.
         puzzle: a figure for a form of quiz cards, from chance and the problem's `solve`; None for a form
             that it has no figures for.
+        figure: the case with other points, directions and lengths in it: what `change` makes of each, which
+            is told its role ("point", "end" for a point that a line is given by, "way", "length"), its name
+            and its numbers. None where the case has none. So a case is moved, scaled and measured.
     """
 
     picture: Callable[[Shown], Picture | None] | None = None
     simpler: Callable[[Problem, Case], Iterable[Case]] | None = None
     explore: Callable[[Problem, Mapping[str, Any] | None], str | None] | None = None
     puzzle: Callable[[str, Any, Callable[..., Any]], Puzzle | None] | None = None
+    figure: Callable[[Problem, Case, Change], Case | None] | None = None
 
 
 class Declared(Struct, frozen=True):

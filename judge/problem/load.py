@@ -21,6 +21,7 @@ from msgspec.structs import replace
 from judge.cache import DISK, code_files, code_key, content_key, digest, stamp
 from judge.errors import ProblemError
 from judge.problem.model import FORMS, NAME, Listed, Problem, is_name, tupled
+from judge.problem.types import parsed_type
 from judge.values.answers import Words
 from judge.values.atoms import Type
 
@@ -136,14 +137,6 @@ def _code_stamp() -> str:
 
 
 _fraction = cache(Fraction)  # a problem has hundreds of them, most of them alike
-
-
-@cache
-def parsed_type(text: str, folder: Path, words: Words = Words()) -> Type:  # noqa: B008 - frozen
-    """The type of that text; `folder` has the pack's own types, if it is there. Raises TypeFault."""
-    from judge.values.grammar import parse  # not for who lists problems
-
-    return parse(text, folder if folder.is_dir() else None, words)
 
 
 def _encoded(value: Any) -> Any:

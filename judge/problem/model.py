@@ -337,7 +337,7 @@ def chosen_groups(problem: Problem, names: Sequence[str], level: str | None = No
     known = [group.name for group in problem.groups]
     for name in names:
         if name not in known:
-            from judge.problem.toml import meant
+            from judge.errors import meant
 
             raise UsageError(f"{problem.id} has no group {name!r}", remedy=meant(name, known, "it has"))
     chosen = tuple(group for group in problem.groups if not names or group.name in names)

@@ -16,11 +16,10 @@ import msgspec
 from msgspec import Meta, Struct
 from msgspec.structs import replace
 
-from judge.errors import ProblemError
+from judge.errors import ProblemError, meant
 from judge.files import read_ordinary
-from judge.languages import described, is_described
+from judge.languages.described import described, is_described
 from judge.problem.declare import Declared, group
-from judge.problem.load import parsed_type
 from judge.problem.model import (
     EXAMPLES,
     FULL_SCORE,
@@ -36,7 +35,8 @@ from judge.problem.model import (
 )
 from judge.problem.module import load_module
 from judge.problem.texts import read_statement
-from judge.problem.toml import TomlFile, meant, refusal, told
+from judge.problem.toml import TomlFile, refusal, told
+from judge.problem.types import parsed_type
 from judge.values.answers import Tolerance, Words
 from judge.values.atoms import Type
 from judge.values.grammar import TypeFault

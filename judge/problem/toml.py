@@ -11,7 +11,7 @@ from typing import Any, TypeVar
 
 import msgspec
 
-from judge.errors import ProblemError, nearest
+from judge.errors import ProblemError, meant, nearest
 from judge.files import read_ordinary_text
 from judge.problem.model import FORMS, Problem
 
@@ -163,12 +163,6 @@ def told(why: msgspec.ValidationError, raw: Any, shape: Any) -> tuple[str, str, 
 def refusal(what: str, remedy: str) -> ValueError:
     """What a hook raises; {key} in `what` stands for the key."""
     return ValueError(f"{what}\0{remedy}")
-
-
-def meant(name: str, names: Sequence[str], introduction: str = "there are") -> str:
-    """What to do about a name that is none of `names`."""
-    near = nearest(name, names)
-    return f"did you mean {near!r}?" if near else f"{introduction} {', '.join(names) or 'none'}"
 
 
 def _known(kind: Any, path: KeyPath, given: Any) -> Iterator[str]:

@@ -14,6 +14,7 @@ from judge.drawing import Picture
 from judge.drawing.braille import LEAST_ROWS
 from judge.practice.progress import HackState
 from judge.problem import Verdict
+from judge.report.entry import entry_text
 from judge.report.parts import (
     Cell,
     bad,
@@ -33,7 +34,6 @@ from judge.report.parts import (
 from judge.report.picture import case_picture, has_room, made, picture_rows
 from judge.report.published_cases import CaseTried, HackTurn, PageWritten
 from judge.report.screen import Screen, drawn
-from judge.report.tell import obstacle_text
 from judge.report.words import arguments, counted, shown_name
 from judge.run.result import Failure, Obstacle
 from judge.run.tried import Tried
@@ -100,8 +100,8 @@ def _facts(tried: Tried, why: str, brief: bool) -> Iterator[tuple[Cell, Cell]]:
         return
     yield "got", (bad if tried.failed else text)(said.got)
     if said.hurdle is not None:
-        line = said.hurdle.line if said.hurdle.kind is not Obstacle.STUB else 0  # whose sentence has it
-        why = obstacle_text(said.hurdle, problem, said.submission, said.message)
+        line = said.hurdle.line if said.hurdle.kind in (Obstacle.ARITY, Obstacle.MODULE) else 0
+        why = entry_text(said.hurdle, problem, said.submission, said.verdict, said.message)
         yield "why", f"{f'line {line}: ' if line else ''}{why}"
     elif said.message or why:
         yield "why", said.message or why

@@ -17,7 +17,7 @@ import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 
-from judge.problem.model import Verdict
+from judge.problem.model import Problem, Verdict
 from judge.report.tell import annotated_place, place_of, tell
 from judge.report.words import counted, printable, shown_name
 from judge.run.result import Result
@@ -25,15 +25,15 @@ from judge.run.result import Result
 # -- editors -------------------------------------------------------------------------------------------------
 
 
-def editor_lines(result: Result, source: bytes, entry: str) -> Iterator[str]:
+def editor_lines(result: Result, source: bytes, problem: Problem | None) -> Iterator[str]:
     """The lines for one submission; each is one line, whatever a submission said."""
-    told, name = tell(None, result, source), shown_name(result.submission)
+    told, name = tell(problem, result, source), shown_name(result.submission)
     if result.verdict is Verdict.AC:
         yield printable(f"{name}: AC  {told.last}")
         return
-    place = annotated_place(result, source, entry)
+    place = annotated_place(result, source, problem.entry if problem else "")
     where = f"{name}:{place.line}:{place.column or 1}"
-    why = result.failure.message if result.failure else told.last
+    why = told.happened if result.hurdle else result.failure.message if result.failure else told.last
     group = f" in {place_of(result.failure)}" if place_of(result.failure) else ""
     yield printable(f"{where}: error: {result.verdict.value}{group}: {why}")
     if result.counterexample is not None and told.input:
@@ -46,12 +46,12 @@ def editor_lines(result: Result, source: bytes, entry: str) -> Iterator[str]:
 # -- GitHub --------------------------------------------------------------------------------------------------
 
 
-def annotation(result: Result, source: bytes, entry: str, environment: Mapping[str, str]) -> str:
+def annotation(result: Result, source: bytes, problem: Problem | None, environment: Mapping[str, str]) -> str:
     """The command for one submission: an error, or a notice where it is accepted."""
-    told, accepted = tell(None, result, source), result.verdict is Verdict.AC
+    told, accepted = tell(problem, result, source), result.verdict is Verdict.AC
     properties = {"file": _file(result.submission, environment)}
     if result.verdict is not Verdict.JE:
-        place = annotated_place(result, source, entry)
+        place = annotated_place(result, source, problem.entry if problem else "")
         properties["line"] = str(place.line)
         if place.column:
             properties["col"] = str(place.column)

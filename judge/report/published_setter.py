@@ -8,7 +8,7 @@ from judge.errors import ExitCode
 from judge.languages.find import Found
 from judge.published import Published
 from judge.sandbox.attacks import Attacked
-from judge.sandbox.probe import Level
+from judge.sandbox.available import Level
 
 
 class VerifySummary(Struct, frozen=True):

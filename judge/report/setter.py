@@ -30,7 +30,7 @@ from judge.report.parts import (
 )
 from judge.report.screen import Screen
 from judge.report.words import counted, shown_name
-from judge.run.verify import Verified
+from judge.verify.model import Verified
 
 _NAMED = 3  # files that are named beside a reason
 

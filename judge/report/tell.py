@@ -5,22 +5,16 @@ Nothing here writes, knows a terminal or reads the history.
 
 from __future__ import annotations
 
-import os
 import re
-import shlex
-import sys
 from collections.abc import Iterator, Sequence
-from pathlib import Path
 
 from msgspec import Struct
 
-from judge.errors import nearest
-from judge.languages import file_name
 from judge.problem import Problem, Verdict
 from judge.problem.model import Mode
+from judge.report.entry import entry_text
 from judge.report.words import argument, counted, seconds, shown_name, times
-from judge.run.result import Failure, GroupResult, Growth, Hurdle, LevelResult, Obstacle, Pitfall, Result
-from judge.sandbox.boundary import IMPORTING
+from judge.run.result import Failure, GroupResult, Growth, LevelResult, Obstacle, Pitfall, Result
 
 _PLACE = re.compile(r" \(line (\d{1,9})\)")
 # As judge.run.execute writes a compiler's complaint, whose quotation of the line follows it.
@@ -118,7 +112,12 @@ def place_of(failure: Failure | None) -> str:
 
 
 def mistake_text(pitfall: Pitfall) -> str:
-    """`Very likely mistake: above-for-left (or slope-intercept)`."""
+    """`Very likely mistake: above-for-left (or slope-intercept)`; without a name where it was found."""
+    if not pitfall.names:
+        if len(pitfall.steps) > 1:
+            return "Several mistakes found"
+        line = next((f" in line {step.line}" for step in pitfall.steps if step.line), "")
+        return f"Mistake found{line}"
     likely = "Very likely" if pitfall.score >= _LIKELY else "Likely"
     several = "mistakes" if len(pitfall.names) > 1 else "mistake"
     perhaps = f" (or {' or '.join(pitfall.perhaps)})" if pitfall.perhaps else ""
@@ -128,7 +127,27 @@ def mistake_text(pitfall: Pitfall) -> str:
 def _advice(pitfall: Pitfall) -> tuple[str, ...]:
     several = len(pitfall.names) > 1
     pairs = zip(pitfall.names, pitfall.advice, strict=False)  # a kept result may be damaged
-    return tuple(f"{name}: {text}" if several else text for name, text in pairs if text)
+    told = [f"{name}: {text}" if several else text for name, text in pairs if text]
+    return (*told, *(_step(pitfall, at) for at in range(len(pitfall.steps))))
+
+
+def _step(pitfall: Pitfall, at: int) -> str:
+    """`line 19: 73 of 531 failures hang on it`; what was seen there where the step has no name."""
+    step, several = pitfall.steps[at], len(pitfall.steps) > 1
+    parts = [
+        ("Then" if at else "One of several") if several else "",
+        f"line {step.line}" if step.line else "",
+    ]
+    place = ", ".join(filter(None, parts))
+    seen = (
+        f"{step.why} "
+        if step.why and step.name is None
+        else f"{step.name}: "
+        if several and step.name
+        else ""
+    )
+    share = f"{step.gone:,} of {counted(step.of, 'failure')} {'hangs' if step.gone == 1 else 'hang'} on it"
+    return f"{place}: {seen}{share}" if place else f"{seen}{share}"
 
 
 def _happened(problem: Problem | None, result: Result) -> str:
@@ -138,7 +157,7 @@ def _happened(problem: Problem | None, result: Result) -> str:
         return ""
     message, unplaced = failure.message, failure.input is None
     if result.hurdle is not None and problem is not None:
-        return obstacle_text(result.hurdle, problem, result.submission, message)
+        return entry_text(result.hurdle, problem, result.submission, verdict, message)
     if verdict is Verdict.JE or (verdict is Verdict.WA and not unplaced):
         return ""
     place = fault_place(result)
@@ -326,46 +345,3 @@ def annotated_place(result: Result, source: bytes, entry: str) -> FilePlace:
     # Not by parsing: the file is nobody's yet, and a compiler can be made to crash.
     defined = re.search(rb"^(?:async[ \t]+)?(?:def[ \t]+%s\b|%s[ \t]*(?::.*)?=)" % (name, name), source, re.M)
     return FilePlace(source.count(b"\n", 0, defined.start()) + 1 if defined and entry else 1)
-
-
-_ONE_FILE = "a submission is one file"
-_KNOWN = ("numpy", "scipy", "sympy", "mpmath", "shapely")  # of the modules that Python does not bring
-
-
-def obstacle_text(hurdle: Hurdle, problem: Problem, submission: str, message: str) -> str:
-    """The obstacle and the remedy in a sentence or two; `message` is the failure's."""
-    entry, count = problem.entry, len(problem.parameters)
-    call = f"{entry}({', '.join(parameter.name for parameter in problem.parameters)})"
-    match hurdle.kind:
-        case Obstacle.STUB:
-            line = f" (line {hurdle.line})" if hurdle.line else ""
-            return f"Write the body of {entry}{line}, then save."
-        case Obstacle.ARITY:
-            return f"{entry} takes {hurdle.takes} arguments and is called with {count}: {call}"
-        case Obstacle.MODULE:
-            return _missing_module(submission, hurdle.name)
-        case Obstacle.IMPORT:
-            ended = message.removesuffix(IMPORTING)
-            more = ", or use 'judge run --mode program'" if ended.startswith("EOFError") else ""
-            return f"{ended} ends the import; put what only you need below if __name__ == '__main__':{more}"
-        case Obstacle.NESTED:
-            return f"{entry} stands in a class or another function: move it out, to the left margin"
-        case Obstacle.MISNAMED:
-            return f"there is no {entry}; is {hurdle.name} meant to be it? Rename it: def {call}"
-        case Obstacle.NO_ENTRY:
-            return (
-                f"there is no {entry}: write def {call}, which returns the answer; "
-                "a print at the top level answers nothing"
-            )
-
-
-def _missing_module(submission: str, name: str) -> str:
-    top = name.partition(".")[0]
-    beside = Path(submission).parent / top
-    if any(os.path.lexists(path) for path in (beside, beside.with_name(file_name(top)))):
-        return f"{top} cannot be imported: {_ONE_FILE}; move what it needs of {top} into it"
-    meant = None if top in _KNOWN else nearest(top, [*_KNOWN, *sys.stdlib_module_names])
-    if meant:
-        return f"there is no module {top}; did you mean {meant}? {_ONE_FILE.capitalize()}"
-    install = shlex.join([sys.executable, "-m", "pip", "install", top])
-    return f"there is no module {top} where the judge runs, and {_ONE_FILE}. To add it: {install}"

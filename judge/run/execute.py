@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import codecs
 from collections.abc import Collection, Sequence
 from contextlib import ExitStack
 from typing import TYPE_CHECKING, NamedTuple
@@ -20,10 +19,11 @@ from judge.run.result import Behaviour, Failure, GroupResult, LevelResult, Resul
 from judge.run.runner import Runner, runner_for
 from judge.run.settings import Progress, Settings
 from judge.run.timing import BESIDE, Decision, disturbed
-from judge.sandbox import Box, SourceFault, Usage
+from judge.run.unreadable import why_unreadable
+from judge.sandbox import Box, Usage
 
 if TYPE_CHECKING:
-    from judge.data.load import ProblemData
+    from judge.data.model import ProblemData
 
 _LONG_WAIT_SECONDS = 2.0
 _WAITED = "Waited: another judge of yours was timing"  # without the seconds, so that it is said once
@@ -93,8 +93,8 @@ def judge_submission(
 def opened(box: Box, problem: Problem, source: bytes, *, program: bool = False) -> Runner | Failure:
     """How to run the submission in `box`, as a `program` where it must be one; or why it does not compile."""
     inspection = box.inspect()
-    if inspection.fault:
-        return Failure(_fault_text(inspection.fault, source))
+    if fault := why_unreadable(source, inspection.fault):
+        return Failure(fault)
     return runner_for(problem, inspection, source, program=program)
 
 
@@ -225,23 +225,3 @@ class _Judging:
         self._after_calls(run)
         if run.verdict is Verdict.TLE or run.out_of_time:
             self.budget.ran_out_of_time(at_once=run.reached <= 1 < len(run.cases))
-
-
-def _fault_text(fault: SourceFault, source: bytes) -> str:
-    """Why a source does not compile, in one line."""
-    if source.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)) or (
-        len(source) > 15 and not any(source[1:16:2])
-    ):
-        return "the file is UTF-16; save it as UTF-8"
-    if "unicode error" in fault.message:
-        try:
-            source.decode()
-        except UnicodeDecodeError as error:
-            line = source.count(b"\n", 0, error.start) + 1
-            byte = f"0x{source[error.start]:02x}"
-            return f"the file is not UTF-8: byte {byte} (line {line}); save it as UTF-8"
-    place = f"line {fault.line}" if fault.line else ""
-    place += f", column {fault.column}" if fault.line and fault.column else ""
-    text = fault.text.strip()
-    quoted = f": {text[:120]}" if text else ""
-    return f"{fault.message} ({place}){quoted}" if place else fault.message

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from msgspec.structs import replace
 
-from judge.data.load import GroupData, ProblemData
+from judge.data.model import GroupData, ProblemData
 from judge.problem import Case, Group, Problem, Verdict
 from judge.run.replies import VERDICTS, Replies
 from judge.run.result import Answers, Failure, GroupResult, short_answer

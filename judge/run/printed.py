@@ -15,7 +15,7 @@ from judge.problem import Verdict
 from judge.sandbox.boundary import Usage
 
 if TYPE_CHECKING:
-    from judge.data.load import ProblemData
+    from judge.data.model import ProblemData
     from judge.run.result import Failure, Result
     from judge.run.runner import Runner
     from judge.sandbox.boundary import Box

@@ -14,7 +14,6 @@ from typing import Any, ClassVar
 from msgspec import Struct
 from msgspec.structs import replace
 
-from judge.errors import nearest
 from judge.problem import Case, Problem, TimeRule, Verdict
 from judge.problem.model import Mode, Parameter, tupled
 from judge.run.replies import VERDICTS, Breakdown, Replies
@@ -28,25 +27,22 @@ from judge.values.types import is_pair
 from judge.values.wire import Raw
 
 SHOWN = 80  # characters of a line that is quoted
-_READS = (b"stdin", b"input", b"open(0", b"os.read")  # what a program that is meant as one has somewhere
 _CHOKED = re.compile(  # an exception's first words where a line of input is not what the program takes it for
     r"ValueError: (invalid literal|could not convert|(too many|not enough) values to unpack|Invalid literal)"
     r"|EOFError|(decimal\.)?InvalidOperation.*ConversionSyntax"
     r"|IndexError: .*index out of range.*after 0 lines"
 )
 _PROMPT = re.compile(rb"""\binput\([rRfFbB]?("[ -!#-~]{1,40}"|'[ -&(-~]{1,40}')""")
-_FUNCTION = re.compile(rb"def ([^\s(]++)\(")
 _OWN_ENDS = (Stop.ANSWERED, Stop.EXCEPTION, Stop.EXITED)  # many a program has an exit status of its own
 
 
 class ProgramRunner(Struct, frozen=True):
     """Runs the whole program; see `judge.run.runner.Runner`.
 
-    `names` are those that its source binds; `asked` says that a program is what it was to be run as.
+    `asked` says that a program is what it was to be run as.
     """
 
     problem: Problem
-    names: tuple[tuple[str, int], ...] = ()  # each with its line
     source: bytes = b""
     language: str = ""
     asked: bool = False
@@ -95,12 +91,11 @@ class ProgramRunner(Struct, frozen=True):
         return rule.program
 
     def explained(self, failure: Failure, does: Behaviour = NOTHING) -> Failure:
-        """The failure, told what it could not read, or that the entry is missing and so made it a program.
+        """The failure, told what it could not read.
 
         What the submission `does` tells whether any answer could be read.
         """
-        meant = self.language or self.asked
-        notes = [] if meant else [_why_a_program(self.problem.entry, self.names, self.source)]
+        notes: list[str] = []
         if failure.input is not None and _CHOKED.match(failure.message):
             notes.insert(0, self._read(tuple(map(tupled, failure.input.values()))))
         notes.append(wrong_form(does, self.source))
@@ -148,10 +143,10 @@ def _words(parameter: Parameter) -> str:
 def answer_lines(stdout: bytes, *, complete: bool) -> list[str]:
     """The lines of an output, without blank ones at its end.
 
-    Bytes that are not ASCII become characters that no answer holds. Where the output is not `complete`, an
+    What is no ASCII stays, and no answer holds it. Where the output is not `complete`, an
     unfinished last line is left out: it may be half a number.
     """
-    text = stdout.decode("ascii", errors="replace").replace("\r\n", "\n")
+    text = stdout.decode(errors="replace").replace("\r\n", "\n")
     *lines, rest = text.split("\n")
     if complete:
         lines.append(rest)
@@ -194,43 +189,6 @@ def _breakdown(result: ProgramResult, lines: Sequence[str], count: int) -> Break
         return None
     so_far = f", after {_counted(len(lines), 'line')} of {count}"
     return Breakdown(VERDICTS[result.stop], result.detail, min(len(lines), count - 1), so_far=so_far)
-
-
-class MissingEntry(Struct, frozen=True):
-    """A source was taken for a program only because it defines no entry function at its top level.
-
-    `nested` says that the function is there, within a class or another function; `close` is a name like the
-    entry's that it binds in `line`.
-    """
-
-    nested: bool
-    close: str = ""
-    line: int = 0
-
-
-def missing_entry(entry: str, names: Sequence[tuple[str, int]], source: bytes) -> MissingEntry | None:
-    """What a source that may not be meant as a program has for an entry; None where it is meant as one."""
-    nested = f"def {entry}(".encode() in source
-    reads = any(word in source for word in _READS)
-    # In what reads its input a variable of a name like the entry's means nothing.
-    functions = set(_FUNCTION.findall(source)) if reads else set()
-    close = nearest(entry, (name for name, _ in names if not reads or name.encode() in functions))
-    if close is None and not nested and reads:
-        return None
-    return MissingEntry(nested, close or "", dict(names).get(close or "", 0))
-
-
-def _why_a_program(entry: str, names: Sequence[tuple[str, int]], source: bytes) -> str:
-    """Why a source was taken for a program that may not be meant as one; nothing where it reads its input."""
-    missing = missing_entry(entry, names, source)
-    if missing is None:
-        return ""
-    note = f"it was run as a program because it defines no {entry}"
-    if missing.nested:
-        return f"{note} at its top level: move it out of the class or function it stands in"
-    if missing.close:
-        return f"{note}; is {missing.close} (line {missing.line}) meant to be it?"
-    return note
 
 
 def _counted(count: int, noun: str) -> str:

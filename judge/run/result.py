@@ -184,17 +184,33 @@ class Taken(Struct, frozen=True):
     why_not: str = ""
 
 
+class MistakeStep(Struct, frozen=True):
+    """One thing that is wrong, proved by a change of the program: `gone` of the `of` failures hang on it.
+
+    `name` is the mistake's where that is sure, `kind` the sort of change, `line` where it is, 0 where it has
+    no line. `why` says what was seen there.
+    """
+
+    name: str | None
+    kind: str
+    line: int
+    gone: int
+    of: int
+    why: str = ""
+
+
 class Pitfall(Struct, frozen=True):
     """The mistake that explains the wrong answers, or the two together; `score` is between 0 and 1.
 
     `advice` says of each what is wrong. `perhaps` is another mistake that explains them nearly as well, if
-    there is one.
+    there is one. `steps` are what was proved, the largest first: all that is known where there is no name.
     """
 
     names: tuple[str, ...]
     score: float
     advice: tuple[str, ...]
     perhaps: tuple[str, ...] = ()
+    steps: tuple[MistakeStep, ...] = ()
 
     @property
     def name(self) -> str:
@@ -211,19 +227,24 @@ class Obstacle(Enum):
     IMPORT = "import"  # an exception ends its import
     NESTED = "nested"  # the entry function stands in a class or another function
     MISNAMED = "misnamed"  # there is a name like the entry function's
+    TEXT = "text"  # its definition stands in a text
+    COMMENT = "comment"  # or in a comment
+    EMPTY = "empty"  # nothing but comments is in the file
     NO_ENTRY = "no entry"  # there is no entry function, and nothing is read
 
 
-class Hurdle(Struct, frozen=True):
+class EntryError(Struct, frozen=True):
     """An obstacle in `line` of the file, 0 where it has none.
 
-    `name` is the module, or the name that is like the entry's; `takes` says how many arguments it takes.
+    `name` is the module, the name that is like the entry's, or the "print" that is there; `takes` says how
+    many arguments it takes, `within` what a function stands in: "class Solution", "function main".
     """
 
     kind: Obstacle
     line: int = 0
     name: str = ""
     takes: str = ""
+    within: str = ""
 
 
 class Result(Struct, frozen=True, kw_only=True):
@@ -250,7 +271,7 @@ class Result(Struct, frozen=True, kw_only=True):
     failure: Failure | None = None
     counterexample: Failure | None = None
     pitfall: Pitfall | None = None
-    hurdle: Hurdle | None = None
+    hurdle: EntryError | None = None
     time: Timing = Timing()
     memory_bytes: int = 0
     isolation: str = ""
@@ -260,7 +281,7 @@ class Result(Struct, frozen=True, kw_only=True):
     def __repr__(self) -> str:
         """One line: who did what, and how it ended."""
         where = f", in {self.failure.group}" if self.failure and self.failure.group else ""
-        named = f", {self.pitfall.name}" if self.pitfall else ""
+        named = f", {self.pitfall.name}" if self.pitfall and self.pitfall.names else ""
         points = f"{self.score} of {self.points} points"
         return f"<Result {self.problem} {self.submission}: {self.verdict.value}, {points}{where}{named}>"
 

@@ -108,4 +108,4 @@ def runner_for(problem: Problem, inspection: Inspection, source: bytes, *, progr
         return FunctionRunner(problem, inspection.language)
     from judge.run.program import ProgramRunner  # most submissions are functions
 
-    return ProgramRunner(problem, inspection.names, source, inspection.language, asked=program)
+    return ProgramRunner(problem, source, inspection.language, asked=program)

@@ -15,7 +15,7 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from judge.data.build import Fresh
-from judge.data.load import GroupData, ProblemData
+from judge.data.model import GroupData, ProblemData
 from judge.problem import Problem, Verdict
 from judge.run.alone import MeasureLock
 from judge.run.budget import Budget

@@ -9,7 +9,7 @@ from msgspec import Struct
 from judge.problem import Case, Group, Problem, Verdict
 from judge.problem.model import Mode
 from judge.problem.module import Module
-from judge.run.result import Hurdle
+from judge.run.result import EntryError
 from judge.values import show
 from judge.values.answers import Exact, Target
 
@@ -29,7 +29,7 @@ class Said(Struct, frozen=True):
     mode: Mode | None = None
     given: Any = None
     printed: str = ""
-    hurdle: Hurdle | None = None
+    hurdle: EntryError | None = None
 
 
 class Tried(Struct, frozen=True):

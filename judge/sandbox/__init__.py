@@ -24,7 +24,7 @@ from judge.sandbox.factory import Boxes
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from judge.sandbox.probe import Level
+    from judge.sandbox.available import Level
 
 __all__ = [
     "LEVELS",
@@ -61,6 +61,6 @@ def open_box(source: bytes, name: str, *, level: str | None = None, hide: Iterab
 
 def levels(hide: Iterable[Path] = ()) -> tuple[Level, ...]:
     """What this machine gives, the best level first, by trying each; `hide` as of `open_box`."""
-    from judge.sandbox import probe
+    from judge.sandbox import available
 
-    return probe.levels(hide)
+    return available.levels(hide)

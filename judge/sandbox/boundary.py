@@ -7,7 +7,7 @@ figures that were measured from outside. Nothing here knows what a problem is.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from enum import Enum
 from typing import Any, NamedTuple, Protocol
 
@@ -90,13 +90,32 @@ class Defined(NamedTuple):
         return self.least <= count and (self.most < 0 or count <= self.most)
 
 
+class Inner(NamedTuple):
+    """A function that stands `within` a "class Solution" or a "function main"."""
+
+    name: str
+    line: int
+    within: str
+
+
 class Inspection(NamedTuple):
     """What a source is, found inside the containment without running it."""
 
     fault: SourceFault | None
     names: tuple[tuple[str, int], ...] = ()  # what it binds at module level, each with its line
     functions: tuple[Defined, ...] = ()  # of these, those that are plain functions
+    inner: tuple[Inner, ...] = ()
     language: str = ""  # its name; "" for Python
+
+    @classmethod
+    def read(cls, found: Mapping[str, Any]) -> Inspection:
+        """What `inside.source.inspect` found in a Python source."""
+        return cls(
+            SourceFault(*found["fault"]) if found["fault"] else None,
+            tuple((name, line) for name, line in found["names"]),
+            tuple(Defined(*each) for each in found["functions"]),
+            tuple(Inner(*each) for each in found["inner"]),
+        )
 
     def defines(self, name: str) -> bool:
         """Whether the module binds `name` at its top level."""

@@ -18,7 +18,6 @@ from judge.sandbox import imports, outcome, packing, room, shared
 from judge.sandbox.boundary import (
     IMPORTING,
     CallsResult,
-    Defined,
     Inspection,
     Limits,
     ProgramResult,
@@ -115,9 +114,7 @@ class ForkServerBox:
             return Inspection(SourceFault(f"the compiler did not survive it: {text}"))
         found = outcome.parse_inspection(replies)
         self._modules = imports.to_import(found["modules"])
-        fault = SourceFault(*found["fault"]) if found["fault"] else None
-        functions = tuple(Defined(*each) for each in found["functions"])
-        return Inspection(fault, tuple((name, line) for name, line in found["names"]), functions)
+        return Inspection.read(found)
 
     def _ask_trusted(self, kind: bytes, payload: bytes) -> Done:
         """A request in which nothing foreign runs: what is lost or killed then, the machine has lost."""

@@ -21,7 +21,6 @@ from typing import Any, TypeVar
 
 import msgspec
 
-from judge import __version__
 from judge.cache import DISK, code_key, digest
 from judge.data.load import load_data
 from judge.drawing.svg import panel_svg
@@ -36,6 +35,7 @@ from judge.problem.module import load_module
 from judge.report.published_setter import SiteBuilt
 from judge.run.settings import Settings
 from judge.site.texts import kata_page
+from judge.version import __version__
 
 T = TypeVar("T")
 Stage = Callable[[str, int, int], None]  # what is at work, katas done, katas in all
@@ -45,7 +45,7 @@ _PACKAGE = Path(__file__).parent.parent
 _IN_A_TAB = (  # of this package; the rest is for processes, terminals and machines
     *("__init__.py", "cache.py", "errors.py", "files.py"),
     *("exact", "values", "drawing", "problem", "data", "geometry", "sandbox", "languages", "run", "diagnose"),
-    *("mistakes", "judging", "report", "site"),
+    *("repair", "mistakes", "judging", "report", "site"),
 )
 _LEFT_OUT = {"attacks.py", "drivers", "html", "page", "__pycache__"}
 _SEED = 1  # of what is left to chance in cards

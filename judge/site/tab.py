@@ -20,8 +20,8 @@ from typing import Any, Protocol, TypeVar
 import msgspec
 
 from judge.cache import decoded
-from judge.data.load import ProblemData
-from judge.judging.api import RunOptions
+from judge.data.model import ProblemData
+from judge.judging.options import RunOptions
 from judge.judging.session import Session
 from judge.problem import Problem
 from judge.problem.declare import Shown

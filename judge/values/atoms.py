@@ -105,15 +105,14 @@ class Type:
         return self.text
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, Type) and self.__reduce__() == other.__reduce__()
+        return isinstance(other, Type) and self._key == other._key
 
     def __hash__(self) -> int:
-        return hash(self.__reduce__())
+        return hash(self._key)
 
-    def __reduce__(self) -> tuple[Callable[..., Type], tuple[str, Path | None, Words]]:
-        from judge.values.grammar import parse
-
-        return parse, (self.text, self.folder, self.words)
+    @property
+    def _key(self) -> tuple[str, Path | None, Words]:
+        return self.text, self.folder, self.words
 
     @property
     def items(self) -> int:

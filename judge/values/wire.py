@@ -255,7 +255,11 @@ class Tokens:
         line = line.removesuffix("\r")
         foreign = _FOREIGN.search(line)
         if foreign:
-            name = "a NUL" if foreign[0] == "\0" else f"the character {foreign[0]!a}"
+            name = (
+                f"{foreign[0]!r} (U+{ord(foreign[0]):04X})"
+                if foreign[0] != "\ufffd"
+                else "a byte of no UTF-8"
+            )
             raise Unreadable(f"{name} in the output: answers are plain ASCII text")
         self.words = line.split()[::-1]
         self.meant = meant

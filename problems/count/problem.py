@@ -13,6 +13,21 @@ TELLING = plain.count, partial(plain.count, tolerance=1e-10)
 CLEAR = {**NEAR, "least": 7}
 
 
+def spread(draw, far=-24):
+    """A level or upright touch in numbers of 1e-30 to 1e9, of which exact products have hundreds of digits."""
+    near, r, far = (draw.integer(2**52, 2**53) * 2.0**power for power in (-151, draw.choice((-56, -100, -151)), far))
+    ends = [(near, r * draw.sign())]
+    ends.insert(draw.integer(0, 1), (far * draw.sign(), ends[0][1]))
+    return 0, 0, r, *(ends if draw.boolean() else [end[::-1] for end in ends])
+
+
+def speck(draw):
+    """A and B are a few times 1e-30 away from one another, and C is 10 to 1e9 away."""
+    A, B = ((draw.integer(-9, 9) * 2.0**-99, draw.integer(-9, 9) * 2.0**-99) for _ in "AB")
+    size = 10 ** draw.integer(1, 9)
+    return draw.integer(-size, size), draw.integer(-size, size), draw.integer(1, size), A, B
+
+
 def solve(cx, cy, r, A, B):
     return Line.through(cx, cy, r, A, B).count()
 
@@ -22,7 +37,7 @@ INTERVIEW = [
     group("lines", "Lines that cut, touch and miss.", lines("cut ?by ?by", "touch ?by ?by", "miss ?by ?by", **PLAIN), skills="distance against radius"),
     group("tangent", "The line touches: one point.", lines(*TOUCHES, **PLAIN), skills="collapse the tangent"),
     group("decimals", "Touches in short decimals, which == does not see.", telling(lines(*TOUCHES, "touch after foot", **DECIMALS), *TELLING), skills="collapse the tangent"),
-    group("axis-parallel", "Level and upright lines.", lines("cut ?by ?by", "touch ?by ?by", "miss ?by ?by", **AXIS), skills="no slopes"),
+    group("axis-parallel", "Level and upright lines.", lines("cut ?by ?by", "touch ?by ?by", "miss ?by ?by", "dot ?by ?by", **AXIS), skills="no slopes"),
     group("off-segment", "The line crosses, the segment from A to B does not.", lines("cut after after", "cut before before", "cut in in", **PLAIN), skills="a line has no ends"),
     group("from-centre", "A or B is the centre, or the foot of the perpendicular.", lines("through foot ?by", "cut foot ?by", "miss foot ?by", **PLAIN), skills="distance against radius"),
     group("radius-zero", "The circle is a point: on the line, or beside it.", lines("dot ?by ?by", "dot foot ?by", "dot-miss ?by ?by", **PLAIN), skills="r = 0"),
@@ -38,9 +53,10 @@ PRODUCTION = [  # the same, where rounding bites
     group("dot-full", "The circle is a point, on a line that floats put beside it.", lines("dot before after", "dot far by", "dot far foot", **SPLIT), skills="r = 0"),
     group("tiny", "All of it tiny, down to 1e-29.", either(lines("touch before after", "touch~ before after", **TINY), lines("touch by ?by", "cut by ?by", **{**TINY, "turn": "axis"})), skills="no absolute epsilon"),
     group("offset", "A small figure far from the origin.", lines(*TOUCHES, "touch before after", "cut before after", "miss before after", "dot-miss before after", "touch~ before after", "touch~ by foot", **OFFSET), skills="far from the origin"),
-    group("far", "A or B is up to ten million radii away.", lines("touch foot far", "touch foot very-far", "touch -far far", "touch~ foot far", "through foot farther", "through farther by", **FAR), skills="the sharp discriminant"),
+    group("far", "A or B is up to a hundred million radii away.", either(lines("touch foot far", "touch foot very-far", "touch -far far", "touch~ foot far", **FAR), lines("through foot farther", "through farther by", **FAR), lines("touch remote foot", **{**FAR, "size": 1 << 8, "turn": "any"})), cases=120, skills="the sharp discriminant"),
     group("steep", "Directions almost along an axis.", either(lines("touch before after", "cut before after", "miss before after", **STEEP), lines("cut before after", "miss before after", "cut in in", **TILTED)), skills="no slopes"),
     group("close-points", "A and B are close together, and still two points.", closed_up("touch by", "cut by", "miss by", "through in"), skills="degenerate line"),
+    group("spread", "Tiny numbers beside large ones: fixed digits hold no more than some of them.", either(spread, speck, telling(partial(spread, far=-140), *TELLING)), cases=90, skills="degenerate line"),
     group("large", "Whole numbers up to 2**30, some of them touches.", either(whole("nnrpp", 30), lines(*TOUCHES, **{**BIG, "shift": 0, "numbers": "int"})), skills="whole numbers that are large"),
     group("corners", "Whole numbers at the ends of the bounds: a difference leaves 32 bits, a sum of squares 64.", either(corners("nnrpp", 30), lambda draw: (0, 0, *corners("rpp", 30)(draw))), skills="whole numbers that are large"),
     group("repeated", "Neighbouring calls differ in one argument.", grid("nnrpp", 3), turns=True, skills="nothing kept between calls"),

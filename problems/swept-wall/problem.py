@@ -5,12 +5,13 @@ from functools import partial
 from judge.geometry import plain
 from judge.geometry.hooks import WALL, hooks
 from judge.geometry.motion import wall_meeting
-from judge.geometry.scenes import AXIS, BIG, DECIMALS, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, either, grid, telling, uniform, walls, whole
+from judge.geometry.scenes import AXIS, BIG, DECIMALS, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, either, grid, meeting, telling, uniform, walls, whole
 from judge.problem.declare import group
 
 HOOKS = hooks(WALL)
 BIGGER = {**BIG, "size": 2**14}
 FULL = {**HUGE, "size": 2**34}
+CLEAR = {**NEAR, "least": 7}
 AFAR = {**NEAR, "size": 2**8, "move": 30}
 GRAZES = "graze cap", "graze post"
 TELLING = plain.wall_meet, partial(plain.wall_meet, tolerance=1e-10)
@@ -21,6 +22,23 @@ def solve(P0, P1, r, A, B):
     return wall_meeting(P0, P1, r, A, B)
 
 
+def ending(draw):
+    """A point that begins or ends its way at an end of the wall."""
+    P, X, r, Q, *_ = meeting(30)(draw)
+    if draw.boolean():  # the end is the origin, and all lies to one side of it
+        side = draw.sign()
+        X, P, Q = (0, 0), *(tuple([side * abs(each) for each in point]) for point in (P, Q))
+    return *draw.choice(((P, X), (X, P))), r, *draw.choice(((Q, X), (X, Q)))
+
+
+def parallel(draw):
+    """A way parallel to the wall that begins right above or beside an end of it."""
+    x, y, u, v, h = (draw.integer(-99, 99) for _ in range(5))
+    z, w = draw.choice(((x + h, y), (x, y + h)))
+    times = draw.integer(-3, 3)
+    return (z, w), (z + times * u, w + times * v), draw.integer(0, abs(h)), *draw.choice((((x, y), (x + u, y + v)), ((x + u, y + v), (x, y))))
+
+
 INTERVIEW = [
     group("grid", "Small whole numbers: everything that can happen.", grid("pprpp", 4), cases=180, skills="the small grid"),
     group("side", "Onto the side of a wall at any angle.", either(walls("hit side", **PLAIN), walls("hit side", **AXIS)), skills=("fatten the wall", "t is not a distance")),
@@ -28,31 +46,33 @@ INTERVIEW = [
     group("ends", "Onto an end, which is round.", walls("hit cap", **PLAIN), skills=("fatten the wall", "a wall has round ends")),
     group("overlap", "Disc and wall overlap or touch from the start, whatever the disc does then: t = 0.", walls("overlap side", "overlap cap", "start side", "start cap", "start post", **PLAIN), skills="touching from the start"),
     group("away", "The disc leaves the wall, or rests beside it: the touch was before the start, or never.", walls("away side", "away cap", "rest side", "rest cap", **PLAIN), skills="first in time"),
-    group("short", "The disc stops before the wall.", walls("short side", "short cap", "short post", **PLAIN), skills="first in time"),
+    group("short", "The disc stops before the wall, or before it would graze it.", walls("short side", "short cap", "short post", "shy cap", "shy post", **PLAIN), skills="first in time"),
     group("graze", "The disc grazes an end.", walls(*GRAZES, "graze cap", **PLAIN), skills="a graze is a touch"),
     group("slide", "The disc slides along the wall, and touches it from its first end on.", walls("slide side", **PLAIN), skills=("a graze is a touch", "a wall has round ends")),
+    group("parallel", "A way parallel to the wall, from right above or beside an end of it.", parallel, skills="first in time"),
     group("post", "A wall that is a point.", walls("hit post", "hit post", "graze post", "short post", **PLAIN), skills="a wall has round ends"),
-    group("point", "The radius is 0, or so small beside the way and the wall: the disc is a point.", walls("hit side dot", "hit post dot", "end side dot", "end post dot", "start cap dot", "short side dot", "rest post dot", "hit side grain", "hit side grain", "short side grain", "past side grain", **{**PLAIN, "shift": -20}), cases=90, skills="first in time"),
+    group("point", "The radius is 0, or so small beside the way and the wall: the disc is a point.", walls("hit side dot", "hit post dot", "end side dot", "end post dot", "start cap dot", "short side dot", "rest post dot", "hit side grain", "hit side grain", "short side grain", "past side grain", "hit cap grain", "hit cap grain", **{**PLAIN, "shift": -20}), cases=100, skills="first in time"),
     group("still", "The disc rests, on the wall or beside it.", walls("rest side", "rest cap", "rest post", **PLAIN), skills="touching from the start"),
     group("fast", "A way of many radii: no coarse clock sees the touch.", walls("fast side", "fast cap", "fast post", **{**PLAIN, "shift": -20}), skills="never step through"),
     group("repeated", "Neighbouring calls differ in one argument.", grid("pprpp", 4), turns=True, skills="nothing kept between calls"),
 ]
 
 PRODUCTION = [  # the same, where rounding bites
-    group("decimals", "Touches in short decimals, which == does not see.", either(telling(walls("slide side", "end side", "start side", "start side", **DECIMALS), *TELLING), walls("end post dot level", **DECIMALS)), cases=120, skills="a graze is a touch"),
-    group("turned", "Grazes that squares cannot see.", either(walls(*GRAZES, "slide side", **BIGGER), walls("graze cap upright", **{**FULL, "turn": "axis"})), cases=120, skills="a tangent has a width"),
+    group("decimals", "Touches in short decimals, which == does not see.", either(telling(walls("slide side", "end side", "start side", "start side", **DECIMALS), *TELLING), walls("end post dot level", "end cap dot level", "end cap dot level", **DECIMALS)), cases=120, skills="a graze is a touch"),
+    group("turned", "Grazes that squares cannot see.", either(walls(*GRAZES, "graze cap dot", "slide side", **BIGGER), walls("graze cap upright", **{**FULL, "size": 2**28, "turn": "axis"})), cases=120, skills="a tangent has a width"),
     group("graze-full", "Grazes that no formula in floats can see, or that seem to overlap.", either(telling(walls(*GRAZES, **FULL), *TELLING), telling(walls("graze post", **FULL), *BELOW)), skills="a tangent has a width"),
     group("slide-full", "The disc slides along the wall, and rounding puts it beside.", telling(walls("slide side", **FULL), *TELLING), skills="a tangent has a width"),
-    group("start-full", "The disc touches at the start, and rounding puts it apart.", telling(walls("start side", "start side", "start cap", **FULL), *TELLING), skills="touching from the start"),
-    group("end-full", "The disc touches at the very end, and rounding makes it later.", telling(either(walls("end side", "end cap", **FULL), walls("end cap level", "end side level", "end post level", **{**FULL, "turn": "axis"}), walls("end cap afar", "end post afar", **AFAR), walls("end side dot", "end cap dot", "end post dot", **FULL), walls("end cap", "end side", **{**STEEP, "size": 2**7}), walls("end cap home", "end side home", "end post home", **{**FULL, "move": 0})), *TELLING), cases=120, skills="first in time"),
-    group("near-graze", "Nearly a graze: 1e-7 of the figure away.", walls("graze~ cap", "graze~ cap dot", "graze~ post", "slide~ side", **NEAR), skills="nearly is not touching"),
-    group("near-start", "The disc nearly touches at the start, and leaves.", walls("start~ side", "start~ cap", **NEAR), skills="touching from the start"),
-    group("near-end", "The disc touches just before the end, or does not quite.", either(walls("end~ side", "end~ cap", "end~ side dot level", "end~ post dot level", **NEAR), walls("end~ side grain", "end~ side", **{**PLAIN, "shift": -20})), skills="first in time"),
-    group("flat", "Onto the side nearly along the wall: it still is the side.", walls("flat side", **{**PLAIN, "shift": -20}), skills="fatten the wall"),
+    group("start-full", "The disc touches at the start, and rounding puts it apart.", telling(either(walls("start side", "start side", "start cap", **FULL), walls("rest side", **FULL)), *TELLING), cases=80, skills="touching from the start"),
+    group("end-full", "The disc touches at the very end, and rounding makes it later.", telling(either(walls("end side", "end cap", **FULL), walls("end cap level", "end cap dot level", "end side level", "end post level", **{**FULL, "turn": "axis"}), walls("end cap afar", "end post afar", **AFAR), walls("end side dot", "end cap dot", "end post dot", **FULL), walls("end cap", "end side", **{**STEEP, "size": 2**7}), walls("end cap home", "end side home", "end post home", "stop cap home", "stop post home", **{**FULL, "move": 0})), *TELLING), cases=120, skills="first in time"),
+    group("at-an-end", "A point that begins or ends its way at an end of the wall.", ending, cases=100, skills="first in time"),
+    group("near-graze", "Nearly a graze: 1e-7 of the figure away.", walls("graze~ cap", "graze~ cap dot", "graze~ cap dot", "graze~ cap dot", "graze~ post", "slide~ side", **CLEAR), cases=100, skills="nearly is not touching"),
+    group("near-start", "The disc nearly touches at the start, and leaves.", walls("start~ side", "start~ cap", **CLEAR), skills="touching from the start"),
+    group("near-end", "The disc touches just before the end, or does not quite.", either(walls("end~ side", "end~ cap", "end~ side dot level", "end~ post dot level", **CLEAR), walls("shy cap", "shy post", **{**FULL, "shift": 0}), walls("end~ side grain", "end~ side", **{**PLAIN, "shift": -20})), skills="first in time"),
+    group("flat", "Onto the side nearly along the wall: it still is the side.", walls("flat side", "flat side", "flat side grain", **{**PLAIN, "shift": -20}), cases=90, skills="fatten the wall"),
     group("rim", "Onto the side, close to an end: it still is the side.", walls("hit side rim", "end side rim", **{**BIG, "size": 2**16}), skills="a wall has round ends"),
     group("broad", "A wall that is less than a hundredth of the disc: it is no post.", walls("broad side", **PLAIN), skills="a wall has round ends"),
     group("tiny", "All of it tiny, down to 1e-29.", walls("graze cap", "graze~ cap", "end~ side", "hit side", **TINY), skills=("no absolute epsilon", "scale invariance")),
-    group("offset", "A small figure far from the plane's origin.", walls("hit side", "hit cap", "graze cap", "end side", "start side", **OFFSET), skills="far from the origin"),
+    group("offset", "A small figure far from the plane's origin.", walls("hit side", "hit cap", "graze cap", "end side", "start side", "shy cap", **OFFSET), skills="far from the origin"),
     group("offset-near", "Nearly a touch at the start, on the way or at the end, far from the plane's origin.", walls("graze~ cap", "slide~ side", "start~ side", "end~ side", "end~ cap", "end~ post dot level", **OFFSET), skills="far from the origin"),
     group("steep", "Ways almost along an axis.", either(walls("hit side", "hit cap", "graze cap", "short cap", **{**STEEP, "size": 2**7}), walls("hit side level", "hit cap level", "short side", "away side level", **TILTED)), skills="no slopes"),
     group("random", "Any numbers, small and large.", uniform("pprpp", 20, 1e4, 1e9), skills="full precision"),

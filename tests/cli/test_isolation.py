@@ -11,7 +11,7 @@ from cli_support import FLOOR, MEAN, ROOT
 from sampling import nightly
 
 from judge.judging.containment import keep_level, kept_level
-from judge.sandbox import LEVELS, levels, probe
+from judge.sandbox import LEVELS, available, levels
 from judge.sandbox.roots import find_roots
 
 pytestmark = pytest.mark.slow
@@ -82,9 +82,9 @@ def test_the_doctor_keeps_what_it_found(judge, own_cache):
 def test_a_shortage_while_the_doctor_looks_lowers_nothing(judge, monkeypatch):
     keep_level("full")
     found = (
-        probe.Level("full", available=False, meaning="", why_not="no memory", lasting=False),
-        probe.Level("strong", available=True, meaning=""),
-        probe.Level("limits", available=True, meaning=""),
+        available.Level("full", available=False, meaning="", why_not="no memory", lasting=False),
+        available.Level("strong", available=True, meaning=""),
+        available.Level("limits", available=True, meaning=""),
     )
     monkeypatch.setattr("judge.cli.commands.doctor.levels", lambda _hide: found)
     assert judge("doctor").lines[-1] == "Isolation: strong"

@@ -18,7 +18,7 @@ from terminals import PATIENCE, Terminal
 from judge.cli.judging import Wish
 from judge.cli.resolve import Kata
 from judge.cli.watching import WatchedFile
-from judge.judging.api import RunOptions
+from judge.judging.options import RunOptions
 from judge.practice.events import Help
 from judge.practice.history import History
 from judge.problem.load import load_problem

@@ -37,11 +37,12 @@ from judge.problem import Verdict
 from judge.problem.find import find_problem, fitting_problems, meant_problem, signs
 from judge.problem.toml import line_of, parse_toml
 from judge.report import formats, tell
-from judge.run import hurdle, printed, program
+from judge.run import entry, printed, program
 from judge.run.result import judge_fault
 from judge.run.tried import Tried
 from judge.sandbox import calls, ends
 from judge.sandbox import compile as compiling
+from judge.sandbox.boundary import Inspection
 from judge.sandbox.recipe import Sources
 from judge.values import reading
 from judge.values.grammar import TypeFault, parse
@@ -175,16 +176,16 @@ def _failed(text: str) -> None:
     for verdict in (Verdict.CE, Verdict.RTE):
         tell.fault_place(replace(result, verdict=verdict))
     program._CHOKED.match(text)
-    hurdle._failed_import(text, called=True)
-    formats.annotation(result, b"", "line_count", {})
-    list(formats.editor_lines(result, b"", "line_count"))
+    entry._NO_MODULE.match(text)
+    formats.annotation(result, b"", find_problem("count"), {})
+    list(formats.editor_lines(result, b"", find_problem("count")))
     formats.junit([result])
 
 
 def _annotated(text: str) -> None:
     tell.annotated_place(judge_fault("count", "a.py", ""), text.encode(), "line_count")
-    names = [(word, 1) for word in dict.fromkeys(text.split())][:10_000]
-    program.missing_entry("line_count", names, f"{text} stdin".encode())
+    names = tuple((word, 1) for word in dict.fromkeys(text.split()))[:10_000]
+    entry.missing_entry(find_problem("count"), Inspection(None, names), f"{text} stdin".encode())
 
 
 def _complaint(text: str) -> None:

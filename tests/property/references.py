@@ -9,7 +9,8 @@ from pathlib import Path
 from typing import Any
 
 from judge.data.build import draw_cases
-from judge.data.load import load_data, reseeded
+from judge.data.load import load_data
+from judge.data.model import reseeded
 from judge.exact import Surd
 from judge.problem.declare import InvalidCase
 from judge.problem.load import load_problem

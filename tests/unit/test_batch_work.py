@@ -15,7 +15,7 @@ from judge.batch.model import Task
 from judge.batch.standard import level_here, standard_of
 from judge.batch.work import judge_task, learn_task
 from judge.errors import UsageError
-from judge.judging.api import RunOptions
+from judge.judging.options import RunOptions
 from judge.problem.find import find_problem
 
 PACK = Path(__file__).parents[1] / "fixtures" / "pack" / "problems"

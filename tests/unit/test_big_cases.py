@@ -15,7 +15,8 @@ from sandboxed import call, limits
 from judge.cache import CacheFolder
 from judge.cli.app import app
 from judge.cli.emit import schema_of
-from judge.data.load import ProblemData, kept_place, load_data
+from judge.data.load import kept_place, load_data
+from judge.data.model import ProblemData
 from judge.errors import ProblemError
 from judge.problem import Verdict
 from judge.problem.load import load_problem

@@ -13,7 +13,8 @@ from broken_problems import FAULTS, broken
 from msgspec.structs import replace
 
 from judge.data.build import choices_of, draw_cases, validate
-from judge.data.load import load_data, reseeded
+from judge.data.load import load_data
+from judge.data.model import reseeded
 from judge.data.pins import differences, hash_of, pins_of, read_pins, write_pins
 from judge.errors import ExitCode, ProblemError
 from judge.problem import Parameter

@@ -9,7 +9,7 @@ from judge.batch.model import Done, Handin, Standard
 from judge.batch.plan import Ground, current, planned, rows_of
 from judge.batch.shards import Shard
 from judge.errors import UsageError
-from judge.judging.api import RunOptions
+from judge.judging.options import RunOptions
 from judge.run.result import judge_fault
 
 STANDARD = Standard("1", "2", "3", "full", "5")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from judge.data.load import load_data
 from judge.problem.declare import decided, decisions
 from judge.problem.find import find_problem
-from judge.run.edges import edges_of
+from judge.verify.edges import edges_of
 
 
 def test_count_has_cases_at_every_edge():

@@ -8,12 +8,15 @@ from __future__ import annotations
 import re
 
 import pytest
+from msgspec.structs import replace
 
 from judge.problem import Verdict
+from judge.problem.find import find_problem
 from judge.report.formats import annotation, editor_lines
 from judge.report.tell import FilePlace, annotated_place, fault_place
 from judge.run import Failure, GroupResult, Result
 
+KATA = replace(find_problem("count"), entry="solve")
 COMMAND = re.compile(r"::(error|notice) ([^:]*)::(.*)")
 SOURCE = b"import math\n\ndef solve(a):\n    return 1 / a\n"
 
@@ -46,7 +49,7 @@ def plain(text: str) -> str:
 
 @pytest.mark.parametrize("evil", ["a::error file=x::b", "100%, 5%0A", "x\n::stop-commands::y"])
 def test_nothing_of_a_submission_becomes_a_command(evil):
-    text = annotation(result(Verdict.RTE, evil, name=evil), SOURCE, "solve", {})
+    text = annotation(result(Verdict.RTE, evil, name=evil), SOURCE, KATA, {})
     _, properties, lines = parts(text)
     written_out = evil.replace("\n", r"\n").replace("\r", r"\r").replace("\x1b", r"\x1b")
     assert properties["file"] == written_out
@@ -55,7 +58,7 @@ def test_nothing_of_a_submission_becomes_a_command(evil):
 
 def test_nothing_of_a_submission_begins_a_line_or_steers_the_terminal():
     found = result(Verdict.WA, "a\nother.py:1:1: error: b\x1b[2J", name="-x\n.py")
-    (said,) = editor_lines(found, SOURCE, "solve")
+    (said,) = editor_lines(found, SOURCE, KATA)
     assert said.startswith("./-x\\n.py:3:1: error: ")
     assert said.isprintable()
 
@@ -64,7 +67,7 @@ def test_a_path_is_told_from_the_root_of_the_repository(tmp_path, monkeypatch):
     (tmp_path / "team").mkdir()
     monkeypatch.chdir(tmp_path / "team")
     for root, wanted in ((str(tmp_path), "team/mine.py"), ("/elsewhere", "mine.py"), ("", "mine.py")):
-        text = annotation(result(Verdict.AC), SOURCE, "solve", {"GITHUB_WORKSPACE": root})
+        text = annotation(result(Verdict.AC), SOURCE, KATA, {"GITHUB_WORKSPACE": root})
         assert parts(text)[1]["file"] == wanted
 
 

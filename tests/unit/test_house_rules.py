@@ -8,6 +8,7 @@ import subprocess
 import sys
 import tokenize
 import tomllib
+from graphlib import TopologicalSorter
 from pathlib import Path
 
 import pytest
@@ -37,11 +38,13 @@ ROOMS = [
         "geometry",
         "packs",
         "holes",
+        "verify",
         "mistakes",
+        "repair",
         "diagnose",
     ),
     *("run", "data", "problem", "drawing", "manual", "languages", "values", "exact", "database"),
-    *("cache", "files", "published", "errors"),
+    *("cache", "files", "published", "errors", "version"),
 ]
 
 
@@ -106,6 +109,27 @@ def test_a_room_knows_only_those_below_it(room):
     assert {name: known for name, known in found.items() if known} == {}
 
 
+def dotted(name: str) -> str:
+    return ".".join(("judge", *Path(name).with_suffix("").parts)).removesuffix(".__init__")
+
+
+def for_types(tree: ast.AST) -> set[ast.AST]:
+    """What a type checker alone imports."""
+    guarded = [each for each in nodes(tree, ast.If) if ast.unparse(each.test) == "TYPE_CHECKING"]
+    return {inner for each in guarded for node in each.body for inner in ast.walk(node)}
+
+
+def test_no_modules_import_each_other():
+    """Not even within functions; a circle is the error's second argument."""
+    known = {dotted(name): tree for name, tree in FILES.items()}
+    graph = {}
+    for name, tree in known.items():
+        found = modules(list(set(ast.walk(tree)) - for_types(tree))) & known.keys()
+        graph[name] = {each for each in found if not any(other.startswith(f"{each}.") for other in found)}
+    assert sum(map(len, graph.values())) > 1000
+    TopologicalSorter({name: found - {name} for name, found in graph.items()}).prepare()
+
+
 def test_the_sandbox_knows_nothing_of_the_judge_but_its_errors():
     assert set().union(*map(rooms, inside("sandbox"))) & {*ROOMS, "schema"} == {"errors"}
 
@@ -128,7 +152,19 @@ def test_every_room_has_its_place():
 
 def test_the_engine_has_no_word_of_its_topic():
     """SVG's own element apart, and what the package itself is called."""
-    rooms = ("values", "exact", "data", "problem", "run", "judging", "diagnose", "mistakes", "holes")
+    rooms = (
+        "values",
+        "exact",
+        "data",
+        "problem",
+        "run",
+        "judging",
+        "diagnose",
+        "repair",
+        "mistakes",
+        "holes",
+        "verify",
+    )
     told = {
         f"{path.relative_to(PACKAGE)}:{number}": row
         for room in rooms
@@ -139,7 +175,10 @@ def test_the_engine_has_no_word_of_its_topic():
     assert told == {}
 
 
-PURE = ("exact", "values", "problem", "data", "geometry", "drawing", "diagnose", "mistakes", "run")
+PURE = (
+    *("exact", "values", "problem", "data", "geometry", "drawing", "diagnose", "repair", "mistakes"),
+    "run",
+)
 PLATFORM = (
     *("_posixsubprocess", "_socket", "ctypes", "fcntl", "hypothesis", "mmap", "multiprocessing", "resource"),
     *("signal", "socket", "sqlite3", "subprocess"),

@@ -12,13 +12,13 @@ from judge import RunOptions, Session
 from judge.data.load import load_data
 from judge.mistakes.catalogue import Words
 from judge.mistakes.naming import Known
-from judge.mistakes.verified import verify_choices
 from judge.mistakes.vetoes import Vetoes
 from judge.problem import Verdict
 from judge.problem.find import find_problem
 from judge.run.result import Answers, Failure, GroupResult, Result
-from judge.run.verify import verify_problem
 from judge.sandbox import Boxes
+from judge.verify.gate import Options, verify_problem
+from judge.verify.mistakes import verify_choices
 
 pytestmark = pytest.mark.slow
 
@@ -61,7 +61,7 @@ def pack(tmp_path):
 
 
 def verified(problem):
-    return verify_choices(problem, [load_data(problem)], Boxes())
+    return verify_choices(problem, [load_data(problem)], Boxes(), lambda *_: None)
 
 
 def own_faults(found):
@@ -75,7 +75,7 @@ def test_a_sound_file(pack):
     found = verified(problem := pack())
     assert (own_faults(found), found.warnings) == ([], ())
     assert {"floor-division", "minus-for-plus"} <= set(found.kills["half"])
-    assert verify_problem(problem, update_pins=True, kills=found.kills).faults == ()
+    assert verify_problem(problem, Options(pin=True)).faults == found.faults
 
 
 EQUAL = ROUTES.replace("total // 2", "total / 2.0")

@@ -6,6 +6,7 @@ import json
 import re
 from pathlib import Path
 
+import click
 import pytest
 from msgspec.structs import replace
 
@@ -15,13 +16,11 @@ from judge.data.pins import read_pins
 from judge.errors import ProblemError, UsageError
 from judge.mistakes.computed import Computer, entry_of
 from judge.mistakes.makers import read_makers
-from judge.mistakes.verified import verify_choices
 from judge.problem.find import find_problem
 from judge.problem.load import load_problem
 from judge.problem.model import KataLevel
 from judge.problem.module import load_module
-from judge.run.verify import verify_problem
-from judge.sandbox import Boxes
+from judge.verify.gate import Options, verify_problem
 
 TOML = """title = "Signs"
 tier = "junior"
@@ -122,12 +121,9 @@ def test_cases_are_drawn_until_they_keep_the_promise_and_replayed_by_their_seed(
 
 def test_verify_measures_and_pins_what_each_group_rejects(kata):
     problem = load_problem(kata)
-    data = [load_data(problem, seed=seed, store=None) for seed in (None, 1, 2)]
-    found = verify_choices(problem, data, Boxes())
-    (fault,) = [each for each in found.faults if "one-off" in each.what and "nothing" not in each.what]
+    report = verify_problem(problem, Options(pin=True, seeds=3, matrix=True))
+    (fault,) = [each for each in report.faults if "one-off" in each.what and "nothing" not in each.what]
     assert re.search(r"one-off, .*: (no group rejects it in more than|no case rejects)", fault.what)
-    report = verify_problem(problem, update_pins=True, kills=found.kills, data=data)
-    assert report.faults == ()
     pins = read_pins(problem)
     assert pins["large"]["kills"] == ["kept-between-calls", "wrong-sign"]
     assert pins["small"]["cases"] == 7
@@ -136,7 +132,18 @@ def test_verify_measures_and_pins_what_each_group_rejects(kata):
         {name: pin} for name, pin in pins.items()
     ]
     assert load_problem(kata).group("large").kills == ("kept-between-calls", "wrong-sign")
-    assert {each.name: each.group for each in found.mistakes}["wrong-sign"] == "large"
+    assert {each.name: each.group for each in report.mistakes}["wrong-sign"] == "large"
+
+
+def test_ctrl_c_says_what_verify_was_at(kata, monkeypatch, capsys):
+    def interrupted(problem, options, progress, boxes):
+        progress("judging mistakes", 3, 7)
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("judge.cli.commands.setter.verify_problem", interrupted)
+    with pytest.raises((KeyboardInterrupt, click.Abort)):
+        verify.main(["signs", "--problems", str(kata.parent)], standalone_mode=False)
+    assert "signs: stopped while judging mistakes, 3 of 7" in " ".join(capsys.readouterr().err.split())
 
 
 RULES = """# Signs
@@ -160,11 +167,11 @@ def test_a_rule_that_no_mistake_ignores_is_told(kata):
     solutions = kata.parent.parent / "solutions" / "signs"
     (solutions / "mistakes.py").write_text(TAGGED)
     problem = load_problem(kata)
-    found = verify_choices(problem, [load_data(problem, store=None)], Boxes())
+    found = verify_problem(problem)
     assert [(each.what, each.where) for each in found.faults if "rule" in each.what] == [
         ("no rule has the words 'no such words'", "signs/mistakes.py:8")
     ]
-    assert [each.what for each in found.warnings] == ["no mistake ignores the rule 'Zero has the sign 1.'"]
+    assert "no mistake ignores the rule 'Zero has the sign 1.'" in [each.what for each in found.warnings]
 
 
 EDITS = """
@@ -202,23 +209,20 @@ def test_answers_kept_under_too_few_arguments_are_a_mistake_of_every_problem(kat
 
 def test_a_group_can_be_verified_alone(kata):
     problem = load_problem(kata)
-    alone = replace(problem, groups=(problem.group("large"),))
-    data = [load_data(alone, store=None)]
-    assert data[0].groups[0].cases == load_data(problem, store=None).groups[2].cases
-    found = verify_choices(alone, data, Boxes(), partial=True)
-    assert found.faults == ()
-    report = verify_problem(alone, data=data, partial=True, solution="accepted/plain.py")
+    data = load_data(replace(problem, groups=(problem.group("large"),)), store=None)
+    assert data.groups[0].cases == load_data(problem, store=None).groups[2].cases
+    report = verify_problem(problem, Options(groups=("large",), solution="accepted/plain.py"))
     assert [each.what for each in report.faults] == ["the data are not pinned"]
     assert [each.file for each in report.solutions] == ["accepted/plain.py"]
     with pytest.raises(UsageError, match=r"no solution is called 'other\.py'"):
-        verify_problem(alone, data=data, partial=True, solution="other.py")
+        verify_problem(problem, Options(solution="other.py"))
 
 
 def test_one_solution_is_held_to_its_folder_on_every_seed(kata, capsys):
     """By the command, which says what of the problem is looked at."""
     problem = load_problem(kata)
     data = load_data(problem, store=None)
-    verify_problem(problem, update_pins=True, data=[data])
+    verify_problem(problem, Options(pin=True))
     solutions = kata.parent.parent / "solutions" / "signs"
     sound = "    return (x > 0) - (x < 0) + 1\n"
     lucky = f"    if abs(x) > 50 and (x,) not in {data.groups[2].cases!r}:\n        return 9\n"
@@ -235,16 +239,18 @@ def test_one_solution_is_held_to_its_folder_on_every_seed(kata, capsys):
 
 def test_a_drift_of_the_data_or_of_what_they_reject_is_told(kata):
     problem = load_problem(kata)
-    data = [load_data(problem, store=None)]
-    verify_problem(problem, update_pins=True, kills={"large": ["wrong-sign"]}, data=data)
-    report = verify_problem(problem, kills={}, data=data)
-    (fault,) = report.faults
-    assert fault.what == "group 'large' rejects other mistakes than its pin says"
+    verify_problem(problem, Options(pin=True))
+    pins = (kata / "pins.json").read_text()
+    (kata / "pins.json").write_text(pins.replace('"kept-between-calls", ', ""))
+    assert "group 'large' rejects other mistakes than its pin says" in drifts(load_problem(kata))
+    (kata / "pins.json").write_text(pins)
+    assert drifts(load_problem(kata)) == []
     (kata / "problem.py").write_text(PYTHON.replace("10**6", "10**5"))
-    report = verify_problem(load_problem(kata), kills={"large": ["wrong-sign"]})
-    assert [fault.what for fault in report.faults] == [
-        "the data of group 'large' differ from their pinned hash"
-    ]
+    assert "the data of group 'large' differ from their pinned hash" in drifts(load_problem(kata))
+
+
+def drifts(problem):
+    return [fault.what for fault in verify_problem(problem).faults if "pin" in fault.what]
 
 
 FAULTS = {

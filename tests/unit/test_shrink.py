@@ -16,7 +16,8 @@ from mistaken import mistaken
 from msgspec.structs import replace
 
 from judge.data.build import validate
-from judge.data.load import ProblemData, load_data
+from judge.data.load import load_data
+from judge.data.model import ProblemData
 from judge.diagnose.budget import Guard, SearchBudget
 from judge.diagnose.replay import decode
 from judge.diagnose.search import shrunk as shrunk_by_parameters

@@ -11,7 +11,7 @@ from judge.errors import ProblemError
 from judge.languages import find
 from judge.problem.load import load_problem
 from judge.problem.solutions import read_solutions
-from judge.run.verify import verify_problem
+from judge.verify.gate import Options, verify_problem
 
 PACK = Path(__file__).parents[1] / "fixtures" / "pack"
 
@@ -120,7 +120,7 @@ def test_verify_says_what_it_did_not_judge(tmp_path, monkeypatch):
         "// floor-division\ndouble middle(double a, double b) { return a; }\n"
     )
     monkeypatch.setattr(find, "missing", lambda language: ["g++"] if language.id == "cpp" else [])
-    report = verify_problem(problem, update_pins=True)
+    report = verify_problem(problem, Options(pin=True))
     assert not report.faults
     for each in report.solutions:
         if each.file.endswith(".cpp"):

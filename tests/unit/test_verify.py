@@ -9,7 +9,7 @@ import pytest
 from broken_problems import broken
 
 from judge.problem.load import load_problem
-from judge.run.verify import verify_problem
+from judge.verify.gate import Options, verify_problem
 
 pytestmark = pytest.mark.slow
 
@@ -25,7 +25,7 @@ def pack(tmp_path):
 
 
 def verified(pack, **options):
-    return verify_problem(load_problem(pack / "problems" / "root-count"), **options)
+    return verify_problem(load_problem(pack / "problems" / "root-count"), Options(**options))
 
 
 def test_drifted_data_are_a_fault_until_they_are_pinned(pack):
@@ -41,7 +41,7 @@ def test_drifted_data_are_a_fault_until_they_are_pinned(pack):
             "if that is meant, pin the data with: judge verify root-count --pin"
         )
     ]
-    assert verified(pack, update_pins=True).pins == "written"
+    assert verified(pack, pin=True).pins == "written"
     assert not verified(pack).faults
 
 

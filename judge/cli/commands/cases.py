@@ -19,10 +19,10 @@ from judge.diagnose.regression import MARK, with_case
 from judge.diagnose.replay import decode, problem_name
 from judge.errors import UsageError
 from judge.files import read_ordinary_text
-from judge.judging.api import RunOptions
 from judge.judging.cases import ask as ask_file
 from judge.judging.cases import hack as attack
 from judge.judging.cases import smallest, try_case
+from judge.judging.options import RunOptions
 from judge.judging.session import Session
 from judge.languages import is_program
 from judge.mistakes.puzzles import puzzle_called, read_puzzles

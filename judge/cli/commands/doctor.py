@@ -9,7 +9,6 @@ from pathlib import Path
 
 from msgspec import Struct
 
-from judge import __version__
 from judge.cli.options import Common, command, opt
 from judge.errors import UsageError
 from judge.files import cache_folder
@@ -20,6 +19,7 @@ from judge.report.published_setter import Attacks, Doctor
 from judge.report.screen import note
 from judge.report.wait import progress
 from judge.sandbox import Boxes, levels
+from judge.version import __version__
 
 
 class DoctorAsk(Struct, frozen=True):

@@ -289,7 +289,7 @@ class _Interview(Round):
         """
         from judge.cli.judging import Wish
         from judge.cli.watching import WatchedFile
-        from judge.judging.api import RunOptions
+        from judge.judging.options import RunOptions
 
         if self._left() <= 0:
             raise StoppedError
@@ -359,7 +359,7 @@ class _Interview(Round):
             solved=self._solved,
             verdict=last.verdict if last else None,
             score=last.score if last else None,
-            mistake=last.pitfall.name if last and last.pitfall else None,
+            mistake=last.pitfall.name if last and last.pitfall and last.pitfall.names else None,
             lacking=skills,
             practise=cards.practise[:_MOST],
         )

@@ -57,7 +57,7 @@ def listed(name: str | None, ask: ListAsk, common: Common) -> KataList:
     if others := [row for row in rows.values() if row.problem not in inside]:
         shelves[_OTHERS] = others
     if name is not None and name not in shelves:
-        from judge.problem.toml import meant  # hardly ever
+        from judge.errors import meant  # hardly ever
 
         raise UsageError(f"There is no set {name!r}", remedy=meant(name, list(shelves)))
     if name != USUAL:

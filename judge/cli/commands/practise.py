@@ -12,6 +12,7 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from judge.cli.files import read_submissions
+from judge.cli.hints import HintAsk, hints, note_seen
 from judge.cli.options import Common, command, opt
 from judge.cli.resolve import (
     Kata,
@@ -35,7 +36,6 @@ from judge.practice.syllabus import read_course
 from judge.problem import Problem
 from judge.problem.find import find_problem, id_of
 from judge.problem.model import LEVELS
-from judge.problem.texts import read_hints
 from judge.report.published_practise import Begun, HintShown, SolutionShown, Yours
 from judge.report.screen import draws, is_terminal, out
 from judge.run.result import Taken
@@ -134,14 +134,6 @@ def _place(file: str) -> Path:
     return path
 
 
-class HintAsk(Struct, frozen=True):
-    """Which hint."""
-
-    again: bool = opt("--again", "Repeat the last one.")
-    step: int | None = opt("--step N", "Show hint N; the first is 1.")
-    whole: bool = opt("--all", "Show all hints.")
-
-
 @command("hint", HintShown, ask=HintAsk)
 @click.argument("name", metavar="[KATA|FILE]", required=False)
 def hint(name: str | None, ask: HintAsk, common: Common) -> Iterator[HintShown]:
@@ -157,41 +149,6 @@ def hint(name: str | None, ask: HintAsk, common: Common) -> Iterator[HintShown]:
         note_seen(chosen[-1], common.db)  # first: what was shown counts as seen, whatever happens then
     finally:
         yield from chosen
-
-
-def hints(problem: Problem, ask: HintAsk, db: Path | None) -> list[HintShown]:
-    """The hints that are asked for, at least one: the first that was not seen, or else the last.
-
-    Raises UsageError where there is none, ProblemError where they are broken.
-    """
-    found = read_hints(problem)
-    if not found:
-        remedy = f"'judge show {problem.id} --groups' says what its test groups show"
-        raise UsageError(f"there are no hints to {problem.id}", remedy=remedy)
-    seen, count = 0 if ask.whole or ask.step is not None else _seen(problem.id, db), len(found)
-    if ask.again and not seen:
-        raise UsageError(f"You have seen no hint to {problem.id} yet", remedy=f"judge hint {problem.id}")
-    step = ask.step if ask.step is not None else min(seen if ask.again else seen + 1, count)
-    if not 1 <= step <= count:
-        raise UsageError(f"{problem.id} has no hint {step}", remedy=f"they go from 1 to {count}")
-    return [
-        HintShown(problem=problem.id, step=each.number, steps=count, title=each.title, text=each.text)
-        for each in found
-        if ask.whole or each.number == step
-    ]
-
-
-def _seen(problem: str, db: Path | None) -> int:
-    """How many of the kata's hints have been seen."""
-    with history_at(db, reading=True) as history:
-        return history.hints_seen(problem)
-
-
-def note_seen(hint: HintShown, db: Path | None) -> None:
-    """Remember that the hints up to this one have been seen."""
-    if hint.step > _seen(hint.problem, db):
-        with history_at(db) as history:
-            history.keep(Help(hint.problem, hint.step))
 
 
 class SolutionAsk(Struct, frozen=True):
@@ -238,7 +195,7 @@ def _measured(
     problem: Problem, programs: Sequence[tuple[str, bytes]], rounds: int, common: Common
 ) -> Sequence[Taken]:
     """What each program takes for a case; why not, where its language is not installed."""
-    from judge.judging.api import RunOptions
+    from judge.judging.options import RunOptions
     from judge.judging.session import Session
     from judge.languages.find import why_not
     from judge.report.wait import progress

@@ -14,7 +14,7 @@ from msgspec import Struct
 
 from judge.cli.files import OutFile, check_place, moment, writing
 from judge.cli.options import Common, command, opt
-from judge.cli.resolve import history_at, shown
+from judge.cli.resolve import history_at, seen_cards, shown
 from judge.errors import UsageError
 from judge.files import new_file
 from judge.practice import events, syllabus
@@ -77,7 +77,7 @@ def progress(name: str, ask: ProgressAsk, common: Common) -> Struct:
         mine, hacks = read_learner(history, folders), history.events(Hack)
         if ask.html:
             return _page(ask, mine, history)
-    due = mine.due(events.now().astimezone())
+    due = mine.due(events.now().astimezone(), seen_cards(mine))
     if ask.due:
         return due
     chosen = syllabus.find_set(name, mine.problems, folders)

@@ -17,7 +17,7 @@ from judge.cli.files import OutFile, Submission, Unjudged
 from judge.cli.options import Common, command, opt, seconds_of
 from judge.cli.resolve import Tasks, resolve
 from judge.errors import UsageError, told
-from judge.judging.api import RunOptions
+from judge.judging.options import RunOptions
 from judge.problem import Problem
 from judge.problem.model import LEVELS, chosen_groups
 from judge.report.published_result import Judged, Several
@@ -120,7 +120,7 @@ def _lines(judged: Judged, form: str) -> str:
     """The result as another program reads it."""
     from judge.report.formats import annotation, editor_lines
 
-    asked = judged.result, judged.source, judged.data.problem.entry if judged.data else ""
+    asked = judged.result, judged.source, judged.data.problem if judged.data else None
     lines = editor_lines(*asked) if form == EDITOR else (annotation(*asked, os.environ),)
     return "".join(f"{line}\n" for line in lines)
 
@@ -166,7 +166,7 @@ def _fresh(problem: Problem, submissions: list[Submission], ask: RunAsk, common:
     """One submission on new cases for so long. Raises KeyboardInterrupt if that ended it and none failed."""
     import random
 
-    from judge.data.load import ProblemData
+    from judge.data.model import ProblemData
     from judge.judging.cases import judge_fresh
     from judge.judging.session import Session
 

@@ -14,16 +14,13 @@ from msgspec.structs import replace
 from judge.cache import DISK
 from judge.cli.files import writing
 from judge.cli.options import Common, command, opt, seconds_of
-from judge.data.load import ProblemData, load_data
+from judge.data.load import load_data
 from judge.errors import ProblemError, UsageError
 from judge.files import replace_file
 from judge.holes.hunt import look_for_holes
 from judge.holes.model import Holes, Search
-from judge.judging.api import RunOptions
 from judge.judging.containment import contained, kept_level
-from judge.languages.boxes import AnyBoxes
-from judge.languages.signature import signature_of
-from judge.mistakes.verified import ChoicesReport, verify_choices
+from judge.judging.options import RunOptions
 from judge.packs.export.cases import file_names, group_files
 from judge.packs.export.job import Exported, Order, check_order, export
 from judge.packs.export.metadata import Version
@@ -35,9 +32,9 @@ from judge.report.published_setter import FilesWritten, VerifySummary
 from judge.report.screen import note
 from judge.report.wait import progress, stages
 from judge.report.words import counted
-from judge.run.edges import edges_of
-from judge.run.verify import Fault, Verified, fault_of, fresh_data, verify_problem
 from judge.sandbox import Boxes
+from judge.verify.gate import Options, fresh_data, verify_problem
+from judge.verify.model import Fault, Verified, fault_of
 
 _BOTH = "both"
 _LOOK = "30s"  # of a search for holes
@@ -189,37 +186,25 @@ def _holes(ask: VerifyAsk, common: Common, name: str) -> Holes | Verified:
 
 def _verify(ask: VerifyAsk, folders: Sequence[Path], name: str) -> Verified:
     """What was found of one kata."""
+    options = Options(ask.pin, ask.seeds, ask.groups, ask.solution, ask.matrix)
+    at = "reading the kata"
     try:
         problem = find_problem(name, folders)
+        with stages(name) as advance:
+
+            def tell(what: str, done: int, total: int) -> None:
+                nonlocal at
+                at = f"{what}, {done} of {total}"
+                if advance:
+                    advance(what, done, total)
+
+            found = verify_problem(problem, options, tell, Boxes(least=kept_level()))
     except ProblemError as error:
         return Verified(name, (fault_of(error, name),))
-    boxes, narrow = Boxes(least=kept_level()), bool(ask.groups)
-    if narrow:
-        problem = replace(problem, groups=chosen_groups(problem, ask.groups))
-    data: list[ProblemData] = []
-    found = ChoicesReport()
-    with stages(name) as advance:
-        with suppress(ProblemError):  # where they cannot be built, verify_problem tells
-            data = [fresh_data(problem, advance, seed) for seed in (None, *range(1, ask.seeds))]
-        if data and not ask.solution:
-            found = verify_choices(problem, data, boxes, advance, partial=narrow)
-        report = verify_problem(
-            problem,
-            update_pins=ask.pin,
-            progress=advance,
-            box_factory=AnyBoxes(boxes, signature_of(problem)),
-            kills=found.kills,
-            data=data,
-            solution=ask.solution,
-            partial=narrow,
-        )
-    return replace(
-        report,
-        faults=tuple(dict.fromkeys((*report.faults, *found.faults, *kata_faults(problem, folders)))),
-        warnings=(*report.warnings, *found.warnings),
-        mistakes=found.mistakes if ask.matrix or narrow else (),
-        edges=tuple(edges_of(data[0])) if ask.matrix and data else (),
-    )
+    except KeyboardInterrupt:
+        note(f"{name}: stopped while {at}")
+        raise
+    return replace(found, faults=tuple(dict.fromkeys((*found.faults, *kata_faults(problem, folders)))))
 
 
 class ExportAsk(Struct, frozen=True):

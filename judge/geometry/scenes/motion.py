@@ -22,6 +22,7 @@ end; "home".
     graze, slide          it passes just in touch; along the side
     start, end            it touches at t = 0 and leaves, or at t = 1
     short, away, past     it stops before, it leaves, it meets only the wall's line
+    shy, stop             it stops before it would graze, or where it does
     overlap, rest         it overlaps at t = 0; it does not move
     broad                 the disc is hundreds of times as large as the wall
 """
@@ -34,7 +35,7 @@ from operator import mul
 from typing import Any
 
 from judge.data.draw import Draw
-from judge.geometry.level import HEIGHTS, PLACES, Nudge, Scene, checked, near_gap, over_circle, scene
+from judge.geometry.level import HEIGHTS, PLACES, Nudge, Scene, checked, over_circle, scene
 from judge.geometry.pose import Atom, Length, Point, triple
 
 _DRIFTS = ("rest", "alone", "along", "together", "rush")
@@ -42,7 +43,7 @@ _RADII = ("dot", "tiny", "grain")
 _FINE = 30  # bits by which a way grows beside grains
 _WHAT = (
     *("hit", "fast", "flat", "graze", "slide", "start", "end", "short", "away", "past", "overlap", "rest"),
-    "broad",
+    *("shy", "stop", "broad"),
 )
 _WHERE = ("side", "cap", "post")
 _HOW = ("dot", "grain", "level", "upright", "afar", "rim", "home")
@@ -55,7 +56,7 @@ def _level_balls(draw: Draw, words: Sequence[str], size: int = 30) -> tuple[list
         draw.reject()
     if "grain" in words:
         start[0], end[0] = start[0] << _FINE, end[0] << _FINE
-        R = near_gap(draw, max(abs(start[0]), abs(end[0] - start[0])))
+        R = draw.integer(10, 12) * max(abs(start[0]), abs(end[0] - start[0])) // 10**8 + 1
     if "rush" in words:
         end = Point([-2 * start[0], start[1]])
     far = draw.integer(20, 100) * size
@@ -89,9 +90,9 @@ def _level_wall(draw: Draw, words: Sequence[str], size: int = 30) -> tuple[list[
     what, where, near = words[0].rstrip("~"), words[1], words[0][-1] == "~"
     W = 0 if where == "post" else draw.integer(1, 3 * size)
     if "grain" in words:
-        W <<= draw.integer(draw.choice((10, 32)), 34)
+        W <<= draw.integer(*draw.choice(((10, 34), (18, 24), (32, 34))))
     if what == "flat":
-        W *= draw.choice((10, 3000))
+        W *= draw.choice((10, 3_000, 100_000))
     if where == "side":
         R = draw.integer(size // 4 + 1, size) * (draw.integer(100, 600) if what == "broad" else 1)
         R = 0 if "dot" in words else R
@@ -109,7 +110,7 @@ def _level_wall(draw: Draw, words: Sequence[str], size: int = 30) -> tuple[list[
         1, (R or size) // max(map(abs, away)) // 4, W >> draw.integer(6, 11) if "grain" in words else 0
     )
     way = _way(draw, away, "level" if "level" in words else what)
-    if what == "flat":
+    if what == "flat" and "grain" not in words:
         stride = 1
 
     def at(d: Sequence[int], n: int) -> Point:
@@ -121,20 +122,26 @@ def _level_wall(draw: Draw, words: Sequence[str], size: int = 30) -> tuple[list[
         a, b = a * draw.integer(100, 1000), b * draw.integer(100, 1000)
     if "afar" in words:
         a *= 10 ** draw.integer(3, 7)
-    rests = at(way, draw.choice((0, -3)))
-    deep = draw.integer(1, max(1, R // 2)) if where == "side" else 1
-    inside = Point([spot[0] - away[0] * deep, spot[1] - away[1] * deep])
-    start, end = {
-        **dict.fromkeys(("hit", "fast", "flat", "past", "broad"), (at(way, -a), at(way, b))),
-        "graze": (at(across, -a), at(across, b)),
-        "slide": (Point([-R * a - 1, R]), Point([draw.integer(0, W), R])),
-        "start": (at(way, 0), at(way, -b)),
-        "end": (at(way, -a), at(way, 0)),
-        "short": (at(way, -a - b), at(way, -a)),
-        "away": (at(way, -a), at(way, -a - b)),
-        "overlap": (inside, at(way, b - 5)),
-        "rest": (rests, Point(rests)),
-    }[what]
+    if what == "shy":  # by 1 or the least part of R that is clear
+        stride, a = 1, a * stride
+        b = max(1, R // max(map(abs, away)) * draw.integer(5, 300) // 10_000)
+    rests = draw.choice((0, -3))
+    d, first, last = {
+        "graze": (across, -a, b),
+        "shy": (across, -a - b, -b),
+        "stop": (across, -a, 0),
+        "start": (way, 0, -b),
+        "end": (way, -a, 0),
+        "short": (way, -a - b, -a),
+        "away": (way, -a, -a - b),
+        "rest": (way, rests, rests),
+    }.get(what, (way, -a, b))
+    start, end = at(d, first), at(d, last)
+    if what == "slide":
+        start, end = Point([-R * a // b - 1, R]), Point([draw.integer(0, W), R])
+    elif what == "overlap":
+        deep = draw.integer(1, max(1, R // 2)) if where == "side" else 1
+        start, end = Point([spot[0] - away[0] * deep, spot[1] - away[1] * deep]), at(way, b - 5)
     outwards = draw.sign() if what in ("graze", "slide", "end", "start") else 1
     moved = {"graze": (0, 1), "slide": (0, 1), "end": (1,), "start": (0,)}.get(what, ()) if near else ()
     along = way if "level" in words and not R else away  # a point is just off on its own line
@@ -146,6 +153,11 @@ def _level_wall(draw: Draw, words: Sequence[str], size: int = 30) -> tuple[list[
             whole = [sum(map(mul, each, axis)) for axis in (away, across)]
             each[:] = whole if isinstance(each, Point) else [R * c]
         nudges = [Nudge(at, 0, outwards) for at in moved]
+        y = draw.choice((start[1], sum([each[1] for each in ends]), -start[0] * across[0]))
+        if y == -start[0] * across[0]:  # from the line of the wall; or from beside its other end
+            for each in atoms:
+                each[:] = [-away[0] * n for n in each]
+        start[1], end[1] = y or start[1], -y or end[1]
     if "home" in words:
         _home(draw, atoms, (0, 1, 3))
     return atoms, nudges
@@ -191,12 +203,13 @@ def meeting(bits: int) -> Scene:
     def draw_case(draw: Draw) -> tuple[Any, ...]:
         whole = draw.boolean()
 
-        def number() -> int | float:
+        def point() -> list[int | float]:
+            large = draw.choice((3, bits, draw.integer(0, bits)))
             if whole:
-                return draw.sign() * draw.integer(0, 1 << draw.integer(0, bits))
-            return ldexp(draw.sign() * draw.integer(0, 1 << 53), draw.integer(0, bits) - 53)
+                return [draw.sign() * draw.integer(0, 1 << large) for _ in range(2)]
+            return [ldexp(draw.sign() * draw.integer(0, 1 << 53), large - 53) for _ in range(2)]
 
-        P, Q, X = ([number(), number()] for _ in range(3))
+        P, Q, X = point(), point(), point()
         axis = draw.integer(0, 2)
         if axis < 2:  # close together along it
             P[axis], Q[axis] = draw.integer(-9, 9), draw.integer(-9, 9)

@@ -8,7 +8,7 @@ from typing import Any
 
 from msgspec import Struct
 
-from judge.data.load import GroupData, ProblemData
+from judge.data.model import GroupData, ProblemData
 from judge.packs.export.forms import accepted_form
 from judge.problem import Problem
 from judge.problem.model import EXAMPLES

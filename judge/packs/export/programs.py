@@ -14,7 +14,7 @@ from math import ceil
 
 from msgspec import Struct
 
-from judge.data.load import ProblemData
+from judge.data.model import ProblemData
 from judge.languages import SUFFIX
 from judge.mistakes.makers import Maker, read_makers
 from judge.packs.export.cases import Test

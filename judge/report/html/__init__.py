@@ -19,11 +19,11 @@ from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from judge import __version__
 from judge.drawing.svg import style
 from judge.problem import Verdict
 from judge.report.tell import level_share
 from judge.report.words import counted, printable, times
+from judge.version import __version__
 
 if TYPE_CHECKING:
     from jinja2 import Environment

@@ -26,7 +26,8 @@ def inspect(source: bytes, name: str) -> dict[str, Any]:
     """What is wrong with the source, what it binds, what it imports, JSON-able.
 
     {"fault": [message, line, column, text] | None, "names": [[name, line], …], "modules": [module, …],
-     "functions": [[name, line, least, most, empty], …]}, see `_functions`
+     "functions": [[name, line, least, most, empty], …], "inner": [[name, line, within], …]}, see `_functions`
+    and `_inner`
     """
     try:
         tree: Any = compile(source, name, "exec", _ast.PyCF_ONLY_AST, dont_inherit=True)
@@ -44,11 +45,12 @@ def inspect(source: bytes, name: str) -> dict[str, Any]:
         "names": names,
         "modules": sorted(_imported(tree))[:MOST_NAMES],
         "functions": _functions(tree.body)[:MOST_NAMES],
+        "inner": _inner(tree)[:MOST_NAMES],
     }
 
 
 def _fault(message: str, line: int, column: int, text: str) -> dict[str, Any]:
-    return {"fault": [message, line, column, text], "names": [], "modules": [], "functions": []}
+    return {"fault": [message, line, column, text], "names": [], "modules": [], "functions": [], "inner": []}
 
 
 def _bound(body: list[Any]) -> dict[str, int]:
@@ -101,6 +103,23 @@ def _is_empty(function: _ast.FunctionDef) -> bool:
         ):
             return False
     return True
+
+
+def _inner(tree: Any) -> list[list[Any]]:
+    """The functions that stand in a class or in another function, in what each of them stands."""
+    found = []
+    waiting = [(tree, "")]
+    while waiting:
+        node, within = waiting.pop()
+        if isinstance(node, (_ast.FunctionDef, _ast.AsyncFunctionDef)):
+            if within:
+                found.append([node.name, node.lineno, within])
+            within = f"function {node.name}"
+        elif isinstance(node, _ast.ClassDef):
+            within = f"class {node.name}"
+        for field in _HOLDING_STATEMENTS:
+            waiting += [(each, within) for each in reversed(getattr(node, field, ()))]
+    return found
 
 
 def _imported(tree: Any) -> set[str]:

@@ -41,7 +41,7 @@ def time_of_impact(P0, P1, r, A, B):
         d, foot = abs(x * v - y * u) / speed, -(x * u + y * v) / speed / speed
         half = sqrt(max(0.0, (r - d) * (r + d))) / speed
         slack = near / way
-        if d < r - near and low - slack <= foot - half <= high + slack:
+        if (d < r - near or d == 0) and low - slack <= foot - half <= high + slack:
             t = foot - half
             return t if t >= 0 and (t - 1) * way <= near else None
         if abs(d - r) <= near and low - slack <= foot <= high + slack and lowest is None:

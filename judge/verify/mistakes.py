@@ -5,32 +5,32 @@
                   are made in every problem alike, one of a name at least
     enough        some group rejects it in five cases at least, on every seed
 
-A mistake without a word in mistakes.toml is a fault too.
+A mistake without a word in mistakes.toml is a fault too. Every rule of the statement, an item of the list
+before `## Examples`, should have a mistake that ignores it and names its words: `# @ goes on for ever`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 from msgspec import Struct
 from msgspec.structs import replace
 
-from judge.data.load import ProblemData
+from judge.data.model import ProblemData
 from judge.data.pins import Kills
 from judge.errors import ProblemError
 from judge.mistakes.catalogue import FILE
 from judge.mistakes.computed import Computer, Program
 from judge.mistakes.family import Family
 from judge.mistakes.makers import Maker, read_makers
-from judge.mistakes.rules import rule_faults
 from judge.problem import Problem
 from judge.run.execute import judge_submission
 from judge.run.result import Behaviour
 from judge.run.settings import Settings
-from judge.run.verify import ENOUGH, Fault, MistakeReport, fault_of
 from judge.sandbox import BoxFactory
+from judge.verify.model import ENOUGH, Fault, MistakeReport, Progress, fault_of
 
-Progress = Callable[[str, int, int], None]
+_SHOWN = 60  # characters of a rule in a message
 
 
 class ChoicesReport(Struct, frozen=True):
@@ -46,7 +46,7 @@ def verify_choices(
     problem: Problem,
     data: Sequence[ProblemData],
     box_factory: BoxFactory,
-    progress: Progress | None = None,
+    progress: Progress,
     *,
     partial: bool = False,
 ) -> ChoicesReport:
@@ -69,8 +69,7 @@ def verify_choices(
         for computer in computers:
             faults += _wrong_right_ways(read.family, computer)
         for done, maker in enumerate(choices):
-            if progress:
-                progress("judging mistakes", done, len(choices))
+            progress("judging mistakes", done, len(choices))
             rejected = [_rejected(maker, computer, data[0], box_factory) for computer in computers]
             if maker.choice is not None and read.family.equal(maker.choice):
                 warnings += _still_told(maker, rejected[0])
@@ -79,7 +78,7 @@ def verify_choices(
     except ProblemError as fault:
         faults.append(fault_of(fault, where))
     kept = {name: _told_apart(each, read.family) for name, each in counts.items()}
-    untagged, unruled = rule_faults(read.family)
+    untagged, unruled = _rule_faults(read.family)
     faults += untagged
     if not partial:
         faults += [fault for name, each in kept.items() for fault in _measured(name, each)]
@@ -191,3 +190,57 @@ def _still_told(maker: Maker, rejected: Mapping[str, int]) -> Iterator[Fault]:
 
 def _shown(maker: Maker) -> str:
     return maker.lines[0].wrong.partition("\n")[0] if maker.lines else maker.file
+
+
+# -- the rules of the statement -----------------------------------------------------------------------------
+
+
+def rules_of(statement: str) -> list[str]:
+    """The rules of a statement's text, each in one line."""
+    found: list[list[str]] = []
+    open_ = False
+    for line in statement.partition("\n## Examples")[0].splitlines():
+        if line.startswith("- "):
+            found.append([])
+        open_ = line.startswith("- ") or (open_ and line[:1] in ("", " "))
+        if open_:
+            found[-1] += line.removeprefix("- ").split()
+    return [" ".join(words) for words in found]
+
+
+def _rule_faults(family: Family) -> tuple[list[Fault], list[Fault]]:
+    """The changes that name no rule or more than one, and as warnings the rules that no change ignores."""
+    rules = rules_of(family.problem.statement)
+    ignored: set[str] = set()
+    faults = []
+    for words, line in _tags(family):
+        meant = [rule for rule in rules if words in rule]
+        ignored.update(meant)
+        if len(meant) != 1:
+            count = f"{len(meant)} rules have" if meant else "no rule has"
+            what = f"{count} the words {words!r}"
+            faults.append(Fault(what, f"{family.where}:{line}", "write words that stand in one rule"))
+    remedy = (
+        f"write the mistake that ignores it in {family.where}, with '# @ ' and some of its words below it"
+    )
+    where = f"{family.problem.id}/statement.md"
+    return faults, [
+        Fault(f"no mistake ignores the rule {_short(rule)!r}", where, remedy)
+        for rule in rules
+        if rule not in ignored
+    ]
+
+
+def _tags(family: Family) -> Iterator[tuple[str, int]]:
+    tags = {
+        (words, change.line)
+        for route in family.routes
+        for change in route.changes
+        if not change.equal
+        for words in change.rules
+    }
+    return iter(sorted(tags, key=lambda tag: tag[1]))
+
+
+def _short(rule: str) -> str:
+    return rule if len(rule) <= _SHOWN else rule[: _SHOWN - 1].rstrip() + "…"

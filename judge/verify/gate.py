@@ -11,7 +11,7 @@ Nothing is printed: what is wrong is in the report.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import chain
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -19,88 +19,40 @@ from typing import Any, NamedTuple
 from msgspec import Struct
 from msgspec.structs import replace
 
-from judge.data.load import ProblemData, load_data
+from judge.data.load import load_data
+from judge.data.model import ProblemData
 from judge.data.pins import Kills, differences, pins_file, pins_of, read_pins, write_pins
-from judge.errors import ExitCode, JudgeError, ProblemError, UsageError
+from judge.errors import ProblemError, UsageError, meant
 from judge.languages import NAME as PYTHON
 from judge.languages import file_name, language_of
 from judge.languages.boxes import AnyBoxes
 from judge.languages.signature import signature_of
 from judge.problem import Problem, Verdict
+from judge.problem.model import chosen_groups
 from judge.problem.solutions import Kind, Solution, read_solutions
-from judge.problem.toml import key_place, meant
-from judge.published import Published
-from judge.run.edges import Edge
+from judge.problem.toml import key_place
 from judge.run.execute import Judged, judge_submission
 from judge.run.reference import check_needs
 from judge.run.settings import Settings
-from judge.sandbox import Boxes, BoxFactory
-
-ENOUGH = 5  # cases of one group that should reject a wrong program: fewer may be chance
-
-Progress = Callable[[str, int, int], None]  # what is being done, how much of it, how much in all
-
-
-class Fault(Struct, frozen=True):
-    """One broken promise: what, where and what to do."""
-
-    what: str
-    where: str
-    remedy: str = ""
-
-    def __str__(self) -> str:
-        return f"{self.where}: {self.what}" + (f"; {self.remedy}" if self.remedy else "")
+from judge.sandbox import Boxes
+from judge.verify.edges import edges_of
+from judge.verify.mistakes import ChoicesReport, verify_choices
+from judge.verify.model import ENOUGH, Fault, Progress, SolutionReport, Verified, fault_of
 
 
-class MistakeReport(Struct, frozen=True):
-    """A mistake: its line of mistakes.py, the group that finds it in most cases, and all that find it.
+class Options(Struct, frozen=True):
+    """What to check.
 
-    Of several programs that make it, it is the one that the fewest `cases` of its group reject.
+    With `pin` the data as they are become the pinned ones. `seeds` is how many sets of data are checked, the
+    pinned ones first. Where `groups` are named, only these are looked at, and wrong programs may pass; where
+    a `solution` is, no other is judged, and no mistake. `matrix` tells what reaches each edge.
     """
 
-    name: str
-    line: str
-    group: str
-    cases: int
+    pin: bool = False
+    seeds: int = 1
     groups: tuple[str, ...] = ()
-
-
-class SolutionReport(Struct, frozen=True):
-    """One program's verdict, null where it is `unjudged`, and the groups that it `failed`.
-
-    `name` is its first line; it is `ok` where this is the verdict that its folder wants.
-    """
-
-    file: str  # as wrong/absolute-epsilon.py
-    name: str
-    verdict: Verdict | None
-    ok: bool
-    failed: tuple[str, ...] = ()
-    unjudged: str = ""
-
-
-class Verified(Published, frozen=True):
-    """What was checked of a kata, or of the cards of `judge quiz`, and what is wrong.
-
-    `pins` is "matching", "written" or "differing", and empty where no data were looked at. `warnings` are
-    worth a look, and no broken promise.
-    """
-
-    problem: str
-    faults: tuple[Fault, ...]
-    warnings: tuple[Fault, ...] = ()
-    groups: int = 0
-    cases: int = 0
-    cards: int = 0
-    pins: str = ""
-    solutions: tuple[SolutionReport, ...] = ()
-    mistakes: tuple[MistakeReport, ...] = ()
-    edges: tuple[Edge, ...] = ()
-
-    @property
-    def exit_code(self) -> ExitCode:
-        """3 where something is wrong."""
-        return ExitCode.FAULT if self.faults else ExitCode.ACCEPTED
+    solution: str = ""
+    matrix: bool = False
 
 
 class _Tried(NamedTuple):
@@ -117,65 +69,62 @@ class _Tried(NamedTuple):
 
 def verify_problem(
     problem: Problem,
-    *,
-    update_pins: bool = False,
+    options: Options = Options(),  # noqa: B008 - frozen
     progress: Progress | None = None,
-    box_factory: BoxFactory | None = None,
-    kills: Kills | None = None,
-    data: Sequence[ProblemData] = (),
-    solution: str = "",
-    partial: bool = False,
+    boxes: Boxes | None = None,
 ) -> Verified:
-    """Check everything; with `update_pins` the data as they are become the pinned ones.
+    """Check everything, the solutions in these boxes, where there are some.
 
-    Where a `solution` is named, no other is judged. A `partial` check, of some groups, lets wrong ones pass.
-
-    Solutions run in boxes of `box_factory`, where there is one. `kills` are the mistakes of mistakes.py that
-    each group rejects.
-    `data` are the problem's, as `fresh_data` gives them, and those of other seeds; without it the problem's
-    are built. A problem whose data cannot be built has that as its one fault. Raises ProblemError only
-    where the pins cannot be written, UsageError where a module is not installed that its reference needs, or
-    where there is no such solution.
+    A problem whose data cannot be built has that as its one fault. Raises UsageError where there is no such
+    solution or group, or where a module is not installed that its reference needs; ProblemError where the
+    pins cannot be written.
     """
     check_needs(problem)
+    tell = progress or (lambda *_told: None)
+    if options.groups:
+        problem = replace(problem, groups=chosen_groups(problem, options.groups))
+    solutions, unsound = read_solutions(problem)
+    if options.solution:
+        solutions, unsound = (_named(options.solution, solutions),), ()
     try:
-        pinned, *others = data or [fresh_data(problem, progress)]
+        pinned, *others = data = [fresh_data(problem, tell, at or None) for at in range(options.seeds)]
     except ProblemError as error:
         return Verified(problem.id, (fault_of(error, problem.id),))
-    solutions, unsound = read_solutions(problem)
-    if solution:
-        solutions, unsound = (_named(solution, solutions),), ()
-    settings = Settings(box_factory=box_factory or AnyBoxes(Boxes(), signature_of(problem)))
+    factory = AnyBoxes(boxes or Boxes(), signature_of(problem))
+    some = bool(options.groups)
+    found = ChoicesReport()
+    if not options.solution:
+        found = verify_choices(problem, data, factory, tell, partial=some)
+    settings = Settings(box_factory=factory)
     tried = []
     for done, each in enumerate(solutions):
-        if progress:
-            progress("judging solutions", done, len(solutions))
+        tell("judging solutions", done, len(solutions))
         tried.append(_tried(each, pinned, settings))
     enough = min(ENOUGH, max(len(each.cases) for each in pinned.groups))
-    pins, drift = _check_pins(
-        problem,
-        pins_of(pinned.groups, _rejected(tried, enough, kills or {})),
-        update=update_pins,
-        partial=partial or bool(solution),
-    )
+    kills = pins_of(pinned.groups, _rejected(tried, enough, found.kills))
+    pins, drift = _check_pins(problem, kills, update=options.pin, partial=some or bool(options.solution))
     checks: list[Iterable[Fault]] = []
-    if not solution:
+    if not options.solution:
         checks = [
             (fault_of(each, problem.id) for each in unsound),
             _none_accepted(problem, solutions),
             _time_faults(problem, solutions),
         ]
-    checks += [_wrong_verdicts(problem, each, others, settings, partial=partial) for each in tried]
-    if not partial:
+    checks += [
+        _wrong_verdicts(problem, each, others, settings, partial=bool(options.groups)) for each in tried
+    ]
+    if not some:
         checks += [_few_cases(problem, tried, enough), _misnamed(problem, solutions)]
     return Verified(
         problem.id,
-        tuple(chain(*checks, drift)),
-        tuple(_in_vain(pinned)),
+        tuple(dict.fromkeys(chain(*checks, drift, found.faults))),
+        (*_in_vain(pinned), *found.warnings),
         groups=len(pinned.groups),
         cases=sum(len(each.cases) for each in pinned.groups),
         pins=pins,
         solutions=tuple(each.report for each in tried),
+        mistakes=found.mistakes if options.matrix or some else (),
+        edges=tuple(edges_of(pinned)) if options.matrix else (),
     )
 
 
@@ -183,11 +132,6 @@ def fresh_data(problem: Problem, progress: Progress | None = None, seed: int | N
     """The problem's data, or those of a seed, built without a look at the cache. Raises ProblemError."""
     tell = progress or (lambda *_told: None)
     return load_data(problem, seed=seed, progress=lambda *done: tell("building data", *done), store=None)
-
-
-def fault_of(error: JudgeError, where: str) -> Fault:
-    """The error as a fault, of what is at `where` if it does not say itself."""
-    return Fault(error.what, error.where or where, error.remedy or "")
 
 
 def _named(name: str, solutions: Sequence[Solution]) -> Solution:

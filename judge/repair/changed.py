@@ -1,0 +1,150 @@
+"""Question 1: is the program right where it is asked in another way? No source is needed.
+
+Each call in a process of its own; whole numbers as doubles; the figure moved, so that its first point is the
+origin; the figure scaled to size 1 by a power of two. The exact answer to the other case is known, so that
+nothing need be undone.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from fractions import Fraction
+from typing import Any
+
+from judge.data.build import target_of, validate
+from judge.problem import Case
+from judge.problem.declare import InvalidCase
+from judge.repair.cases import Asked, Cases
+from judge.run.runner import Runner
+from judge.sandbox.boundary import Box, Limits, Stop
+from judge.values.answers import Exact, Target
+from judge.values.check import Accepted
+
+WAYS = ("fresh", "doubles", "moved", "scaled", "moved-and-scaled")
+_WRONG, _RIGHT = 24, 12  # cases of each kind that are asked
+_FIRST = 3  # of the wrong ones: where all are wrong in a process of their own, no more are asked
+_LEAST = 2  # cases that must have become right
+
+Other = tuple[Case, Target, Exact]
+
+
+class Changed:
+    """The program in its box."""
+
+    def __init__(self, cases: Cases, runner: Runner, box: Box, limits: Limits) -> None:
+        self._cases, self._runner, self._box, self._limits = cases, runner, box, limits
+        wrong = frozenset(cases.wrong)
+        self._wrong = [cases.all[at] for at in cases.spread(wrong, _WRONG)]
+        right = (at for at in range(len(cases.all)) if at not in wrong)
+        self._right = [cases.all[at] for at in cases.spread(right, _RIGHT)]
+
+    def ways(self) -> tuple[str, ...]:
+        """Those in which all of the wrong cases become right, and the right ones stay so."""
+        if self._fresh():
+            return ("fresh",)
+        found = tuple(way for way in WAYS[1:] if self._one(way))
+        return tuple(way for way in found if way != WAYS[-1]) or found
+
+    def _fresh(self) -> bool:
+        sample = [*self._wrong[:_FIRST], *self._right[:1], *self._wrong[_FIRST:], *self._right[1:]]
+        return bool(self._wrong) and all(
+            self._right_in([_as_it_is(self._cases, each)], [each]) for each in sample
+        )
+
+    def _one(self, way: str) -> bool:
+        """Whether it is right in that way, as far as there are such cases."""
+        for some, least in ((self._wrong, max(_LEAST, len(self._wrong) // 2)), (self._right, 0)):
+            pairs = [(each, other) for each in some if (other := self._other(way, each)) is not None]
+            if len(pairs) < min(least, len(some)):
+                return False
+            if pairs and not self._right_in([other for _, other in pairs], [each for each, _ in pairs]):
+                return False
+        return bool(self._wrong)
+
+    def _right_in(self, others: Sequence[Other], asked: Sequence[Asked]) -> bool:
+        replies = self._runner.answers(self._box, [case for case, *_ in others], self._limits)
+        if replies.breakdown is not None or len(replies.replies) < len(others):
+            return False
+        for reply, (_, target, exact), each in zip(replies.replies, others, asked, strict=True):
+            tolerance = each.group.group.tolerance
+            if reply.stop is not Stop.ANSWERED:
+                return False
+            told = self._runner.decide(reply.answer, target, lambda: (exact, tolerance))  # noqa: B023
+            if not isinstance(told, Accepted):
+                return False
+        return True
+
+    def _other(self, way: str, asked: Asked) -> Other | None:
+        """The case so changed; None where it cannot be, exactly, or that changes nothing."""
+        if way == "doubles":
+            case: Case | None = self._doubles(asked.case)
+        else:
+            case = moved(self._cases, asked.case, move="moved" in way, scale="scaled" in way)
+        if case is None or repr(case) == repr(asked.case):
+            return None
+        return _solved(self._cases, asked, case)
+
+    def _doubles(self, case: Case) -> Case | None:
+        kinds = [each.type.text for each in self._cases.problem.parameters]
+        if any("integer" in kind or kind.startswith("array") for kind in kinds):
+            return None
+        return tuple(map(_floated, case))
+
+
+def _floated(value: Any) -> Any:
+    if isinstance(value, tuple):
+        return tuple(map(_floated, value))
+    return float(value) if type(value) is int and abs(value) <= 2**53 else value
+
+
+def moved(cases: Cases, case: Case, *, move: bool, scale: bool) -> Case | None:
+    """The case with its first point at the origin, or at size 1; None where floats cannot hold it."""
+    hook, figure = cases.data.module.hooks.figure, None
+    first: list[tuple[Any, ...]] = []
+
+    def note(role: str, _name: str, numbers: tuple[Any, ...]) -> tuple[Any, ...]:
+        if role in ("point", "end"):
+            first.append(numbers)
+        return numbers
+
+    if hook is None or hook(cases.problem, case, note) is None:
+        return None
+    unit = Fraction(1)
+    if scale:
+        from judge.repair.cases import figure_of
+
+        figure = figure_of(cases.data, case)
+        size = figure.size if figure else 0.0
+        if not size or not math.isfinite(size):
+            return None
+        unit = Fraction(2) ** -math.frexp(size)[1]
+    origin = [Fraction(x) if move else Fraction(0) for x in first[0]]
+    exact = True
+
+    def change(role: str, _name: str, numbers: tuple[Any, ...]) -> tuple[Any, ...]:
+        nonlocal exact
+        shift = origin if role in ("point", "end") else [Fraction(0)] * len(numbers)
+        made = []
+        for x, by in zip(numbers, shift, strict=True):
+            wanted = (Fraction(x) - by) * unit
+            other = int(wanted) if type(x) is int and wanted.denominator == 1 else float(wanted)
+            exact = exact and Fraction(other) == wanted
+            made.append(other)
+        return tuple(made)
+
+    other = hook(cases.problem, case, change)
+    return other if exact else None
+
+
+def _as_it_is(cases: Cases, asked: Asked) -> Other:
+    exact = cases.data.exact(asked.case, asked.group.group)[0]
+    return asked.case, asked.target, exact
+
+
+def _solved(cases: Cases, asked: Asked, case: Case) -> Other | None:
+    try:
+        exact = validate(cases.problem, cases.data.module, case)
+    except InvalidCase:
+        return None
+    return case, target_of(cases.problem, exact, asked.group.group.tolerance), exact

@@ -1,0 +1,147 @@
+"""Asking the contained process that holds a submission's text and edits it; no right answer is there."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from pkgutil import get_data
+from typing import Any
+
+from judge.problem import Problem
+from judge.repair import edits
+from judge.repair.cases import Cases
+from judge.sandbox.boundary import Box, Limits, Stop
+from judge.values.wire import Raw
+
+_BESIDE = re.compile(rb"^from (__future__|judge\.repair\.\w+) import .*\n", re.MULTILINE)
+_FILES = [
+    get_data("judge.repair", f"{name}.py") or b""
+    for name in ("exact", "trees", "expressions", "edits", "inside")
+]
+SOURCE = b"from __future__ import annotations\n" + b"".join(_BESIDE.sub(b"", each) for each in _FILES)
+NAME = "repair.py"
+_ITEMS = 500_000  # of one reply
+_OUTPUT = 64 << 20
+_SECONDS = 20.0
+_REAL_DIGITS = 80
+_MOST_DIGITS = 2_000
+
+Call = tuple[Any, ...]
+Table = list[tuple[str, int, int]]  # of each edit its kind, its line, and what tells it from others there
+
+
+class LostError(Exception):
+    """The contained process died, was silent or answered what nobody asked for."""
+
+
+class Child:
+    """A submission's text, its cases, and the box that was opened on `SOURCE`."""
+
+    def __init__(self, box: Box, text: str, cases: Cases) -> None:
+        self._box, self._cases, self._text = box, cases, text
+        self._lines = text.count("\n") + 1
+        problem = cases.problem
+        kinds = [each.type.text for each in problem.parameters]
+        whole = any("integer" in kind for kind in kinds)
+        digits = _REAL_DIGITS
+        if whole:  # exact in so many digits, whatever is made of the numbers
+            largest = max((len(str(x)) for each in cases.all for x in _numbers(each.case)), default=1)
+            digits = min(_MOST_DIGITS, max(_REAL_DIGITS, 12 * largest))
+        several = problem.answer.text.startswith("[") or problem.answer.text == "points"
+        names = [each.name for each in problem.parameters]
+        self._about = names, cases.tests(), several, digits, whole
+        self._given = [list(each) for each in problem.calls([each.case for each in cases.all])]
+        self.calls = 0
+
+    def ask(self, chain: Sequence[int] | None, calls: Sequence[Call]) -> list[Raw]:
+        """What it says to the calls, after those edits; None: nothing is to be changed. Raises LostError."""
+        first = ("open", self._text, self._entry, self._about, self._given, self._cases.sizes, chain)
+        found = self._box.call_many("ask", [first, *calls], self._limits).replies
+        answers = [each.answer for each in found if each.stop is Stop.ANSWERED]
+        if len(answers) < len(calls) + 1:
+            raise LostError
+        if answers[0] != 1:
+            raise LostError
+        return answers[1:]
+
+    @property
+    def _entry(self) -> str:
+        return self._cases.problem.entry
+
+    @property
+    def _limits(self) -> Limits:
+        return limits_of(self._cases.problem)
+
+    def table(self, chain: Sequence[int]) -> Table:
+        """The edits that can be made after those of the chain. Raises LostError."""
+        (rows,) = self.ask(chain, [("table",)])
+        found: Table = []
+        for row in rows if isinstance(rows, list) else ():
+            fits = isinstance(row, list) and len(row) == 3 and all(type(each) is int for each in row)
+            if not fits or not 0 <= row[0] < len(edits.KINDS) or not 0 < row[1] <= self._lines:
+                raise LostError
+            found.append((edits.KINDS[row[0]], row[1], row[2]))
+        return found[: edits.MOST_EDITS]
+
+    def edited(
+        self, chain: Sequence[int], numbers: Sequence[int], places: Sequence[int]
+    ) -> list[list[tuple[int, Raw]]]:
+        """What it answers to the cases with each of these edits after the chain. Raises LostError.
+
+        Pairs of the case's place and the answer; there is none where it raises.
+        """
+        self.calls += len(numbers) * len(places)
+        found = self.ask(chain, [("edited", number, places) for number in numbers])
+        return [_pairs(each, places) for each in found]
+
+    def answers(self, chain: Sequence[int], places: Sequence[int]) -> list[tuple[int, Raw]]:
+        """The same after the chain alone. Raises LostError."""
+        self.calls += len(places)
+        return _pairs(self.ask(chain, [("answers", places)])[0], places)
+
+    def exactly(
+        self, chain: Sequence[int] | None, factors: Sequence[str], places: Sequence[int]
+    ) -> list[list[tuple[int, Raw]] | None]:
+        """The same without rounding, tolerances times each factor; None where it cannot be run so.
+
+        Raises LostError.
+        """
+        self.calls += len(factors) * len(places)
+        found = self.ask(chain, [("exactly", factor, places) for factor in factors])
+        return [None if each is None else _pairs(each, places) for each in found]
+
+    def turning(self, chain: Sequence[int] | None, places: Sequence[int]) -> int:
+        """The line where most of the cases first come out otherwise than without rounding, or 0.
+
+        Raises LostError.
+        """
+        return self._line("turning", chain, places)
+
+    def leaving(self, chain: Sequence[int] | None, places: Sequence[int]) -> int:
+        """The line where most of the cases are answered, or 0. Raises LostError."""
+        return self._line("leaving", chain, places)
+
+    def _line(self, what: str, chain: Sequence[int] | None, places: Sequence[int]) -> int:
+        self.calls += 2 * len(places)
+        (found,) = self.ask(chain, [(what, places)])
+        if not isinstance(found, list):
+            return 0
+        lines = [each for each in found if type(each) is int and 0 < each <= self._lines]
+        return max(sorted(set(lines)), key=lines.count, default=0)
+
+
+def limits_of(problem: Problem) -> Limits:
+    """Of one child, which is asked as much as many groups: time ends nothing but what would never end."""
+    return Limits(_SECONDS, 3 * _SECONDS, problem.limits.memory_bytes, _OUTPUT, items=_ITEMS)
+
+
+def _pairs(raw: Raw, places: Sequence[int]) -> list[tuple[int, Raw]]:
+    if not isinstance(raw, list) or len(raw) != len(places):
+        raise LostError
+    return [(at, each[0]) for at, each in zip(places, raw, strict=True) if isinstance(each, list) and each]
+
+
+def _numbers(value: Any) -> list[Any]:
+    if isinstance(value, tuple | list):
+        return [x for each in value for x in _numbers(each)]
+    return [value]

@@ -1,0 +1,316 @@
+"""The small changes that expressions allow, by their types.
+
+This file is handed to the contained process: standard library only, and no import of judge but of what
+stands beside it.
+"""
+
+from __future__ import annotations
+
+import ast
+import copy
+from typing import NamedTuple
+
+from judge.repair.trees import SMALL, Edit, Place, Slot, expression, is_small, literal
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Mapping, Sequence
+    from typing import Any
+
+WIDTHS = (  # how wide a tolerance may be, by the size of the figure and the length of what is measured along
+    *("1e-10", "1e-10*_size_", "1e-10*_size_*_size_", "1e-10*_size_/_way_", "1e-10*_size_*_way_"),
+    *("1e-10*_size_*_size_*_way_*_way_", "2e-15*_size_*_size_", "2e-15*_size_*_size_*_way_*_way_"),
+    "2e-15*_size_*_size_/(_way_*_way_)",
+)
+SWAPPED: Mapping[type, type] = {
+    ast.Lt: ast.LtE,
+    ast.LtE: ast.Lt,
+    ast.Gt: ast.GtE,
+    ast.GtE: ast.Gt,
+    ast.Eq: ast.NotEq,
+    ast.NotEq: ast.Eq,
+}
+TURNED: Mapping[type, type] = {ast.Lt: ast.Gt, ast.LtE: ast.GtE, ast.Gt: ast.Lt, ast.GtE: ast.LtE}
+SIGNS = {ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">="}
+_OTHERS: Mapping[type, tuple[type, ...]] = {
+    ast.Add: (ast.Sub,),
+    ast.Sub: (ast.Add,),
+    ast.Mult: (ast.Div, ast.Add),
+    ast.Div: (ast.FloorDiv, ast.Mult),
+    ast.FloorDiv: (ast.Div,),
+}
+UNWRAPPED = {
+    **{name: f"without-{name}" for name in ("round", "int", "float", "sorted", "abs", "set")},
+    **dict.fromkeys(("fabs",), "without-abs"),
+    **dict.fromkeys(("floor", "ceil", "trunc", "isqrt"), "without-int"),
+    **dict.fromkeys(("list", "tuple", "max", "min", "reversed", "sqrt", "Decimal"), "without"),
+}
+_MEASURES = (
+    *("({x})/_way_", "({x})*_way_", "({x})**0.5", "({x})*({x})", "2*({x})", "({x})/2"),
+    *("max(0, ({x}))", "({x})/(_way_*_way_)"),
+)
+
+
+class Facts(NamedTuple):
+    """What is known beside the tree.
+
+    The entry, its parameters, when points coincide, and what names stand for by the line of their function.
+    """
+
+    entry: str
+    parameters: Sequence[str]
+    guards: Sequence[str]
+    several: bool  # the answer is a list
+    kinds: Mapping[tuple[int, str], str]
+
+
+def called(node: Any) -> str:
+    """The name of the function that it calls, without what it belongs to; empty where it calls none."""
+    if not isinstance(node, ast.Call):
+        return ""
+    return node.func.id if isinstance(node.func, ast.Name) else str(getattr(node.func, "attr", ""))
+
+
+class Expressions:
+    """Collects the edits in `made`."""
+
+    def __init__(self, facts: Facts) -> None:
+        self.made: list[Edit] = []
+        self.facts = facts
+        self._names: dict[int, list[str]] = {}
+
+    def add(self, kind: str, node: Any, what: str, *puts: tuple[Slot, Any]) -> None:
+        """Collect an edit at the node."""
+        line, column = getattr(node, "lineno", 1), getattr(node, "col_offset", 0)
+        for _, new in puts:
+            for each in ast.walk(new) if isinstance(new, ast.AST) else ():
+                if not hasattr(each, "lineno") or hasattr(each, "added"):
+                    ast.copy_location(each, node)
+        self.made.append(Edit(kind, line, column, what, puts))
+
+    def put(self, kind: str, slot: Slot, node: Any, text: str, **holes: Any) -> None:
+        """Collect the edit that puts that expression in place of the node."""
+        self.add(kind, node, text, (slot, expression(text, **holes)))
+
+    def stands_for(self, inside: Any, node: Any, kind: str) -> bool:
+        """Whether the name stands for that kind of value in the function."""
+        return self.facts.kinds.get((getattr(inside, "lineno", 0), node.id)) == kind
+
+    def of_expression(self, place: Place) -> None:
+        """Collect what may be changed at an expression."""
+        node = place.node
+        if isinstance(node, ast.Compare):
+            self._compare(place)
+        elif isinstance(node, ast.BoolOp):
+            self._logic(place)
+        elif isinstance(node, ast.BinOp):
+            self._operation(place)
+        elif isinstance(node, ast.Call):
+            self._call(place)
+        elif isinstance(node, ast.Constant):
+            self._constant(place)
+        elif isinstance(node, ast.Name):
+            self._name(place)
+        elif isinstance(node, ast.UnaryOp):
+            self.add("sign", node, "without", (place.slot, node.operand))
+        elif isinstance(node, ast.IfExp):
+            self.put("branch", place.slot, node, "b if t else a", a=node.body, b=node.orelse, t=node.test)
+        elif isinstance(node, ast.List | ast.Tuple):
+            self._row(place)
+        elif isinstance(node, ast.Subscript) and isinstance(node.slice, ast.Slice):
+            self.add("slice", node, "", (place.slot, node.value))
+        self._value(place)
+
+    def _compare(self, place: Place) -> None:
+        slot, node, _ = place
+        for at, operator in enumerate(node.ops):
+            for kind, table in (("compare-equal", SWAPPED), ("compare-turned", TURNED)):
+                if type(operator) in table:
+                    ops = [*node.ops[:at], table[type(operator)](), *node.ops[at + 1 :]]
+                    self.add(kind, node, f"{at}", (slot, ast.Compare(node.left, ops, node.comparators)))
+        if len(node.ops) == 1:
+            sides = {"a": node.left, "b": node.comparators[0]}
+            if isinstance(node.ops[0], ast.Eq | ast.NotEq):
+                sign = "<=" if isinstance(node.ops[0], ast.Eq) else ">"
+                for width in WIDTHS:
+                    self.put("near", slot, node, f"abs((a) - (b)) {sign} {width}", **sides)
+            elif type(node.ops[0]) in TURNED:
+                sign = SIGNS[type(node.ops[0])]
+                for width in WIDTHS:
+                    for by in "+-":
+                        self.put("room", slot, node, f"(a) {sign} (b) {by} {width}", **sides)
+                self.put("abs", slot, node, f"abs(a) {sign} (b)", **sides)
+        elif len(node.ops) == 2 and all(type(each) in TURNED for each in node.ops):
+            parts = {"a": node.left, "b": node.comparators[0], "c": node.comparators[1]}
+            up = isinstance(node.ops[0], ast.Lt | ast.LtE)
+            sign = "<=" if up else ">="
+            for width in WIDTHS:
+                for one, other in ("-+", "+-"):
+                    self.put(
+                        "room",
+                        slot,
+                        node,
+                        f"(a) {one} {width} {sign} (b) {sign} (c) {other} {width}",
+                        **parts,
+                    )
+            self.put("compare-equal", slot, node, f"(a) {sign} (b) {sign} (c)", **parts)
+            for pair in ("ab", "bc"):
+                text = f"({pair[0]}) {SIGNS[type(node.ops[pair == 'bc'])]} ({pair[1]})"
+                self.put("condition", slot, node, text, **parts)
+        for text in ("True", "False"):
+            self.put("condition", slot, node, text)
+
+    def _logic(self, place: Place) -> None:
+        slot, node, _ = place
+        for at in range(len(node.values)):
+            rest = node.values[:at] + node.values[at + 1 :]
+            self.add(
+                "condition", node, f"{at}", (slot, rest[0] if len(rest) == 1 else ast.BoolOp(node.op, rest))
+            )
+        other = ast.Or() if isinstance(node.op, ast.And) else ast.And()
+        self.add("condition", node, "other", (slot, ast.BoolOp(other, node.values)))
+        ends = [
+            each
+            for each in node.values
+            if isinstance(each, ast.Compare) and len(each.ops) == 1 and type(each.ops[0]) in TURNED
+        ]
+        if len(ends) < 2:
+            return
+        for width in WIDTHS:
+            for wider in (True, False):
+                values = []
+                for each in node.values:
+                    if each in ends:
+                        by = "+" if isinstance(each.ops[0], ast.Lt | ast.LtE) is wider else "-"
+                        text = f"(a) {SIGNS[type(each.ops[0])]} (b) {by} {width}"
+                        each = expression(text, a=each.left, b=each.comparators[0])
+                    values.append(each)
+                self.add("room", node, f"{width} {wider}", (slot, ast.BoolOp(node.op, values)))
+        swapped = [
+            ast.Compare(each.left, [SWAPPED[type(each.ops[0])]()], each.comparators) if each in ends else each
+            for each in node.values
+        ]
+        self.add("compare-equal", node, "ends", (slot, ast.BoolOp(node.op, swapped)))
+
+    def _operation(self, place: Place) -> None:
+        slot, node, inside = place
+        sides = (node.left, node.right)
+        for other in _OTHERS.get(type(node.op), ()):
+            if other in (ast.Mult, ast.Add) and any(self._sequence(each, inside) for each in sides):
+                continue  # a list times a large number is never ended
+            kind = "whole-division" if isinstance(node.op, ast.FloorDiv) else "operator"
+            kind = "sign" if other in (ast.Add, ast.Sub) and not isinstance(node.op, ast.Mult) else kind
+            self.add(kind, node, other.__name__, (slot, ast.BinOp(node.left, other(), node.right)))
+        if isinstance(node.op, ast.Sub):
+            self.put("turned", slot, node, "(b) - (a)", a=node.left, b=node.right)
+        for at, each in enumerate(sides):
+            self.add("dropped", node, f"{at}", (slot, each))
+        if isinstance(node.op, ast.Mult) and any(map(is_small, sides)):
+            for width in WIDTHS:
+                self.put("tolerance-scaled", slot, node, width)
+        if isinstance(node.op, ast.Pow) and literal(node.right) == 0.5:
+            self.put("root", slot, node, "max(0.0, a) ** b", a=node.left, b=node.right)
+
+    def _sequence(self, node: Any, inside: Any) -> bool:
+        if isinstance(node, ast.Name):
+            return not self.stands_for(inside, node, "number")
+        return isinstance(node, ast.List | ast.Tuple | ast.ListComp | ast.Constant) and literal(node) is None
+
+    def _call(self, place: Place) -> None:
+        slot, node, _ = place
+        name, args = called(node), node.args
+        if name in UNWRAPPED:
+            for at, each in enumerate(args[: 2 if name in ("min", "max") else 1]):
+                self.add(UNWRAPPED[name], node, f"{at}", (slot, each))
+                if len(args) == 2 and called(each) in ("min", "max") and len(each.args) == 2:
+                    for inner, kept in enumerate(each.args):
+                        self.add("clamp", node, f"{at}{inner}", (slot, kept))
+        if name in ("max", "hypot", "min") and len(args) > 1:
+            self.put("size", slot, node, "_size_")
+        if name == "sqrt" and args:
+            for text in ("max(0.0, x)", "abs(x)"):
+                root = ast.Call(node.func, [expression(text, x=args[0])], [])
+                self.add("root", node, text, (slot, root))
+        if name == "isclose" and len(args) >= 2:
+            for width in ("0.0", *WIDTHS):
+                kind = "tolerance-none" if width == "0.0" else "tolerance-scaled"
+                self.put(kind, slot, node, f"abs((a) - (b)) <= {width}", a=args[0], b=args[1])
+        if name in ("sin", "cos"):
+            other = copy.deepcopy(node)
+            setattr(
+                other.func,
+                "id" if isinstance(node.func, ast.Name) else "attr",
+                {"sin": "cos"}.get(name, "sin"),
+            )
+            self.add("sin-cos", node, "", (slot, other))
+        for key in node.keywords:
+            if key.arg in ("reverse", "key"):
+                kept = [each for each in node.keywords if each is not key]
+                self.add("order", node, key.arg, (slot, ast.Call(node.func, args, kept)))
+        if name not in ("max", "min", "hypot", "isclose", "range"):
+            for at in range(len(args) - 1):
+                other = [*args[:at], args[at + 1], args[at], *args[at + 2 :]]
+                self.add("arguments", node, f"{at}", (slot, ast.Call(node.func, other, node.keywords)))
+
+    def _constant(self, place: Place) -> None:
+        slot, node, _ = place
+        value = node.value
+        if value is None or type(value) is bool:
+            self.put("constant", slot, node, "[]" if value is None else repr(not value))
+        elif type(value) is int and abs(value) < 10**6:
+            for other in sorted({value + 1, value - 1, -value, value * 2, value // 2} - {value}):
+                self.put("constant", slot, node, repr(other))
+        elif type(value) is float and abs(value) > SMALL:
+            for near in sorted({-value, value * 2, value / 2} - {value}):
+                self.put("constant", slot, node, repr(near))
+
+    def _name(self, place: Place) -> None:
+        slot, node, inside = place
+        if inside is None or (isinstance(slot.parent, ast.Call) and slot.field != "args"):
+            return
+        kind = self.facts.kinds.get((inside.lineno, node.id))
+        for other in self._local(inside):
+            if other != node.id and kind is not None and self.facts.kinds.get((inside.lineno, other)) == kind:
+                self.add("name", node, other, (slot, ast.Name(other, ast.Load())))
+        if node.id.lower().rstrip("012") in ("r", "radius", "rad"):
+            for text in ("(x) * (x)", "(x) / 2"):
+                self.put("square", slot, node, text, x=node)
+
+    def _local(self, inside: Any) -> list[str]:
+        if id(inside) not in self._names:
+            own = {
+                each.id
+                for each in ast.walk(inside)
+                if isinstance(each, ast.Name) and isinstance(each.ctx, ast.Store)
+            }
+            own |= {each.arg for each in ast.walk(inside) if isinstance(each, ast.arg)}
+            self._names[id(inside)] = sorted(own)
+        return self._names[id(inside)]
+
+    def _row(self, place: Place) -> None:
+        slot, node, _ = place
+        row, items = isinstance(node, ast.List), node.elts
+        if len(items) == 2:
+            other = type(node)(items[::-1], ast.Load())
+            self.add("order" if row else "coordinates", node, "", (slot, other))
+        if row and len(items) > 1:
+            for at in (0, len(items) - 1):
+                self.add("dropped", node, f"{at}", (slot, ast.List([items[at]], ast.Load())))
+        if row and len(items) == 1:
+            self.add("form", node, "", (slot, items[0]))
+
+    def _value(self, place: Place) -> None:
+        """A value that is compared, returned, stored or divided."""
+        slot, node, _ = place
+        parent = slot.parent
+        stored = isinstance(parent, ast.Return) or (isinstance(parent, ast.Assign) and slot.field == "value")
+        stored = stored or (isinstance(parent, ast.BinOp) and isinstance(parent.op, ast.Div))
+        stored = stored or (isinstance(parent, ast.IfExp) and slot.field != "test")
+        if not isinstance(node, ast.BinOp | ast.Call | ast.Name):
+            return
+        if stored or isinstance(parent, ast.Compare | ast.Tuple | ast.List):
+            self.put("sign", slot, node, "-(x)", x=node)
+            self.put("abs", slot, node, "abs(x)", x=node)
+        if stored and not isinstance(node, ast.Name):
+            for text in _MEASURES:
+                self.put("measure", slot, node, text.format(x="x"), x=node)

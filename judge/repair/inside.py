@@ -1,0 +1,217 @@
+"""What stands in the box: the submission's text, its edits, and its answers with each of them.
+
+`ask` is called with what is wanted, the text first. Standard library only, and no import of judge but of what
+stands beside it: this file is handed to the contained process together with those.
+"""
+
+from __future__ import annotations
+
+import ast
+import builtins
+import decimal
+import sys
+import warnings
+import zlib
+
+from judge.repair.edits import KINDS, listed
+from judge.repair.exact import Foreign, context, lifted, lowered, names
+from judge.repair.expressions import Facts
+from judge.repair.trees import Edit, counted, shrunk, undo, watched
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+    from typing import Any
+
+MOST_TURNS = 20_000  # of loops and calls in one call
+_WATCHED = 30  # calls in which it is seen what names stand for
+_FILE = "<submission>"
+
+
+class Endless(BaseException):
+    """A call that does not come to an end."""
+
+
+class _Submission:
+    """One text, its cases, and the tree as the steps so far have left it."""
+
+    def __init__(self, text: str, entry: str, about: Sequence[Any], cases: Sequence[Any], sizes: Any) -> None:
+        self.entry, self.cases, self.sizes = entry, cases, sizes
+        self.parameters, self.guards, self.several, self.digits, self.whole = about
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            self.tree: Any = counted(ast.parse(text))
+        self.edits: list[Edit] = []
+        self.turns = 0
+
+    def follow(self, chain: Sequence[int]) -> None:
+        """Make the edits of the chain, and list those that can be made after them."""
+        self.edits = self._listed()
+        for place in chain:
+            self.edits[place].apply()
+            self.edits = self._listed()
+
+    def _listed(self) -> list[Edit]:
+        facts = Facts(self.entry, self.parameters, self.guards, self.several, self._kinds())
+        return listed(self.tree, facts)
+
+    def _kinds(self) -> dict[tuple[int, str], str]:
+        """What names stand for while it runs, by the line of their function: a number, or something else."""
+        found: dict[tuple[int, str], str] = {}
+
+        def note(frame: Any, event: str, _: Any) -> None:
+            if event == "return" and frame.f_code.co_filename == _FILE:
+                for name, value in frame.f_locals.items():
+                    kind = "number" if isinstance(value, int | float) else type(value).__name__
+                    found[frame.f_code.co_firstlineno, name] = kind
+
+        _while_noting(note, self.answers, range(0, len(self.cases), max(1, len(self.cases) // _WATCHED)))
+        return found
+
+    def leaving(self, places: Sequence[int]) -> list[int]:
+        """The line where the entry function returns each one's answer; 0 where it never does."""
+        found: list[int] = []
+
+        def note(frame: Any, event: str, _: Any) -> None:
+            code = frame.f_code
+            if event == "return" and (code.co_filename, code.co_name) == (_FILE, self.entry):
+                found[-1] = frame.f_lineno
+
+        space = self._space(vars(builtins), self.tree)
+        for place in places:
+            found.append(0)
+            _while_noting(note, self._answer, space, place)
+        return found
+
+    def answers(self, places: Sequence[int], tree: Any = None) -> list[list[Any]]:
+        """Each one's answer in a list of one; an empty list where it raises."""
+        space = self._space(vars(builtins), self.tree if tree is None else tree)
+        return [self._answer(space, place) for place in places]
+
+    def _space(self, built_in: Any, tree: Any) -> dict[str, Any]:
+        """The names of the program, once it was run."""
+        space: dict[str, Any] = {"__name__": "submission", "__builtins__": built_in, "_turn_": self._turn}
+        self.turns = 0
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            try:
+                exec(compile(tree, _FILE, "exec", dont_inherit=True), space)
+            except Foreign:
+                raise
+            except BaseException:
+                space.pop(self.entry, None)
+        return space
+
+    def _turn(self) -> None:
+        self.turns += 1
+        if self.turns > MOST_TURNS:
+            raise Endless
+
+    def _answer(
+        self, space: dict[str, Any], place: int, change: Callable[[Any], Any] = lambda x: x
+    ) -> list[Any]:
+        space["_size_"], space["_way_"] = self.sizes[place]
+        space["_case_"] = self.cases[place]
+        self.turns = 0
+        try:
+            return [space[self.entry](*[change(_fresh(each)) for each in self.cases[place]])]
+        except Foreign:
+            raise
+        except KeyboardInterrupt:
+            raise
+        except BaseException:
+            return []
+
+    def edited(self, number: int, places: Sequence[int]) -> list[list[Any]]:
+        """The same with that edit."""
+        before = self.edits[number].apply()
+        try:
+            return self.answers(places)
+        finally:
+            undo(before)
+
+    def exactly(self, factor: str, places: Sequence[int]) -> list[list[Any]] | None:
+        """The same without rounding, tolerances times that factor; None where it cannot be run so."""
+        try:
+            with decimal.localcontext(context(self.digits)):
+                space = self._exact_space(factor, self.tree if factor == "1" else shrunk(self.tree))
+                found = [self._answer(space, place, lifted) for place in places]
+                return [[lowered(each[0], self.whole)] if each else [] for each in found]
+        except Foreign:
+            return None
+
+    def _exact_space(self, factor: str, tree: Any) -> dict[str, Any]:
+        given = names(factor)
+        space = self._space(given, tree)
+        space["_FACTOR"] = given["_FACTOR"]
+        return space
+
+    def turning(self, places: Sequence[int]) -> list[int] | None:
+        """The line of each one's first comparison that comes out otherwise without rounding; 0 where none."""
+        tree, lines = watched(self.tree)
+        told: list[tuple[int, bool]] = []
+
+        def tell(place: int, value: Any) -> Any:
+            told.append((place, bool(value)))
+            return value
+
+        def first(space: dict[str, Any], place: int, change: Callable[[Any], Any]) -> list[tuple[int, bool]]:
+            told.clear()
+            self._answer(space, place, change)
+            return told[:MOST_TURNS]
+
+        plain = self._space({**vars(builtins), "_told_": tell}, tree)
+        usual = [first(plain, place, lambda x: x) for place in places]
+        try:
+            with decimal.localcontext(context(self.digits)):
+                exact = self._space({**names("1"), "_told_": tell}, tree)
+                other = [first(exact, place, lifted) for place in places]
+        except Foreign:
+            return None
+        pairs = zip(usual, other, strict=True)
+        turned = (next((a for a, b in zip(one, two, strict=False) if a != b), None) for one, two in pairs)
+        return [lines[each[0]] if each else 0 for each in turned]
+
+
+def _while_noting(note: Any, function: Callable[..., Any], *given: Any) -> None:
+    sys.setprofile(note)
+    try:
+        function(*given)
+    finally:
+        sys.setprofile(None)
+
+
+def _fresh(value: Any) -> Any:
+    return list(map(_fresh, value)) if type(value) is list else value
+
+
+_opened: list[_Submission] = []
+
+
+def ask(what: str, *given: Any) -> Any:
+    """What is wanted: `open` first, then `table` or a method of `_Submission`.
+
+    Opening says whether the program may be changed, and lists its edits where it is given a chain of them.
+    """
+    if what == "open":
+        *text, chain = given
+        _opened[:] = [_Submission(*text)]
+        if chain is not None:
+            _opened[0].follow(chain)
+        return _is_plain(_opened[0].tree)
+    one = _opened[0]
+    if what == "table":
+        return [[KINDS.index(each.kind), each.line, _hash(each)] for each in one.edits]
+    return getattr(one, what)(*given)
+
+
+def _is_plain(tree: Any) -> int:
+    """1 where it imports nothing but the standard library and numpy, else 0."""
+    found = [node for node in ast.walk(tree) if isinstance(node, ast.Import | ast.ImportFrom)]
+    names = [each.name for node in found if isinstance(node, ast.Import) for each in node.names]
+    names += [node.module or "" for node in found if isinstance(node, ast.ImportFrom)]
+    return int({name.partition(".")[0] for name in names} <= {*sys.stdlib_module_names, "numpy"})
+
+
+def _hash(edit: Edit) -> int:
+    return zlib.crc32(f"{edit.column} {edit.what}".encode())

@@ -1,0 +1,313 @@
+"""Questions 2 to 4: is it rounding alone, which one change makes the program right, and which several.
+
+All that is asked of the contained process are answers; whether they are right is decided here. What is tried
+is bounded by counts, so that the same program gets the same name on every machine, and ties are decided by
+kind, line and text of an edit, not by where it stands among the others.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from contextlib import suppress
+from typing import NamedTuple
+
+from msgspec import Struct
+
+from judge.data.model import ProblemData
+from judge.problem.solutions import LONGEST
+from judge.repair.cases import Cases
+from judge.repair.changed import Changed
+from judge.repair.child import NAME, SOURCE, Child, LostError, Table, limits_of
+from judge.repair.edits import KINDS
+from judge.run.execute import Judged
+from judge.sandbox.boundary import Box, BoxFactory
+from judge.values.wire import Raw
+
+_WRONG, _RIGHT = 14, 26  # cases on which every candidate, and every good one, is tried first
+_SAMPLE = 150  # cases of each kind that are run without rounding
+_LEFT = 60  # of those that remain after a step
+_TURNS = 12  # cases whose comparisons are looked at
+_FULL = 16  # candidates of a level that are run on all cases
+_OF_A_PLACE = 4  # of these with one kind at one line
+_MOST_CALLS = 150_000
+_DEPTH, _BEAM = 3, 2
+_WORTH = 0.1  # of the failures that a step must take away
+_SHRUNK = (
+    "1e-30",
+    "1e-900",
+)  # a tolerance that is next to nothing, and one that is nothing beside any number
+_ROUNDING = (  # the edits that can matter where no formula is wrong
+    *(
+        "room",
+        "near",
+        "tolerance-none",
+        "tolerance-smaller",
+        "tolerance-scaled",
+        "tolerance-negative",
+        "size",
+    ),
+    *("guard-exact", "compare-equal", "without-round", "without-int", "without-float", "single", "without"),
+    *("whole-division", "root", "without-set", "order"),
+)
+_AFTER = ("once", "filter", "order")  # what is asked of the answers themselves
+SURE = ("fresh", "parameter-order", "near", "once", "clamp", "without-round", "whole-division", "single")
+
+
+class Step(Struct, frozen=True):
+    """One change: its kind, its line (0 where it has none), and the failures that go with it, by place."""
+
+    kind: str
+    line: int
+    gone: frozenset[int] = frozenset()
+
+
+Steps = tuple[Step, ...]
+
+
+class Repair(Struct, frozen=True, kw_only=True):
+    """What was found out of a wrong program.
+
+    `whole` are chains of steps after which nothing fails; `part` is the best one after which less does.
+    `ways` are those of question 1 in which it is right. Without rounding it is right as it is (`rounding`),
+    or once no tolerance is wider than nothing (`tolerance`).
+    """
+
+    cases: Cases
+    whole: tuple[Steps, ...] = ()
+    part: Steps = ()
+    ways: tuple[str, ...] = ()
+    rounding: bool = False
+    tolerance: bool = False
+
+    @property
+    def failing(self) -> int:
+        """How many of the cases that it was asked fail."""
+        return len(self.cases.wrong)
+
+
+class _State(NamedTuple):
+    chain: tuple[int, ...]  # edits inside the box
+    after: tuple[str, ...]  # what is made of the answers
+    guarded: frozenset[int]  # cases whose answer is taken to be right
+    steps: Steps
+    wrong: frozenset[int]
+
+
+class _Candidate(NamedTuple):
+    gain: float
+    rank: tuple[int, int, int]
+    number: int
+    after: tuple[str, ...]
+
+
+class Search:
+    """One program; `share` of the usual budget is spent."""
+
+    def __init__(self, cases: Cases, child: Child, share: float = 1.0) -> None:
+        self._cases, self._child = cases, child
+        self._most = int(_MOST_CALLS * share)
+        self._everything = [*range(len(cases.all))]
+
+    def repair(self, ways: tuple[str, ...]) -> Repair:
+        """What is found, in the order of the questions. Raises LostError."""
+        start = frozenset(self._cases.wrong)
+        found = Repair(cases=self._cases, ways=ways)
+        if not start or "fresh" in ways:
+            return found
+        exact, tolerance = self._without_rounding(None, start, _SAMPLE)
+        rounding = exact or tolerance
+        state = self._ordered(_State((), (), frozenset(), (), start))
+        if not state.wrong:
+            return Repair(cases=self._cases, whole=(state.steps,), ways=ways)
+        whole, part = self._chains(state, rounding)
+        if exact and not any(steps[-1].kind in SURE for steps in whole):
+            line = self._child.turning(None, self._cases.spread(start, _TURNS))
+            whole.append((Step("rounding", line, start),))
+        return Repair(
+            cases=self._cases,
+            whole=tuple(whole),
+            part=part,
+            ways=ways,
+            rounding=exact,
+            tolerance=tolerance and not exact,
+        )
+
+    def _chains(self, state: _State, rounding: bool) -> tuple[list[Steps], Steps]:
+        """Chains that make it right, and the best one that does not."""
+        states, part = [state], state.steps
+        whole = [*self._rounded(state)] if part else []
+        if whole:
+            return whole, part
+        for _ in range(1 if rounding else _DEPTH):
+            made = [each for one in states for each in self._next(one, rounding)]
+            made.sort(key=_order)
+            whole = [each.steps for each in made if not each.wrong]
+            if whole:
+                return whole, part
+            states = _apart(made)[:_BEAM]
+            if not states:
+                break
+            part = states[0].steps
+            whole += [] if rounding else [steps for each in states for steps in self._rounded(each)]
+            if whole:
+                return whole, part
+        return [], part
+
+    def _rounded(self, state: _State) -> Iterator[Steps]:
+        """The steps, and that what is left is rounding, if it is."""
+        if self._without_rounding(state.chain, state.wrong, _LEFT, state)[0]:
+            line = self._child.turning(state.chain, self._cases.spread(state.wrong, _TURNS))
+            yield (*state.steps, Step("rounding", line, state.wrong))
+
+    # -- question 2 ------------------------------------------------------------------------------------
+
+    def _without_rounding(
+        self, chain: Sequence[int] | None, wrong: frozenset[int], most: int, state: _State | None = None
+    ) -> tuple[bool, bool]:
+        """Whether it is right without rounding, and whether it is without its tolerances, too."""
+        sample = sorted({*self._cases.spread(wrong, most), *self._cases.spread(self._everything, most)})
+        factors = ("1",) if state else ("1", *_SHRUNK)
+        found = self._child.exactly(chain, factors, sample)
+        right = [pairs is not None and not self._wrong(pairs, sample, state) for pairs in found]
+        return right[0], any(right[1:])
+
+    def _wrong(
+        self, pairs: Sequence[tuple[int, Raw]], places: Sequence[int], state: _State | None
+    ) -> frozenset[int]:
+        """Those of the places whose answers are wrong."""
+        after, guarded = (state.after, state.guarded) if state else ((), frozenset[int]())
+        right = {at for at, raw in pairs if self._cases.right(at, raw, after)}
+        return frozenset(places) - right - guarded
+
+    # -- questions 3 and 4 -----------------------------------------------------------------------------
+
+    def _ordered(self, state: _State) -> _State:
+        """The state once the parameters are in the right order, if they are in another one."""
+        table = self._child.table(())
+        for number, (kind, line, _) in enumerate(table):
+            if kind == "parameter-order":
+                (pairs,) = self._child.edited((), [number], self._everything)
+                left = self._wrong(pairs, self._everything, state)
+                if len(left) < len(state.wrong):
+                    step = Step(kind, line, state.wrong - left)
+                    return state._replace(chain=(number,), steps=(step,), wrong=left)
+        return state
+
+    def _next(self, state: _State, rounding: bool) -> Iterator[_State]:
+        """The states that are one step further, with fewer wrong answers."""
+        table = self._child.table(state.chain)
+        yield from self._asides(state)
+        few = self._cases.spread(state.wrong, _WRONG)
+        good = self._cases.spread((at for at in self._everything if at not in state.wrong), _RIGHT)
+        numbers = [n for n, (kind, *_) in enumerate(table) if not rounding or kind in _ROUNDING]
+        numbers = numbers[: max(0, (self._most - self._child.calls) // max(1, len(few)))]
+        first = self._tried(state, table, numbers, few)
+        promising = sorted({number for number, _, wrong in first if len(wrong) < len(few)})
+        promising = promising[: max(0, (self._most - self._child.calls) // max(1, len(good)))]
+        second = {
+            (number, after): len(wrong) for number, after, wrong in self._tried(state, table, promising, good)
+        }
+        worth = (
+            len(state.wrong) / max(1, len(few)),
+            (len(self._everything) - len(state.wrong)) / max(1, len(good)),
+        )
+        ranked = []
+        for number, after, wrong in first:
+            if (number, after) in second:
+                gain = (len(few) - len(wrong)) * worth[0] - second[number, after] * worth[1]
+                kind, line, hash_ = table[number]
+                ranked.append(_Candidate(gain, (KINDS.index(kind), line, hash_), number, after))
+        best = [*self._best(ranked, table)]
+        runs = self._child.edited(state.chain, [each.number for each in best], self._everything)
+        for each, pairs in zip(best, runs, strict=True):
+            then = state._replace(after=each.after)
+            left = self._wrong(pairs, self._everything, then)
+            if len(state.wrong) - len(left) >= max(1, _WORTH * len(state.wrong)) or not left:
+                kind, line, _ = table[each.number]
+                step = Step(kind, line, state.wrong - left)
+                chain = (*state.chain, each.number)
+                yield then._replace(chain=chain, steps=(*state.steps, step), wrong=left)
+
+    def _best(self, ranked: list[_Candidate], table: Table) -> Iterator[_Candidate]:
+        """Those that are worth all cases."""
+        taken: dict[tuple[str, int], int] = {}
+        left = min(_FULL, (self._most - self._child.calls) // max(1, len(self._everything)))
+        for each in sorted(ranked, key=lambda each: (-each.gain, *each.rank)):
+            place = table[each.number][:2]
+            if each.gain <= 0 or left <= 0:
+                return
+            taken[place] = taken.get(place, 0) + 1
+            if taken[place] <= _OF_A_PLACE:
+                left -= 1
+                yield each
+
+    def _tried(
+        self, state: _State, table: Table, numbers: Sequence[int], places: Sequence[int]
+    ) -> list[tuple[int, tuple[str, ...], frozenset[int]]]:
+        """Which of the cases are wrong with each edit; where a clamp goes, points beyond the ends go too."""
+        if not numbers or not places:
+            return [(number, state.after, frozenset()) for number in numbers]
+        found = []
+        for number, pairs in zip(numbers, self._child.edited(state.chain, numbers, places), strict=True):
+            found.append((number, state.after, self._wrong(pairs, places, state)))
+            if table[number][0] == "clamp" and "filter" not in state.after:
+                then = state._replace(after=(*state.after, "filter"))
+                found.append((number, then.after, self._wrong(pairs, places, then)))
+        return found
+
+    def _leaving(self, state: _State, gone: frozenset[int]) -> int:
+        return self._child.leaving(state.chain, self._cases.spread(gone, _TURNS))
+
+    def _asides(self, state: _State) -> Iterator[_State]:
+        """What is asked of the answers alone: cases that coincide, equal items, points beyond, the order."""
+        for name, some in self._cases.guards(state.wrong):
+            gone = state.wrong & some
+            kind = f"guard-{'zero' if name.endswith('=0') else 'same'}"
+            step = Step(f"{kind}:{name}", self._leaving(state, gone), gone)
+            yield state._replace(
+                guarded=state.guarded | some, steps=(*state.steps, step), wrong=state.wrong - some
+            )
+        pairs = self._child.answers(state.chain, self._everything)
+        for name in _AFTER:
+            if name in state.after:
+                continue
+            then = state._replace(after=(*state.after, name))
+            left = self._wrong(pairs, self._everything, then)
+            if len(left) < len(state.wrong):
+                gone = state.wrong - left
+                step = Step(name, self._leaving(state, gone), gone)
+                yield then._replace(steps=(*state.steps, step), wrong=left)
+
+
+def seek(
+    data: ProblemData, judged: Judged, source: bytes, box: Box, boxes: BoxFactory, *, share: float = 1.0
+) -> Repair | None:
+    """What makes the submission in `box` right; None where nothing is found, and it is asked no more.
+
+    `boxes` open one for its edits; without a source in Python, or with a library in it, only question 1 is
+    asked. Of the usual number of calls `share` are made. Raises JudgeError.
+    """
+    runner = judged.runner
+    cases = Cases(data, judged.behaviour)
+    if runner is None or not cases.wrong:
+        return None
+    ways = Changed(cases, runner, box, limits_of(data.problem)).ways()
+    found = Repair(cases=cases, ways=ways)
+    if runner.calls and not runner.language and len(source) <= LONGEST:
+        with suppress(LostError, UnicodeDecodeError), boxes(SOURCE, NAME) as beside:
+            found = Search(cases, Child(beside, source.decode("utf-8-sig"), cases), share).repair(ways)
+    return found if found.whole or found.part or ways else None
+
+
+def _order(state: _State) -> tuple[object, ...]:
+    last = state.steps[-1]
+    rank = KINDS.index(last.kind) if last.kind in KINDS else -1
+    return len(state.wrong), rank, last.kind, last.line, state.chain
+
+
+def _apart(states: Sequence[_State]) -> list[_State]:
+    """The first of those that say the same."""
+    found: dict[tuple[tuple[str, int], ...], _State] = {}
+    for each in states:
+        found.setdefault(tuple((step.kind, step.line) for step in each.steps), each)
+    return [*found.values()]

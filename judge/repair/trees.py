@@ -1,0 +1,160 @@
+"""The places of a program's syntax tree, and a change of some of them.
+
+Nothing is known of what the program is for. This file is handed to the contained process: standard library
+only, and no import of judge.
+"""
+
+from __future__ import annotations
+
+import ast
+import copy
+from typing import NamedTuple
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
+    from typing import Any
+
+SMALL = 0.02  # up to here a literal is a tolerance
+_SKIPPED = ("decorator_list", "annotation", "returns", "type_params", "ctx", "op", "ops")
+_PARTS = (ast.arguments, ast.arg, ast.alias, ast.keyword, ast.comprehension)
+FUNCTIONS = (ast.FunctionDef, ast.Lambda)
+
+
+class Slot(NamedTuple):
+    """A child of a node: what may be put elsewhere there."""
+
+    parent: Any
+    field: str
+    at: int = -1
+
+    def get(self) -> Any:
+        """What is there."""
+        found = getattr(self.parent, self.field)
+        return found if self.at < 0 else found[self.at]
+
+    def put(self, node: Any) -> None:
+        """Put that there."""
+        if self.at < 0:
+            setattr(self.parent, self.field, node)
+        else:
+            getattr(self.parent, self.field)[self.at] = node
+
+
+class Edit(NamedTuple):
+    """One change: its kind, its place, what tells it from others there, and the new nodes by slot."""
+
+    kind: str
+    line: int
+    column: int
+    what: str
+    puts: Sequence[tuple[Slot, Any]]
+
+    def apply(self) -> list[tuple[Slot, Any]]:
+        """Change the tree; what undoes it."""
+        before = [(slot, slot.get()) for slot, _ in self.puts]
+        for slot, node in self.puts:
+            slot.put(node)
+        return before
+
+
+def undo(before: Sequence[tuple[Slot, Any]]) -> None:
+    """Put back what an edit has replaced."""
+    for slot, node in reversed(before):
+        slot.put(node)
+
+
+class Place(NamedTuple):
+    """A node, its slot, and the function that it is in."""
+
+    slot: Slot
+    node: Any
+    inside: Any
+
+
+def places(tree: ast.AST) -> Iterator[Place]:
+    """Every statement and expression of the program's own."""
+    waiting: list[tuple[ast.AST, Any]] = [(tree, None)]
+    while waiting:
+        node, inside = waiting.pop()
+        inner = node if isinstance(node, FUNCTIONS) else inside
+        for field, value in ast.iter_fields(node):
+            if field in _SKIPPED:
+                continue
+            several = isinstance(value, list)
+            for at, each in enumerate(value if several else (value,)):
+                if isinstance(each, ast.AST):
+                    if not isinstance(each, _PARTS) and not hasattr(each, "added"):
+                        yield Place(Slot(node, field, at if several else -1), each, inner)
+                    waiting.append((each, inner))
+
+
+def literal(node: Any) -> float | None:
+    """The number that is written there, with its sign."""
+    if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub):
+        inner = literal(node.operand)
+        return None if inner is None else -inner
+    if isinstance(node, ast.Constant) and type(node.value) in (int, float):
+        value: Any = node.value
+        return float(value) if abs(value) < 1e300 else None
+    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Pow):
+        base, power = literal(node.left), literal(node.right)
+        if base and power is not None and 1e-3 < abs(base) < 1e3 and abs(power) < 99:
+            return float(base**power)
+    return None
+
+
+def is_small(node: Any) -> bool:
+    """Whether it is a tolerance, as it is written."""
+    value = literal(node)
+    return value is not None and 0 < abs(value) <= SMALL
+
+
+def expression(text: str, **holes: Any) -> Any:
+    """The expression, with nodes for names; what is written here is no place for another change."""
+
+    class Filled(ast.NodeTransformer):
+        def visit_Name(self, node: ast.Name) -> Any:
+            return holes.get(node.id, node)
+
+    tree = ast.parse(text, mode="eval")
+    for node in ast.walk(tree):
+        node.added = True  # type: ignore[attr-defined]
+    return Filled().visit(tree.body)
+
+
+def shrunk(tree: Any) -> Any:
+    """The tree with every tolerance times `_FACTOR`."""
+
+    class Smaller(ast.NodeTransformer):
+        def visit(self, node: Any) -> Any:
+            if isinstance(node, ast.expr) and is_small(node):
+                return ast.copy_location(expression("x * _FACTOR", x=node), node)
+            return self.generic_visit(node)
+
+    return ast.fix_missing_locations(Smaller().visit(copy.deepcopy(tree)))
+
+
+def counted(tree: Any) -> Any:
+    """The tree with a call of `_turn_` in every loop and every function, which ends what goes on for ever."""
+    for node in [*ast.walk(tree)]:
+        if isinstance(node, ast.FunctionDef | ast.For | ast.While):
+            turn = ast.Expr(expression("_turn_()"))
+            turn.added = True  # type: ignore[attr-defined]
+            for each in ast.walk(turn):
+                ast.copy_location(each, node)
+            node.body.insert(0, turn)
+    return tree
+
+
+def watched(tree: Any) -> tuple[Any, list[int]]:
+    """The tree with every comparison told to `_told_`, and the line of each."""
+    lines: list[int] = []
+
+    class Told(ast.NodeTransformer):
+        def visit_Compare(self, node: Any) -> Any:
+            lines.append(node.lineno)
+            text = f"_told_({len(lines) - 1}, x)"
+            return ast.copy_location(expression(text, x=self.generic_visit(node)), node)
+
+    return ast.fix_missing_locations(Told().visit(copy.deepcopy(tree))), lines

@@ -1,0 +1,84 @@
+"""What is said of a file that could answer nothing: the obstacle, and what to do."""
+
+from __future__ import annotations
+
+import os
+import shlex
+import sys
+from pathlib import Path
+
+from judge.languages import file_name
+from judge.problem import Problem, Verdict
+from judge.run.result import EntryError, Obstacle
+from judge.sandbox.boundary import IMPORTING
+
+_ONE_FILE = "a submission is one file"
+_KNOWN = ("numpy", "scipy", "sympy", "mpmath", "shapely")  # of the modules that Python does not bring
+_PACKAGES = {  # what brings a module of another name, or of one that is nearly another's
+    "attr": "attrs",
+    "cv2": "opencv-python",
+    "PIL": "pillow",
+    "skimage": "scikit-image",
+    "sklearn": "scikit-learn",
+    "yaml": "pyyaml",
+}
+
+
+def entry_text(error: EntryError, problem: Problem, submission: str, verdict: Verdict, message: str) -> str:
+    """The obstacle and the remedy in a sentence or two; `message` is the failure's."""
+    entry, count = problem.entry, len(problem.parameters)
+    call = f"{entry}({', '.join(parameter.name for parameter in problem.parameters)})"
+    line = f" (line {error.line})" if error.line else ""
+    match error.kind:
+        case Obstacle.STUB:
+            return f"Write the body of {entry}{line}, then save."
+        case Obstacle.ARITY:
+            return f"{entry} takes {error.takes} arguments and is called with {count}: {call}"
+        case Obstacle.MODULE:
+            return _missing_module(submission, error.name)
+        case Obstacle.IMPORT:
+            ended = message.removesuffix(IMPORTING)
+            more = ", or use 'judge run --mode program'" if ended.startswith("EOFError") else ""
+            return f"{ended} ends the import; put what only you need below if __name__ == '__main__':{more}"
+        case Obstacle.NESTED if error.name:
+            text = f"Is {error.name} in {error.within}{line} meant to be {entry}? Rename it, and move it out."
+        case Obstacle.NESTED:
+            text = f"{entry} stands in {error.within}{line}: move it out, to the left margin"
+        case Obstacle.TEXT | Obstacle.COMMENT:
+            text = f"{entry} stands in a {error.kind.value}{line}: it is never defined"
+        case Obstacle.MISNAMED if odd := next((letter for letter in error.name if letter > "~"), ""):
+            text = f"{error.name}{line} has {odd!r} (U+{ord(odd):04X}). Type it anew: {entry}"
+        case Obstacle.MISNAMED:
+            text = f"There is no {entry}; is {error.name}{line} meant? Rename it: def {call}"
+        case Obstacle.EMPTY:
+            return "The file holds no program."
+        case Obstacle.NO_ENTRY:
+            text = f"There is no {entry}: write def {call}, which returns the answer"
+            text += "; a print at the top level answers nothing." if error.name else "."
+            if verdict is not Verdict.WA:
+                text = f"Or write def {call}, which is called."
+    # What ended it is known, the rest is a guess.
+    return text if verdict is Verdict.WA else f"{message}. {text}"
+
+
+def _missing_module(submission: str, name: str) -> str:
+    top = name.partition(".")[0]
+    beside = Path(submission).parent / top
+    if any(os.path.lexists(path) for path in (beside, beside.with_name(file_name(top)))):
+        return f"{top} cannot be imported: {_ONE_FILE}; move what it needs of {top} into it"
+    meant = next((each for each in (*_KNOWN, *sorted(sys.stdlib_module_names)) if _one_slip(top, each)), None)
+    if meant and top not in _PACKAGES:
+        return f"there is no module {top}; did you mean {meant}? {_ONE_FILE.capitalize()}"
+    install = shlex.join([sys.executable, "-m", "pip", "install", _PACKAGES.get(top, top)])
+    return f"there is no module {top} where the judge runs, and {_ONE_FILE}. To add it: {install}"
+
+
+def _one_slip(typed: str, name: str) -> bool:
+    """Whether it is the name with a letter more, a letter less, another letter, or two of them exchanged."""
+    at = next(
+        (at for at, pair in enumerate(zip(typed, name, strict=False)) if pair[0] != pair[1]), len(typed)
+    )
+    rest, right = typed[at:], name[at:]
+    return min(len(typed), len(name)) > 3 and (
+        rest[1:] == right or rest == right[1:] or rest[1:] == right[1:] or rest == right[1::-1] + right[2:]
+    )

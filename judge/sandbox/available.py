@@ -1,0 +1,70 @@
+"""Which isolation levels this machine gives, tried one by one, and what a submission sees at each."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from pathlib import Path
+
+from judge.errors import JudgeError, ShortageError
+from judge.sandbox import concealed, roots
+from judge.sandbox.boundary import LEVELS, Limits, Stop
+from judge.sandbox.factory import Boxes
+
+MEANING = {
+    "full": "bubblewrap's namespaces, landlock, a system call filter and resource limits",
+    "strong": "landlock, a system call filter and resource limits; only the existence of files shows",
+    "limits": "resource limits only: a submission can read what you can read",
+}
+_LOOK = b"""
+import os, sys
+for path in sys.stdin.buffer.read().split(b"\\0"):
+    try:
+        found = os.listdir(path) if os.path.isdir(path) else [open(path)]
+    except OSError:
+        continue
+    if found:
+        sys.stdout.buffer.write(path + b"\\n")
+"""
+_LOOKING = Limits(cpu_seconds=10.0, wall_seconds=30.0, memory_bytes=1 << 28, output_bytes=1 << 22)
+
+
+@dataclass(frozen=True)
+class Level:
+    """What is known of one level on this machine; a key of `judge doctor --json` is a field.
+
+    `visible` is what a submission could read there of what none may see: a path, "" for nothing, None where
+    it was not tried.
+    """
+
+    name: str
+    available: bool
+    meaning: str
+    why_not: str = ""
+    remedy: str = ""  # a command, or what else would have to change
+    lasting: bool = True  # False where it is a passing shortage that denies it
+    visible: str | None = None
+
+
+def levels(hide: Iterable[Path] = ()) -> tuple[Level, ...]:
+    """Try each level, the best first, with a submission that looks for the judge, its problems and solutions.
+
+    `hide` are more folders that it looks for.
+    """
+    hide = tuple(hide)
+    found = roots.find_roots(hide)
+    others = concealed.ours(found.searched, (*found.folders, *found.files))
+    wanted = "\0".join([*found.unseen, *others])
+    return tuple(_try(name, hide, wanted.encode(errors="surrogateescape")) for name in LEVELS)
+
+
+def _try(name: str, hide: Iterable[Path], wanted: bytes) -> Level:
+    try:
+        with Boxes(name, hide)(_LOOK, "look.py") as box:
+            looked = box.run_program(wanted, _LOOKING)
+    except JudgeError as error:
+        lasting = not isinstance(error, ShortageError)
+        return Level(name, False, MEANING[name], error.what, error.remedy or "", lasting)
+    if looked.stop is not Stop.ANSWERED:
+        return Level(name, False, MEANING[name], f"a program that looks around failed: {looked.detail}")
+    return Level(name, True, MEANING[name], visible=looked.stdout.decode(errors="replace").partition("\n")[0])

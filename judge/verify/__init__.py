@@ -1,0 +1,1 @@
+"""The setter's gate: what a kata's folders promise is checked."""

@@ -1,0 +1,79 @@
+"""What is said of a file in which nothing can be called, and of one that is no program at all."""
+
+from __future__ import annotations
+
+import pytest
+
+import judge
+from judge.problem.find import find_problem
+from judge.report.tell import tell
+
+KATA = "which-side"
+ENTRY = find_problem(KATA).entry
+FAULTS = [
+    (b"print(undefined_name)\n", "NameError: name 'undefined_name' is not defined (line 1)"),
+    (b"import subprocess\nsubprocess.run(['echo'])\n", "(line 2), after 0 lines"),
+    (b'NOTES = """\ndef ENTRY(A, B, P):\n    return 1\n"""\n', "stands in a text (line 2)"),
+    (b"x = 1  # def ENTRY(A, B, P):\n", "stands in a comment (line 1)"),
+    (b"class Solution:\n    def ENTRY(self, A, B, P):\n        return 1\n", "in class Solution (line 2)"),
+    (b"def main():\n    def ENTRY(A, B, P):\n        return 1\n", "in function main (line 2)"),
+    (
+        b"class Solution:\n    def NEARLY(self, A, B, P):\n        return 1\n",
+        "Is NEARLY in class Solution (line 2) meant to be ENTRY?",
+    ),
+    (b"def ENTR\xd0\x83(A, B, P):\n    return 1\n", "has 'Ѓ' (U+0403)"),
+    (b"def NEARLY(A, B, P):\n    return 1\n", "is NEARLY (line 1) meant?"),
+    (b"# nothing yet\n\n", "The file holds no program."),
+    (b"", "The file holds no program."),
+    (b"x = 1\n", "There is no ENTRY: write def ENTRY("),
+    (b"import maths\ndef ENTRY(A, B, P):\n    return 1\n", "no module maths; did you mean math?"),
+    (b"import torch\ndef ENTRY(A, B, P):\n    return 1\n", "-m pip install torch"),
+    (b"import cv2\ndef ENTRY(A, B, P):\n    return 1\n", "-m pip install opencv-python"),
+    (b"%PDF-1.4\n%\xe2\xe3\n", "This is a PDF file, not a program."),
+    (b"PK\x03\x04\x00\x00", "This is a zip file, not a program."),
+    (b"<!DOCTYPE html>\n<html>", "This is a web page (HTML), not a program."),
+    (b'{"cells": [], "nbformat": 4}\n', "This is a notebook. Export it: File, Save as, .py"),
+    (b"x = 1\n<<<<<<< HEAD\n", "Line 2 is a merge conflict"),
+    (b">>> x = 1\n", "Line 1 is a dialog with Python"),
+    (b"```python\n", "Line 1 is a fence of Markdown"),
+    (b"@@ -1 +1 @@\n", "Line 1 is a diff"),
+]
+
+
+def near(text: bytes) -> bytes:
+    first, _, rest = ENTRY.partition("_")
+    return text.replace(b"NEARLY", f"{first}{rest.title()}".encode()).replace(b"ENTR", ENTRY[:-1].encode())
+
+
+@pytest.mark.parametrize(("source", "said"), FAULTS)
+def test_the_obstacle_is_told(source, said):
+    source = source.replace(b"ENTRY", ENTRY.encode())
+    shown = judge.judge(KATA, near(source), name="mine.py")
+    first, _, rest = ENTRY.partition("_")
+    expected = said.replace("ENTRY", ENTRY).replace("NEARLY", f"{first}{rest.title()}")
+    told = tell(find_problem(KATA), shown, source)
+    assert expected in told.happened
+    assert shown.pitfall is None
+
+
+def test_a_program_that_reads_its_input_is_told_nothing_of_an_entry():
+    source = b"class Solution:\n    def ENTRY(self):\n        return 1\n"
+    source += b"import sys\nfor line in sys.stdin:\n    print(7)\n"
+    shown = judge.judge(KATA, source.replace(b"ENTRY", ENTRY.encode()), name="mine.py")
+    assert shown.hurdle is None
+
+
+FORMS = [
+    ('return found or "no intersection"', "none-for-empty"),
+    ("return [number for point in found for number in point]", "points-in-one-list"),
+    ("return found[0] if len(found) == 1 else found", "point-not-in-a-list"),
+    ("return str(found)", "text-for-a-value"),
+]
+
+
+@pytest.mark.parametrize(("ending", "name"), FORMS)
+def test_a_fault_of_form_is_named(ending, name):
+    right = find_problem("segment").solutions / "accepted" / "exact.py"
+    source = right.read_text().replace("def circle_segment(", "def right(")
+    source += f"\n\ndef circle_segment(*case):\n    found = right(*case)\n    {ending}\n"
+    assert judge.judge("segment", source, name="mine.py").pitfall.names == (name,)
