@@ -3,7 +3,7 @@
     data/<id>-<place>-own          {"<group>": [[case, …], [target, …]], …}
     data/<id>-<place>-seeded       the same of the last run with a seed
 
-`place` stands for the problem's folder. Of a group with a size the file holds what its cases are built from.
+`place` stands for the problem's folder. Of a group of huge cases the file holds what they are built from.
 """
 
 from __future__ import annotations

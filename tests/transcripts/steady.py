@@ -73,7 +73,7 @@ def steadied(folder: Path) -> Iterator[None]:
     folder.mkdir(parents=True, exist_ok=True)
     versions: dict[Path, str] = {}
 
-    def judged(session: Session, source: bytes, name: str) -> Result:
+    def judged(session: Session, source: bytes, name: str, _on_verdict: object = None) -> Result:
         problem = session.problem
         version = versions.setdefault(problem.folder, "") or version_of(problem)
         versions[problem.folder] = version

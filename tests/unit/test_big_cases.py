@@ -185,3 +185,11 @@ def test_a_quadratic_solution_is_too_slow_for_how_it_grows(inversions):
     assert GROWS.match(result.failure.message)
     assert result.time.growth.exponent > result.time.growth.reference + 0.4
     jsonschema.validate(result.as_json(), schema_of(app.get_command(None, "run")))
+
+
+def test_what_is_clearly_too_steep_is_not_run_to_its_end(inversions, monkeypatch):
+    monkeypatch.setattr("judge.run.growth.LEAST_SECONDS", 0.001)  # of a reference that is quick on one case
+    result = judged(inversions, "slow/all-pairs.py")
+    assert (result.verdict, result.failure.group) == (Verdict.TLE, "n-6000")
+    assert GROWS.match(result.failure.message)
+    assert [(group.passed, group.cases) for group in result.groups[-2:]] == [(8, 8), (1, 3)]
