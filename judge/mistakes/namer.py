@@ -35,6 +35,8 @@ _SENTENCE = re.compile(r".*?(?:[.!?](?=\s)|$)", re.DOTALL)  # the first one of a
 
 _FEW = 8  # different right answers, up to which many mistakes have the same wrong ones
 
+_CLEAR = 0.8  # a likeness that stands even if the known program passes the case that is shown
+
 Alone = Callable[[str, int], bool]  # whether a submission fails that case of the group, called for it alone
 
 
@@ -123,7 +125,7 @@ class Namer:
         name, share = best
         nearest = likeness.nearest(name)
         state = self._maker(nearest).words.state and self._steady(does, alone)
-        if state or not self._fails(result, nearest):
+        if state or (share < _CLEAR and not self._fails(result, nearest)):
             return result, likeness
         return replace(result, pitfall=Pitfall((name,), round(share, 3), (nearest.text,))), likeness
 
