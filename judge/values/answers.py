@@ -83,6 +83,7 @@ class Words(Struct, frozen=True, forbid_unknown_fields=True):
     answer: str = ""  # what the number is called, such as "t"; else "the answer"
     meant: str = ""  # what a line of output holds, such as "0, 1, 2 or none"
     missing: str = ""  # why None is wrong where there is an answer
+    negative: str = ""  # why a number below 0 is, where the right one is not below
     order: str = ""  # in which order the elements of a list come
     unit: str = ""  # what a tolerance's `extent` and `zero` count in, such as "the size of the figure"
 

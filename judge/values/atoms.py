@@ -24,6 +24,7 @@ Value = Any  # an answer that was read, or a parameter's
 Leaf = Callable[[], tuple[Real, Tolerance]]  # an exact number and its tolerance
 Quick = Callable[[Raw, Target], float | None]
 
+_FEW_ULPS = 1000  # from here on they are no measure for a person
 NOTHING = -1.0  # where nothing is measured in ulps
 COORDINATES = ("x", "y", "z")
 LONGEST = 20_000  # items of all levels, where the type sets no bound above that
@@ -305,7 +306,11 @@ class RealType(NumberType):
         nearest = target[2]
         found = absolute, relative, ulps = answers.errors(value, nearest)
         where = place.name(short=True) or words.answer or "the answer"
-        share = "" if relative is None else f", relative error {relative:.2g} ({ulps:.3g} ulps)"
+        if words.negative and value < 0 <= nearest:
+            return Mismatch(f"{where} is negative: {words.negative}", where, found)
+        share = "" if relative is None else f", relative error {relative:.2g}"
+        if ulps is not None and ulps < _FEW_ULPS:
+            share += f" ({ulps:.3g} ulps)"
         how = answers.cut_digits(value, nearest)
         message = f"{where} is off by {absolute:.2g}{share}{how and f'; {how}'}"
         return Mismatch(message, where, found)

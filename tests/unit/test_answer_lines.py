@@ -231,7 +231,7 @@ def test_a_number_that_is_off_is_named_and_measured():
     assert isinstance(outcome, Rejection)
     assert outcome.where == "y of point 2"
     assert (outcome.absolute, outcome.relative, outcome.ulps) == (0.5, 0.5, 0.5 * 2**52)
-    assert outcome.message == "y of point 2 is off by 0.5, relative error 0.5 (2.25e+15 ulps)"
+    assert outcome.message == "y of point 2 is off by 0.5, relative error 0.5"
     assert outcome.got == "[(1.0, 1.0), (3.0, 1.5)]"
 
 
