@@ -32,6 +32,7 @@ from judge.mistakes.told import told_mistakes
 from judge.problem import Problem, Verdict
 from judge.problem.find import find_problem
 from judge.problem.model import chosen_groups
+from judge.repair.features import features
 from judge.report.tell import tell
 from judge.report.words import counted, printable
 from judge.run.function import FunctionRunner
@@ -185,12 +186,12 @@ def _explained(data: ProblemData, routine: Routine) -> Result:
         return run.failure is not None
 
     try:  # the file that it is written in; it may be in none
-        source = Path(routine.__code__.co_filename).read_bytes()
-    except (AttributeError, OSError):
-        source = b""
+        has = frozenset(features(Path(routine.__code__.co_filename).read_text(encoding="utf-8")))
+    except (AttributeError, OSError, UnicodeDecodeError):
+        has = frozenset()
     namer = Namer(data, None, Settings(measured=False), nullcontext)
     does = {run.group.name: run.answers for run in runs}
-    return namer.named(replace(result, counterexample=found), does, source, fails_alone)
+    return namer.named(replace(result, counterexample=found), does, lambda: has, fails_alone)
 
 
 def _lines(problem: Problem, name: str, runs: Sequence[GroupRun], found: Result | None) -> Iterator[str]:

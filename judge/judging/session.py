@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from judge.data.model import ProblemData
     from judge.diagnose.shrink import Choices
     from judge.mistakes.namer import Namer
+    from judge.repair.beside import Beside
     from judge.repair.search import Repair
     from judge.run.execute import Judged
 
@@ -233,9 +234,13 @@ class Session:
         # Whoever waits for the learning sees the verdict meanwhile.
         namer = self._mistakes(f"{result.verdict.value}  {result.submission}; ")
         try:
+            from judge.repair.beside import Beside
+
+            python = judged.runner is not None and not judged.runner.language
             alone = partial(self._fails_alone, source, result.submission)
-            repair = partial(self._repair, judged, source, box)
-            result = namer.named(result, judged.behaviour, source, alone, repair)
+            with Beside(self.open_box, source, python=python) as beside:
+                repair = partial(self._repair, judged, box, beside)
+                result = namer.named(result, judged.behaviour, beside.features, alone, repair)
         except Exception as fault:  # the verdict is known, and worth more
             result = result.noting(f"the mistake is not named: {told(fault)}")
         notes, namer.notes = namer.notes, []
@@ -250,12 +255,12 @@ class Session:
             self._namer = Namer(self.data, self.options.seed, self.untimed, bar, store=self._store)
         return self._namer
 
-    def _repair(self, judged: Judged, source: bytes, box: Box) -> Repair | None:
-        """What makes it right, sought in a box of its own; half as long where everything is one process."""
+    def _repair(self, judged: Judged, box: Box, beside: Beside) -> Repair | None:
+        """What makes it right; sought half as long where everything is one process."""
         from judge.repair.search import seek
 
         share = 0.5 if self._in_process else 1.0
-        return seek(self.data, judged, source, box, self.open_box, share=share)
+        return seek(self.data, judged, box, beside, share=share)
 
     def _fails_alone(self, source: bytes, name: str, group: str, case: int) -> bool:
         """Whether the submission fails one case when nothing was called before it."""

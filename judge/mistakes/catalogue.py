@@ -6,7 +6,7 @@ advice = "Divide with /."
 rounding = true            # chance decides which cases fail: how many do is all that can be compared
 state = true               # it is one only if a case passes when it is called alone
 form = true                # the answer's form is wrong, and that is the mistake itself
-needs = ["//", "whole"]    # a program has one of these, or does not make it (judge.mistakes.features)
+needs = ["//", "whole"]    # a program has one of these, or does not make it (judge.repair.features)
 edits = { "b = 2 * b" = "…" }  # lines that make it before the call of a right way, or after it where they
                            # assign `answer`, in each problem with these parameters; what is said of each
 
@@ -30,9 +30,9 @@ from msgspec import Struct
 
 from judge.cache import DISK, digest
 from judge.errors import ProblemError, meant
-from judge.mistakes.features import FEATURES
 from judge.problem import Problem
 from judge.problem.toml import parse_toml, read_text
+from judge.repair.features import FEATURES
 
 FILE = "mistakes.toml"
 _KIND = "kind"  # the table of what is said of repairs

@@ -15,10 +15,8 @@ from judge.cache import DISK, Store
 from judge.data.build import target_of
 from judge.data.model import ProblemData
 from judge.errors import told
-from judge.languages import language_of
 from judge.mistakes.catalogue import Words, read_kinds
 from judge.mistakes.computed import Computer
-from judge.mistakes.features import features
 from judge.mistakes.forms import of_form
 from judge.mistakes.known import KnownAnswers, Progress
 from judge.mistakes.likeness import Known, Likeness
@@ -78,20 +76,20 @@ class Namer:
         self,
         result: Result,
         does: Behaviour,
-        source: bytes,
+        has: Callable[[], frozenset[str] | None],
         alone: Alone,
         repair: Callable[[], Repair | None] = lambda: None,
     ) -> Result:
         """The result with its pitfall: what wrong answers like its own are known for, and what is proved.
 
-        `does` is what the submission answers, `source` its text; of one that is longer than any that a person
-        writes nothing is said. `repair` seeks the changes that make it right, where nothing is wrong with the
-        answers' form. Raises JudgeError where the mistakes' programs cannot be judged.
+        `does` is what the submission answers, `has` says what its text has (repair.features), None where
+        no person writes so much: then nothing is said. `repair` seeks the changes that make it right, where
+        the form of its answers is. Raises JudgeError where the mistakes' programs cannot be judged.
         """
         if not any(answers.wrong for answers in does.values()):
             return result
         with _collecting_later():
-            result, known = self._named(result, does, source, alone)
+            result, known = self._named(result, does, has(), alone)
         if known is None:
             return result
         try:
@@ -106,10 +104,9 @@ class Namer:
         return with_steps(result, told_of, kinds, partial(self._fails, result))
 
     def _named(
-        self, result: Result, does: Behaviour, source: bytes, alone: Alone
+        self, result: Result, does: Behaviour, has: frozenset[str] | None, alone: Alone
     ) -> tuple[Result, Likeness | None]:
         """The result with its name, and what else it may be like; None where the answers' form is wrong."""
-        has = features(source, language_of(result.submission))
         if has is None:
             return result, None
         formed = of_form(result, does, self._data, has, self._rights)

@@ -14,13 +14,13 @@ from typing import NamedTuple
 from msgspec import Struct
 
 from judge.data.model import ProblemData
-from judge.problem.solutions import LONGEST
+from judge.repair.beside import Beside
 from judge.repair.cases import Cases
 from judge.repair.changed import Changed
-from judge.repair.child import NAME, SOURCE, Child, LostError, Table
+from judge.repair.child import Child, LostError, Table
 from judge.repair.edits import KINDS
 from judge.run.execute import Judged
-from judge.sandbox.boundary import Box, BoxFactory
+from judge.sandbox.boundary import Box
 from judge.values.wire import Raw
 
 _WRONG, _RIGHT = 14, 26  # cases on which every candidate, and every good one, is tried first
@@ -283,12 +283,10 @@ class Search:
                 yield then._replace(steps=(*state.steps, step), wrong=left)
 
 
-def seek(
-    data: ProblemData, judged: Judged, source: bytes, box: Box, boxes: BoxFactory, *, share: float = 1.0
-) -> Repair | None:
+def seek(data: ProblemData, judged: Judged, box: Box, beside: Beside, *, share: float = 1.0) -> Repair | None:
     """What makes the submission in `box` right; None where nothing is found, and it is asked no more.
 
-    `boxes` open one for its edits; without a source in Python, or with a library in it, only question 1 is
+    It is changed in the box beside; without a source in Python, or with a library in it, only question 1 is
     asked. Of the usual number of calls `share` are made. Raises JudgeError.
     """
     runner = judged.runner
@@ -297,9 +295,9 @@ def seek(
         return None
     ways = Changed(cases, runner, box).ways()
     found = Repair(cases=cases, ways=ways)
-    if runner.calls and not runner.language and len(source) <= LONGEST:
-        with suppress(LostError, UnicodeDecodeError), boxes(SOURCE, NAME) as beside:
-            found = Search(cases, Child(beside, source.decode("utf-8-sig"), cases), share).repair(ways)
+    if runner.calls and beside.text is not None:
+        with suppress(LostError):
+            found = Search(cases, Child(beside.box, beside.text, cases), share).repair(ways)
     return found if found.whole or found.part or ways else None
 
 

@@ -32,10 +32,10 @@ from judge.languages import scan
 from judge.languages.model import language_of_file, languages
 from judge.languages.signature import Signature
 from judge.languages.sources import sources_of
-from judge.mistakes.features import features
 from judge.problem import Verdict
 from judge.problem.find import find_problem, fitting_problems, meant_problem, signs
 from judge.problem.toml import line_of, parse_toml
+from judge.repair.features import features
 from judge.report import formats, tell
 from judge.run import entry, printed, program
 from judge.run.result import judge_fault
@@ -163,7 +163,7 @@ _FUNCTIONS = {
 
 
 def _looked_at(text: str) -> None:
-    features(text.encode())
+    features(text)
 
 
 def _normal(name: str, text: str) -> None:

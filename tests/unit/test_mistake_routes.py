@@ -9,9 +9,9 @@ import pytest
 
 from judge.errors import ProblemError
 from judge.mistakes.catalogue import read_catalogue
-from judge.mistakes.features import features
 from judge.mistakes.routes import read_routes
 from judge.problem.find import find_problem
+from judge.repair.features import features
 
 TEXT = '''"""How the middle goes wrong."""
 
@@ -140,6 +140,6 @@ def test_a_fault_of_the_words_is_told(catalogue, text, what):
     ],
 )
 def test_features_of_a_program(source, has, lacks):
-    found = features(source.encode())
+    found = set(features(source))
     assert has <= found
     assert not lacks & found

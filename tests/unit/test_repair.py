@@ -15,6 +15,7 @@ from judge.judging.inprocess import InProcess
 from judge.mistakes.likeness import Likeness
 from judge.mistakes.repaired import Repaired
 from judge.problem.find import find_problem
+from judge.repair.beside import Beside
 from judge.repair.cases import Cases
 from judge.repair.child import NAME, SOURCE, Child, LostError
 from judge.repair.search import seek
@@ -43,7 +44,8 @@ def repair(data, text, boxes=InProcess):
     """What is found of a program, and what a person is told of it: kinds with their lines."""
     with boxes(text.encode(), "a.py") as box:
         found = judged(data, text, box)
-        made = seek(data, found, text.encode(), box, boxes)
+        with Beside(boxes, text.encode(), python=True) as beside:
+            made = seek(data, found, box, beside)
     steps = Repaired(made, Likeness([], found.behaviour), {}, few=False).chosen() if made else []
     return made, [(one.step.kind, one.step.line) for one in steps]
 
@@ -186,7 +188,8 @@ def test_a_child_that_dies_or_floods_is_no_repair(kata, body):
     text = body + "\n" + SEGMENT.replace("1e-10", "1e-5")
     with Boxes()(SEGMENT.replace("1e-10", "1e-5").encode(), "a.py") as box:
         found = judged(kata("segment"), SEGMENT, box)
-        made = seek(kata("segment"), found, text.encode(), box, Boxes())
+        with Beside(Boxes(), text.encode(), python=True) as beside:
+            made = seek(kata("segment"), found, box, beside)
     assert made is None or not made.whole
 
 
@@ -259,7 +262,8 @@ def test_half_the_counts_find_one_change(kata):
     text = SEGMENT.replace("1e-10 * size", "1e-9")
     with InProcess(text.encode(), "a.py") as box:
         found = judged(kata("segment"), text, box)
-        made = seek(kata("segment"), found, text.encode(), box, InProcess, share=0.5)
+        with Beside(InProcess, text.encode(), python=True) as beside:
+            made = seek(kata("segment"), found, box, beside, share=0.5)
     assert made.whole
 
 
@@ -345,12 +349,29 @@ def test_the_judge_parses_no_submission(kata):
     assert data.module
     with Boxes()(text.encode(), "a.py") as box:
         found = judged(data, text, box)
-        with pytest.MonkeyPatch.context() as patch:
+        with Beside(Boxes(), text.encode(), python=True) as beside, pytest.MonkeyPatch.context() as patch:
             for name in ("parse", "walk", "literal_eval"):
                 patch.setattr(ast, name, refused)
             patch.setattr(builtins, "compile", refused)
-            made = seek(data, found, text.encode(), box, Boxes())
+            assert {"root", "comparison"} <= beside.features()
+            made = seek(data, found, box, beside)
     assert made.whole
+
+
+@pytest.mark.parametrize(
+    ("source", "found"),
+    [
+        (b"x = 5 // 2", {"//", "whole", "round"}),
+        (b"def f(:", set()),
+        (b"import os\nos._exit(0)", set()),
+        (b"# \xff\nx = 5 // 2", {"//", "whole", "round"}),
+        (b"(" * 50_000, set()),
+        (b"x = 1" + b" " * 1_000_000, None),
+    ],
+)
+def test_what_a_text_has_is_asked_in_the_box(source, found):
+    with Beside(Boxes(), source, python=True) as beside:
+        assert beside.features() == found
 
 
 def refused(*_, **__):

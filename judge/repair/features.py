@@ -1,19 +1,17 @@
 """What a program's syntax tree has, as far as a mistake's name may speak of it.
 
 A name that speaks of `//`, a slope, a global or a root is said only of a program that has one. What is found
-is what might do it: a feature is missing only where it cannot be there.
+is what might do it: a feature is missing only where it cannot be there. Standard library only, and no import
+of judge: this file is handed to the contained process.
 """
 
 from __future__ import annotations
 
 import ast
-from collections.abc import Callable, Iterator, Mapping
-from typing import TYPE_CHECKING
 
-from judge.problem.solutions import LONGEST, tree_of_stranger
-
+TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from judge.languages.model import Language
+    from collections.abc import Callable, Iterator, Mapping
 
 _ROUNDERS = frozenset({"int", "round", "floor", "trunc", "ceil", "rint", "astype", "quantize", "divmod"})
 _ROOTS = frozenset({"sqrt", "hypot", "isqrt", "dist", "norm", "pow", "cbrt", "csqrt"})
@@ -46,23 +44,18 @@ _MOST_VISITS = 20  # of a node, for the functions that it is in
 _SLICED = (ast.Subscript, ast.Attribute)
 
 
-def features(source: bytes, language: Language | None = None) -> frozenset[str] | None:
-    """The features of a program in that language, in Python without one; None where it is not looked at.
-
-    What is no Python shows none: a name that speaks of one is not said.
-    """
-    if len(source) > LONGEST:
-        return None
+def features(text: str) -> list[str]:
+    """The features of a program; what is no Python shows none: a name that speaks of one is not said."""
     try:
-        tree = tree_of_stranger(source)
-    except SyntaxError:
-        return None if language is None else frozenset()
+        tree = ast.parse(text)
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return []
     nodes = list(ast.walk(tree))
-    names = frozenset(_names(nodes))
-    return frozenset(name for name, has in FEATURES.items() if has(nodes, names))
+    names = frozenset(_named_by(nodes))
+    return [name for name, has in FEATURES.items() if has(nodes, names)]
 
 
-def _names(nodes: list[ast.AST]) -> Iterator[str]:
+def _named_by(nodes: list[ast.AST]) -> Iterator[str]:
     """Every name that is read, imported or asked of something."""
     for node in nodes:
         if isinstance(node, ast.Name):
@@ -141,8 +134,7 @@ def _strict(nodes: list[ast.AST], _names: frozenset[str]) -> bool:
     return any(isinstance(node, ast.Compare) for node in nodes)
 
 
-Finder = Callable[[list[ast.AST], frozenset[str]], bool]
-FEATURES: Mapping[str, Finder] = {
+FEATURES: Mapping[str, Callable[[list[ast.AST], frozenset[str]], bool]] = {
     "//": _whole_division,
     "whole": lambda nodes, names: (
         _whole_division(nodes, names) or bool(names & _ROUNDERS) or bool(names & _FIXED)
