@@ -146,7 +146,8 @@ class Session:
             return load_data(self.problem, store=self._store, seed=self.options.seed, progress=advance)
 
     def judge(self, source: bytes, name: str, on_verdict: Callable[[Result], None] | None = None) -> Result:
-        """Judge one submission as the options say; `on_verdict` hears of a failure before it is explained.
+        """Judge one submission as the options say; `on_verdict` hears of a failure before it is explained,
+        and again with its smallest case.
 
         A fault of the problem's or of the judge's own is a result too, JE: it costs this submission alone.
 
@@ -199,7 +200,7 @@ class Session:
             judged = judged._replace(result=result)
             if options.diagnosed:
                 judged = judged._replace(result=self.diagnosed(judged, self.data, box))
-            return self.named(judged, source, box) if options.named else judged.result
+            return self.named(judged, source, box, on_verdict) if options.named else judged.result
 
     def diagnosed(
         self, judged: Judged, data: ProblemData, box: Box, choices: Choices | None = None
@@ -223,10 +224,13 @@ class Session:
             found = runner.explained(found, does)
         return replace(result, counterexample=found)
 
-    def named(self, judged: Judged, source: bytes, box: Box) -> Result:
+    def named(
+        self, judged: Judged, source: bytes, box: Box, on_verdict: Callable[[Result], None] | None = None
+    ) -> Result:
         """The result with its pitfall where there is one; what goes wrong with that is only a note.
 
-        `judged` is what the submission in `box` answers to the session's cases.
+        `judged` is what the submission in `box` answers to the session's cases. `on_verdict` hears of the
+        result again before the line of the mistake is sought.
         """
         result = judged.result
         if result.verdict not in NAMED:
@@ -239,7 +243,12 @@ class Session:
             python = judged.runner is not None and not judged.runner.language
             alone = partial(self._fails_alone, source, result.submission)
             with Beside(self.open_box, source, python=python) as beside:
-                repair = partial(self._repair, judged, box, beside)
+
+                def repair() -> Repair | None:
+                    if on_verdict:
+                        on_verdict(result)
+                    return self._repair(judged, box, beside)
+
                 result = namer.named(result, judged.behaviour, beside.features, alone, repair)
         except Exception as fault:  # the verdict is known, and worth more
             result = result.noting(f"the mistake is not named: {told(fault)}")

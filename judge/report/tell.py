@@ -275,7 +275,8 @@ def _last(result: Result) -> str:
 def looking(result: Result) -> str:
     """What is known of a failure as long as it is being explained."""
     passed, cases = sum(each.passed for each in result.groups), sum(each.cases for each in result.groups)
-    return f"{passed:,} of {counted(cases, 'case')} pass. Looking for the smallest that fails …"
+    sought = "the line" if result.counterexample else "the smallest that fails"
+    return f"{passed:,} of {counted(cases, 'case')} pass. Looking for {sought} …"
 
 
 def _points(result: Result) -> str:
