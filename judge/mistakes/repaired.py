@@ -156,7 +156,7 @@ def with_steps(result: Result, repaired: Repaired, kinds: Kinds) -> Result:
         found = repaired.joined(found, today.names)
         if not any(one.name in today.names for one in found):
             return result
-    steps = _told(found, repaired.failing, kinds)
+    steps = _told([one for one in found if one.name or one.step.gone], repaired.failing, kinds)
     named = {one.name: one.share for one in found if one.name}
     texts = {one.name: repaired.text(one) for one in reversed(found) if one.name}
     advice = tuple(texts[name] for name in named)
@@ -178,5 +178,9 @@ def _told(found: Sequence[_Named], failing: int, kinds: Kinds) -> tuple[MistakeS
 
 def _contradicts(repaired: Repaired, today: Pitfall, found: Sequence[_Named]) -> bool:
     """Whether the repair is a whole proof of something else than the name says."""
-    kind = _plain(found[0].step.kind)
-    return len(found) == 1 and kind in _PROVED and not set(today.names) <= set(repaired.names(kind))
+    kinds = [_plain(one.step.kind) for one in found]
+    if len(found) == 1 and kinds[0] in _PROVED:
+        return not set(today.names) <= set(repaired.names(kinds[0]))
+    gone = frozenset[int]().union(*(one.step.gone for one in found))
+    may = {one.name for one in found}.union(*map(repaired.names, kinds))
+    return len(gone) == repaired.failing and today.score < _ALL and not may.intersection(today.names)
