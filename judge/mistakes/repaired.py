@@ -6,7 +6,8 @@ with the step are to those of the known program: one formula.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections import Counter
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 from msgspec.structs import replace
@@ -62,11 +63,17 @@ class Repaired:
         everything = frozenset(repair.cases.wrong)
         chains = [*repair.whole, *((Step(way, 0, everything),) for way in repair.ways)]
         if chains:
-            return max((self._steps(chain) for chain in chains), key=self._worth)
+            often = Counter(step.line for chain in chains for step in chain)
+            return max((self._steps(chain) for chain in chains), key=lambda one: self._rank(one, often))
         gone = frozenset[int]().union(*(step.gone for step in repair.part))
         if len(gone) < _WORTH * len(everything):
             return []
         return [_Named(step, "", 0.0) for step in repair.part]
+
+    def _rank(self, steps: Sequence[_Named], often: Mapping[int, int]) -> tuple[float, int, list[int]]:
+        """Of chains that are worth the same, the one whose lines most others have, or else the later lines."""
+        lines = [one.step.line for one in steps]
+        return self._worth(steps), sum(often[line] for line in lines), lines
 
     def _worth(self, steps: Sequence[_Named]) -> float:
         each = [self._strength(one) + 0.8 * one.share - (0 if one.name else 0.15) for one in steps]
