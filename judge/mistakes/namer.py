@@ -100,7 +100,7 @@ class Namer:
             return result
         kinds = read_kinds(self._data.problem)
         answers = {outline for outlines in self._rights.values() for outline in outlines}
-        return with_steps(result, Repaired(found, known, kinds, few=len(answers) <= _FEW), kinds)
+        return with_steps(result, Repaired(found, known, kinds, few=len(answers) <= _FEW))
 
     def _named(
         self, result: Result, does: Behaviour, source: bytes, alone: Alone

@@ -21,8 +21,9 @@ _TOLD = 0.55  # share of the failures that a name of the kind must have
 _FITS = 0.3  # … and one that is today's already
 _ANY = 0.6  # … and one that the kind does not propose,
 _AHEAD = 0.15  # by so much more than the next one
+_BEHIND = 0.05  # … and no more than so much less than one that the kind does not propose
 _SAME = 0.9  # … and one of what is proved without a name
-_ALL = 0.95  # from here on all answers are those of the known program
+_ALL = 0.98  # from here on all answers are those of the known program
 _STRONG = 0.87  # a kind that says what it is even where it explains a part
 _FEW = 5  # failures: fewer are like too much
 _WORTH = 0.5  # of the failures that steps must take away where they do not take all
@@ -71,7 +72,7 @@ class Repaired:
         return [_Named(step, "", 0.0) for step in repair.part]
 
     def _rank(self, steps: Sequence[_Named], often: Mapping[int, int]) -> tuple[float, int, list[int]]:
-        """Of chains that are worth the same, the one whose lines most others have, or else the later lines."""
+        """Of chains that are worth the same the one whose lines most others have, or else the later lines."""
         lines = [one.step.line for one in steps]
         return self._worth(steps), sum(often[line] for line in lines), lines
 
@@ -108,7 +109,7 @@ class Repaired:
         if not proved and most >= _ALL and ahead > 0:
             return _Named(step, first, most)
         twin = most >= _ALL and ahead == 0  # another mistake has all of these answers, too
-        if best and not twin and shares[best] >= (_SAME if proved else _TOLD):
+        if best and not twin and shares[best] >= max(most - _BEHIND, _SAME if proved else _TOLD):
             return _Named(step, best, shares[best])
         if not proved and most >= _ANY and ahead >= _AHEAD:
             return _Named(step, first, most)
@@ -138,15 +139,23 @@ class Repaired:
         return self._likeness.share(name, [self._places[at] for at in gone]) if name in self._known else 0.0
 
     def text(self, one: _Named) -> str:
-        """What is said of the program of that name that is most alike."""
+        """What is said of the program of that name that is most alike; where none is, what is proved."""
+        if self.share(one.name, one.step.gone) < _FITS:
+            return self.why(one.step)
         return self._likeness.nearest(one.name, [self._places[at] for at in one.step.gone]).text
+
+    def why(self, step: Step) -> str:
+        """What is said of a repair of that kind."""
+        kind, _, which = step.kind.partition(":")
+        words = self._kinds.get(kind)
+        return words.why.replace("{which}", which.replace("=", " = ")) if words else ""
 
 
 def _plain(kind: str) -> str:
     return kind.partition(":")[0]
 
 
-def with_steps(result: Result, repaired: Repaired, kinds: Kinds) -> Result:
+def with_steps(result: Result, repaired: Repaired) -> Result:
     """The result with what the repair says, beside the name that it may have already.
 
     Where the two tell of different things, and neither is proved, the name is all that is said.
@@ -163,7 +172,7 @@ def with_steps(result: Result, repaired: Repaired, kinds: Kinds) -> Result:
         found = repaired.joined(found, today.names)
         if not any(one.name in today.names for one in found):
             return result
-    steps = _told([one for one in found if one.name or one.step.gone], repaired.failing, kinds)
+    steps = _told([one for one in found if one.name or one.step.gone], repaired)
     named = {one.name: one.share for one in found if one.name}
     texts = {one.name: repaired.text(one) for one in reversed(found) if one.name}
     advice = tuple(texts[name] for name in named)
@@ -171,15 +180,17 @@ def with_steps(result: Result, repaired: Repaired, kinds: Kinds) -> Result:
     return replace(result, pitfall=Pitfall(tuple(named), score, advice, steps=steps))
 
 
-def _told(found: Sequence[_Named], failing: int, kinds: Kinds) -> tuple[MistakeStep, ...]:
+def _told(found: Sequence[_Named], repaired: Repaired) -> tuple[MistakeStep, ...]:
     """The steps in words; of one that leaves something wrong only the line, unless its kind is strong."""
     steps = []
     gone = frozenset[int]().union(*(one.step.gone for one in found))
     for one in found:
-        kind, _, which = one.step.kind.partition(":")
-        sure = len(gone) == failing or _STRENGTH.get(kind, 0.0) >= _STRONG
-        why = kinds[kind].why.replace("{which}", which.replace("=", " = ")) if sure and kind in kinds else ""
-        steps.append(MistakeStep(one.name or None, kind, one.step.line, len(one.step.gone), failing, why))
+        kind = _plain(one.step.kind)
+        sure = len(gone) == repaired.failing or _STRENGTH.get(kind, 0.0) >= _STRONG
+        why = repaired.why(one.step) if sure else ""
+        steps.append(
+            MistakeStep(one.name or None, kind, one.step.line, len(one.step.gone), repaired.failing, why)
+        )
     return tuple(steps)
 
 

@@ -41,7 +41,7 @@ def said(repair, *programs, wrong=range(10), today=None, few=False):
     does = {"g": Answers(CASES, {case: one(1) for case in wrong})}
     made = Repair(cases=cases, **repair)
     result = Result(problem="sum", submission="a.py", verdict=Verdict.WA, pitfall=today)
-    return with_steps(result, Repaired(made, Likeness(programs, does), KINDS, few=few), KINDS).pitfall
+    return with_steps(result, Repaired(made, Likeness(programs, does), KINDS, few=few)).pitfall
 
 
 def whole(*steps, **more):
@@ -123,10 +123,33 @@ def test_each_step_has_its_own_name():
     ]
 
 
-def test_a_single_name_that_no_step_bears_out_is_told_without_them():
-    today = Pitfall(("far",), 0.9, ("words",))
+@pytest.mark.parametrize("score", [0.9, 0.99])
+def test_a_name_that_no_step_bears_out_is_kept_only_where_nearly_all_is_the_same(score):
+    today = Pitfall(("far",), score, ("words",))
     found = said(whole(("room", 7, range(6)), ("sign", 4, range(6, 10))), today=today)
-    assert found == today
+    if score > 0.98:
+        assert found == today
+    else:
+        assert (found.names, [step.line for step in found.steps]) == ((), [7, 4])
+
+
+def test_a_name_of_the_kind_gives_way_where_another_one_is_more_alike():
+    programs = known("no-room", range(7)), known("far", range(8))
+    assert said(whole(("room", 7, range(10))), *programs).names == ()
+
+
+def test_of_equal_repairs_the_line_is_told_that_most_of_them_change_or_the_later_one():
+    def lines(*given):
+        chains = tuple((Step("sign", line, frozenset(range(10))),) for line in given)
+        return [step.line for step in said({"whole": chains}).steps]
+
+    assert lines(3, 5) == [5]
+    assert lines(3, 3, 5) == [3]
+
+
+def test_a_step_on_which_nothing_hangs_is_not_told():
+    found = said(whole(("room", 7, range(10)), ("sign", 4, ())))
+    assert [step.line for step in found.steps] == [7]
 
 
 def test_of_a_part_only_the_line_is_told():
