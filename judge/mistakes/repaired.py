@@ -25,6 +25,7 @@ _BEHIND = 0.05  # … and no more than so much less than one that the kind does 
 _SAME = 0.9  # … and one of what is proved without a name
 _ALL = 0.98  # from here on all answers are those of the known program
 _STRONG = 0.87  # a kind that says what it is even where it explains a part
+_MANY = 3  # steps, of which each may only fit what is left
 _FEW = 5  # failures: fewer are like too much
 _WORTH = 0.5  # of the failures that steps must take away where they do not take all
 _SURE = ("fresh",)  # the kind proves the name
@@ -77,7 +78,7 @@ class Repaired:
         return self._worth(steps), sum(often[line] for line in lines), lines
 
     def _worth(self, steps: Sequence[_Named]) -> float:
-        each = [self._strength(one) + 0.8 * one.share - (0 if one.name else 0.15) for one in steps]
+        each = [self._strength(one) + 0.8 * one.share - (0 if one.name else 0.15 if one.step.line else 0.45) for one in steps]
         return round(sum(each) / len(each) - 0.25 * (len(each) - 1), 6)
 
     def _strength(self, one: _Named) -> float:
@@ -139,8 +140,8 @@ class Repaired:
         return self._likeness.share(name, [self._places[at] for at in gone]) if name in self._known else 0.0
 
     def text(self, one: _Named) -> str:
-        """What is said of the program of that name that is most alike; where none is, what is proved."""
-        if self.share(one.name, one.step.gone) < _FITS:
+        """What is said of the program of that name that is most alike; where it is not, what is proved."""
+        if not one.step.line and self.share(one.name, one.step.gone) < _SAME:
             return self.why(one.step)
         return self._likeness.nearest(one.name, [self._places[at] for at in one.step.gone]).text
 
@@ -181,12 +182,13 @@ def with_steps(result: Result, repaired: Repaired) -> Result:
 
 
 def _told(found: Sequence[_Named], repaired: Repaired) -> tuple[MistakeStep, ...]:
-    """The steps in words; of one that leaves something wrong only the line, unless its kind is strong."""
+    """The steps in words; only the line where something stays wrong or many are needed, and none is strong."""
     steps = []
     gone = frozenset[int]().union(*(one.step.gone for one in found))
     for one in found:
         kind = _plain(one.step.kind)
-        sure = len(gone) == repaired.failing or _STRENGTH.get(kind, 0.0) >= _STRONG
+        whole = len(gone) == repaired.failing and (len(found) < _MANY or kind in _PROVED)
+        sure = whole or _STRENGTH.get(kind, 0.0) >= _STRONG
         why = repaired.why(one.step) if sure else ""
         steps.append(
             MistakeStep(one.name or None, kind, one.step.line, len(one.step.gone), repaired.failing, why)

@@ -113,6 +113,16 @@ def test_state_is_named_only_where_a_fresh_process_proves_it():
     assert said(whole(("sign", 3, range(10))), keeps).names == ()
 
 
+def test_what_is_kept_in_a_way_that_nobody_knows_is_told_in_the_kinds_words():
+    assert said({"ways": ("fresh",)}, known("keeps", range(2))).advice == ("Kept.",)
+
+
+def test_of_three_steps_only_the_lines_are_told_and_what_is_proved():
+    steps = whole(("room", 7, range(4)), ("sign", 4, range(4, 7)), ("rounding", 9, range(7, 10)))
+    told = [(step.line, step.why) for step in said(steps).steps]
+    assert told == [(7, ""), (4, ""), (9, "Rounding alone.")]
+
+
 def test_each_step_has_its_own_name():
     steps = whole(("room", 7, range(6)), ("guard-same:A=B", 4, range(6, 10)))
     found = said(steps, known("no-room", range(6)), known("far", range(20, 30)))
