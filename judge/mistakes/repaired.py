@@ -78,7 +78,7 @@ class Repaired:
         return self._worth(steps), sum(often[line] for line in lines), lines
 
     def _worth(self, steps: Sequence[_Named]) -> float:
-        each = [self._strength(one) + 0.8 * one.share - (0 if one.name else 0.15 if one.step.line else 0.45) for one in steps]
+        each = [self._strength(one) + 0.8 * one.share - _untold(one) for one in steps]
         return round(sum(each) / len(each) - 0.25 * (len(each) - 1), 6)
 
     def _strength(self, one: _Named) -> float:
@@ -152,6 +152,11 @@ class Repaired:
         return words.why.replace("{which}", which.replace("=", " = ")) if words else ""
 
 
+def _untold(one: _Named) -> float:
+    """What a step is worth less that has no name, or not even a line."""
+    return 0.0 if one.name else 0.15 if one.step.line else 0.45
+
+
 def _plain(kind: str) -> str:
     return kind.partition(":")[0]
 
@@ -182,7 +187,7 @@ def with_steps(result: Result, repaired: Repaired) -> Result:
 
 
 def _told(found: Sequence[_Named], repaired: Repaired) -> tuple[MistakeStep, ...]:
-    """The steps in words; only the line where something stays wrong or many are needed, and none is strong."""
+    """The steps in words; only the line where something stays wrong or there are many, and none is strong."""
     steps = []
     gone = frozenset[int]().union(*(one.step.gone for one in found))
     for one in found:

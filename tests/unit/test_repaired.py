@@ -157,6 +157,11 @@ def test_of_equal_repairs_the_line_is_told_that_most_of_them_change_or_the_later
     assert lines(3, 3, 5) == [3]
 
 
+def test_a_line_is_told_before_a_way_that_has_none():
+    found = said(whole(("name", 7, range(10)), ways=("moved",)))
+    assert [(step.kind, step.line) for step in found.steps] == [("name", 7)]
+
+
 def test_a_step_on_which_nothing_hangs_is_not_told():
     found = said(whole(("room", 7, range(10)), ("sign", 4, ())))
     assert [step.line for step in found.steps] == [7]
