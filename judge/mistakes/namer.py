@@ -101,7 +101,7 @@ class Namer:
         kinds = read_kinds(self._data.problem)
         answers = {outline for outlines in self._rights.values() for outline in outlines}
         told_of = Repaired(found, known, kinds, few=len(answers) <= _FEW)
-        return with_steps(result, told_of, kinds, partial(self._fails, result))
+        return with_steps(result, told_of, partial(self._fails, result))
 
     def _named(
         self, result: Result, does: Behaviour, has: frozenset[str] | None, alone: Alone

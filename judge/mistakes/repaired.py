@@ -6,7 +6,8 @@ with the step are to those of the known program: one formula.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections import Counter
+from collections.abc import Callable, Mapping, Sequence
 from typing import NamedTuple
 
 from msgspec.structs import replace
@@ -20,11 +21,13 @@ _TOLD = 0.55  # share of the failures that a name of the kind must have
 _FITS = 0.3  # … and one that is today's already
 _ANY = 0.6  # … and one that the kind does not propose,
 _AHEAD = 0.15  # by so much more than the next one
+_BEHIND = 0.05  # … and no more than so much less than one that the kind does not propose
 _SAME = 0.9  # … and one of what is proved without a name
-_ALL = 0.95  # from here on all answers are those of the known program
+_ALL = 0.98  # from here on all answers are those of the known program
 _LIKELY = 0.9  # the score of a name that is very likely
 _LAST = "rounding"  # what is left after all other steps
 _STRONG = 0.87  # a kind that says what it is even where it explains a part
+_MANY = 3  # steps, of which each may only fit what is left
 _FEW = 5  # failures: fewer are like too much
 _WORTH = 0.5  # of the failures that steps must take away where they do not take all
 _SURE = ("fresh",)  # the kind proves the name
@@ -64,14 +67,20 @@ class Repaired:
         everything = frozenset(repair.cases.wrong)
         chains = [*repair.whole, *((Step(way, 0, everything),) for way in repair.ways)]
         if chains:
-            return max((self._steps(chain) for chain in chains), key=self._worth)
+            often = Counter(step.line for chain in chains for step in chain)
+            return max((self._steps(chain) for chain in chains), key=lambda one: self._rank(one, often))
         gone = frozenset[int]().union(*(step.gone for step in repair.part))
         if len(gone) < _WORTH * len(everything):
             return []
         return [_Named(step, "", 0.0) for step in repair.part]
 
+    def _rank(self, steps: Sequence[_Named], often: Mapping[int, int]) -> tuple[float, int, list[int]]:
+        """Of chains that are worth the same the one whose lines most others have, or else the later lines."""
+        lines = [one.step.line for one in steps]
+        return self._worth(steps), sum(often[line] for line in lines), lines
+
     def _worth(self, steps: Sequence[_Named]) -> float:
-        each = [self._strength(one) + 0.8 * one.share - (0 if one.name else 0.15) for one in steps]
+        each = [self._strength(one) + 0.8 * one.share - _untold(one) for one in steps]
         return round(sum(each) / len(each) - 0.25 * (len(each) - 1), 6)
 
     def _strength(self, one: _Named) -> float:
@@ -103,7 +112,7 @@ class Repaired:
         if not proved and most >= _ALL and ahead > 0:
             return _Named(step, first, most)
         twin = most >= _ALL and ahead == 0  # another mistake has all of these answers, too
-        if best and not twin and shares[best] >= (_SAME if proved else _TOLD):
+        if best and not twin and shares[best] >= max(most - _BEHIND, _SAME if proved else _TOLD):
             return _Named(step, best, shares[best])
         if not proved and most >= _ANY and ahead >= _AHEAD:
             return _Named(step, first, most)
@@ -132,18 +141,33 @@ class Repaired:
         """How alike the failures that go are to those of the known programs of that name."""
         return self._likeness.share(name, [self._places[at] for at in gone]) if name in self._known else 0.0
 
+    def text(self, one: _Named) -> str:
+        """What is said of the program of that name that is most alike; where it is not, what is proved."""
+        if not one.step.line and self.share(one.name, one.step.gone) < _SAME:
+            return self.why(one.step)
+        return self.nearest(one).text
+
     def nearest(self, one: _Named) -> Known:
         """The program of that name that is most alike."""
         return self._likeness.nearest(one.name, [self._places[at] for at in one.step.gone])
+
+    def why(self, step: Step) -> str:
+        """What is said of a repair of that kind."""
+        kind, _, which = step.kind.partition(":")
+        words = self._kinds.get(kind)
+        return words.why.replace("{which}", which.replace("=", " = ")) if words else ""
+
+
+def _untold(one: _Named) -> float:
+    """What a step is worth less that has no name, or not even a line."""
+    return 0.0 if one.name else 0.15 if one.step.line else 0.45
 
 
 def _plain(kind: str) -> str:
     return kind.partition(":")[0]
 
 
-def with_steps(
-    result: Result, repaired: Repaired, kinds: Kinds, fails: Callable[[Known], bool] = lambda _: True
-) -> Result:
+def with_steps(result: Result, repaired: Repaired, fails: Callable[[Known], bool] = lambda _: True) -> Result:
     """The result with what the repair says, beside the name that it may have already.
 
     Where the two tell of different things, and neither is proved, the name is all that is said. No name is,
@@ -162,22 +186,22 @@ def with_steps(
         bearing = [one for one in found if one.name in today.names]
         if not bearing:
             return result
-        if len(today.names) == 1 and today.score >= _LIKELY:  # the other steps would say less
+        if today.score >= _LIKELY:  # the other steps would say less
             found = bearing
     if not any(fails(repaired.nearest(one)) for one in found if one.name):
         found = [one._replace(name="", share=0.0) for one in found]
-    steps = _told(found, repaired.failing, kinds)
+    steps = _told([one for one in found if one.name or one.step.gone], repaired)
     named = {one.name: one.share for one in found if one.name}
-    texts = {one.name: repaired.nearest(one).text for one in reversed(found) if one.name}
+    texts = {one.name: repaired.text(one) for one in reversed(found) if one.name}
     advice = tuple(texts[name] for name in named)
     score = round(min(named.values(), default=0.0), 3)
     return replace(result, pitfall=Pitfall(tuple(named), score, advice, steps=steps))
 
 
-def _told(found: Sequence[_Named], failing: int, kinds: Kinds) -> tuple[MistakeStep, ...]:
+def _told(found: Sequence[_Named], repaired: Repaired) -> tuple[MistakeStep, ...]:
     """The steps in words, those of one name at one line as one.
 
-    Of one that leaves something wrong only the line is told, unless its kind is strong.
+    Only the line is told where something stays wrong or there are many, and none is strong.
     """
     places: dict[tuple[object, ...], list[_Named]] = {}
     for at, one in enumerate(sorted(found, key=lambda one: (one.step.kind == _LAST, -len(one.step.gone)))):
@@ -186,15 +210,20 @@ def _told(found: Sequence[_Named], failing: int, kinds: Kinds) -> tuple[MistakeS
     steps = []
     for some in places.values():
         name, step = some[0].name, some[0].step
-        kind, _, which = step.kind.partition(":")
-        sure = len(gone) == failing or _STRENGTH.get(kind, 0.0) >= _STRONG
-        why = kinds[kind].why.replace("{which}", which.replace("=", " = ")) if sure and kind in kinds else ""
+        kind = _plain(step.kind)
+        whole = len(gone) == repaired.failing and (len(found) < _MANY or kind in _PROVED)
+        sure = whole or _STRENGTH.get(kind, 0.0) >= _STRONG
+        why = repaired.why(step) if sure else ""
         count = len(step.gone.union(*(one.step.gone for one in some)))
-        steps.append(MistakeStep(name or None, kind, step.line, count, failing, why))
+        steps.append(MistakeStep(name or None, kind, step.line, count, repaired.failing, why))
     return tuple(steps)
 
 
 def _contradicts(repaired: Repaired, today: Pitfall, found: Sequence[_Named]) -> bool:
     """Whether the repair is a whole proof of something else than the name says."""
-    kind = _plain(found[0].step.kind)
-    return len(found) == 1 and kind in _PROVED and not set(today.names) <= set(repaired.names(kind))
+    kinds = [_plain(one.step.kind) for one in found]
+    if len(found) == 1 and kinds[0] in _PROVED:
+        return not set(today.names) <= set(repaired.names(kinds[0]))
+    gone = frozenset[int]().union(*(one.step.gone for one in found))
+    may = {one.name for one in found}.union(*map(repaired.names, kinds))
+    return len(gone) == repaired.failing and today.score < _ALL and not may.intersection(today.names)

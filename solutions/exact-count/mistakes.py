@@ -126,22 +126,14 @@ def exact(cx, cy, r, A, B):
     # ? fixed-precision: disc = decimal(fx, fy, dx, dy, r, 28, False)
     # ? fixed-precision: disc = decimal(fx, fy, dx, dy, r, 34, True)
     # ? fixed-precision: disc = decimal(fx, fy, dx, dy, r, 40, False)
-    # : Decimals with 40 digits: enough until the products have 41. With numbers of any size no fixed
-    # : precision is enough; ints have none.
     # ? fixed-precision: disc = decimal(fx, fy, dx, dy, r, 40, True)
     # ? fixed-precision: disc = decimal(fx, fy, dx, dy, r, 50, True)
     # ? fixed-precision: disc = decimal(fx, fy, dx, dy, r, 50, False)
-    # : Decimals as they come, with 28 digits: from coordinates of about ten million on, the fourth powers
-    # : have more. With numbers of any size no fixed precision is enough; ints have none.
     # ? fixed-precision: disc = decimal(fx, fy, dx, dy, r, 70, True)
     # ? fixed-precision: disc = decimal(fx, fy, dx, dy, r, 100, False)
-    # : Decimals with 100 digits: enough until the products have 101. With numbers of any size no fixed
-    # : precision is enough; ints have none.
     # ? cancellation: disc = decimal(fx, fy, dx, dy, r, 100, True)
     # ? fixed-precision: disc = decimal(fx, fy, dx, dy, r, 200, True)
     # ? fixed-precision: disc = decimal(fx, fy, dx, dy, r, 200, False)
-    # : Decimals with 200 digits: fourth powers of numbers of 60 digits have more. With numbers of any size
-    # : no fixed precision is enough; ints have none.
     # ? overflow-64: disc = wrap(wrap(b * b, 64) - wrap(wrap(a, 64) * wrap(c, 64), 64), 64)
     # ? overflow-64: disc = wrap(r * r * a - k * k, 64)
     # ? overflow-64: disc = wrap(r * r * a, 64) - wrap(k * k, 64)

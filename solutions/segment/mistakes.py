@@ -301,6 +301,7 @@ def quadratic(cx, cy, r, A, B):
     # : The textbook discriminant b² − 4ac in doubles: with A far away it is the small difference of two
     # : huge numbers. Write it as r²·a − k² with the cross product k.
     # ? radius-not-squared@k: disc = r * a - k * k
+    # : The half-chord is √(r − d²), with the radius as it is. Square the radius.
     # ? overflow-64: disc = wrap(r * r * a - k * k, 64)
     # ? overflow-64: disc = wrap(r * r * a, 64) - wrap(k * k, 64)
     # ? overflow-32: disc = wrap(r * r * a - k * k, 32)
@@ -309,7 +310,6 @@ def quadratic(cx, cy, r, A, B):
     # ? overflow-64@roots: disc = wrap(r * r * a - k * k, 64)
     # ? overflow-32@where: disc = wrap(r * r * a - k * k, 32)
     # ? overflow-32@roots: disc = wrap(r * r * a - k * k, 32)
-    # : The half-chord is √(r − d²), with the radius as it is. Square the radius.
     length = sqrt(a)
     gap = abs(k) / length - r
     where = 1 if gap > near else 0 if gap >= -near else -1
