@@ -1,6 +1,7 @@
 """A moving disc and a wall: the exact moment of their first touch."""
 
 from functools import partial
+from math import ldexp
 
 from judge.geometry import plain
 from judge.geometry.hooks import WALL, hooks
@@ -15,7 +16,6 @@ CLEAR = {**NEAR, "least": 7}
 AFAR = {**NEAR, "size": 2**8, "move": 30}
 GRAZES = "graze cap", "graze post"
 TELLING = plain.wall_meet, partial(plain.wall_meet, tolerance=1e-10)
-BELOW = plain.wall_meet, partial(plain.wall_meet, tolerance=-1e-10)
 
 
 def solve(P0, P1, r, A, B):
@@ -39,6 +39,22 @@ def parallel(draw):
     return (z, w), (z + times * u, w + times * v), draw.integer(0, abs(h)), *draw.choice((((x, y), (x + u, y + v)), ((x + u, y + v), (x, y))))
 
 
+def upright(draw):
+    """A graze along an axis, at which the height times the way through the way is not the height in floats."""
+    bits, seems = draw.integer(-28, -12), draw.sign()
+    x, end = (ldexp(draw.integer(1 << 28, 1 << 31), bits) for _ in range(2))
+    end = draw.choice((0.0, end))  # where it grazes, or later
+    heights = (ldexp(draw.integer(1 << 28, 1 << 31), bits) for _ in range(99))
+    height = next((r for r in heights if (r * (x + end) / (x + end) - r) * seems > 0), None) or draw.reject()
+    k = ldexp(1.0, draw.integer(-6, 6))
+    level = (-x, -height * k), (-x * k, -height)
+    other = draw.choice((*level, *level, (x * k, -height * k), (-height * k, -x * k), (0.0, 0.0)))
+    turn = draw.choice((1, -1))
+    s, t = draw.sign(), draw.sign()
+    P0, P1, A, B = ((p[0] * s, p[1] * t)[::turn] for p in ((-x, height), (end, height), (0.0, 0.0), other))
+    return P0, P1, height, *draw.choice(((A, B), (B, A)))
+
+
 INTERVIEW = [
     group("grid", "Small whole numbers: everything that can happen.", grid("pprpp", 4), cases=180, skills="the small grid"),
     group("side", "Onto the side of a wall at any angle.", either(walls("hit side", **PLAIN), walls("hit side", **AXIS)), skills=("fatten the wall", "t is not a distance")),
@@ -58,11 +74,12 @@ INTERVIEW = [
 ]
 
 PRODUCTION = [  # the same, where rounding bites
-    group("decimals", "Touches in short decimals, which == does not see.", either(telling(walls("slide side", "end side", "start side", "start side", **DECIMALS), *TELLING), walls("end post dot level", "end cap dot level", "end cap dot level", **DECIMALS)), cases=120, skills="a graze is a touch"),
-    group("turned", "Grazes that squares cannot see.", either(walls(*GRAZES, "graze cap dot", "slide side", **BIGGER), walls("graze cap upright", **{**FULL, "size": 2**28, "turn": "axis"})), cases=120, skills="a tangent has a width"),
-    group("graze-full", "Grazes that no formula in floats can see, or that seem to overlap.", either(telling(walls(*GRAZES, **FULL), *TELLING), telling(walls("graze post", **FULL), *BELOW)), skills="a tangent has a width"),
-    group("slide-full", "The disc slides along the wall, and rounding puts it beside.", telling(walls("slide side", **FULL), *TELLING), skills="a tangent has a width"),
-    group("start-full", "The disc touches at the start, and rounding puts it apart.", telling(either(walls("start side", "start side", "start cap", **FULL), walls("rest side", **FULL)), *TELLING), cases=80, skills="touching from the start"),
+    group("decimals", "Touches in short decimals, which == does not see.", either(telling(walls("slide side", "end side", "start side", "start side", **DECIMALS), *TELLING), *2 * (walls("end post dot level", "end cap dot level", "end cap dot level", **DECIMALS),)), cases=120, skills="a graze is a touch"),
+    group("turned", "Grazes that squares cannot see.", walls(*GRAZES, "graze cap dot", "graze cap dot", "slide side", **BIGGER), cases=80, skills="a tangent has a width"),
+    group("upright", "Grazes along an axis that seem to be apart or to overlap, from level with an end of the wall, from its line, or right beside it.", upright, cases=140, skills="a tangent has a width"),
+    group("graze-full", "Grazes that no formula in floats can see, or that seem to overlap.", telling(walls(*GRAZES, **FULL), *TELLING), skills="a tangent has a width"),
+    group("slide-full", "The disc slides along the wall, or stops where it would, and rounding puts it beside.", telling(walls("slide side", "stop side", **FULL), *TELLING), cases=80, skills="a tangent has a width"),
+    group("start-full", "The disc touches at the start, and rounding puts it apart.", either(telling(either(walls("start side", **FULL), walls("rest side", **FULL)), *TELLING), telling(walls("start side", **FULL), *TELLING), walls("start cap", **FULL)), cases=80, skills="touching from the start"),
     group("end-full", "The disc touches at the very end, and rounding makes it later.", telling(either(walls("end side", "end cap", **FULL), walls("end cap level", "end cap dot level", "end side level", "end post level", **{**FULL, "turn": "axis"}), walls("end cap afar", "end post afar", **AFAR), walls("end side dot", "end cap dot", "end post dot", **FULL), walls("end cap", "end side", **{**STEEP, "size": 2**7}), walls("end cap home", "end side home", "end post home", "stop cap home", "stop post home", **{**FULL, "move": 0})), *TELLING), cases=120, skills="first in time"),
     group("at-an-end", "A point that begins or ends its way at an end of the wall.", ending, cases=100, skills="first in time"),
     group("near-graze", "Nearly a graze: 1e-7 of the figure away.", walls("graze~ cap", "graze~ cap dot", "graze~ cap dot", "graze~ cap dot", "graze~ post", "slide~ side", **CLEAR), cases=100, skills="nearly is not touching"),

@@ -137,8 +137,8 @@ def _level_wall(draw: Draw, words: Sequence[str], size: int = 30) -> tuple[list[
         "rest": (way, rests, rests),
     }.get(what, (way, -a, b))
     start, end = at(d, first), at(d, last)
-    if what == "slide":
-        start, end = Point([-R * a // b - 1, R]), Point([draw.integer(0, W), R])
+    if what == "slide" or words[:2] == ["stop", "side"]:
+        start, end = Point([-R * a // b - 1, R]), Point([draw.integer(0, W) if what == "slide" else 0, R])
     elif what == "overlap":
         deep = draw.integer(1, max(1, R // 2)) if where == "side" else 1
         start, end = Point([spot[0] - away[0] * deep, spot[1] - away[1] * deep]), at(way, b - 5)
