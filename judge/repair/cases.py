@@ -205,8 +205,8 @@ def _is_row(raw: Raw) -> bool:
 
 
 def _near(one: Raw, other: Raw, width: float) -> bool:
-    pair = (one, other) if isinstance(one, list) else ([one], [other])
-    return len(pair[0]) == len(pair[1]) and all(abs(a - b) <= width for a, b in zip(*pair, strict=True))
+    rows = [each if isinstance(each, list) else [each] for each in (one, other)]
+    return len(rows[0]) == len(rows[1]) and all(abs(a - b) <= width for a, b in zip(*rows, strict=True))
 
 
 def _within(point: Raw, start: Sequence[Any], end: Sequence[Any], width: float) -> bool:
