@@ -74,10 +74,9 @@ class Repaired:
             return []
         return [_Named(step, "", 0.0) for step in repair.part]
 
-    def _rank(self, steps: Sequence[_Named], often: Mapping[int, int]) -> tuple[float, int, list[int]]:
-        """Of chains that are worth the same the one whose lines most others have, or else the later lines."""
-        lines = [one.step.line for one in steps]
-        return self._worth(steps), sum(often[line] for line in lines), lines
+    def _rank(self, steps: Sequence[_Named], often: Mapping[int, int]) -> tuple[float, int]:
+        """Of chains that are worth the same, the one whose lines most others have, is the first."""
+        return self._worth(steps), sum(often[one.step.line] for one in steps)
 
     def _worth(self, steps: Sequence[_Named]) -> float:
         each = [self._strength(one) + 0.8 * one.share - _untold(one) for one in steps]

@@ -61,6 +61,20 @@ def test_one_change_is_found_at_its_line(kata, wrong):
     assert told == [(wrong.kind, wrong.line)]
 
 
+FOOT = """\
+def foot(A, B, C):
+    if tuple(A) == tuple(B):
+        return None
+    dx, dy = B[0] - A[0], B[1] - A[1]
+    t = abs((C[0] - A[0]) * dx + (C[1] - A[1]) * dy) / (dx * dx + dy * dy)
+    return t, (A[0] + t * dx, A[1] + t * dy)
+"""
+
+
+def test_a_number_beside_a_point_is_not_the_same_item_twice(kata):
+    assert repair(kata("foot"), FOOT)[1] == [("without-abs", 5)]
+
+
 DRAFTS = {
     "both roots, an exact comparison, A = B": (
         *("segment", FIRST),
