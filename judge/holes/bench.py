@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import chain
+from math import inf
+from time import monotonic
 from typing import NamedTuple
 
 from judge.cache import digest
@@ -22,6 +24,7 @@ from judge.values.check import is_right
 from judge.verify.model import Progress
 
 _WAVES = (8, 24, 96, 384)  # cases that are asked before the rest: most mutants die there
+_AT_ONCE = 100  # mutants that are judged between two looks at the clock
 _KEPT = 4  # groups that are remembered to reject a mutant
 _FEW = 4  # answers of a mutant that are looked at first: most are wrong at once
 _RUNGS = 8  # of a ladder that are judged at once; of other numbers, which are slow, two
@@ -49,18 +52,27 @@ class Bench:
     ) -> None:
         self.problem, self.crowd = problem, crowd
         self.module = sets[0].module
+        self.until = inf  # when the time is up
         self._kept, self._progress = kept, progress
         self._sets = [_mixed(data) for data in sets]
         self._usual = _usual(sets[0])
         self._memo: dict[str, Solved | None] = {}
         self._least: dict[str, float] = {}
 
+    @property
+    def late(self) -> bool:
+        """Whether the time is up."""
+        return monotonic() >= self.until
+
     def is_right(self, base: Base) -> bool:
         """Whether all sets of data accept it."""
         return not any(self.failing(base, aimed) for aimed in self._sets)
 
-    def judged(self, made: Sequence[Candidate]) -> tuple[list[Candidate], int]:
-        """Those that are accepted, and how many were judged: of a ladder none below a few accepted rungs."""
+    def judged(self, made: Sequence[Candidate]) -> tuple[list[Candidate], int, bool]:
+        """Those that are accepted, how many were judged, and whether that was before the time was up.
+
+        Of a ladder none is judged below a few accepted rungs.
+        """
         ladders: dict[tuple[str, str, str], list[Candidate]] = {}
         batch = []
         for each in made:
@@ -78,13 +90,17 @@ class Bench:
                     batch += rungs[:size]
                     del rungs[:size]
             if not batch:
-                return accepted, judged
-            passed = self.accepted(batch, judged, len(made))
-            judged += len(batch)
-            accepted += passed
-            for each in passed:
-                if each.mutant.ladder:
-                    high[each.base.file, each.mutant.kind, each.mutant.ladder] += 1
+                return accepted, judged, True
+            for at in range(0, len(batch), _AT_ONCE):
+                if self.late:
+                    return accepted, judged, False
+                part = batch[at : at + _AT_ONCE]
+                passed = self.accepted(part, judged, len(made))
+                judged += len(part)
+                accepted += passed
+                for each in passed:
+                    if each.mutant.ladder:
+                        high[each.base.file, each.mutant.kind, each.mutant.ladder] += 1
             batch = []
 
     def accepted(self, some: Sequence[Candidate], done: int = 0, total: int = 0) -> list[Candidate]:

@@ -36,6 +36,7 @@ from judge.values.show import shown, wanted
 from judge.verify.model import Fault, Progress, fault_of
 
 MARKS = "same.toml"  # beside the folders of solutions: mutants that nobody wants to hold
+_UNJUDGED = "there was no time to judge all of its mutants; the same command goes on"
 _SAVED = 5.0  # seconds between two times that a search is kept
 _TURNS = 64  # of a batch of cases, at most
 _AT_ONCE = 40_000  # calls of a batch of cases
@@ -121,8 +122,9 @@ class _Hunt:
         right = [each for each in programs if self._bench.is_right(each)]
         measured = answer.measured or any(each.type.measured for each in problem.parameters)
         made = {each.key: each for base in right for each in base.mutants(measured)}
+        self._bench.until = monotonic() + self._search.seconds / 2  # a first search has to judge them all
         try:
-            accepted, count = self._bench.judged([*made.values()])
+            accepted, count, ended = self._bench.judged([*made.values()])
         finally:
             self.keep()
         marked, stale = self._marked([*made.values()], accepted)
@@ -130,6 +132,7 @@ class _Hunt:
         if left:
             self._look(right, left)
         found = {key: each for key, each in left.items() if key in self._found}
+        self._bench.until = monotonic() + self._search.seconds / 4  # for shorter cases
         return Holes(
             problem=problem.id,
             programs=len(right),
@@ -141,8 +144,8 @@ class _Hunt:
             holes=tuple(self._told(found)),
             edge=len(self._edge),
             unknown=len(left) - len(found) - len(self._edge),
-            faults=(*stale, *self._faults.values()),
-            notes=tuple(filter(None, [self.keep()])),
+            faults=(*(stale if ended else ()), *self._faults.values()),
+            notes=tuple(filter(None, [None if ended else f"{problem.id}: {_UNJUDGED}", self.keep()])),
             stopped=self._stopped,
         )
 
@@ -178,14 +181,13 @@ class _Hunt:
         place = Place(kept.turns, kept.tried, [ast.literal_eval(each) for each in kept.near])
         stream = Stream(self._data, bench.solved, search.seed, place)
         rows = [kept.witnesses[key] for key in left if key in kept.witnesses]
-        self._ask(right, left, [Found(ast.literal_eval(case), way, row) for case, way, row in rows])
         begun = saved = monotonic()
+        bench.until = begun + search.seconds
+        self._ask(right, left, [Found(ast.literal_eval(case), way, row) for case, way, row in rows])
         last = kept.cases + search.cases
         try:
-            while len(self._found) < len(left) and kept.cases < last:
+            while len(self._found) < len(left) and kept.cases < last and not bench.late:
                 now = monotonic()
-                if now - begun >= search.seconds:
-                    break
                 if now > saved + _SAVED:  # who is killed has lost no more than this
                     saved = now
                     self._keep_place(place)
@@ -226,14 +228,19 @@ class _Hunt:
                 self._faults.setdefault(file, self._failed(file, aimed[bad].case))
         asked = [each for key, each in left.items() if key not in self._found]
         telling: list[Case] = []
-        for candidate, places in zip(asked, bench.wrong(asked, aimed), strict=True):
-            wrong = [at for at in places if at not in failing[candidate.base.file]]
-            at = next((at for at in wrong if clear[at]), None)
-            if at is not None:
-                self._found[candidate.key] = pairs[at][0]
-                telling.append(aimed[at].case)
-            elif wrong:
-                self._edge.setdefault(candidate.key, pairs[wrong[0]][0])
+        size = bench.crowd.most // len(aimed) + 1
+        for first in range(0, len(asked), size):
+            if bench.late:
+                break
+            part = asked[first : first + size]
+            for candidate, places in zip(part, bench.wrong(part, aimed), strict=True):
+                wrong = [at for at in places if at not in failing[candidate.base.file]]
+                at = next((at for at in wrong if clear[at]), None)
+                if at is not None:
+                    self._found[candidate.key] = pairs[at][0]
+                    telling.append(aimed[at].case)
+                elif wrong:
+                    self._edge.setdefault(candidate.key, pairs[wrong[0]][0])
         return telling
 
     def _failed(self, file: str, case: Case) -> Fault:
@@ -286,6 +293,8 @@ class _Hunt:
         """A simpler case that shows the same, clear of the edge."""
         simpler = self._data.module.hooks.simpler
         for _ in range(_ROUNDS):
+            if self._bench.late:
+                break
             own, size = simpler(self._problem, case) if simpler else (), measure(case)
             tried = islice(chain(own, fewer(self._problem, case), steps(case)), 4 * _SHORTER)
             chosen = nsmallest(_SHORTER, (each for each in tried if measure(each) < size), key=measure)

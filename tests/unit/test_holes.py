@@ -254,6 +254,16 @@ class TestSearch:
             ("divides/same.toml:6", "no mutant is like this"),
         ]
 
+    def test_mutants_are_not_judged_when_the_time_is_up_and_the_next_search_goes_on(self, pack):
+        (pack / "solutions" / "divides" / "same.toml").write_text(
+            '[[same]]\nfile = "accepted/remainder.py"\nwas = "a, b = abs(a), abs(b)"\n'
+            'becomes = "a, b = (a), …"\nwhy = "a is no sign"\n'
+        )
+        store = Memory()
+        late = looked(pack, store, seconds=0.0)
+        assert (late.mutants, late.faults, len(late.notes)) == (0, (), 1)
+        assert looked(pack, store) == looked(pack)
+
     def test_a_right_program_that_fails_is_a_fault_with_its_case(self, pack):
         other = pack / "solutions" / "divides" / "accepted" / "modulo.py"
         other.write_text('"""modulo"""\n\n\ndef divides(a, b):\n    return int(a % b == 0)\n')
