@@ -1,7 +1,6 @@
 """How a sign goes wrong: right ways to it, and mistakes beside the lines that they spoil."""
 
 from decimal import Decimal, localcontext
-from fractions import Fraction
 
 
 def exact(cx, cy, r, ax, ay, bx, by):
@@ -31,8 +30,6 @@ def filtered(cx, cy, r, ax, ay, bx, by):
     # : A == B is answered with −1, as a miss. Δ is 0 then.
     # + no-degenerate: if dx == dy == 0: return None
     # : A == B is answered with None. Δ is 0 then, and so is the answer.
-    # + no-degenerate: if dx == dy == 0: return 1 if fx * fx + fy * fy < r * r else 0 if fx * fx + fy * fy == r * r else -1
-    # : A == B is treated as a point that is in the circle or not. Δ is 0 then, wherever it is.
     p, q = dx * fy, dy * fx
     k, m = p - q, abs(p) + abs(q)
     reach = r * r * (dx * dx + dy * dy)
@@ -43,22 +40,20 @@ def filtered(cx, cy, r, ax, ay, bx, by):
     # + float-sign: return (delta > 0) - (delta < 0)
     # @ **exact** one
     # + swapped-answers: delta = -delta
-    # + absolute-filter: return 0 if abs(delta) <= {1e-15..1e-6/3} else 1 if delta > 0 else -1
-    # + tolerance: return 0 if abs(delta) <= {1e-15..1e-9/2} * reach else 1 if delta > 0 else -1
+    # + absolute-filter: return 0 if abs(delta) <= 1e-9 else 1 if delta > 0 else -1
+    # + tolerance: return 0 if abs(delta) <= 1e-11 * reach else 1 if delta > 0 else -1
     # + tolerance: return 0 if abs(delta) <= 1e-15 * (reach + m * abs(k)) + 1e-30 * m * m else 1 if delta > 0 else -1
     # : What a bound of the rounding does not decide is called a touch. It is one only if Δ is 0.
     # + decimal-28: return decimals((cx, cy, r, ax, ay, bx, by), 28)
-    # + decimal-28: return decimals((cx, cy, r, ax, ay, bx, by), 34)
-    # : The exact way is decimals of 34 digits; four doubles have 64 and more between them.
     # + boolean-answer: return delta >= 0
     # + segment-for-line: if not 0 <= -(fx * dx + fy * dy) <= dx * dx + dy * dy: return -1
     # @ the line runs through A
     # : A foot that is not between A and B is taken for a miss. The question is about the infinite line.
     bound = 1.2e-16 * (16 * reach + 18 * m * abs(k)) + 1.3e-30 * m * m
     # = bound = 4e-15 * (reach + m * abs(k)) + 4e-30 * m * m
-    # ? constant-bound: bound = {1e-15..1e-6/3}
+    # ? constant-bound: bound = 1e-9
     # ? no-square: bound = 1.2e-16 * (16 * reach + 18 * m * abs(k))
-    # ? unsound-bound: bound = {1e-14..1e-10/2} * abs(delta)
+    # ? unsound-bound: bound = 1e-12 * abs(delta)
     # ? ignores-input-rounding: bound = 1.2e-16 * (4 * reach + 4 * k * k)
     # : The bound counts the products and sums, but not that dx, dy, fx and fy are rounded already, which is large
     # : beside k where dx·fy and dy·fx cancel.
@@ -68,10 +63,5 @@ def filtered(cx, cy, r, ax, ay, bx, by):
     if delta < -bound:
         return -1
     return exact(cx, cy, r, ax, ay, bx, by)
-    # ? tolerance: return 0
-    # : What the bound does not decide is called a touch. Only exact arithmetic can say.
-    # ? float-sign: return (delta > 0) - (delta < 0)
-    # : What the bound does not decide is left to the double after all. Only exact arithmetic can say.
-    # ? decimal-28: return decimals((cx, cy, r, ax, ay, bx, by), 28)
     # ? decimal-28: return decimals((cx, cy, r, ax, ay, bx, by), 50)
     # : The exact way is decimals of 50 digits; four doubles have 64 and more between them.

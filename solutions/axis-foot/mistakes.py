@@ -12,10 +12,6 @@ def coordinates(A, B, P):
     # @ foot of the perpendicular
     # + end-for-foot: return B
     # : B is returned, wherever P is. Take one coordinate from P.
-    # + end-for-foot: return min((A, B), key=lambda Q: abs(Q[0] - P[0]) + abs(Q[1] - P[1]))
-    # : The nearer one of A and B is returned. The nearest point of the line may be between them, or beyond.
-    # + end-for-foot: return (A[0] + B[0]) // 2, (A[1] + B[1]) // 2
-    # : The middle of A and B is returned, wherever P is. Take one coordinate from P.
     # + always-level: return (P[0], A[1])
     # @ horizontal or vertical
     # + always-level: return (A[0], P[1])
@@ -23,8 +19,6 @@ def coordinates(A, B, P):
     # + other-axis: return (A[0], P[1]) if A[1] == B[1] else (P[0], A[1])
     # + clamp-to-ends: P = tuple(max(min(a, b), min(max(a, b), p)) for a, b, p in zip(A, B, P))
     # @ need not be between A and B
-    # + clamp-to-ends: if not all(min(a, b) <= p <= max(a, b) for a, b, p in zip(A, B, P) if a != b): return None
-    # : Where the foot is beyond A or B, None is returned. The line goes on for ever: the foot is there.
     # + forgotten-start: return (P[0], 0) if A[1] == B[1] else (0, P[1])
     # : The line is taken to run through (0, 0). Take its y, or its x, from A.
     if A[1] == B[1]:
@@ -35,7 +29,6 @@ def coordinates(A, B, P):
         # ? distance-for-point@far: return abs(P[1] - A[1])
         # ? float-answer@float: return (float(P[0]), float(A[1]))
         # ? distance-for-point@pair: return (0, P[1] - A[1])
-        # ? distance-for-point@back: return (0, A[1] - P[1])
         # ? clamp-to-ends: return (max(min(A[0], B[0]), min(max(A[0], B[0]), P[0])), A[1])
         # : On level lines the foot is moved to the nearer end. The line goes on beyond it.
     return (A[0], P[1])
@@ -46,10 +39,6 @@ def coordinates(A, B, P):
     # ? float-answer@float: return (float(A[0]), float(P[1]))
     # ? distance-for-point@pair: return (P[0] - A[0], 0)
     # : The way from the line to P is returned. The foot is asked for: the point where that way begins.
-    # ? distance-for-point@back: return (A[0] - P[0], 0)
-    # : The way from P to the line is returned. The foot is asked for: the point where that way ends.
-    # ? clamp-to-ends: return (A[0], max(min(A[1], B[1]), min(max(A[1], B[1]), P[1])))
-    # : On upright lines the foot is moved to the nearer end. The line goes on beyond it.
 
 
 def projection(A, B, P):
@@ -70,20 +59,12 @@ def projection(A, B, P):
     # ? undivided: square = abs(dx) + abs(dy)
     # : The step is divided by |B - A|, and so is too long. Divide by |B - A|².
     # ? overflow-32: square = wrap(dx * dx + dy * dy) or 1
-    # + clamp-to-ends: along = max(0, min(square, along))
     return A[0] + along * dx // square, A[1] + along * dy // square
     # = return A[0] + round(along / square * dx), A[1] + round(along / square * dy)
     # ? floor-division: return A[0] + along // square * dx, A[1] + along // square * dy
-    # ? floor-division: return A[0] + round(along / square) * dx, A[1] + round(along / square) * dy
-    # : t is rounded to a whole number, and the foot is A, B or another whole step. Multiply first, then divide.
-    # ? floor-division: return A[0] + int(along / square) * dx, A[1] + int(along / square) * dy
-    # : t is cut to a whole number, and the foot is A, B or another whole step. Multiply first, then divide.
-    # ? float-answer: return A[0] + along / square * dx, A[1] + along / square * dy
     # ? float-arithmetic: return int(A[0] + along / square * dx), int(A[1] + along / square * dy)
-    # ? wrong-direction: return A[0] - along * dx // square, A[1] - along * dy // square
     # ? forgotten-start: return along * dx // square, along * dy // square
     # : A is not added in the end: the way from A to the foot is returned. The foot is A plus that.
-    # ? mirror-for-foot: return 2 * (A[0] + along * dx // square) - P[0], 2 * (A[1] + along * dy // square) - P[1]
 
 
 def slope(A, B, P):

@@ -73,7 +73,6 @@ def loop(circles, O, dirs):
             # | fx, fy = (fx, fy) if dx * fx + dy * fy > 0 else (-fx, -fy)
             if d > r + near: continue
             # ? tangent-missed: if d >= r - near: continue
-            # ? tangent-missed: if d >= r: continue
             middle = (dx * fx + dy * fy) / length
             if middle < 0: continue
             # ? line-for-ray: middle = abs(middle)

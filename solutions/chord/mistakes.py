@@ -19,8 +19,8 @@ def half_chord(cx, cy, r, A, B):
     # : size from the centre, and add nothing to it.
     near = 1e-10 * size
     # = near = 1e-9 * size
-    # ? absolute-epsilon: near = {1e-15..1e-3/3}
-    # ? loose-epsilon: near = {1e-6..1e-2/2} * size
+    # ? absolute-epsilon: near = {1e-9..1e-3/6}
+    # ? loose-epsilon: near = 1e-4 * size
     dx, dy = B[0] - A[0], B[1] - A[1]
     # ? point-for-direction: dx, dy = B
     length = hypot(dx, dy)
@@ -34,9 +34,6 @@ def half_chord(cx, cy, r, A, B):
         # @ If A and B are equal
         # ? no-degenerate: return 0 if abs(hypot(ax, ay) - r) <= near else None
         # : A == B is answered as a point that is on the circle, or not. There is no line then: None.
-    # ? no-degenerate: pass
-    # : The division by the length comes without asking whether there is one: for A == B it is a division by
-    # : zero. Return None before anything else.
     k = dx * ay - dy * ax
     # ? swapped-coordinates: k = dx * ax + dy * ay
     # : The dot product is taken instead of the cross product, which is dx·fy − dy·fx.
@@ -58,7 +55,6 @@ def half_chord(cx, cy, r, A, B):
         return None
         # ? zero-for-miss: return 0
         # @ misses the circle has none
-        # ? zero-for-miss: return 0.0
     # ? sqrt-of-negative@abs: pass
     # ? sqrt-of-negative@raised: pass
     # ? equality-tangency: if d > r: return None
@@ -74,9 +70,6 @@ def half_chord(cx, cy, r, A, B):
     # ? equality-tangency: if d == r: return 0
     # : The distance is compared with the radius by ==. After a division and a root it is hardly ever the same
     # : double, and the root of what is left is 1e-8. Compare within a small part of the size.
-    # ? equality-tangency: pass
-    # : A touch is not asked for: under the root is a number like 1e-16, and its root is 1e-8. Decide the touch
-    # : first, within a small part of the size.
     half = sqrt((r - d) * (r + d))
     # = half = sqrt(r * r - d * d)
     # = half = (r * r - d * d) ** 0.5

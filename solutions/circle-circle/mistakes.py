@@ -14,8 +14,6 @@ def radical(cx1, cy1, r1, cx2, cy2, r2):
     # : C1 to the points again.
     ox, oy = cx1, cy1
     # ? forgotten-centre@unused: ox, oy = 0, 0
-    # ? forgotten-centre: ox, oy = 0, 0
-    # : The points are as seen from C1: it was subtracted, and never added again.
     # ? forgotten-centre: ox, oy = cx2, cy2
     # : The points are as seen from C1, but they are added to C2.
     size = max(r1, r2, abs(vx), abs(vy))
@@ -26,15 +24,10 @@ def radical(cx1, cy1, r1, cx2, cy2, r2):
     # : size by the radii and C2 − C1, and add nothing to it.
     near = 1e-10 * size
     # = near = 1e-9 * size
-    # ? absolute-epsilon: near = {1e-15..1e-3/3}
-    # ? absolute-epsilon: near = max(1e-9, 1e-9 * size)
-    # : A fixed 1e-9 is the least threshold, and tiny circles are all epsilon. Measure it by the size alone.
-    # ? area-units@squares: near = {1e-15..1e-3/3}
+    # ? absolute-epsilon: near = {1e-9..1e-3/6}
+    # ? area-units@squares: near = {1e-9..1e-6/3}
     # ? equality: near = 0
-    # ? loose-epsilon: near = {1e-6..1e-3} * size
-    # ? loose-epsilon: near = 1e-8 + 1e-5 * (r1 + r2)
-    # : The lengths are compared as np.isclose does, within 1e-5 of the radii. Compare within 1e-9 of
-    # : the size.
+    # ? loose-epsilon: near = 1e-4 * size
     d = hypot(vx, vy)
     # = d = sqrt(vx * vx + vy * vy)
     # ? global-frame: d = sqrt(max(1e-9, cx1 * cx1 + cy1 * cy1 - 2 * (cx1 * cx2 + cy1 * cy2) + cx2 * cx2 + cy2 * cy2))
@@ -44,30 +37,18 @@ def radical(cx1, cy1, r1, cx2, cy2, r2):
         # ? no-degenerate: return None
         # : Two points that are the same are answered as two circles that are the same, with None. Their common
         # : point is one: [C1].
-    # ? no-degenerate: pass
-    # : Two points that are the same go the way of circles that are the same, and get None. They have one common
-    # : point: [C1].
     # + zero-radius: if r1 == 0 or r2 == 0: return []
     # @ With radius 0
     # + zero-radius: if r1 == 0 or r2 == 0: return None
     # : Where a radius is 0 None is returned, as if there were no circle. The circle is a point then.
-    # + zero-radius: if d <= near and r1 == 0: return [(cx1, cy1)]
-    # + zero-radius: if d <= near and r2 == 0: return [(cx1, cy1)]
-    # : A point at the centre of the other circle is taken for a point on it. It is inside: [].
     if d <= near:
         return None if abs(r1 - r2) <= near else []
         # ? same-is-empty: return []
         # @ One and the same circle
         # ? same-is-empty: return [] if abs(r1 - r2) <= near else None
         # : About one centre None and [] are exchanged: circles that differ have no point, [].
-        # ? same-is-empty: return None
-        # : About one centre the answer is always None. It is that only where the radii are the same.
-    # ? division-by-zero: pass
     outer, inner = d - (r1 + r2), d - abs(r1 - r2)
     # ? area-units@squares: outer, inner = d * d - (r1 + r2) ** 2, d * d - (r1 - r2) ** 2
-    # ? area-units: outer, inner = d * d - (r1 + r2) ** 2, d * d - (r1 - r2) ** 2
-    # : Differences of squares, areas, are compared with a length, 1e-10 of the size. Compare d with r1 + r2 and
-    # : with |r1 − r2|.
     if outer > near:
         return []
         # ? none-for-empty: return None
@@ -86,12 +67,8 @@ def radical(cx1, cy1, r1, cx2, cy2, r2):
     a = (d + (r1 - r2) * ((r1 + r2) / d)) / 2
     # = a = (d * d + r1 * r1 - r2 * r2) / (2 * d)
     # ? radical-line-sign: a = (d - (r1 - r2) * ((r1 + r2) / d)) / 2
-    # ? radical-line-sign: a = ((r1 - r2) * ((r1 + r2) / d) - d) / 2
-    # : The term d² has the wrong sign: a = (d² + r1² − r2²) / (2d).
     # ? radical-line-sign: a = d + (r1 - r2) * ((r1 + r2) / d)
     # : The line is twice as far away as it should be: a = (d² + r1² − r2²) / (2d), with the 2.
-    # ? radical-line-sign: a = d / 2
-    # : The line is taken halfway between the centres. It is that only for equal radii: a = (d² + r1² − r2²) / (2d).
     ux, uy = vx / d, vy / d
     if abs(outer) <= near:
         return [(ox + r1 * ux, oy + r1 * uy)]
@@ -105,7 +82,6 @@ def radical(cx1, cy1, r1, cx2, cy2, r2):
         # : circle is the greater one, it is on the other side of C1.
         return [(ox + s * ux, oy + s * uy)]
         # ? tangent-twice: return [(ox + s * ux, oy + s * uy), (ox + s * ux, oy + s * uy)]
-        # ? inner-missed: return []
     # ? inner-missed: pass
     # : Only a touch from outside is looked for: one from inside comes out as two points that are nearly the same.
     # : Compare d with |r1 − r2| as well.
@@ -118,9 +94,6 @@ def radical(cx1, cy1, r1, cx2, cy2, r2):
     # ? right-first: return [right, left]
     # @ on the left of C1→C2
     # ? unordered: return sorted([left, right])
-    # ? unordered: return sorted([left, right], reverse=True)
-    # ? unordered: return sorted([left, right], key=lambda point: point[1])
-    # : The points are sorted by y. Which one is left of C1→C2 depends on where C2 is.
     # ? unordered: return sorted([left, right], key=lambda point: atan2(point[1] - cy1, point[0] - cx1))
     # : The points are sorted by their angles, which jump from π to −π on one side of the circle. Take the left
     # : one by its formula.
@@ -135,11 +108,9 @@ def cosines(cx1, cy1, r1, cx2, cy2, r2):
         if r1 == 0 and r2 == 0:
             return [(cx1, cy1)]
         return None if abs(r1 - r2) <= near else []
-        # ? same-is-empty: return []
     # ? division-by-zero: pass
     if d > r1 + r2 + near or d < abs(r1 - r2) - near:
         return []
-        # ? none-for-empty: return None
     # ? inside-crosses: if d > r1 + r2 + near: return []
     # : One circle inside the other goes the way of two that cross: the cosine is more than 1. Ask for
     # : d < |r1 − r2| as well.
@@ -148,24 +119,15 @@ def cosines(cx1, cy1, r1, cx2, cy2, r2):
     u = v / d * r1
     if d >= r1 + r2 - near:
         return [(cx1 + u.real, cy1 + u.imag)]
-        # ? touch-missed: return []
     if d <= abs(r1 - r2) + near:
         s = 1 if r1 > r2 else -1
-        # ? inner-missed: s = 1
-        # : Where one circle touches the other from inside, the point is always taken towards C2. If the second
-        # : circle is the greater one, it is on the other side of C1.
         return [(cx1 + s * u.real, cy1 + s * u.imag)]
         # ? inner-missed: return []
     cosine = (d * d + r1 * r1 - r2 * r2) / (2 * d * r1)
-    # ? radical-line-sign: cosine = (r2 * r2 + d * d - r1 * r1) / (2 * d * max(r1, r2))
-    # : The law of cosines is written for the angle at C2, and used at C1. The radius that is subtracted is the
-    # : side across from the angle.
     angle = acos(max(-1.0, min(1.0, cosine)))
     # = angle = acos(cosine)
     # = angle = atan2(sqrt((d + r1 - r2) * (d + r2 - r1) * (r1 + r2 - d) * (d + r1 + r2)), d * d + r1 * r1 - r2 * r2)
     left, right = u * exp(1j * angle), u * exp(-1j * angle)
     return [(cx1 + p.real, cy1 + p.imag) for p in (left, right)]
-    # ? right-first: return [(cx1 + p.real, cy1 + p.imag) for p in (right, left)]
-    # ? unordered: return sorted((cx1 + p.real, cy1 + p.imag) for p in (left, right))
     # ? forgotten-centre: return [(p.real, p.imag) for p in (left, right)]
     # : The points are as seen from C1: it was subtracted, and never added again.

@@ -1,6 +1,6 @@
 """How inside, on and outside go wrong: right ways to it, and mistakes beside the lines that they spoil."""
 
-from math import dist, hypot, isqrt, sqrt
+from math import hypot, isqrt, sqrt
 
 
 def wrap(x):
@@ -21,7 +21,6 @@ def squares(cx, cy, r, P):
     # ? sum-for-difference: dx, dy = abs(P[0]) - abs(cx), abs(P[1]) - abs(cy)
     # : abs is taken of each coordinate before they are subtracted, and -3 and 3 come out as one place. Subtract first.
     # ? swapped-coordinates: dx, dy = P[0] - cy, P[1] - cx
-    # ? swapped-coordinates: dx, dy = P[1] - cx, P[0] - cy
     # + float-arithmetic: dx, dy = float(dx), float(dy)
     # : The differences are made floats, whose squares hold about 16 digits. Leave them whole.
     square = dx * dx + dy * dy
@@ -29,49 +28,26 @@ def squares(cx, cy, r, P):
     # ? steps-for-distance: square = (abs(dx) + abs(dy)) ** 2
     # ? box-for-circle: square = max(abs(dx), abs(dy)) ** 2
     # ? caret-for-power: square = (dx ^ 2) + (dy ^ 2)
-    # ? caret-for-power: square = dx ^ 2 + dy ^ 2
-    # ? caret-for-power@both: square = (dx ^ 2) + (dy ^ 2)
     # ? minus-for-plus: square = dx * dx - dy * dy
-    # ? minus-for-plus: square = abs(dx * dx - dy * dy)
     # ? float-arithmetic@hypot: square = hypot(dx, dy)
-    # ? float-arithmetic@root: square = sqrt(dx * dx + dy * dy)
-    # ? float-arithmetic@dist: square = dist((cx, cy), P)
-    # ? float-arithmetic: square = hypot(dx, dy) ** 2
-    # : A root is taken and squared again. Floats hold about 16 digits: leave the root out.
-    # ? float-arithmetic: square = dx**2.0 + dy**2.0
-    # : ** 2.0 makes a float of the square, which holds about 16 digits. Write ** 2.
     # ? rounded-root@whole: square = isqrt(dx * dx + dy * dy)
-    # ? rounded-root@cut: square = int(hypot(dx, dy))
     # ? rounded-root@near: square = round(sqrt(dx * dx + dy * dy))
-    # ? rounded-root: square = isqrt(dx * dx + dy * dy) ** 2
-    # ? rounded-root: square = round(hypot(dx, dy)) ** 2
     # ? overflow-32@wide: square = wrap(dx * dx + dy * dy)
     # @ All numbers are whole
     # ? forgotten-square: square = abs(dx) + abs(dy)
     # : dx and dy are not squared, but r is. Square all three.
-    # ? forgotten-square@mixed: square = sqrt(dx * dx + dy * dy)
-    # : The distance is compared with r squared. A distance goes with r, its square with r².
-    # ? forgotten-square@mixed: square = hypot(dx, dy)
-    # : The distance is compared with r squared. A distance goes with r, its square with r².
     limit = r * r
     # = limit = r**2
     # ? forgotten-square: limit = r
-    # ? caret-for-power@both: limit = r ^ 2
     # ? caret-for-power: limit = r ^ 2
     # ? doubled-for-squared: limit = 2 * r
     # : r is doubled, not squared. Write `r * r` or `r ** 2`.
     # ? float-arithmetic@hypot: limit = r
-    # ? float-arithmetic@root: limit = r
-    # ? float-arithmetic@dist: limit = r
     # ? rounded-root@whole: limit = r
-    # ? rounded-root@cut: limit = r
     # ? rounded-root@near: limit = r
     # ? overflow-32@wide: limit = wrap(r * r)
-    # ? steps-for-distance: square, limit = abs(dx) + abs(dy), r
-    # ? box-for-circle: square, limit = max(abs(dx), abs(dy)), r
     # ? nearly-on-is-on: limit = square if abs(square - r * r) <= 1 else r * r
-    # ? nearly-on-is-on: square, limit = (lambda d: (r if abs(d - r) <= {1e-6..1e-1/2} else d, r))(sqrt(square))
-    # ? nearly-on-is-on: limit = square if abs(square - r * r) <= {1e-12..1e-3/3} * r * r else r * r
+    # ? nearly-on-is-on: square, limit = (lambda d: (r if abs(d - r) <= 1e-4 else d, r))(sqrt(square))
     if square < limit:
         return -1
         # ? sides-exchanged@sign: return 1
@@ -87,11 +63,7 @@ def squares(cx, cy, r, P):
         # ? sides-exchanged@sign: return -1
         # ? number-for-sign@sign: return square - limit
         # ? boolean-answer@sign: return False
-        # ? edge-missed: return 0
-        # : What is outside is answered with 0. It is 1; only a point on the circle is 0.
     return 0
-    # ? edge-missed: return 1
-    # ? edge-missed: return -1
     # ? edge-missed: return None
     # : A point on the circle gets None. It is a place like the others: return 0.
     # ? boolean-answer@sign: return False

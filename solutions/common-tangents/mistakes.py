@@ -26,11 +26,9 @@ def normals(cx1, cy1, r1, cx2, cy2, r2):
     # : size by the radii and C2 − C1, and add nothing to it.
     near = 1e-10 * size
     # = near = 1e-9 * size
-    # ? absolute-epsilon: near = {1e-15..1e-3/3}
-    # ? absolute-epsilon: near = max(1e-9, 1e-9 * size)
-    # : A fixed 1e-9 is the least threshold, and tiny circles are all epsilon. Measure it by the size alone.
+    # ? absolute-epsilon: near = {1e-9..1e-3/6}
     # ? equality: near = 0
-    # ? loose-epsilon: near = {1e-6..1e-3} * size
+    # ? loose-epsilon: near = 1e-4 * size
     d = hypot(vx, vy)
     # = d = sqrt(vx * vx + vy * vy)
     # ? global-frame: d = sqrt(max(1e-9, cx1 * cx1 + cy1 * cy1 - 2 * (cx1 * cx2 + cy1 * cy2) + cx2 * cx2 + cy2 * cy2))
@@ -81,7 +79,6 @@ def turned(cx1, cy1, r1, cx2, cy2, r2):
     near = 1e-10 * max(r1, r2, d)
     if d < abs(r1 - r2) - near:
         return []
-        # ? none-for-empty: return None
     # ? sqrt-of-negative: pass
     # : The angle is asked for before anybody has looked whether there is a tangent: inside its cosine is more
     # : than 1. Decide first.
@@ -97,10 +94,6 @@ def turned(cx1, cy1, r1, cx2, cy2, r2):
     if abs(d - r1 - r2) <= near:
         points.append(u)
     return [(cx1 + p.real, cy1 + p.imag) for p in points]
-    # ? forgotten-centre: return [(p.real, p.imag) for p in points]
-    # : The points are as seen from C1: it was subtracted, and never added again.
-    # ? on-circle-2: return [(cx2 + p.real, cy2 + p.imag) for p in points]
-    # : The points are added to C2, but they were found as seen from C1.
 
 
 def homothety(cx1, cy1, r1, cx2, cy2, r2):

@@ -21,65 +21,41 @@ def product(cx, cy, r, A, B):
     # ? forgotten-centre: fx, fy = A
     # ? forgotten-centre: fx, fy = A[0] - cx, A[1]
     # : The centre is subtracted from A in x only. Subtract it in y as well.
-    # ? sum-for-difference: fx, fy = A[0] + cx, A[1] + cy
-    # : The centre is added where it has to be subtracted. Take A - C or C - A.
-    # ? swapped-coordinates: fx, fy = A[0] - cy, A[1] - cx
     # + segment-for-line: if not 0 <= -(fx * dx + fy * dy) <= dx * dx + dy * dy: return 0
     # @ goes on for ever
-    # + segment-for-line: return sum(0 <= t <= 1 for t in roots(fx, fy, dx, dy, r))
     # + ends-counted: return (fx * fx + fy * fy <= r * r) + ((fx + dx) ** 2 + (fy + dy) ** 2 <= r * r)
     # @ Only its edge counts
-    # + ends-counted: return (fx * fx + fy * fy == r * r) + ((fx + dx) ** 2 + (fy + dy) ** 2 == r * r)
-    # : A and B are looked at, and counted where they are on the circle. The line meets the circle elsewhere too.
     k = dx * fy - dy * fx
     # ? dot-for-cross: k = dx * fx + dy * fy
     # ? swapped-coordinates: k = dx * fy + dy * fx
     # : The two products are added. The cross product is their difference.
-    # ? dot-for-cross: k = dx * fx - dy * fy
-    # : x is multiplied with x and y with y. In the cross product each x meets a y.
     a = dx * dx + dy * dy
     # = a = dx**2 + dy**2
     # ? minus-for-plus: a = dx * dx - dy * dy
-    # ? minus-for-plus: a = abs(dx * dx - dy * dy)
-    # ? caret-for-power: a = (dx ^ 2) + (dy ^ 2)
     # ? forgotten-square: a = abs(dx) + abs(dy)
     # : The ways along x and along y are added without being squared. |B - A|² is dx² + dy².
     gap = r * r * a - k * k
     # = gap = r * sqrt(a) - abs(k)
     # = gap = r * r - Fraction(k * k, a)
     # ? undivided: gap = r * r - k * k
-    # ? undivided: gap = r - abs(k)
     # ? undivided: gap = r * a - abs(k)
     # : |k| is divided by |B - A|² instead of |B - A|. Compare k² with r²·|B - A|².
-    # ? forgotten-square: gap = r * a - k * k
     # ? forgotten-square: gap = r * r * a - abs(k)
     # : r² stands beside |k|, which is not squared. Square both.
-    # ? forgotten-square: gap = r * hypot(dx, dy) - k
-    # : k may be below 0, and then it is always less. Square both sides, or take abs.
     # ? caret-for-power: gap = (r ^ 2) * a - (k ^ 2)
     # ? caret-for-power: gap = (r ^ 2) * a - k * k
     # ? floor-division: gap = r * r - k * k // a
     # ? rounded-root: gap = r - abs(k) // isqrt(a)
     # ? rounded-root: gap = r * isqrt(a) - abs(k)
     # : |B - A| is rounded down to a whole number. Compare k² with r²·|B - A|².
-    # ? rounded-root: gap = r - round(abs(k) / sqrt(a))
-    # ? rounded-root: gap = r - int(abs(k) / hypot(dx, dy))
     # ? float-arithmetic: gap = (lambda t: r - hypot(fx + t * dx, fy + t * dy))(-(fx * dx + fy * dy) / a)
     # ? float-arithmetic: gap = (lambda t: r * r - (fx + t * dx) ** 2 - (fy + t * dy) ** 2)(-(fx * dx + fy * dy) / a)
-    # ? nearly-on-is-on: gap = (lambda d: 0 if abs(d - r) <= {1e-4..1e-1} else r - d)(abs(k) / hypot(dx, dy))
-    # ? nearly-on-is-on: gap = (lambda d: 0 if abs(d - r) <= 2e-5 else r - d)(abs(k) / hypot(dx, dy))
-    # ? nearly-on-is-on: gap = (lambda d: 0 if abs(d - r * r) <= {1e-3..1e-1} else r * r - d)(k * k / a)
+    # ? nearly-on-is-on: gap = (lambda d: 0 if abs(d - r) <= 1e-2 else r - d)(abs(k) / hypot(dx, dy))
+    # ? nearly-on-is-on: gap = (lambda d: 0 if abs(d - r * r) <= 1e-3 else r * r - d)(k * k / a)
     # ? rounded-distance: gap = r - round(abs(k) / hypot(dx, dy), 1)
-    # ? rounded-distance: gap = r - round(abs(k) / hypot(dx, dy), 2)
-    # ? rounded-distance: gap = r - round(abs(k) / hypot(dx, dy), 3)
     # ? rounded-distance: gap = r - round(abs(k) / hypot(dx, dy), 4)
-    # ? nearly-on-is-on: gap = (lambda g: 0 if abs(g) <= 1 else g)(r * r * a - k * k)
     # ? end-for-line: gap = r * r - fx * fx - fy * fy
-    # ? end-for-line: gap = r * r - (fx + dx) ** 2 - (fy + dy) ** 2
-    # : The distance of C from B is taken. The line may pass much nearer: take its distance from C.
     # ? absolute-value: gap = abs(r * r * a - k * k)
-    # ? undivided: gap = r * (abs(dx) + abs(dy)) - abs(k)
-    # : |k| is divided by |dx| + |dy|, the way around the corner. Compare k² with r²·|B - A|².
     # ? swapped-answers: gap = k * k - r * r * a
     if gap < 0:
         return 0
@@ -90,7 +66,6 @@ def product(cx, cy, r, A, B):
     if gap == 0:
         return 1
         # ? tangent-twice: return 2
-        # ? tangent-missed: return 0
         # ? number-for-sign@sign: return gap
         # ? boolean-answer@sign: return True
     return 2
@@ -117,28 +92,13 @@ def equation(cx, cy, r, A, B):
     # ? wrong-sign: c = r * r - fx * fx - fy * fy
     # : c has the wrong sign: it is |A - C|² - r².
     # ? forgotten-square: c = fx * fx + fy * fy - r
-    # ? wrong-sign: c = -r * r
-    # : |A - C|² is missing in c, which is |A - C|² - r².
     delta = b * b - 4 * a * c
-    # ? wrong-sign: delta = b * b + 4 * a * c
-    # : The discriminant is b² - 4·a·c, with a minus.
-    # ? unhalved: delta = b * b - a * c
-    # : 4 is missing: the discriminant of a·t² + b·t + c is b² - 4·a·c.
     # ? unhalved: delta = b * b - 2 * a * c
     # : There is a 2 where a 4 is meant: the discriminant of a·t² + b·t + c is b² - 4·a·c.
-    # ? forgotten-square: delta = b - 4 * a * c
-    # : b is not squared. The discriminant is b² - 4·a·c.
     if delta < 0:
         return 0
     return 1 if delta == 0 else 2
-    # ? tangent-twice: return 2
     # ? tangent-missed: return 2 if delta > 0 else 0
-
-
-def roots(fx, fy, dx, dy, r):
-    a, b = dx * dx + dy * dy, fx * dx + fy * dy
-    disc = b * b - a * (fx * fx + fy * fy - r * r)
-    return {(-b + s * sqrt(disc)) / a for s in (-1, 1)} if disc >= 0 else set()
 
 
 def slope(cx, cy, r, A, B):

@@ -27,8 +27,6 @@ def pieces(circles, O, D, program):
     # : The radii are doubled, as if they were given halved. They are the radii: use them as they are.
     # + swapped-coordinates: circles = [(y, x, r) for x, y, r in circles]
     # : The discs' x and y are exchanged, those of O and D are not.
-    # + swapped-coordinates: D = D[1], D[0]
-    # : D's x and y are exchanged, those of O and the discs are not.
     # + single-precision: circles = [tuple(map(single, circle)) for circle in circles]
     (ox, oy), (dx, dy) = O, D
     # ? target-for-direction: (ox, oy), (dx, dy) = O, (D[0] - O[0], D[1] - O[1])
@@ -39,11 +37,11 @@ def pieces(circles, O, D, program):
     # : size by the radii and the centres as seen from O, and add nothing to it.
     near = 1e-10 * size
     # = near = 1e-9 * size
-    # ? absolute-epsilon: near = {1e-14..1e-3/3}
+    # ? absolute-epsilon: near = {1e-8..1e-5/3}
     # ? slivers: near = 0
     # : Nothing is compared with a width. Ends at one place come out a little apart, and a touch is a short chord: make
     # : one of all ends within about 1e-10 of the size, and leave out discs with |d − r| within it.
-    # ? loose-epsilon: near = {1e-6..1e-3} * size
+    # ? loose-epsilon: near = 1e-4 * size
     length = hypot(dx, dy) or 1e-300
     ux, uy = dx / length, dy / length
     # ? direction-not-normalised: ux, uy = dx, dy
@@ -75,7 +73,6 @@ def pieces(circles, O, D, program):
     for end in sorted({0.0, *(end for disc in discs for end in disc)}):
         if not cuts or end - cuts[-1] > near:
             cuts.append(end)
-        # ? slivers: cuts.append(end)
     spans = []
     for start, end in zip(cuts, cuts[1:]):
         middle = (start + end) / 2
@@ -134,11 +131,8 @@ def lists(circles, O, D, program):
             stack.append([(max(0.0, middle - half), middle + half)] if half and middle + half > near else [])
             # ? touch-is-point: stack.append([(max(0.0, middle - half), middle + half)] if d <= r + near and middle + half > near else [])
             # @ adds nothing to the solid
-            # ? start-behind: stack.append([(middle - half, middle + half)] if half else [])
-            # : What is behind the origin is not cut off: the spans begin at a negative t. The ray begins at t = 0.
             continue
         upper, lower = stack.pop(), stack.pop()
-        # ? difference-swapped: lower, upper = stack.pop(), stack.pop()
         if step == -1:
             found = []
             for start, end in sorted(lower + upper):
@@ -169,7 +163,6 @@ def lists(circles, O, D, program):
                 # ? slivers: found = sorted((start, end) for start, end in left + right if end > start)
         stack.append(found)
     return [(start / size, end / size) for start, end in stack.pop()]
-    # ? distance-for-parameter: return stack.pop()
 
 
 def textbook(circles, O, D, program):

@@ -1,6 +1,6 @@
 """How the circle on a diameter goes wrong: right ways to it, and mistakes beside the lines that they spoil."""
 
-from math import dist, hypot, isqrt, sqrt
+from math import dist, hypot, isqrt
 
 
 def wrap(x):
@@ -25,8 +25,6 @@ def doubled(A, B, P):
     # : B is taken for the centre. The centre is half-way between A and B.
     # ? floor-division: sx, sy = (A[0] + B[0]) // 2 * 2, (A[1] + B[1]) // 2 * 2
     # @ need not be whole
-    # ? floor-division: sx, sy = int((A[0] + B[0]) / 2) * 2, int((A[1] + B[1]) / 2) * 2
-    # ? floor-division: sx, sy = round((A[0] + B[0]) / 2) * 2, round((A[1] + B[1]) / 2) * 2
     # ? forgotten-half: sx, sy = 2 * (A[0] + B[0]), 2 * (A[1] + B[1])
     # : A + B is taken for the centre. It is twice the centre: take 2·P as well.
     # ? swapped-coordinates: sx, sy = A[1] + B[1], A[0] + B[0]
@@ -48,35 +46,25 @@ def doubled(A, B, P):
     # ? steps-for-distance: away = (abs(dx) + abs(dy)) ** 2
     # ? overflow-32@wide: away = wrap(dx * dx + dy * dy)
     # @ of whole numbers
-    # ? float-arithmetic@root: away = sqrt(dx * dx + dy * dy)
-    # ? float-arithmetic@hypot: away = hypot(dx, dy)
     # ? rounded-root@root: away = isqrt(dx * dx + dy * dy)
-    # ? rounded-root@near: away = round(hypot(dx, dy))
     # ? forgotten-square: away = hypot(dx, dy)
     # ? diameter-for-radius: away = (dx * dx + dy * dy) / 4
     # : The radius is taken as long as the diameter. It is half of that, and its square a quarter.
-    # ? diameter-for-radius: away = (dx * dx + dy * dy) // 4
     across = ux * ux + uy * uy
     # = across = ux**2 + uy**2
     # ? caret-for-power@both: across = (ux ^ 2) + (uy ^ 2)
     # ? minus-for-plus: across = abs(ux * ux - uy * uy)
     # ? steps-for-distance@steps: across = abs(ux) + abs(uy)
     # ? overflow-32@wide: across = wrap(ux * ux + uy * uy)
-    # ? float-arithmetic@root: across = sqrt(ux * ux + uy * uy)
-    # ? float-arithmetic@hypot: across = hypot(ux, uy)
     # ? rounded-root@root: across = isqrt(ux * ux + uy * uy)
-    # ? rounded-root@near: across = round(hypot(ux, uy))
     # ? rounded-root: across = isqrt(ux * ux + uy * uy) ** 2
     # : The diameter is rounded down to a whole number and squared again. |B - A|² is whole as it is.
-    # ? rounded-root: across = round(hypot(ux, uy)) ** 2
-    # : The diameter is rounded to a whole number and squared again. |B - A|² is whole as it is.
     # ? forgotten-square: across = hypot(ux, uy)
     # : The distance squared is compared with the diameter itself. Square both.
     # ? diameter-for-radius: across = (ux * ux + uy * uy) // 4
     # : A quarter of |B - A|² is r², but the rest of the figure is doubled. Compare with |B - A|² as it is.
     # ? nearly-on-is-on: across = away if abs(away - ux * ux - uy * uy) <= 4 else ux * ux + uy * uy
-    # ? nearly-on-is-on: away, across = (lambda d, r: (r if abs(d - r) <= {1e-6..1e-1/2} else d, r))(hypot(dx, dy), hypot(ux, uy))
-    # ? nearly-on-is-on: across = away if abs(away - ux * ux - uy * uy) <= {1e-12..1e-3/3} * away else ux * ux + uy * uy
+    # ? nearly-on-is-on: away, across = (lambda d, r: (r if abs(d - r) <= 1e-4 else d, r))(hypot(dx, dy), hypot(ux, uy))
     # ? box-for-circle: away, across = max(abs(dx), abs(dy)), max(abs(ux), abs(uy))
     if away < across:
         return -1
@@ -94,10 +82,6 @@ def doubled(A, B, P):
         # ? edge-missed: return 0
         # : What is outside is answered with 0. It is 1; only a point on the circle is 0.
     return 0
-    # ? edge-missed: return 1
-    # ? edge-missed: return -1
-    # ? edge-missed: return None
-    # : A point on the circle gets None. It is a place like the others: return 0.
     # ? boolean-answer@sign: return False
 
 
@@ -106,13 +90,9 @@ def angle(A, B, P):
     ax, ay = A[0] - P[0], A[1] - P[1]
     bx, by = B[0] - P[0], B[1] - P[1]
     # = ax, ay, bx, by = P[0] - A[0], P[1] - A[1], P[0] - B[0], P[1] - B[1]
-    # ? sides-exchanged: bx, by = P[0] - B[0], P[1] - B[1]
-    # : One way goes to P and the other one from P, and inside and outside change places. Let both begin at P.
     # ? sum-for-difference: ax, ay, bx, by = A[0] + P[0], A[1] + P[1], B[0] + P[0], B[1] + P[1]
     # : P is added where it has to be subtracted. The way from P to A is A - P.
     # ? centre-at-an-end: bx, by = B[0] - A[0], B[1] - A[1]
-    # : The angle is taken at A, between B and P. The right angle is at P: take A - P and B - P.
-    # ? centre-at-an-end: ax, ay, bx, by = P[0] - A[0], P[1] - A[1], B[0] - A[0], B[1] - A[1]
     # : The angle is taken at A, between B and P. The right angle is at P: take A - P and B - P.
     dot = ax * bx + ay * by
     # ? cross-for-dot: dot = ax * by - ay * bx
@@ -123,12 +103,8 @@ def angle(A, B, P):
     # : The products are made of floats, which hold about 16 digits. Leave the numbers whole.
     # ? float-arithmetic: dot = hypot(ax, ay) ** 2 + hypot(bx, by) ** 2 - dist(A, B) ** 2
     # : The distances are roots, which are rounded before they are squared again. Take the squares themselves.
-    # ? nearly-on-is-on: dot = (lambda k: 0 if abs(k) <= 1 else k)(ax * bx + ay * by)
-    # ? box-for-circle: dot = max((A[0] - P[0]) * (B[0] - P[0]), (A[1] - P[1]) * (B[1] - P[1]))
     return (dot > 0) - (dot < 0)
-    # ? sides-exchanged: return (dot < 0) - (dot > 0)
     # ? number-for-sign: return dot
-    # ? boolean-answer: return dot <= 0
     # ? edge-missed: return 1 if dot > 0 else -1
     # ? edge-missed: return 1 if dot >= 0 else -1
 
@@ -136,27 +112,13 @@ def angle(A, B, P):
 def centred(A, B, P):
     "right"
     mx, my = (A[0] + B[0]) / 2, (A[1] + B[1]) / 2
-    # ? floor-division@all: mx, my = (A[0] + B[0]) // 2, (A[1] + B[1]) // 2
-    # ? floor-division: mx, my = (A[0] + B[0]) // 2, (A[1] + B[1]) // 2
-    # ? forgotten-half: mx, my = A[0] + B[0], A[1] + B[1]
-    # ? sum-for-difference: mx, my = (B[0] - A[0]) / 2, (B[1] - A[1]) / 2
-    # : Half of B - A is the way from A to the centre, not the centre. The centre is half of A + B.
     r2 = square(B[0] - A[0], B[1] - A[1])
     # ? floor-division: r2 = square(B[0] - A[0], B[1] - A[1]) // 4 * 4
     # : A quarter of |B - A|² is taken with //, which drops what is left over. Double the rest instead.
-    # ? floor-division@all: r2 = square(B[0] - A[0], B[1] - A[1]) // 4 * 4
     # ? floor-division: r2 = square(isqrt(square(B[0] - A[0], B[1] - A[1])) // 2, 0) * 4
     # : The radius is rounded down to a whole number. Compare squares, with nothing halved.
     return sign(square(int(2 * P[0] - 2 * mx), int(2 * P[1] - 2 * my)) - r2)
-    # ? diameter-for-radius: return sign(square(P[0] - mx, P[1] - my) - r2)
     # ? centre-at-an-end: return sign(square(P[0] - A[0], P[1] - A[1]) - r2)
     # : The circle around A through B is taken. The centre is half-way between A and B.
-    # ? centre-at-an-end: return sign(square(P[0] - B[0], P[1] - B[1]) - r2)
-    # : The circle around B through A is taken. The centre is half-way between A and B.
-    # ? floor-division: return (lambda x, y: sign(square(P[0] - x, P[1] - y) - square(A[0] - x, A[1] - y)))((A[0] + B[0]) // 2, (A[1] + B[1]) // 2)
     # ? box-for-circle: return -1 if all(min(a, b) <= p <= max(a, b) for a, b, p in zip(A, B, P)) else 1
-    # ? float-arithmetic: return sign(square(P[0] - mx, P[1] - my) - r2 / 4)
-    # : The centre and the squares are floats, which hold about 16 digits. Draw the figure twice as large, and all of it is
-    # : whole.
-    # ? float-arithmetic: return sign(hypot(P[0] - mx, P[1] - my) - sqrt(r2) / 2)
     # ? float-arithmetic: return sign(dist(P, (mx, my)) - dist(A, B) / 2)

@@ -1,6 +1,6 @@
 """How the distance squared goes wrong: right ways to it, and mistakes beside the lines that they spoil."""
 
-from math import dist, hypot, isqrt, sqrt
+from math import dist, isqrt, sqrt
 
 
 def wrap(x):
@@ -13,7 +13,6 @@ def legs(P, Q):
     # : The coordinates are added where they have to be subtracted. The way along x is Q's x less P's x.
     dx = Q[0] - P[0]
     # = dx = abs(P[0] - Q[0])
-    # ? sum-for-difference: dx = Q[0] + P[0]
     # ? swapped-coordinates: dx = Q[0] - P[1]
     # ? swapped-coordinates: dx = P[1] - P[0]
     # : The difference is that of P's own coordinates. Take the x of Q less the x of P.
@@ -22,88 +21,48 @@ def legs(P, Q):
     # : the square needs no abs.
     dy = Q[1] - P[1]
     # = dy = abs(P[1] - Q[1])
-    # ? sum-for-difference: dy = Q[1] + P[1]
-    # ? swapped-coordinates: dy = Q[1] - P[0]
-    # ? swapped-coordinates: dy = Q[1] - Q[0]
-    # : The difference is that of Q's own coordinates. Take the y of Q less the y of P.
-    # ? sum-for-difference: dy = abs(Q[1]) - abs(P[1])
     return dx * dx + dy * dy
     # = return dx**2 + dy**2
     # ? steps-for-distance: return abs(dx) + abs(dy)
-    # ? steps-for-distance: return max(abs(dx), abs(dy))
-    # : The longer one of the two ways is returned. The distance is that of the straight way: square both and add.
     # ? steps-for-distance: return max(abs(dx), abs(dy)) ** 2
     # : Only the longer one of the two ways is squared. The straight way needs both: square both and add.
     # ? forgotten-square: return dx + dy
-    # ? forgotten-square: return dx * dx + dy
-    # : Only the way along x is squared. Square the way along y too.
-    # ? forgotten-square: return dx + dy * dy
-    # : Only the way along y is squared. Square the way along x too.
     # ? caret-for-power: return (dx ^ 2) + (dy ^ 2)
-    # ? caret-for-power: return dx ^ 2 + dy ^ 2
     # ? doubled-for-squared: return 2 * dx + 2 * dy
-    # ? doubled-for-squared: return 2 * abs(dx) + 2 * abs(dy)
     # ? minus-for-plus: return dx * dx - dy * dy
-    # ? minus-for-plus: return abs(dx * dx - dy * dy)
     # ? square-of-the-sum: return (dx + dy) ** 2
-    # ? square-of-the-sum: return (abs(dx) + abs(dy)) ** 2
-    # : Both ways are added first and then squared, which is the square of the way around the corner. Square each, then
-    # : add.
     # ? one-coordinate: return dx * dx
-    # ? one-coordinate: return dy * dy
     # ? one-coordinate: return dx * dy
     # : dx and dy are multiplied with each other, which is the area of a rectangle. Multiply each with itself, and add.
     # ? root-returned: return sqrt(dx * dx + dy * dy)
     # @ no root to take
-    # ? root-returned: return hypot(dx, dy)
     # ? root-returned: return isqrt(dx * dx + dy * dy)
     # : The root is taken in the end, and rounded down. The distance squared is asked for: leave the root out.
-    # ? root-returned: return round(hypot(dx, dy))
-    # : The root is taken in the end, and rounded. The distance squared is asked for: leave the root out.
     # ? root-squared: return int(sqrt(dx * dx + dy * dy) ** 2)
-    # ? root-squared: return int(dist(P, Q) ** 2)
     # ? root-squared: return isqrt(dx * dx + dy * dy) ** 2
     # : isqrt rounds down to a whole number, and squaring does not bring back what was lost. The sum of the squares is the
     # : answer already.
-    # ? root-squared: return round(hypot(dx, dy)) ** 2
-    # : The distance is rounded to a whole number and squared. The sum of the squares is the answer already.
     # ? float-arithmetic: return round(dist(P, Q) ** 2)
-    # ? float-arithmetic: return round(sqrt(dx * dx + dy * dy) ** 2)
-    # ? float-arithmetic: return round(hypot(dx, dy) ** 2)
     # ? float-arithmetic: return int(float(dx) ** 2 + float(dy) ** 2)
     # : The squares are computed as floats, which hold about 16 digits. Whole numbers have no such end: leave out float().
-    # ? float-arithmetic: return int(dx**2.0 + dy**2.0)
-    # : ** 2.0 makes a float of the square, which holds about 16 digits. Write ** 2.
-    # ? float-arithmetic: return int(pow(dx, 2.0) + pow(dy, 2.0))
-    # : The power of 2.0 is a float, which holds about 16 digits. Write ** 2.
-    # ? float-arithmetic: return round(abs(complex(dx, dy)) ** 2)
     # ? overflow-32: return wrap(dx * dx + dy * dy)
     # @ of whole numbers
     # ? overflow-32: return (dx * dx + dy * dy) % (1 << 32)
     # ? float-answer: return dist(P, Q) ** 2
-    # ? float-answer: return hypot(dx, dy) ** 2
-    # ? float-answer: return sqrt(dx * dx + dy * dy) ** 2
-    # ? float-answer: return float(dx * dx + dy * dy)
-    # ? float-answer: return dx**2.0 + dy**2.0
-    # ? forgotten-brackets: return Q[0] - P[0] ** 2 + Q[1] - P[1] ** 2
     # ? forgotten-brackets: return P[0] - Q[0] ** 2 + P[1] - Q[1] ** 2
     # ? forgotten-brackets: return abs(Q[0] ** 2 - P[0] ** 2) + abs(Q[1] ** 2 - P[1] ** 2)
-    # : The coordinates are squared before they are subtracted. Subtract first: (a - b)² is not a² - b².
-    # ? forgotten-brackets: return Q[0] ** 2 - P[0] ** 2 + Q[1] ** 2 - P[1] ** 2
     # : The coordinates are squared before they are subtracted. Subtract first: (a - b)² is not a² - b².
 
 
 def back(P, Q):
     "right"
     dx, dy = P[0] - Q[0], P[1] - Q[1]
-    # ? sum-for-difference: dx, dy = P[0] + Q[0], P[1] + Q[1]
     # ? swapped-coordinates: dx, dy = P[0] - P[1], Q[0] - Q[1]
     # : The differences are those of the coordinates of one point. Take the x of one point less the x of the other.
     # ? swapped-coordinates: dx, dy = P[0] - Q[1], P[1] - Q[0]
     return dx**2 + dy**2
     # ? caret-for-power: return (dx ^ 2) + (dy ^ 2)
     # ? caret-for-power: return dx ^ 2 + dy ^ 2
-    # ? forgotten-square: return dx + dy
     # ? forgotten-square: return dx * dx + dy
     # : Only the way along x is squared. Square the way along y too.
     # ? forgotten-square: return dx + dy * dy

@@ -26,21 +26,14 @@ def product(A, B, P):
         return None
         # ? no-degenerate: return 0
         # @ If A and B are equal
-        # ? no-degenerate: return hypot(fx, fy)
-        # : A == B is answered with the distance of P from that point. There is no line then: the contract
-        # : asks for None.
         # ? no-degenerate: return -1
         # : A == B is answered with -1. The contract asks for None, and no number.
-    # ? no-degenerate: pass
-    # : The division by the length comes without asking whether there is one: for A == B it is a division
-    # : by zero. Return None before anything else.
-    # + absolute-epsilon: if length < {1e-12..1e-6/2}: return None
-    # + loose-epsilon: if length <= {1e-10..1e-6/2} * max(abs(fx), abs(fy)): return None
+    # + absolute-epsilon: if length < 1e-8: return None
+    # + loose-epsilon: if length <= {1e-8..1e-6/2} * max(abs(fx), abs(fy)): return None
     k = dx * fy - dy * fx
     # ? swapped-coordinates: k = dx * fx + dy * fy
     # : The dot product is taken instead of the cross product: it says how far along the line the foot is.
     # : The cross product is dx·fy − dy·fx.
-    # ? swapped-coordinates: k = dx * fx - dy * fy
     # ? swapped-coordinates: k = dx * fy + dy * fx
     # : A plus stands in the cross product. It is dx·fy − dy·fx.
     # ? global-frame: k = A[0] * (B[1] - P[1]) + B[0] * (P[1] - A[1]) + P[0] * (A[1] - B[1])
@@ -53,19 +46,15 @@ def product(A, B, P):
     # : The area of the triangle is returned. Its base is |D| and its height the distance: divide by the
     # : length, and the doubled area it must be.
     # ? divided-by-square: d = abs(k) / length**2
-    # ? divided-by-square: d = abs(k) / (dx * dx + dy * dy)
     # ? half-area: d = abs(k) / (2 * length)
     # ? signed-distance: d = k / length
     # @ never negative
     # ? signed-distance: d = -k / length
     # ? foot-cancels: d = (lambda t: hypot(fx + t * dx, fy + t * dy))(-(fx * dx + fy * dy) / (dx * dx + dy * dy))
-    # ? foot-cancels: d = (lambda t: hypot(A[0] + t * dx - P[0], A[1] + t * dy - P[1]))(-(fx * dx + fy * dy) / (dx * dx + dy * dy))
     # ? foot-cancels: d = sqrt(max(0.0, fx * fx + fy * fy - (fx * dx + fy * dy) ** 2 / (dx * dx + dy * dy)))
     # : The distance comes from Pythagoras, as |f|² less the square of the way along the line: two numbers that
     # : are nearly equal where P is close to the line. The cross product gives it without a difference of squares.
     # ? divided-first: d = abs(dx / length * fy - dy / length * fx)
-    # ? divided-first: d = abs((complex(fx, fy) / complex(dx, dy)).imag) * length
-    # ? divided-first: d = abs(-dy / length * fx + dx / length * fy)
     # ? normal-form-global: d = abs(-dy / length * P[0] + dx / length * P[1] - (-dy / length * A[0] + dx / length * A[1]))
     # ? normal-form-global: d = abs(dy * P[0] - dx * P[1] + B[0] * A[1] - B[1] * A[0]) / length
     # ? area-by-heron: d = (lambda p, q: 2 * sqrt(max(0.0, (p + q + length) * (p + q - length) * (p - q + length) * (q + length - p) / 16)) / length)(hypot(fx, fy), hypot(fx + dx, fy + dy))
@@ -79,8 +68,6 @@ def slope(A, B, P):
         return None
     # + slope-intercept: if A[0] == B[0]: return None
     # : An upright line, which has no slope, is answered with None. Work with B − A and the cross product.
-    # + slope-intercept: if A[0] == B[0]: return 0.0
-    # : An upright line, which has no slope, is answered with 0. Work with B − A and the cross product.
     m = (B[1] - A[1]) / (B[0] - A[0])
     # = m = (B[1] - A[1]) / (B[0] - A[0]) if B[0] != A[0] else 0.0
     # = m = (B[1] - A[1]) / ((B[0] - A[0]) or 1e-9)

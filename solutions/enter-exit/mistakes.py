@@ -16,8 +16,6 @@ def feet(circles, O, D):
     # : The radii are doubled, as if they were given halved. They are the radii: use them as they are.
     # + swapped-coordinates: circles = [(y, x, r) for x, y, r in circles]
     # : The circles' x and y are exchanged, those of O and D are not.
-    # + swapped-coordinates: D = D[1], D[0]
-    # : D's x and y are exchanged, those of O and the circles are not.
     # + single-precision: circles = [tuple(map(single, circle)) for circle in circles]
     (ox, oy), (dx, dy) = O, D
     # ? target-for-direction: (ox, oy), (dx, dy) = O, (D[0] - O[0], D[1] - O[1])
@@ -29,25 +27,23 @@ def feet(circles, O, D):
     # : size by the radii and the centres as seen from O, and add nothing to it.
     near = 1e-10 * size
     # = near = 1e-9 * size
-    # ? absolute-epsilon: near = {1e-14..1e-3/3}
+    # ? absolute-epsilon: near = {1e-14..1e-8/6}
     # ? equality: near = 0
-    # ? loose-epsilon: near = {1e-6..1e-3} * size
+    # ? loose-epsilon: near = 1e-4 * size
     slack = near
     # ? no-snap: slack = 0
-    # ? loose-origin: slack = {1e-6..1e-3} * size
+    # ? loose-origin: slack = {1e-6..1e-3/3} * size
     length = hypot(dx, dy) or 1e-300
     # = length = sqrt(dx * dx + dy * dy) or 1e-300
     ux, uy = dx / length, dy / length
     # ? direction-not-normalised: ux, uy = dx, dy
-    # ? direction-not-normalised@a: ux, uy = dx, dy
     hits = []
     # ? sorted-by-distance-of-centre@a: hits, circles, places = [], sorted(circles, key=lambda c: hypot(c[0] - ox, c[1] - oy)), [circles.index(c) for c in sorted(circles, key=lambda c: hypot(c[0] - ox, c[1] - oy))]
-    # ? sorted-by-distance-of-centre@b: hits, circles, places = [], sorted(circles, key=lambda c: ux * (c[0] - ox) + uy * (c[1] - oy)), [circles.index(c) for c in sorted(circles, key=lambda c: ux * (c[0] - ox) + uy * (c[1] - oy))]
     for index, (x, y, r) in enumerate(circles):
         fx, fy = ox - x, oy - y
         # ? forgotten-centre: fx, fy = ox, oy
         # ? reversed-vector: fx, fy = x - ox, y - oy
-        # + radius-epsilon: near = {1e-11..1e-8} * r
+        # + radius-epsilon: near = 1e-9 * r
         # + zero-radius: if r == 0: continue
         # @ is a point
         # + zero-radius: 1 / r
@@ -65,7 +61,6 @@ def feet(circles, O, D):
         if d >= r - near:
             found = [(foot, "touch")]
             # ? touch-tag: found = [(foot, "enter")]
-            # ? touch-tag: found = [(foot, "exit")]
             # ? touch-tag: found = [(foot, "enter"), (foot, "exit")]
             # : A touch is answered as an enter and an exit at one place. It is one hit, a "touch".
             # ? tangent-twice: found = [(foot, "touch"), (foot, "touch")]
@@ -83,40 +78,31 @@ def feet(circles, O, D):
             # @ from inside, the ray hits it on its way out
         found = [(max(s, 0.0), tag) for s, tag in found if s >= -slack]
         # ? behind-included: found = [(s if abs(s) > near else 0.0, tag) for s, tag in found]
-        # ? behind-included: found = [(max(s, 0.0), tag) for s, tag in found]
-        # : A hit behind the origin is moved to it, as if it were at t = 0. Only t >= 0 counts: leave it out.
         # ? behind-included: found = [(abs(s), tag) for s, tag in found]
         # : A hit behind the origin is counted at |t|, in front of it. Only t >= 0 counts: leave it out.
-        # ? behind-included: found = [(s if abs(s) > near else 0.0, tag) for s, tag in found] if found[-1][0] >= -near else []
-        # : A circle counts with both of its hits if one of them is ahead. Decide for each hit by itself.
         # ? origin-on-circle: found = [(s, tag) for s, tag in found if s > near]
         # ? exit-first: found = [(max(s, 0.0), "touch" if tag == "touch" else "enter" if n == 0 else "exit") for n, (s, tag) in enumerate([(s, tag) for s, tag in found if s >= -near])]
         # ? segment-for-ray: found = [(max(s, 0.0), tag) for s, tag in found if -near <= s <= length + near]
-        # ? parameter-epsilon: found = [(max(s, 0.0), tag) for s, tag in found if s / length >= -{1e-13..1e-3/3}]
+        # ? parameter-epsilon: found = [(max(s, 0.0), tag) for s, tag in found if s / length >= -{1e-13..1e-7/6}]
         # ? first-only: found = [(max(s, 0.0), tag) for s, tag in found if s >= -near][:1]
         # : Of each circle only the first hit ahead is kept. All of them are asked for: where it is left as well.
         hits += [(s / length, index, tag) for s, tag in found]
         # ? distance-for-parameter: hits += [(s, index, tag) for s, tag in found]
         # @ t is the parameter
-        # ? direction-not-normalised@a: hits += [(s, index, tag) for s, tag in found]
         # ? direction-not-normalised: hits += [(s / length / length, index, tag) for s, tag in found]
         # ? index-of-first: hits += [(s / length, circles.index((x, y, r)), tag) for s, tag in found]
         # ? index-from-one: hits += [(s / length, index + 1, tag) for s, tag in found]
         # @ from 0
         # ? rounded-output: hits += [(round(s / length, 6), index, tag) for s, tag in found]
         # ? sorted-by-distance-of-centre@a: hits += [(s / length, places[index], tag) for s, tag in found]
-        # ? sorted-by-distance-of-centre@b: hits += [(s / length, places[index], tag) for s, tag in found]
     hits.sort()
     # = hits.sort(key=lambda hit: hit[0])
     # ? per-circle-order: pass
     # ? sorted-by-distance-of-centre@a: pass
-    # ? sorted-by-distance-of-centre@b: pass
     # ? unsorted: hits.sort(key=lambda hit: (hit[2], hit[0]))
     # @ in the order of t
     # ? unsorted: hits.sort(reverse=True)
     # : The hits are sorted backwards. The order is that of t along the ray.
-    # ? unsorted: hits.sort(key=lambda hit: (ox + hit[0] * dx, oy + hit[0] * dy))
-    # : The hits are sorted by the x of their points. Which way x goes along the ray depends on D: sort by t.
     # ? ties-dropped: hits = sorted({t: (t, index, tag) for t, index, tag in hits}.values())
     # @ Hits at the same place
     # : The hits are kept in a dictionary by t, and of those at one place only one is left. All of them count.
@@ -134,15 +120,12 @@ def quadratic(circles, O, D):
     events = []
     for index, (x, y, r) in enumerate(circles):
         fx, fy = O[0] - x, O[1] - y
-        # ? forgotten-centre: fx, fy = O
         b = fx * (D[0] / step) + fy * (D[1] / step)
         k = fy * (D[0] / step) - fx * (D[1] / step)
-        # + zero-radius: if r == 0: continue
         n = a / step / step
         gap = abs(k) / sqrt(n) - r
         if gap > 1e-10 * e:
             continue
-        # ? sqrt-of-negative: pass
         root = sqrt((r - abs(k) / sqrt(n)) * (r + abs(k) / sqrt(n)) * n) if gap < -1e-10 * e else 0.0
         roots = [(-b - root) / n, (-b + root) / n] if root else [-b / n]
         # ? tangent-twice: roots = [(-b - root) / n, (-b + root) / n]
@@ -152,13 +135,9 @@ def quadratic(circles, O, D):
             if t >= -1e-10 * e:
                 slope = fx * D[0] + t * D[0] / step * D[0] + fy * D[1] + t * D[1] / step * D[1]
                 tag = "touch" if len(roots) == 1 else "enter" if slope < 0 else "exit"
-                # ? tags-swapped: tag = "touch" if len(roots) == 1 else "enter" if slope > 0 else "exit"
                 # ? touch-tag: tag = "enter" if slope < 0 else "exit"
                 events.append((max(t, 0.0) / step, index, tag))
-                # ? distance-for-parameter: events.append((max(t, 0.0) * sqrt(n), index, tag))
     return sorted(events)
-    # ? per-circle-order: return events
-    # ? tags-alternate: return [(t, index, tag if tag == "touch" else ("enter", "exit")[n % 2]) for n, (t, index, tag) in enumerate(sorted(events))]
 
 
 def textbook(circles, O, D):

@@ -25,15 +25,12 @@ def running(cx, cy, r, ax, ay, bx, by):
     # = bound = U * (20 * reach + 24 * m * abs(k)) + 80 * U * U * m * m
     # ? no-bound: bound = 0.0 if reach == m == 0 else 1e-300
     # ? one-ulp: bound = abs(delta) * 2 * U
-    # ? one-ulp: bound = 4 * U * abs(delta)
-    # : Two units of Δ's own last place are taken for its error. Those before it were larger.
-    # ? absolute-bound: bound = {1e-15..1e-6/3}
+    # ? absolute-bound: bound = {1e-15..1e-9/6}
     # @ nor does a constant
-    # ? relative-to-result: bound = {1e-14..1e-8/3} * abs(delta)
+    # ? relative-to-result: bound = 1e-11 * abs(delta)
     # ? relative-to-result: bound = 32 * U * abs(delta)
-    # ? relative-to-result: bound = 100 * U * abs(delta)
     # ? ignores-cancellation: bound = U * (12 * reach + 16 * k * k)
-    # ? too-wide: bound = {1e-13..1e-6/2} * (reach + m * abs(k)) + {1e-13..1e-6/2} * m * m
+    # ? too-wide: bound = 1e-9 * (reach + m * abs(k)) + 1e-9 * m * m
     # ? squared-terms: bound = U * (12 * reach + 16 * m * m)
     # : M² stands where M·|k| belongs: where the products cancel, k is much smaller than M.
     # ? no-square: bound = U * (12 * reach + 16 * m * abs(k))

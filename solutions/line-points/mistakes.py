@@ -17,8 +17,6 @@ def foot(cx, cy, r, A, B):
     ax, ay = A[0] - cx, A[1] - cy
     # ? shortest-decimal@s: ax, ay = shortest(A[0], cx), shortest(A[1], cy)
     # ? forgotten-centre@unused: ax, ay = A
-    # ? forgotten-centre: ax, ay = A[0] - cx, A[1]
-    # : Only one coordinate of the centre is subtracted. Subtract both.
     bx, by = B[0] - cx, B[1] - cy
     # ? shortest-decimal@s: bx, by = shortest(B[0], cx), shortest(B[1], cy)
     # ? forgotten-centre@unused: bx, by = B
@@ -34,8 +32,8 @@ def foot(cx, cy, r, A, B):
     # : size from the centre, and add nothing to it.
     near = 1e-10 * size
     # = near = 1e-9 * size
-    # ? absolute-epsilon: near = {1e-15..1e-3/3}
-    # ? loose-epsilon: near = {1e-6..1e-2/2} * size
+    # ? absolute-epsilon: near = 1e-9
+    # ? loose-epsilon: near = 1e-4 * size
     dx, dy = B[0] - A[0], B[1] - A[1]
     # ? shortest-decimal@s: dx, dy = shortest(B[0], A[0]), shortest(B[1], A[1])
     # ? point-for-direction: dx, dy = B
@@ -46,14 +44,10 @@ def foot(cx, cy, r, A, B):
     # + zero-radius: if r == 0: return [(cx, cy)]
     # : For a radius of 0 the centre is returned, wherever the line is. It is a common point only if it lies on
     # : the line.
-    # + zero-radius: if r == 0: return None
-    # : For a radius of 0 None is returned, as if there were no circle. It is the point C.
     if length == 0:
         return None
         # ? no-degenerate: return []
         # @ If A and B are equal
-        # ? no-degenerate: return [A] if abs(hypot(ax, ay) - r) <= near else []
-        # : A == B is answered as a point that is on the circle, or not. There is no line then: None.
     # ? no-degenerate: pass
     # : The direction is divided by its length without asking whether it has one: for A == B that is a
     # : division by zero. Return None before anything else.
@@ -72,18 +66,13 @@ def foot(cx, cy, r, A, B):
     # ? foot-sign: m = ux * ax + uy * ay
     where = 1 if d > r + near else 0 if d >= r - near else -1
     # + snapped-to-centre: if where == -1 and d <= 1e-6 * size and r > 1e-3 * size: return [(ox - r * ux, oy - r * uy), (ox + r * ux, oy + r * uy)]
-    # + snapped-to-centre: if where == -1 and d <= 1e-7 * size and r > 1e-3 * size: return [(ox - r * ux, oy - r * uy), (ox + r * ux, oy + r * uy)]
-    # ? equality: where = 1 if d > r else 0 if d == r else -1
     # ? equality: where = 1 if d * d > r * r else 0 if d * d == r * r else -1
-    # ? absolute-epsilon: where = 1 if d > r else 0 if r * r - d * d <= {1e-15..1e-3/3} else -1
+    # ? absolute-epsilon: where = 1 if d > r else 0 if r * r - d * d <= 1e-6 else -1
     # : What stands under the root is compared with a fixed number, whatever the size of the figure. Compare
     # : lengths, within a small part of the size.
     # ? tangent-missed: where = 1 if d > r - near else -1
     # ? tangent-twice: where = 1 if d > r + near else -1
     # @ not two equal ones
-    # ? tangent-twice: where = 1 if d > r else -1
-    # : d <= r makes two points, equal ones where the line is a tangent, and rounding makes a miss of others.
-    # : Treat the touch as a case of its own, within a small part of the size.
     # ? sqrt-of-negative@a: where = 0 if abs(d - r) <= near else -1
     # ? sqrt-of-negative@b: where = 0 if abs(d - r) <= near else -1
     # : Nothing keeps a line that misses the circle from the root: the program ends there. Return [] first.
@@ -94,7 +83,6 @@ def foot(cx, cy, r, A, B):
         # : A miss is answered with False. Return an empty list.
     if where == 0:
         roots = [m]
-        # ? tangent-twice: roots = [m, m]
     else:
         h = sqrt(abs((r - d) * (r + d)))
         # = h = sqrt((r - d) * (r + d))
@@ -106,16 +94,12 @@ def foot(cx, cy, r, A, B):
         # ? wrong-sign: h = sqrt(r * r + d * d)
         # ? unit-forgotten: h = sqrt((r - d) * (r + d)) * length
         roots = [m - h, m + h]
-        # ? reversed-order: roots = [m + h, m - h]
         # ? unsorted: roots = [m - h, m + h] if side > 0 else [m + h, m - h]
-        # ? unsorted: roots = [m - h, m + h] if side < 0 else [m + h, m - h]
         # ? first-root-only: roots = [m - h]
         # ? first-root-only: roots = [m + h]
         # ? foot-only: roots = [m]
     # + clamped: roots = [s for s in roots if -near <= s <= length + near]
     # @ goes on for ever
-    # + clamped: roots = [s for s in roots if -near <= s]
-    # : Points before A are left out, as of a ray. The line has no ends.
     # + clamped: roots = sorted({min(max(s, 0.0), length) for s in roots})
     # : Points that are not on AB are moved to its ends. The line has no ends.
     points = [(ox + ax + s * ux, oy + ay + s * uy) for s in roots]
@@ -126,7 +110,6 @@ def foot(cx, cy, r, A, B):
     # ? unsorted: points = sorted(((ox + ax + s * ux, oy + ay + s * uy) for s in roots), key=lambda p: atan2(p[1] - cy, p[0] - cx))
     # : The points are put in the order of their angles about the centre. Order them by t.
     # ? parameter-for-point: points = [s / length for s in roots]
-    # ? unit-forgotten: points = [(ox + ax + s * dx, oy + ay + s * dy) for s in roots]
     return points
     # ? set-of-points: return set(points)
     # ? set-of-points: return dict(enumerate(points))
@@ -155,8 +138,7 @@ def quadratic(cx, cy, r, A, B):
     # ? cancellation@e: where = 1 if disc < -near * r * a else 0 if disc <= near * r * a else -1
     # ? cancellation@g: where = 1 if disc / a < -near * (2 * r + near) else 0 if disc / a <= near * (2 * r - near) else -1
     # ? equality: where = 1 if disc < 0 else 0 if disc == 0 else -1
-    # ? absolute-epsilon: where = 1 if disc < -{1e-15..1e-3/3} else 0 if disc <= {1e-15..1e-3/3} else -1
-    # ? tangent-twice: where = -1 if disc >= 0 else 1
+    # ? absolute-epsilon: where = 1 if disc < -{1e-15..1e-6/9} else 0 if disc <= {1e-15..1e-6/9} else -1
     if where == 1:
         return []
     if where == 0:
@@ -169,14 +151,8 @@ def quadratic(cx, cy, r, A, B):
         ts = sorted([q / a, c / q])
         # ? sign-of-zero@g: ts = sorted([q / a, c / q if q else q / a])
         # = ts = [(-b - root) / a, (-b + root) / a]
-        # ? reversed-order: ts = [q / a, c / q]
-        # : The stable formula gives the roots q/a and c/q as they come: where b is negative, q/a is the greater one.
-        # : Sort them by t.
         # ? unhalved: ts = [(-b - root) / (2 * a), (-b + root) / (2 * a)]
-    # + clamped: ts = [t for t in ts if 0 <= t <= 1]
     return [(A[0] + t * dx, A[1] + t * dy) for t in ts]
-    # ? sorted-by-x: return sorted((A[0] + t * dx, A[1] + t * dy) for t in ts)
-    # ? parameter-for-point: return ts
 
 
 def slope(cx, cy, r, A, B):

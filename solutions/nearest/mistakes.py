@@ -30,7 +30,7 @@ def tree(circles, rays):
         # ? target-for-direction: near, dx, dy = 1e-10 * most, dx - ox, dy - oy or 1
         # @ the ray is O + t·D
         # = near = 1e-9 * max(most, ox - x0, x1 - ox, oy - y0, y1 - oy)
-        # ? loose-epsilon: near = {1e-5..1e-2} * max(most, ox - x0, x1 - ox, oy - y0, y1 - oy)
+        # ? loose-epsilon: near = {1e-3..1e-2/1} * max(most, ox - x0, x1 - ox, oy - y0, y1 - oy)
         length = hypot(dx, dy)
         ux, uy = dx / length or 1e-300, dy / length or 1e-300
 

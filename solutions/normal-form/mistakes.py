@@ -17,9 +17,6 @@ def turned(A, B):
     # : The normal is divided by |D|², not by |D|. Divide by the root.
     # ? not-normalised: length = abs(dx) + abs(dy)
     # : The normal is divided by |dx| + |dy|, which is not its length. Divide by the root of dx² + dy².
-    # ? not-normalised: length = max(abs(dx), abs(dy))
-    # : The normal is divided by the larger of |dx| and |dy|, which is not its length. Divide by the root of
-    # : dx² + dy².
     if length == 0:
         return None
         # ? no-degenerate: return 0, 0, 0
@@ -27,32 +24,20 @@ def turned(A, B):
         # ? no-degenerate: return 0.0, 1.0, -A[1]
         # : A == B is answered with the level line through that point. There is no line then: the contract asks
         # : for None.
-        # ? no-degenerate: return 1.0, 0.0, -A[0]
-        # : A == B is answered with the upright line through that point. There is no line then: the contract asks
-        # : for None.
-    # ? no-degenerate: pass
-    # : The division by the length comes without asking whether there is one: for A == B it is a division by
-    # : zero. Return None before anything else.
-    # + absolute-epsilon: if length < {1e-12..1e-6/2}: return None
-    # + loose-epsilon: if length <= {1e-10..1e-6/2} * max(abs(A[0]), abs(A[1])): return None
+    # + absolute-epsilon: if length < 1e-8: return None
+    # + loose-epsilon: if length <= 1e-8 * max(abs(A[0]), abs(A[1])): return None
     a, b = -dy / length, dx / length
-    # ? right-side: a, b = dy / length, -dx / length
-    # ? not-normalised: a, b = -dy, dx
     # ? swapped-coordinates: a, b = dx / length, -dy / length
-    # : The direction itself is taken for the normal. The normal is perpendicular to it: (−dy, dx) by the length.
-    # ? swapped-coordinates: a, b = dx / length, dy / length
     # : The direction itself is taken for the normal. The normal is perpendicular to it: (−dy, dx) by the length.
     # ? swapped-coordinates: a, b = dy / length, dx / length
     # : (dy, dx) is taken for the perpendicular: a sign is missing. It is (−dy, dx).
     # + positive-a: if a < 0: a, b = -a, -b
-    # + positive-a: if a < 0 or (a == 0 and b < 0): a, b = -a, -b
     # + positive-a: if b < 0: a, b = -a, -b
     # : The sign is chosen so that b is not negative, as if the left were always above. It follows from A→B.
     c = -(a * A[0] + b * A[1])
     # = c = -(a * B[0] + b * B[1])
     # ? c-sign: c = a * A[0] + b * A[1]
     # ? c-from-B-swapped: c = -(a * A[0] + b * B[1])
-    # ? c-from-B-swapped: c = -(a * B[1] + b * B[0])
     # ? c-from-B-swapped: c = -(a * A[1] + b * A[0])
     # : a is multiplied by a y, and b by an x. It is a·x + b·y.
     # ? abs-distance: c = abs(a * A[0] + b * A[1])

@@ -7,8 +7,6 @@ from math import copysign, hypot, sqrt
 def from_the_centre(cx, cy, r, O, D):
     "right"
     # + zero-radius: if r == 0: return (0.0, 0.0)
-    # + zero-radius: if r == 0: return (1.0, 0.0)
-    # : For a radius of 0 some vector is returned. There is no normal: return None.
     dx, dy = D
     # ? always-upwards: dx, dy = (D[0], D[1]) if D[0] else (0, abs(D[1]))
     # ? target-for-direction: dx, dy = D[0] - O[0], D[1] - O[1]
@@ -25,15 +23,11 @@ def from_the_centre(cx, cy, r, O, D):
         # : D = (0, 0) is answered with a vector of length 0. There is no ray, and so no normal: return None.
     # ? no-degenerate: pass
     # : D = (0, 0) is not asked for, and the length of D is divided by. There is no ray then: return None first.
-    # ? no-degenerate: length = length or 1.0
-    # : A length of 0 is replaced by 1 so that nothing is divided by it: a ray that does not exist gets an answer.
-    # : Return None before anything else.
-    # ? short-is-null: if length < {1e-12..1e-4/3}: return None
-    # ? short-is-null: if length * length < {1e-12..1e-4/3}: return None
+    # ? short-is-null: if length < 1e-9: return None
+    # ? short-is-null: if length * length < 1e-9: return None
     ux, uy = dx / length, dy / length
     # ? needs-unit-direction: ux, uy = dx, dy
     # @ may have any length
-    # ? needs-unit-direction@all: ux, uy = dx, dy
     fx, fy = O[0] - cx, O[1] - cy
     # ? forgotten-centre: fx, fy = O
     # @ centre C
@@ -47,20 +41,16 @@ def from_the_centre(cx, cy, r, O, D):
     # : size from the centre, and add nothing to it.
     near = 1e-10 * reach
     # = near = 1e-9 * reach
-    # ? absolute-epsilon: near = {1e-15..1e-3/3}
-    # ? absolute-epsilon: near = max(1e-9, 1e-9 * reach)
-    # : A fixed 1e-9 is the least threshold, and a tiny circle is all epsilon. Measure it by the size alone.
-    # ? loose-epsilon: near = {1e-6..1e-2/2} * reach
+    # ? absolute-epsilon: near = 1e-9
+    # ? loose-epsilon: near = 1e-2 * reach
     touch = slack = near
-    # ? absolute-epsilon: touch, slack = {1e-15..1e-3/3}, near
-    # ? loose-epsilon: touch, slack = {1e-6..1e-2/2} * reach, near
-    # ? loose-origin: touch, slack = near, {1e-6..1e-2/2} * reach
+    # ? absolute-epsilon: touch, slack = 1e-12, near
+    # ? loose-epsilon: touch, slack = 1e-6 * reach, near
+    # ? loose-origin: touch, slack = near, {1e-4..1e-2/2} * reach
     # ? no-snap: touch, slack = near, 0
     # : Only t ≥ 0 counts, to the letter: with O on the circle, rounding decides whether the ray enters there.
     # : Let a point that is nearly at O count as there: 1e-10 of the size, as a length.
     distance = abs(dx * fy - dy * fx) / length
-    # ? needs-unit-direction@all: distance = abs(dx * fy - dy * fx)
-    # : The direction is used as if it were 1 long, in every place. Divide it by its length first.
     # ? needs-unit-direction: distance = abs(dx * fy - dy * fx)
     # : The distance of the line is a cross product that nobody divided by |D|. Divide by it, or make D a unit.
     # ? global-frame: distance = abs((ux * O[1] - uy * O[0]) - (ux * cy - uy * cx))
@@ -112,9 +102,6 @@ def from_the_centre(cx, cy, r, O, D):
         # ? entry-behind: way, side = max(first, -slack), -1
         # : From inside the entry behind O is used for the exit. Go on to the second point.
     # ? entry-behind@one: if last < -slack: return None
-    # ? inside-is-miss@centre: if hypot(fx, fy) < r - near: return None
-    # : An origin inside the circle is said to see nothing of it, although the ray meets the circle on its way out.
-    # : The circle is the curve: go on to the second point.
     # ? origin-on-skipped: if first <= slack: way, side = last, -1
     # : With O on the circle the entry there is skipped, and the answer is the other end of the chord. A point at
     # : t = 0 counts.
@@ -129,7 +116,6 @@ def from_the_centre(cx, cy, r, O, D):
     # ? on-is-none: if way <= slack: return None
     # : With O on the circle None is returned where the ray looks out, as if it had left already. It leaves there:
     # : t = 0 counts.
-    # ? on-is-none: if way < -slack or abs(hypot(fx, fy) - r) <= near: return None
     nx, ny = (fx + way * ux) / r, (fy + way * uy) / r
     # = nx, ny = (fx + way * ux) / hypot(fx + way * ux, fy + way * uy), (fy + way * uy) / hypot(fx + way * ux, fy + way * uy)
     # ? not-divided-by-r: nx, ny = fx + way * ux, fy + way * uy
@@ -138,20 +124,12 @@ def from_the_centre(cx, cy, r, O, D):
     # ? tangent-vector: nx, ny = -(fy + way * uy) / r, (fx + way * ux) / r
     # ? tangent-vector: nx, ny = (fy + way * uy) / r, -(fx + way * ux) / r
     # ? direction-returned: nx, ny = ux, uy
-    # ? direction-returned: nx, ny = -side * ux, -side * uy
-    # : The ray's own direction is returned, reversed. The normal is at right angles to the circle: P − C.
     # ? mirrored-components: nx, ny = (fy + way * uy) / r, (fx + way * ux) / r
     # ? point-returned: nx, ny = O[0] + way * ux, O[1] + way * uy
-    # ? global-frame: nx, ny = ((O[0] + way * ux) - cx) / r, ((O[1] + way * uy) - cy) / r
-    # : The point is computed in the plane's own coordinates, and C subtracted from it: far from the origin it has
-    # : few digits left for that. Go from O − C.
     # + reflected-instead: nx, ny = (lambda s: (side * (ux - 2 * s * nx), side * (uy - 2 * s * ny)))(ux * nx + uy * ny)
     # + reflected-instead: nx, ny = (lambda s: (side * (dx - 2 * s * nx), side * (dy - 2 * s * ny)))(dx * nx + dy * ny)
     return side * nx, side * ny
     # ? few-decimals: return round(side * nx, 3), round(side * ny, 3)
-    # ? few-decimals: return round(side * nx, 6), round(side * ny, 6)
-    # ? few-decimals: return float(f"{side * nx:.6g}"), float(f"{side * ny:.6g}")
-    # ? not-flipped: return nx, ny
     # ? inward-always: return -nx, -ny
     # ? away-from-the-ray: return -side * nx, -side * ny
 
@@ -164,9 +142,8 @@ def quadratic(cx, cy, r, O, D):
     a = dx * dx + dy * dy
     if a == 0 or r == 0:
         return None
-    # ? short-is-null: if a < {1e-15..1e-6/3} or r == 0: return None
+    # ? short-is-null: if a < {1e-12..1e-6/6} or r == 0: return None
     b, c = fx * dx + fy * dy, fx * fx + fy * fy - r * r
-    # ? radius-not-squared: b, c = fx * dx + fy * dy, fx * fx + fy * fy - r
     # ? global-frame: b, c = fx * dx + fy * dy, O[0] ** 2 + O[1] ** 2 + cx * cx + cy * cy - 2 * (O[0] * cx + O[1] * cy) - r * r
     # : c is expanded into |O|² − 2·O·C + |C|² − r², and far from the origin nothing is left of it. Subtract C from
     # : O first.
@@ -182,21 +159,17 @@ def quadratic(cx, cy, r, O, D):
     # ? equality: where = 1 if disc < 0 else 0 if disc == 0 else -1
     # : A touch is where the discriminant == 0, which of rounded numbers hardly any is. Compare lengths, d with r,
     # : within 1e-10 of the size.
-    # ? absolute-epsilon: where = 1 if disc < -{1e-15..1e-3/3} else 0 if disc <= {1e-15..1e-3/3} else -1
-    # ? loose-epsilon: where = 1 if disc < -{1e-5..1e-3/2} * r * r * a else 0 if disc <= {1e-5..1e-3/2} * r * r * a else -1
+    # ? absolute-epsilon: where = 1 if disc < -1e-9 else 0 if disc <= 1e-9 else -1
     if where > 0:
         return None
     root = sqrt(max(0.0, disc)) if where else 0.0
     t = (-b - root) / a
-    # ? needs-unit-direction: t = -b - root
-    # : The root is not divided by a = D·D. Divide by it, or make D a unit.
     # ? far-root: t = (-b + root) / a
     # : Only −b + √Δ is computed, which is where the ray leaves. From outside the other root comes first.
     if t * size < -near:
         t = (-b + root) / a
         # ? needs-unit-direction: t = -b + root
         # : The second root is not divided by a = D·D. Divide by it, or make D a unit.
-        # ? inside-is-miss: return None
     if t * size < -near:
         return None
     nx, ny = (fx + t * dx) / r, (fy + t * dy) / r
@@ -204,11 +177,6 @@ def quadratic(cx, cy, r, O, D):
     if where and dx * nx + dy * ny > 0:
         nx, ny = -nx, -ny
     # ? touch-flipped: if dx * nx + dy * ny > 0: nx, ny = -nx, -ny
-    # ? not-flipped: pass
-    # ? away-from-the-ray: if where and dx * nx + dy * ny < 0: nx, ny = -nx, -ny
-    # ? not-flipped: if where and fx * nx + fy * ny < 0: nx, ny = -nx, -ny
-    # : The normal is turned towards the origin by the sign of f·N, and from C itself, or beside it, that says nothing.
-    # : The sign of D·N tells.
     return nx, ny
 
 

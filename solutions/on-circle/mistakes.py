@@ -9,8 +9,6 @@ def lengths(cx, cy, r, P):
     fx, fy = P[0] - cx, P[1] - cy
     # = fx, fy = cx - P[0], cy - P[1]
     # ? forgotten-centre: fx, fy = P
-    # ? forgotten-centre: fx, fy = P[0] - cx, P[1]
-    # : Only one coordinate of the centre is subtracted. Subtract both.
     # ? shortest-decimal: fx, fy = (float(Fraction(str(p)) - Fraction(str(c))) for p, c in zip(P, (cx, cy)))
     # ? forgotten-centre: fx, fy = P[0] + cx, P[1] + cy
     # : The centre is added to P. Seen from the centre, P is P − C.
@@ -23,8 +21,8 @@ def lengths(cx, cy, r, P):
     near = 1e-10 * size
     # = near = 1e-9 * size
     # = near = 1e-10 * r
-    # ? absolute-epsilon: near = {1e-15..1e-3/3}
-    # ? loose-epsilon: near = {1e-6..1e-2/2} * size
+    # ? absolute-epsilon: near = {1e-9..1e-3/6}
+    # ? loose-epsilon: near = 1e-4 * size
     d = hypot(fx, fy)
     # = d = sqrt(fx * fx + fy * fy)
     # ? manhattan: d = abs(fx) + abs(fy)
@@ -38,8 +36,6 @@ def lengths(cx, cy, r, P):
     # @ With r = 0
     # + zero-radius: if r == 0: return 0
     # : For a radius of 0 the answer is 0, wherever P is. The circle is the point C then.
-    # + zero-radius: if r == 0: return None
-    # : For a radius of 0 None is returned, as if there were no circle. It is the point C.
     if abs(d - r) <= near:
         return 0
         # ? boolean: return True
@@ -52,25 +48,14 @@ def lengths(cx, cy, r, P):
     # : part of the size.
     # = if (Fraction(P[0]) - Fraction(cx)) ** 2 + (Fraction(P[1]) - Fraction(cy)) ** 2 == Fraction(r) ** 2: return 0
     # ? strict-less: if d == r: return 1
-    # ? strict-less: if abs(d - r) <= near: return 1
-    # : A point on the circle is called outside. It is on it: 0.
     # ? strict-less: if abs(d - r) <= near: return -1
     # : A point on the circle is called inside. It is on it: 0.
-    # ? area-units: if abs(fx * fx + fy * fy - r * r) <= {1e-15..1e-3/3}: return 0
-    # ? area-units: if abs(fx * fx + fy * fy - r * r) <= near: return 0
-    # : |f|² − r², an area, is compared with a length, 1e-10 of the size. Compare |f| with r, or multiply the
-    # : threshold by |f| + r.
+    # ? area-units: if abs(fx * fx + fy * fy - r * r) <= {1e-15..1e-6/9}: return 0
     # ? loose-epsilon: if abs(d - r) <= 1e-8 + 1e-5 * r: return 0
     # : The lengths are compared as np.isclose does, within 1e-5 of the radius. Compare within 1e-9 of
     # : the size.
-    # ? absolute-epsilon: if abs(d - r) <= max(1e-9, 1e-9 * r): return 0
-    # : A fixed 1e-9 is the least threshold, and a tiny circle is all epsilon. Measure it by the size alone.
     return 1 if d > r else -1
     # ? boolean@both: return False
-    # ? boolean: return d > r
-    # : The answer is whether P is outside, True or False. Return −1, 0 or 1.
-    # ? boolean: return d < r
-    # ? only-on-or-off: return 1
     # ? only-on-or-off: return -1
     # : A point that is not on the circle is said to be inside. Outside is 1.
     # ? swapped-sides: return -1 if d > r else 1

@@ -1,6 +1,5 @@
 """How the crossings of a polygon go wrong: right ways to them, and mistakes beside the lines that they spoil."""
 
-from fractions import Fraction
 from math import atan2, copysign, hypot, sqrt
 
 
@@ -13,8 +12,6 @@ def half_open(cx, cy, r, V):
     # @ With r = 0
     # + zero-radius: if r == 0: return [(0, (cx, cy))]
     # : For a radius of 0 the answer is C on edge 0, wherever C is. It counts only on the boundary, on its own edge.
-    # + zero-radius: if r == 0: raise ValueError
-    # : A radius of 0 raises an error. The statement allows it: the circle is the point C.
     # + swapped-coordinates: cx, cy = cy, cx
     # : The centre is taken as (cy, cx). Its x belongs to the x of the corners.
     n = len(V)
@@ -28,16 +25,15 @@ def half_open(cx, cy, r, V):
     # : the centre, and add nothing to it.
     near = 1e-10 * size
     # = near = 1e-9 * size
-    # ? absolute-epsilon: near = {1e-15..1e-3/3}
+    # ? absolute-epsilon: near = 1e-15
     # ? absolute-epsilon: near = max(1e-9, 1e-9 * size)
     # : A fixed 1e-9 is the least threshold, and a tiny figure is all epsilon. Measure it by the size alone.
-    # ? loose-epsilon: near = {1e-6..1e-2/2} * size
+    # ? loose-epsilon: near = {1e-4..1e-2/2} * size
     touch = slack = near
-    # ? loose-epsilon: touch, slack = {1e-6..1e-2/2} * size, near
     # ? no-snap: touch, slack = near, 0.0
     # : The ends are taken to the letter, 0 ≤ way < L: rounding decides which edge has a corner, or that both have it, or
     # : none. Let what is nearly at a corner be there: 1e-10 of the size.
-    # ? loose-ends: touch, slack = near, {1e-6..1e-2/2} * size
+    # ? loose-ends: touch, slack = near, {1e-4..1e-2/2} * size
     found = []
     order = range(n)
     # ? closing-first: order = [n - 1, *range(n - 1)]
@@ -92,8 +88,6 @@ def half_open(cx, cy, r, V):
             if -slack <= way < length - slack:
                 found.append((i, (ax + way * ux, ay + way * uy)))
                 # ? points-only: found.append((ax + way * ux, ay + way * uy))
-                # ? points-only: found.append((i, ax + way * ux, ay + way * uy))
-                # : Edge and coordinates are in one flat tuple. Each crossing is (edge, (x, y)).
                 # ? edge-from-one: found.append((i + 1, (ax + way * ux, ay + way * uy)))
                 # @ Edge i goes from V[i] to the next corner
                 # ? point-from-centre: found.append((i, (fx + way * ux, fy + way * uy)))
@@ -101,7 +95,6 @@ def half_open(cx, cy, r, V):
                 # ? parameter-for-point: found.append((i, way / length))
                 # ? wrong-edge: found.append(((i if abs(way) > slack else (i - 1) % n), (ax + way * ux, ay + way * uy)))
                 # : A corner is given as that of the edge that ends there. It belongs to the edge that starts there.
-            # ? no-snap: if -1e-9 <= way / length < 1 - 1e-9: found.append((i, (ax + way * ux, ay + way * uy)))
             # ? no-snap: if -1e-10 <= way / length < 1 - 1e-10: found.append((i, (ax + way * ux, ay + way * uy)))
             # : The slack at a corner is a part of the edge. On a short edge it is less than rounding, which then
             # : decides which edge has a corner. Take a part of the size.
@@ -112,8 +105,6 @@ def half_open(cx, cy, r, V):
             # : V[0] is given by the first edge, and once more by the one that closes the polygon. Leave it to the first.
             # ? vertex-lost: if slack < way < length - slack: found.append((i, (ax + way * ux, ay + way * uy)))
             # : Neither edge of a corner on the circle gives it: both ends are left out. Let each edge have its first one.
-            # ? wrong-edge: if slack < way <= length + slack: found.append((i, (ax + way * ux, ay + way * uy)))
-            # : Each edge has its last corner and not its first: a corner is given one edge too early. Turn it round.
             # ? line-for-edge: found.append((i, (ax + way * ux, ay + way * uy)))
             # ? edge-past-the-end: if -slack <= way: found.append((i, (ax + way * ux, ay + way * uy)))
             # ? edge-past-the-end: if way < length - slack: found.append((i, (ax + way * ux, ay + way * uy)))
@@ -137,7 +128,6 @@ def quadratic(cx, cy, r, V):
     near = 1e-10 * e
     found = {}
     edges = range(n)
-    # ? open-polyline: edges = range(n - 1)
     for i in edges:
         (ax, ay), (bx, by) = V[i], V[(i + 1) % n]
         dx, dy, fx, fy = bx - ax, by - ay, ax - cx, ay - cy
@@ -153,26 +143,19 @@ def quadratic(cx, cy, r, V):
         # ? equality: where = 1 if disc < 0 else 0 if disc == 0 else -1
         # : A touch is where the discriminant == 0, which of rounded numbers hardly any is. Compare lengths, d with r,
         # : within 1e-10 of the size.
-        # ? absolute-epsilon: where = 1 if disc < -{1e-15..1e-3/3} else 0 if disc <= {1e-15..1e-3/3} else -1
+        # ? absolute-epsilon: where = 1 if disc < -1e-6 else 0 if disc <= 1e-6 else -1
         # ? unhalved: where = 1 if b * b - 4 * a * c < -near * near else where
         if where > 0:
             continue
         root = sqrt(max(0.0, disc)) if where else 0.0
         ts = ((-b - root) / a, (-b + root) / a) if where else (-b / a,)
-        # ? tangent-twice: ts = ((-b - root) / a, (-b + root) / a)
-        # ? first-root-only: ts = ((-b - root) / a,)
-        # ? second-root-only: ts = ((-b + root) / a,)
         for place, t in enumerate(ts, 1):
             point = (ax + t * dx, ay + t * dy)
             if abs(t) * size <= near:
                 found[i, 0] = point
-                # ? vertex-lost@both: continue
                 # ? wrong-edge: found[(i - 1) % n, 3] = point
             elif abs(t - 1) * size <= near:
                 found[(i + 1) % n, 0] = point
-                # ? vertex-lost@both: continue
-                # ? vertex-twice: found[i, 3] = point
-                # ? wrong-edge: found[i, 3] = point
             elif 0 < t < 1:
                 found[i, place] = point
     # ? wrong-edge: found = {((k[0] - 1) % n, 3) if k[1] == 0 else k: point for k, point in found.items()}

@@ -1,6 +1,6 @@
 """How the ray's first point goes wrong: right ways through it, and mistakes beside the lines that they spoil."""
 
-from math import copysign, floor, hypot, inf, nan, sqrt
+from math import copysign, floor, hypot, nan, sqrt
 
 
 def wrap(x, bits):
@@ -25,23 +25,14 @@ def quadratic(cx, cy, r, O, D):
     # : The threshold is a fraction of 1 plus the coordinates, "to be safe": for a small figure, or one far
     # : away from the plane's origin, that is too wide. Measure the size from the centre, and add nothing
     # : to it.
-    # ? coordinate-epsilon: size = max(1, r, abs(fx), abs(fy))
     near = 1e-10 * size
     # = near = 1e-9 * size
-    # ? absolute-epsilon: near = {1e-14..1e-3/3}
-    # ? loose-epsilon: near = {1e-6..1e-2/2} * size
+    # ? loose-epsilon: near = 1e-2 * size
     touch = near
-    # ? absolute-epsilon: touch = {1e-14..1e-3/3}
-    # ? loose-epsilon: touch = {1e-6..1e-2/2} * size
-    # ? loose-epsilon: touch = {1e-6..1e-2/2} * r
+    # ? loose-epsilon: touch = 1e-4 * r
     slack = near
-    # ? absolute-epsilon: slack = {1e-14..1e-3/3}
-    # ? loose-origin: slack = {1e-6..1e-2/2} * size
-    # ? parameter-epsilon: slack = {1e-13..1e-3/3} * hypot(dx, dy)
-    # + zero-radius: if r == 0: return None
-    # + zero-radius: if r == 0: raise ValueError
-    # : A radius of 0 raises an error. The statement allows it: the circle is the point C, and the ray may
-    # : pass through it.
+    # ? loose-origin: slack = {1e-4..1e-2/2} * size
+    # ? parameter-epsilon: slack = {1e-13..1e-7/6} * hypot(dx, dy)
     # + zero-radius: if r == 0: return hypot(fx, fy) / hypot(dx, dy)
     # : For a radius of 0 the way to the centre is returned, wherever the ray looks. The ray meets the point
     # : C only if it passes through it.
@@ -54,156 +45,76 @@ def quadratic(cx, cy, r, O, D):
         # ? no-degenerate: return nan
         # : The length of D = (0, 0) is divided by all the same, and nan comes out. There is no ray then:
         # : return None before dividing.
-        # ? no-degenerate: return (lambda g: None if g > r + near else 0 if g >= r - near else sqrt((r - g) * (r + g)))(hypot(fx, fy))
-        # : D = (0, 0) is not looked at, and a length of 0 is replaced by 1 so that nothing is divided by
-        # : it: a ray that does not exist gets an answer. Return None before anything else.
         # ? sentinel-miss@s1: return -1
-        # : A miss is reported as inf. Return None: the contract asks for it.
         # ? sentinel-miss@s2: return 0
         # : A miss is reported as 0, which is the answer of an origin on the circle. Return None.
-        # ? sentinel-miss@s3: return inf
-        # ? sentinel-miss@s4: return False
-        # : A miss is reported as False. Return None: False is a wrong answer, though it looks like 0.
-        # ? sentinel-miss@s5: return nan
-        # ? no-degenerate: return -1
         # ? null-on-circle: return 0 if abs(hypot(fx, fy) - r) <= near else None
         # @ there is no ray
-        # ? null-on-circle: return 0 if fx * fx + fy * fy == r * r else None
-        # : For D = (0, 0) with the origin exactly on the circle 0 is returned, as if there were a ray of
-        # : one point. The statement calls it no ray: the answer is None wherever the origin is.
-    # ? no-degenerate: pass
-    # ? no-degenerate: a = a or 1.0
-    # ? short-is-null: if a < {1e-12..1e-4/3}: return None
-    # ? short-is-null: if sqrt(a) < {1e-12..1e-4/3}: return None
-    # ? absolute-epsilon@all: if a < {1e-13..1e-3/3}: return None
-    # ? absolute-epsilon@all2: if a < {1e-13..1e-3/3}: return None
-    # ? absolute-epsilon@all3: if a < {1e-13..1e-3/3}: return None
+    # ? short-is-null: if a < {1e-12..1e-6/6}: return None
+    # ? absolute-epsilon@all3: if a < 1e-7: return None
     length = sqrt(a)
     b = fx * dx + fy * dy
-    # ? global-frame@q: b = (O[0] * dx + O[1] * dy) - (cx * dx + cy * dy)
     c = fx * fx + fy * fy - r * r
-    # ? global-frame: c = O[0] ** 2 + O[1] ** 2 + cx * cx + cy * cy - 2 * (O[0] * cx + O[1] * cy) - r * r
-    # : c is expanded into |O|² − 2·O·C + |C|² − r², and far from the origin nothing is left of it, nor of
-    # : the root that is c/q. Subtract C from O first, and compute with the difference.
     # ? wrong-sign: c = fx * fx + fy * fy + r * r
     # ? wrong-sign@w: c = fx * fx + fy * fy + r * r
-    # ? global-frame@q: c = O[0] ** 2 + O[1] ** 2 - 2 * (O[0] * cx + O[1] * cy) + cx * cx + cy * cy - r * r
     # ? global-frame@d: c = O[0] ** 2 + O[1] ** 2 + cx * cx + cy * cy - 2 * (O[0] * cx + O[1] * cy) - r * r
     # ? radius-not-squared@k: c = fx * fx + fy * fy - r
     # : The half-chord is √(r − d²), with the radius as it is. Square the radius.
     k = dx * fy - dy * fx
-    # ? forgotten-centre@d: k = dx * O[1] - dy * O[0]
-    # : The distance of the line is taken from the plane's origin and not from C; the rest is right.
-    # : Subtract C from O first.
     disc = r * r * a - k * k
     # ? wrong-sign@w: disc = b * b - a * c
-    # ? global-frame@q: disc = b * b - a * c
     # ? cancellation@c0: disc = b * b - a * c
     # ? global-frame@d: disc = b * b - a * c
     # ? radius-not-squared@k: disc = b * b - a * c
     # ? direction-not-normalised@b: disc = b * b - c
-    # ? cancellation@u: disc = ((b / length) ** 2 - c) * a
-    # : The distance of the line is the root of |f|²·|D|² − (f·D)², by |D|: two numbers that are nearly
-    # : equal when the circle is small and far away. The cross product gives it without a difference.
     # ? cancellation@c4: disc = b * b - a * c
     # : The discriminant (f·D)² - a·c subtracts two numbers that are nearly equal when the circle is small
     # : and far away. Use r²a - k² with k = D × f: the same number, without the cancellation.
-    # ? direction-not-normalised@unit: disc = r * r - k * k
-    # : The direction is used as if its length were 1, in the distance of the line, in the foot and at the
-    # : end. Divide by n = |D| in all three places.
-    # ? global-frame: disc = b * b - a * (O[0] ** 2 + O[1] ** 2 + cx * cx + cy * cy - 2 * (O[0] * cx + O[1] * cy) - r * r)
-    # ? equality-tangency@d0: disc = b * b - a * c
     # ? equality-tangency@p2: disc = (b / a) ** 2 - c / a
-    # ? absolute-epsilon@all: disc = b * b - a * c
     # ? absolute-epsilon@all3: disc = b * b - a * c
-    # ? absolute-epsilon@tan: disc = b * b - a * c
-    # ? overflow-64: disc = wrap(r * r * a - k * k, 64)
     # ? overflow-64: disc = wrap(r * r * a, 64) - wrap(k * k, 64)
-    # ? overflow-32: disc = wrap(r * r * a - k * k, 32)
     # ? overflow-32: disc = wrap(r * r, 32) * wrap(a, 32) - wrap(k, 32) ** 2
     # ? overflow-64@where: disc = wrap(r * r * a - k * k, 64)
-    # ? overflow-64@roots: disc = wrap(r * r * a - k * k, 64)
-    # ? overflow-32@where: disc = wrap(r * r * a - k * k, 32)
     # ? overflow-32@roots: disc = wrap(r * r * a - k * k, 32)
     d = abs(k) / length
-    # ? cancellation: d = sqrt(max(0.0, fx * fx + fy * fy - b * b / a))
     # ? forgotten-abs: d = k / length
     # ? forgotten-abs: d = -k / length
-    # ? direction-not-normalised: d = abs(k)
-    # ? direction-not-normalised@unit: d = abs(k)
-    # ? global-frame: d = abs((dx / length * O[1] - dy / length * O[0]) - (dx / length * cy - dy / length * cx))
-    # : The distance of the line is the difference of its own offset from the plane's origin and that of the
-    # : centre. Far from the origin both are huge and nothing is left of the figure. Subtract C from O
-    # : first.
-    # ? cancellation: d = sqrt(max(0.0, (fx * fx + fy * fy) * a - b * b)) / length
     gap = d - r
     where = 1 if gap > touch else 0 if gap >= -touch else -1
     # ? direction-not-normalised@b: where = 1 if disc < 0 else 0 if disc == 0 else -1
     # ? radius-not-squared@k: where = 1 if disc < 0 else 0 if disc == 0 else -1
-    # ? equality-tangency: where = 1 if disc < 0 else 0 if disc == 0 else -1
-    # : The discriminant is compared with 0 by ==. Its terms are rounded, and a touch is hardly ever exactly
-    # : 0. Compare lengths, within a small part of the size.
     # ? equality-tangency: where = 1 if gap > 0 else 0 if gap == 0 else -1
     # : A tangency is where the distance == r, which floats almost never are. Call it a tangency when the
     # : two differ by less than 1e-10 of the size.
-    # ? equality-tangency@d0: where = 1 if disc < 0 else 0 if disc == 0 else -1
     # ? equality-tangency@p2: where = 1 if disc < 0 else 0 if disc == 0 else -1
     # ? wrong-sign@w: where = 1 if disc < 0 else 0 if disc == 0 else -1
-    # ? global-frame@q: where = 1 if disc < -2 * r * near * a else 0 if disc <= 2 * r * near * a else -1
     # ? cancellation@c0: where = 1 if disc < -near * size * a else 0 if disc <= near * size * a else -1
     # ? global-frame@d: where = 1 if disc < -1e-12 * (b * b + abs(a * c)) else 0 if disc <= 1e-12 * (b * b + abs(a * c)) else -1
-    # ? absolute-epsilon@all: where = 1 if disc < -{1e-13..1e-3/3} else 0 if disc <= {1e-13..1e-3/3} else -1
-    # ? absolute-epsilon@all2: where = 1 if gap > {1e-13..1e-3/3} else 0 if gap >= -{1e-13..1e-3/3} else -1
-    # ? absolute-epsilon@all3: where = 1 if disc < -{1e-13..1e-3/3} else -1
-    # ? absolute-epsilon@tan: where = 1 if disc < -{1e-13..1e-3/3} else 0 if disc <= {1e-13..1e-3/3} else -1
-    # ? absolute-epsilon: where = 1 if disc < -{1e-13..1e-3/3} else 0 if disc <= {1e-13..1e-3/3} else -1
-    # ? absolute-epsilon: where = 1 if k * k / a - r * r > {1e-13..1e-3/3} else 0 if k * k / a - r * r >= -{1e-13..1e-3/3} else -1
-    # ? loose-epsilon: where = 1 if disc < -{1e-5..1e-3/2} * r * r * a else 0 if disc <= {1e-5..1e-3/2} * r * r * a else -1
+    # ? absolute-epsilon@all3: where = 1 if disc < -1e-7 else -1
+    # ? absolute-epsilon: where = 1 if disc < -1e-10 else 0 if disc <= 1e-10 else -1
     # ? sqrt-of-negative@a: where = 0 if abs(gap) <= touch else -1
     # : The absolute value is taken under the root, "to be safe", so that a line that misses the circle
     # : meets it as well. A negative number there means that there is no common point.
     # ? sqrt-of-negative@b: where = 0 if abs(gap) <= touch else -1
     # : Nothing keeps a line that misses the circle from the square root, which raises ValueError. Compare
     # : the distance with the radius first and return None for a miss.
-    # ? sqrt-of-negative@c: where = 0 if abs(gap) <= touch else -1
-    # ? sqrt-of-negative@d: where = 0 if gap >= -touch else -1
-    # : Under the root stands max(0, r² − d²), so that a line that misses the circle meets it at the foot. A
-    # : negative number there means that there is no common point: return None before taking the root.
-    # ? cancellation@u: where = 1 if disc / a < -near * (2 * r + near) else 0 if disc / a <= near * (2 * r - near) else -1
     # ? cancellation@c4: where = 1 if disc / a < -near * (2 * r + near) else 0 if disc / a <= near * (2 * r - near) else -1
     # ? tangent-missed: where = -1 if disc > 0 else 1
     # ? overflow-64@where: where = 1 if disc / a < -near * (2 * r + near) else 0 if disc / a <= near * (2 * r + near) else -1
-    # ? overflow-64@roots: where = 1 if disc / a < -near * (2 * r + near) else 0 if disc / a <= near * (2 * r + near) else -1
-    # ? overflow-32@where: where = 1 if disc / a < -near * (2 * r + near) else 0 if disc / a <= near * (2 * r + near) else -1
     # ? overflow-32@roots: where = 1 if disc / a < -near * (2 * r + near) else 0 if disc / a <= near * (2 * r + near) else -1
-    # ? tangent-missed: where = -1 if gap < 0 else 1
-    # : d < r makes two points, and all else is a miss: a tangent is none, or has two points where it was
-    # : rounded to the inside. Treat the tangency as a case of its own, within a small part of the size.
     if where == 1:
         return None
-        # ? sentinel-miss@m1: return -1
-        # ? sentinel-miss@m2: return 0
-        # ? sentinel-miss: return -1
-        # : A line that passes the circle is reported as −1, although a circle behind the origin is None.
-        # : Return None for both: −1 is a number like any other.
         # ? sentinel-miss@s1: return -1
         # ? sentinel-miss@s2: return 0
-        # ? sentinel-miss@s3: return inf
-        # ? sentinel-miss@s4: return False
-        # ? sentinel-miss@s5: return nan
-    # ? sqrt-of-negative: pass
     if where == 0:
         ts = [-b / a]
-        # ? tangent-missed: return None
     else:
         root = sqrt(abs(disc))
         # ? sqrt-of-negative@a: root = sqrt(abs(disc))
         # ? sqrt-of-negative@b: root = sqrt(disc)
-        # ? sqrt-of-negative@c: root = disc ** 0.5
         # = root = sqrt(max(0.0, disc))
         # = root = sqrt(disc)
         # = root = disc ** 0.5
-        # ? radius-not-squared: root = sqrt(abs(r * a - k * k))
         # ? radius-not-squared: root = sqrt(r * a - k * k)
         # : The half-chord is √|r − d²|, with the radius as it is, and no complaint where that is negative.
         # : Square the radius.
@@ -214,29 +125,19 @@ def quadratic(cx, cy, r, O, D):
         ts = sorted([q / a, c / q])
         # = ts = [(-b - root) / a, (-b + root) / a]
         # ? cancellation@c0: ts = [(-b - root) / a, (-b + root) / a]
-        # ? overflow-64@roots: ts = [(-b - root) / a, (-b + root) / a]
         # ? overflow-32@roots: ts = [(-b - root) / a, (-b + root) / a]
         # ? floor-division: ts = [(-b - root) // a, (-b + root) // a]
         # ? sqrt-of-negative@a: ts = [(-b - root) / a, (-b + root) / a]
-        # ? forgotten-centre@d: ts = [(-b - root) / a, (-b + root) / a]
         # ? no-snap@n: ts = [(-b - root) / a, (-b + root) / a]
         # : Tangencies have their epsilon, but t >= 0 is taken to the letter, and −m ± h is less exact
         # : still. Let the origin have the same slack, as a length.
-        # ? global-frame@q: ts = [(-b - root) / a, (-b + root) / a]
         # ? direction-not-normalised@b: ts = [-b - root, -b + root]
-        # ? direction-not-normalised: ts = [-b - root, -b + root]
-        # ? direction-not-normalised@unit: ts = [-b - root, -b + root]
         # ? direction-not-normalised: ts = [-b / a - root / length, -b / a + root / length]
         # : t is found by (m ± h), with the half-chord as a length and the foot as a parameter. Divide both
         # : by |D|.
-        # ? direction-not-normalised: ts = [(-b / a - root / a * length), (-b / a + root / a * length)]
-        # ? direction-not-normalised: ts = [(-b - root / length) / a, (-b + root / length) / a]
-        # ? direction-not-normalised: ts = [-b / length - root / length, -b / length + root / length]
         # ? global-frame: ts = [((O[0] + t * dx) - O[0]) / dx if dx else ((O[1] + t * dy) - O[1]) / dy for t in sorted([q / a, c / q])]
         # : The point of contact is computed in the plane's own coordinates, and t is found from it. Far
         # : from the origin a coordinate has few digits left for it. Compute t from the differences.
-        # ? direction-not-normalised: ts = [(-b - root) / length, (-b + root) / length]
-        # ? absolute-epsilon@all: ts = [(-b - root) / a, (-b + root) / a]
         # ? absolute-epsilon@all3: ts = [(-b - root) / a, (-b + root) / a]
         # ? radius-not-squared@k: ts = [(-b - root) / a, (-b + root) / a]
         # ? foot-for-root: ts = [-b / a]
@@ -248,14 +149,10 @@ def quadratic(cx, cy, r, O, D):
         # ? origin-on-circle: if abs(t) * length <= slack: return None
         # @ With O on the circle it is 0
         # : With the origin on the circle None is returned. t = 0 is allowed: 0 is the answer there.
-        # ? origin-on-circle: if abs(t) * length <= slack: continue
-        # ? origin-on-circle: if t * length <= {1e-12..1e-5/2}: continue
+        # ? origin-on-circle: if t * length <= 1e-6: continue
         # ? no-snap: if t == 0: return 0.0
-        # ? no-snap: if t >= 0: return t
         # ? no-snap@n: if t >= 0: return t
-        # ? absolute-epsilon@all: if abs(t) <= {1e-13..1e-3/3}: return max(t, 0.0)
-        # ? absolute-epsilon@all2: if abs(t) <= {1e-13..1e-3/3}: return 0.0
-        # ? absolute-epsilon@all3: if t >= -{1e-13..1e-3/3}: return max(t, 0.0)
+        # ? absolute-epsilon@all3: if t >= -1e-7: return max(t, 0.0)
         if t > 0:
             first = t
             break
@@ -263,7 +160,6 @@ def quadratic(cx, cy, r, O, D):
         # @ What lies behind O
         # : The least of the roots is returned without asking whether it is negative. Skip a root behind the
         # : origin and look at the other one.
-    # ? entry-behind: first = ts[0]
     # ? entry-behind: first = ts[0] if ts[-1] >= 0 else None
     # : A negative entry is returned unless both points are behind the origin. Skip a root behind the origin
     # : and look at the other one.
@@ -272,13 +168,8 @@ def quadratic(cx, cy, r, O, D):
     # : Only −b + √Δ is computed, which is where the ray leaves the circle. From outside the other root
     # : comes first.
     # ? far-root: first = ts[-1]
-    # ? far-root: first = max(ts)
-    # ? far-root: first = max([max(t, 0.0) for t in ts if t * length >= -slack], default=None)
     # ? inside-is-miss: first = 0.0 if abs(ts[0]) * length <= slack else ts[0] if ts[0] > 0 else None
     # @ From inside
-    # ? inside-is-miss: first = 0.0 if min(abs(t) for t in ts) * length <= slack else None if c < 0 else ts[0] if ts[0] > 0 else None
-    # : An origin inside the circle is said to see nothing of it, although the ray meets the circle on its
-    # : way out. The circle is the curve: go on to the second root.
     # ? inside-is-miss: first = None if b > 0 and abs(ts[0]) * length > slack else next((max(t, 0.0) for t in ts if t * length >= -slack), None)
     # : A foot behind the origin is taken for a circle behind it, although from inside the ray meets the
     # : circle on its way out. Look at the roots.
@@ -293,23 +184,13 @@ def quadratic(cx, cy, r, O, D):
     # @ not the disc
     # ? segment-for-ray: first = next((max(t, 0.0) for t in ts if t * length >= -slack and t <= 1), None)
     # @ goes on for ever
-    # ? foot-for-root: first = -b / a
     # ? foot-for-root: first = max(0.0, -b / a)
     # : t of the point closest to the centre is returned, or 0 if that is behind. Step back from the foot by
     # : the half-chord.
-    # ? origin-on-circle: first = next((t for t in ts if t > 0), None)
-    # : Only t > 0 counts, to the letter: with the origin on the circle the answer is the other point, or a
-    # : t that is rounding. t = 0 is allowed: 0 is the answer there.
     if first is None:
         return None
-        # ? sentinel-miss@m1: return -1
-        # ? sentinel-miss@m2: return 0
-        # ? sentinel-miss: return -1
         # ? sentinel-miss@s1: return -1
         # ? sentinel-miss@s2: return 0
-        # ? sentinel-miss@s3: return inf
-        # ? sentinel-miss@s4: return False
-        # ? sentinel-miss@s5: return nan
     return first
     # ? distance-for-parameter: return first * length
     # @ not a distance
@@ -320,7 +201,6 @@ def quadratic(cx, cy, r, O, D):
     # : The point is returned, as a list, instead of t. Return the parameter.
     # ? point-for-parameter: return O[0] + first * dx
     # : The x of the point is returned instead of t. Return the parameter.
-    # ? floor-division: return floor(first)
     # ? floor-division: return (first * length) // length
     # : The distance is divided by |D| with //, and t is a whole number. Divide with /.
 

@@ -8,8 +8,6 @@ def normal_part(cx, cy, r, O, D):
     "right"
     # + zero-radius: if r == 0: return (cx, cy), D
     # @ r = 0
-    # + zero-radius: if r == 0: return (cx, cy), (-D[0], -D[1])
-    # : For a radius of 0 the ray is reflected at C. A point has no normal: return None.
     dx, dy = D
     # ? target-for-direction: dx, dy = D[0] - O[0], D[1] - O[1]
     if r == 0:
@@ -24,15 +22,11 @@ def normal_part(cx, cy, r, O, D):
         # : D = (0, 0) is answered with O and D. There is no ray: return None.
     # ? no-degenerate: pass
     # : D = (0, 0) is not asked for, and the length of D is divided by. There is no ray then: return None first.
-    # ? no-degenerate: length = length or 1.0
-    # : A length of 0 is replaced by 1 so that nothing is divided by it: a ray that does not exist gets an answer.
-    # : Return None before anything else.
-    # ? short-is-null: if length < {1e-12..1e-4/3}: return None
-    # ? short-is-null: if length * length < {1e-12..1e-4/3}: return None
+    # ? short-is-null: if length < 1e-9: return None
+    # ? short-is-null: if length * length < 1e-9: return None
     ux, uy = dx / length, dy / length
     # ? needs-unit-direction: ux, uy = dx, dy
     # @ may have any length
-    # ? needs-unit-direction@all: ux, uy = dx, dy
     fx, fy = O[0] - cx, O[1] - cy
     # ? forgotten-centre: fx, fy = O
     # ? swapped-coordinates: fx, fy = O[0] - cy, O[1] - cx
@@ -45,20 +39,16 @@ def normal_part(cx, cy, r, O, D):
     # : size from the centre, and add nothing to it.
     near = 1e-10 * reach
     # = near = 1e-9 * reach
-    # ? absolute-epsilon: near = {1e-15..1e-3/3}
-    # ? absolute-epsilon: near = max(1e-9, 1e-9 * reach)
-    # : A fixed 1e-9 is the least threshold, and a tiny circle is all epsilon. Measure it by the size alone.
-    # ? loose-epsilon: near = {1e-6..1e-2/2} * reach
+    # ? absolute-epsilon: near = 1e-15
+    # ? loose-epsilon: near = 1e-2 * reach
     touch = slack = near
-    # ? absolute-epsilon: touch, slack = {1e-15..1e-3/3}, near
-    # ? loose-epsilon: touch, slack = {1e-6..1e-2/2} * reach, near
-    # ? loose-origin: touch, slack = near, {1e-6..1e-2/2} * reach
+    # ? absolute-epsilon: touch, slack = 1e-12, near
+    # ? loose-epsilon: touch, slack = 1e-6 * reach, near
+    # ? loose-origin: touch, slack = near, {1e-4..1e-2/2} * reach
     # ? no-snap: touch, slack = near, 0
     # : Only t ≥ 0 counts, to the letter: with O on the circle, rounding decides whether the ray enters there.
     # : Let a point that is nearly at O count as there: 1e-10 of the size, as a length.
     distance = abs(dx * fy - dy * fx) / length
-    # ? needs-unit-direction@all: distance = abs(dx * fy - dy * fx)
-    # : The direction is used as if it were 1 long, in every place. Divide it by its length first.
     # ? needs-unit-direction: distance = abs(dx * fy - dy * fx)
     # : The distance of the line is a cross product that nobody divided by |D|. Divide by it, or make D a unit.
     # ? global-frame: distance = abs((ux * O[1] - uy * O[0]) - (ux * cy - uy * cx))
@@ -109,9 +99,6 @@ def normal_part(cx, cy, r, O, D):
         # @ the first point P of the ray
         # : From inside the entry behind O is used for the exit. Go on to the second point.
     # ? entry-behind@one: if last < -slack: return None
-    # ? inside-missed: if hypot(fx, fy) < r - near: return None
-    # : An origin inside the circle is said to hit nothing, although the ray meets the circle on its way out. The
-    # : circle is the curve: go on to the second point.
     # ? origin-on-skipped: if first <= slack: way = last
     # @ With O on the circle
     # : With O on the circle the entry there is skipped, and the answer is at the other end of the chord. A point at
@@ -119,14 +106,10 @@ def normal_part(cx, cy, r, O, D):
     if way < -slack:
         return None
     # ? exit-for-behind: pass
-    # ? exit-for-behind: way = abs(way)
-    # : The absolute value of the way to the point is taken, and what is behind O is met as well. Leave the sign: a
-    # : negative one is behind.
     # ? entry-behind@one: pass
     # ? on-is-none: if way <= slack: return None
     # : With O on the circle None is returned where the ray looks out, as if it had left already. It is reflected there:
     # : t = 0 counts.
-    # ? on-is-none: if way < -slack or abs(hypot(fx, fy) - r) <= near: return None
     px, py = O[0] + way * ux, O[1] + way * uy
     # ? point-from-centre: px, py = fx + way * ux, fy + way * uy
     # ? direction-not-scaled: px, py = O[0] + way * dx, O[1] + way * dy
@@ -137,14 +120,9 @@ def normal_part(cx, cy, r, O, D):
     # ? needs-unit-normal: nx, ny = (fx + way * ux) / length, (fy + way * uy) / length
     # : P − C is divided by |D| to make it a unit. It is r long: divide it by r.
     # ? normalised-twice-position: nx, ny = (lambda s: (px / s, py / s))(hypot(px, py) or 1.0)
-    # ? global-frame: nx, ny = (px - cx) / r, (py - cy) / r
-    # : The normal is computed from the point in the plane's own coordinates, and far from the origin that has few digits
-    # : left for it. Go from O − C.
     # ? turned-reflection: nx, ny = -(fy + way * uy) / r, (fx + way * ux) / r
     # : The vector that D is reflected at is turned by a quarter: it runs along the circle. Use (P − C)/r.
     s = dx * nx + dy * ny
-    # ? turned-reflection: s = dx * ny - dy * nx
-    # : The cross product of D and N is taken for D·N. The part along the normal is the scalar product, dx·nx + dy·ny.
     # ? unit-result: s = ux * nx + uy * ny
     # @ R is as long as D
     # : The part along the normal is that of D made a unit, but it is taken from D itself. Use one of both throughout.
@@ -155,23 +133,13 @@ def normal_part(cx, cy, r, O, D):
     # ? reversed: rx, ry = -dx, -dy
     # ? direction-kept: rx, ry = dx, dy
     # ? normal-returned: rx, ry = nx, ny
-    # ? normal-returned: rx, ry = -copysign(1.0, s) * nx, -copysign(1.0, s) * ny
-    # : The normal is returned, facing the ray, and not what is reflected: D − 2(D·N)N.
-    # ? unit-result: rx, ry = ux - 2 * s / length * nx, uy - 2 * s / length * ny
-    # ? unit-result: rx, ry = (ux - 2 * s / length * nx, uy - 2 * s / length * ny) if half else (dx, dy)
     # ? touch-bounces: rx, ry = (dx - 2 * s * nx, dy - 2 * s * ny) if half else (-dx, -dy)
     # @ goes on as it came
-    # ? touch-bounces: rx, ry = (dx - 2 * s * nx, dy - 2 * s * ny) if half else (length * nx, length * ny)
-    # : A ray that touches goes off along the normal. Its D·N is 0: it goes on as it came.
     # ? inside-goes-on: rx, ry = (dx - 2 * s * nx, dy - 2 * s * ny) if s <= 0 else (dx, dy)
     # @ thrown back into the circle
-    # ? inside-goes-on: rx, ry = dx - 2 * min(s, 0.0) * nx, dy - 2 * min(s, 0.0) * ny
-    # : Only a ray that runs against the outward normal is reflected, and one from inside goes through the circle. The
-    # : sign of N makes no difference to D − 2(D·N)N.
     return (px, py), (rx, ry)
     # ? parts-exchanged: return (rx, ry), (px, py)
     # ? reflection-only: return rx, ry
-    # ? reflection-only: return (rx, ry)
     # ? mirrored-components: return (py, px), (ry, rx)
     # ? reflection-only: return [px, py, rx, ry]
     # : The four numbers are in one list. Two pairs are asked for: ((px, py), (rx, ry)).
@@ -185,9 +153,8 @@ def quadratic(cx, cy, r, O, D):
     a = dx * dx + dy * dy
     if a == 0 or r == 0:
         return None
-    # ? short-is-null: if a < {1e-15..1e-6/3} or r == 0: return None
+    # ? short-is-null: if a < {1e-12..1e-6/6} or r == 0: return None
     b, c = fx * dx + fy * dy, fx * fx + fy * fy - r * r
-    # ? radius-not-squared: b, c = fx * dx + fy * dy, fx * fx + fy * fy - r
     # ? global-frame: b, c = fx * dx + fy * dy, O[0] ** 2 + O[1] ** 2 + cx * cx + cy * cy - 2 * (O[0] * cx + O[1] * cy) - r * r
     # : c is expanded into |O|² − 2·O·C + |C|² − r², and far from the origin nothing is left of it. Subtract C from
     # : O first.
@@ -203,28 +170,19 @@ def quadratic(cx, cy, r, O, D):
     # ? equality: where = 1 if disc < 0 else 0 if disc == 0 else -1
     # : A touch is where the discriminant == 0, which of rounded numbers hardly any is. Compare lengths, d with r,
     # : within 1e-10 of the size.
-    # ? absolute-epsilon: where = 1 if disc < -{1e-15..1e-3/3} else 0 if disc <= {1e-15..1e-3/3} else -1
-    # ? loose-epsilon: where = 1 if disc < -{1e-5..1e-3/2} * r * r * a else 0 if disc <= {1e-5..1e-3/2} * r * r * a else -1
+    # ? absolute-epsilon: where = 1 if disc < -1e-9 else 0 if disc <= 1e-9 else -1
     if where > 0:
         return None
     root = sqrt(max(0.0, disc)) if where else 0.0
     t = (-b - root) / a
-    # ? needs-unit-direction: t = -b - root
-    # : The root is not divided by a = D·D. Divide by it, or make D a unit.
-    # ? far-root: t = (-b + root) / a
-    # : Only −b + √Δ is computed, which is where the ray leaves. From outside the other root comes first.
     if t * size < -near:
         t = (-b + root) / a
         # ? needs-unit-direction: t = -b + root
         # : The second root is not divided by a = D·D. Divide by it, or make D a unit.
-        # ? inside-missed: return None
     if t * size < -near:
         return None
     nx, ny = (fx + t * dx) / r, (fy + t * dy) / r
-    # ? needs-unit-normal: nx, ny = fx + t * dx, fy + t * dy
     s = 2 * (dx * nx + dy * ny)
-    # ? factor-one: s = dx * nx + dy * ny
-    # ? sign-plus: s = -2 * (dx * nx + dy * ny)
     # ? unit-result@u: s = 2 * (dx * nx + dy * ny) / size
     rx, ry = dx - s * nx, dy - s * ny
     # ? unit-result@u: rx, ry = dx / size - s * nx, dy / size - s * ny

@@ -14,8 +14,6 @@ def hair(circles, O, D, L):
     # @ `circles` is a list of 1 to 32 circles `(x, y, r)`
     # + swapped-coordinates: circles = [(y, x, r) for x, y, r in circles]
     # : The circles' x and y are exchanged, those of O, D and L are not.
-    # + swapped-coordinates: D = D[1], D[0]
-    # : D's x and y are exchanged, those of all else are not.
     # + single-precision: circles = [tuple(map(single, circle)) for circle in circles]
     (ox, oy), (dx, dy), (lx, ly) = O, D, L
     # ? target-for-direction: (ox, oy), (dx, dy), (lx, ly) = O, (D[0] - O[0], D[1] - O[1]), L
@@ -25,14 +23,13 @@ def hair(circles, O, D, L):
     # = least = 1e-10 * size
     # = least = 3e-8 * size
     # ? acne: least = 0
-    # ? absolute-t-min: least = {1e-9..1e-3/2}
-    # ? fat-t-min: least = {1e-2..1e-1} * size
-    # ? fat-t-min: least = 0.02 * size
-    # ? wide-t-min: least = {1e-5..1e-3} * size
-    # ? direction-epsilon: least = {1e-8..1e-6} * max(size, abs(D[0]), abs(D[1]))
+    # ? absolute-t-min: least = {1e-9..1e-3/6}
+    # ? fat-t-min: least = 1e-1 * size
+    # ? wide-t-min: least = 1e-4 * size
+    # ? direction-epsilon: least = {1e-7..1e-6/1} * max(size, abs(D[0]), abs(D[1]))
     slack = 0
-    # ? loose-epsilon: slack = {1e-6..1e-3} * size
-    # ? loose-epsilon: slack = -{1e-6..1e-3} * size
+    # ? loose-epsilon: slack = 1e-4 * size
+    # ? loose-epsilon: slack = -1e-3 * size
     length = hypot(dx, dy) or 1e-300
     ux, uy = dx / length, dy / length
     best = None
@@ -67,7 +64,7 @@ def hair(circles, O, D, L):
         return "dark"
     # ? back-lit@skip: pass
     # @ on the side that the ray sees
-    # ? absolute-epsilon: if (ux * nx + uy * ny) * (vx * nx + vy * ny) > {1e-12..1e-6}: return "dark"
+    # ? absolute-epsilon: if (ux * nx + uy * ny) * (vx * nx + vy * ny) > {1e-9..1e-6/3}: return "dark"
     # ? inside-always-dark: if vx * nx + vy * ny < 0: return "dark"
     # ? side-swapped: if (ux * nx + uy * ny < 0) == (vx * nx + vy * ny > 0): return "dark"
     reach = hypot(vx, vy) or 1e-300
@@ -115,7 +112,6 @@ def moved_off(circles, O, D, L):
     s, x, y, r = min(hits)
     gx, gy = (O[0] - x + s * D[0] / a) / r, (O[1] - y + s * D[1] / a) / r
     side = 1 if gx * D[0] + gy * D[1] < 0 else -1
-    # ? inside-always-dark: side = 1
     px, py = gx * r, gy * r
     qx, qy = L[0] - x, L[1] - y
     if side * (gx * (qx - px) + gy * (qy - py)) < 0:
@@ -123,7 +119,7 @@ def moved_off(circles, O, D, L):
     # ? step-for-side: pass
     off = 1e-9 * e
     # ? acne: off = 0
-    # ? absolute-t-min: off = {1e-6..1e-3/2}
+    # ? absolute-t-min: off = 1e-4
     # ? fat-t-min: off = 0.01 * e
     px, py = px + side * off * gx, py + side * off * gy
     for cx, cy, radius in circles:

@@ -12,7 +12,6 @@ def machine(circles, O, D, h):
     # = length = sqrt(dx * dx + dy * dy) or 1.0
     # ? direction-not-normalised: length = 1.0
     shown, answer, before = None, [], None
-    # ? starts-at-zero@s: shown, answer, before = False, [], None
     # ? starts-at-one@s: shown, answer, before = True, [], None
     first_radius = circles[0][2]
     for x, y, r in circles:
@@ -45,27 +44,21 @@ def machine(circles, O, D, h):
         # : size from the centre, and add nothing to it.
         near = 1e-10 * size
         # = near = 1e-9 * size
-        # ? absolute-epsilon: near = {1e-12..1e-3/3}
+        # ? absolute-epsilon: near = {1e-9..1e-3/6}
         # ? tight-epsilon: near = 0
         # : A threshold is passed by any rounding where d is exactly at it. Leave 1e-9 of the size to rounding.
         # ? tight-epsilon: near = -1e-9 * size
         # : At a threshold it counts as passed. There nothing changes: the tolerance belongs to the other side.
-        # ? loose-epsilon: near = {1e-6..1e-2/2} * size
+        # ? loose-epsilon: near = {1e-4..1e-2/2} * size
         width = h * r
         # ? absolute-threshold: width = h
         # ? absolute-threshold: width = h * first_radius
         # : The thresholds are a part of the first frame's radius. They go with the radius of each frame.
-        # ? absolute-threshold: width = h * size
-        # : The thresholds are a part of the size away from r. They are a part of r.
         # ? half-a-threshold: width = h * r / 2
         low, high = r - width - near, r + width + near
         # ? no-hysteresis: low, high = r, r
-        # ? no-hysteresis: low, high = r - near, r + near
-        # : Only rounding is given room, and the circle flickers. The thresholds are r·(1 − h) and r·(1 + h).
         # ? no-hysteresis: low, high = r - width - near, r - width - near
         # : One threshold, r·(1 − h), serves both ways, and there it flickers. A hit ends beyond r·(1 + h).
-        # ? no-hysteresis: low, high = r + width + near, r + width + near
-        # : One threshold, r·(1 + h), serves both ways, and there it flickers. A miss ends below r·(1 − h).
         # ? one-sided-threshold: low, high = r - near, r + width + near
         # @ A frame after a 0
         # ? one-sided-threshold: low, high = r - width - near, r + near
@@ -78,8 +71,6 @@ def machine(circles, O, D, h):
             # @ The first frame shows 1
             # : The first frame is a hit only below r·(1 − h). It has nothing before it: compare d with r.
             # ? starts-at-zero: shown = False
-            # ? starts-at-one: shown = d <= high
-            # : The first frame is a miss only above r·(1 + h). It has nothing before it: compare d with r.
             # ? starts-at-one: shown = True
             # ? inverted: shown = d > r
             # : The first frame alone is answered the wrong way round. It shows 1 for d < r.
@@ -99,7 +90,6 @@ def machine(circles, O, D, h):
         # + between-is-a-miss: shown = d < r if before is None else d <= high
         # : Whatever is not above r·(1 + h) is a hit, also after a miss. Between the thresholds nothing changes.
         answer.append(int(shown))
-        # ? inverted: answer.append(int(not shown))
         # ? boolean-answer: answer.append(bool(shown))
         # @ 1 for a hit, 0 for a miss
         # ? float-answer: answer.append(float(shown))

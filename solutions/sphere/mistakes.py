@@ -1,6 +1,6 @@
 """How the first point on a sphere and its normal go wrong: right ways, and mistakes beside the lines they spoil."""
 
-from math import copysign, hypot, sqrt
+from math import hypot, sqrt
 
 
 def dot(u, v):
@@ -10,8 +10,6 @@ def dot(u, v):
 def foot(C, r, O, D):
     "right"
     # + swapped-coordinates: C = (C[1], C[0], C[2])
-    # + swapped-coordinates: C = (C[0], C[2], C[1])
-    # + swapped-coordinates: C = (C[2], C[1], C[0])
     # + planar: O, D = (O[0], O[1], C[2]), (D[0], D[1], 0)
     # + planar: O, D = (C[0], O[1], O[2]), (0, D[1], D[2])
     # : x is left out, of the ray and of the centre. All three axes count.
@@ -23,14 +21,10 @@ def foot(C, r, O, D):
     # : r = 0 goes the general way, and the normal is divided by it. There is no sphere then: return None first.
     fx, fy, fz = O[0] - C[0], O[1] - C[1], O[2] - C[2]
     # ? forgotten-centre: fx, fy, fz = O
-    # ? forgotten-centre: fx, fy, fz = O[0] - C[0], O[1] - C[1], O[2]
-    # : z of the centre is not subtracted. Subtract all of it.
     # ? reversed-vector: fx, fy, fz = C[0] - O[0], C[1] - O[1], C[2] - O[2]
     # ? two-components: fx, fy, fz = O[0] - C[0], O[1] - C[1], 0
     # : f = O − C has its x and y only. It has three parts.
     dx, dy, dz = D
-    # ? two-components: dx, dy, dz = D[0], D[1], 0
-    # : D is taken without its z. It has three parts.
     size = max(r, abs(fx), abs(fy), abs(fz))
     # = size = max(r, hypot(fx, fy, fz))
     # ? coordinate-epsilon: size = max(r, *map(abs, (*C, *O)))
@@ -39,11 +33,11 @@ def foot(C, r, O, D):
     # : size from the centre, and add nothing to it.
     near = 1e-10 * size
     # = near = 1e-9 * size
-    # ? absolute-epsilon: near = {1e-15..1e-3/3}
-    # ? loose-epsilon: near = {1e-6..1e-2/2} * size
+    # ? absolute-epsilon: near = 1e-15
+    # ? loose-epsilon: near = {1e-4..1e-2/2} * size
     slack = near
     # ? no-snap: slack = 0
-    # ? loose-origin: slack = {1e-6..1e-2/2} * size
+    # ? loose-origin: slack = {1e-4..1e-2/2} * size
     length = hypot(dx, dy, dz)
     # = length = sqrt(dx * dx + dy * dy + dz * dz)
     # ? two-components: length = hypot(dx, dy)
@@ -65,16 +59,11 @@ def foot(C, r, O, D):
     # ? scalar-cross: d = abs(kz)
     # ? scalar-cross: d = abs(kx + ky + kz)
     # : The three parts of the cross product are added up. It is a vector: take the root of their squares' sum.
-    # ? scalar-cross: d = abs(kx) + abs(ky) + abs(kz)
-    # : The absolute parts of the cross product are added up. It is a vector: take the root of their squares' sum.
-    # ? planar: d = hypot(kx, ky)
-    # : The cross product's length is taken of two of its parts. It has three.
     # = d = sqrt(max(0.0, fx * fx + fy * fy + fz * fz - (ux * fx + uy * fy + uz * fz) ** 2))
     gap = r - d
     where = 1 if gap < -near else 0 if gap <= near else -1
     # ? equality: where = 1 if gap < 0 else 0 if gap == 0 else -1
-    # ? equality: where = 1 if r * r < d * d else 0 if r * r == d * d else -1
-    # ? absolute-epsilon: where = 1 if gap < 0 else 0 if r * r - d * d <= {1e-15..1e-3/3} else -1
+    # ? absolute-epsilon: where = 1 if gap < 0 else 0 if r * r - d * d <= 1e-9 else -1
     # : What stands under the root is compared with a fixed number, whatever the size of the figure. Compare
     # : lengths, within a small part of the size.
     # ? tangent-missed: where = 1 if gap <= near else -1
@@ -85,8 +74,6 @@ def foot(C, r, O, D):
         return None
     m = -(ux * fx + uy * fy + uz * fz)
     # ? foot-sign: m = ux * fx + uy * fy + uz * fz
-    # ? two-components: m = -(ux * fx + uy * fy)
-    # : The foot's place is a scalar product of two terms. It has three: add uz·fz.
     half = 0.0 if where == 0 else sqrt(abs(gap * (r + d)))
     # = half = 0.0 if where == 0 else sqrt(max(0.0, r * r - d * d))
     # ? sqrt-of-negative@b: half = 0.0 if where == 0 else sqrt(gap * (r + d))
@@ -133,15 +120,9 @@ def foot(C, r, O, D):
         # = normal = (side * x / hypot(x, y, z), side * y / hypot(x, y, z), side * z / hypot(x, y, z))
         # ? position-normalised: normal = (lambda p: tuple(side * v / (hypot(*p) or 1) for v in p))([C[0] + x, C[1] + y, C[2] + z])
         # ? direction-for-normal: normal = (-ux, -uy, -uz)
-        # ? direction-for-normal: normal = (lambda n: (ux - 2 * n * x / r / r, uy - 2 * n * y / r / r, uz - 2 * n * z / r / r))(ux * x + uy * y + uz * z)
-        # : The reflected ray is returned for the normal. The normal is (P − C)/r.
-        # ? planar: normal = (x * scale, y * scale, 0)
-        # : The normal has no z. It is (P − C)/r in all three axes.
         return place / length, normal
         # ? distance-for-parameter: return place, normal
         # @ not a distance
-        # ? distance-for-parameter: return place * length, normal
-        # : The distance is multiplied by |D|. t is the distance divided by |D|.
         # ? floor-division: return place // length, normal
         # ? point-for-normal: return place / length, (C[0] + x, C[1] + y, C[2] + z)
         # ? swapped-answers: return normal, place / length
@@ -153,8 +134,6 @@ def quadratic(C, r, O, D):
     "right"
     f = [o - c for o, c in zip(O, C)]
     a = dot(D, D)
-    # ? two-components: a = D[0] * D[0] + D[1] * D[1]
-    # : D·D is of two terms. It has three: add Dz².
     if a == 0 or r == 0:
         return None
     b = dot(f, D)
@@ -164,7 +143,6 @@ def quadratic(C, r, O, D):
     # ? two-components: c = f[0] * f[0] + f[1] * f[1] - r * r
     # : f·f is of two terms. It has three: add fz².
     # ? wrong-sign: c = dot(f, f) + r * r
-    # ? radius-not-squared: c = dot(f, f) - r
     # ? global-frame: c = dot(O, O) - 2 * dot(O, C) + dot(C, C) - r * r
     near = 1e-10 * max(r, *map(abs, f))
     k = (D[1] * f[2] - D[2] * f[1], D[2] * f[0] - D[0] * f[2], D[0] * f[1] - D[1] * f[0])
@@ -175,8 +153,7 @@ def quadratic(C, r, O, D):
     where = 1 if gap > near else 0 if gap >= -near else -1
     # ? direction-not-normalised@y: where = 1 if disc < 0 else 0 if disc == 0 else -1
     # ? equality: where = 1 if disc < 0 else 0 if disc == 0 else -1
-    # ? absolute-epsilon: where = 1 if disc < -{1e-15..1e-3/3} else 0 if disc <= {1e-15..1e-3/3} else -1
-    # ? tangent-missed: where = 1 if disc <= near * r * a else -1
+    # ? absolute-epsilon: where = 1 if disc < -{1e-12..1e-6/6} else 0 if disc <= {1e-12..1e-6/6} else -1
     if where == 1:
         return None
     root = 0.0 if where == 0 else sqrt(abs(disc))
@@ -184,18 +161,14 @@ def quadratic(C, r, O, D):
     # ? direction-not-normalised@y: ts = (-b - root, -b + root)
     # ? unhalved: ts = ((-b - root) / (2 * a), (-b + root) / (2 * a))
     slack = near / sqrt(a)
-    # ? parameter-epsilon: slack = {1e-12..1e-3/3}
+    # ? parameter-epsilon: slack = {1e-6..1e-3/3}
     enters = ts[0] >= -slack
     # ? entry-behind: enters = True
-    # ? far-root: enters = False
     t = ts[0] if enters else ts[1]
     if t < -slack:
         return None
     p = [x + t * d for x, d in zip(f, D)]
     n = [x / r for x in p] if enters else [-x / r for x in p]
-    # ? not-flipped: n = [x / r for x in p]
-    # ? inward-always: n = [-x / r for x in p]
-    # ? not-divided-by-r: n = p if enters else [-x for x in p]
     return (t if t > slack else 0.0), n
 
 

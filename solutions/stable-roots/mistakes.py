@@ -41,20 +41,16 @@ def stable(a, b, c):
         # ? division-by-zero: return []
         # : a = 0 is answered with no root. The equation is linear then: −c/(2·b).
     # ? division-by-zero: pass
-    # ? division-by-zero: if a == 0: return None if b == c == 0 else []
-    # : a = 0 is answered with no root. The equation is linear then: −c/(2·b).
-    # + absolute-epsilon: if abs(a) < {1e-12..1e-6/3}: return [] if b == 0 else [-c / (2 * b)]
+    # + absolute-epsilon: if abs(a) < 1e-9: return [] if b == 0 else [-c / (2 * b)]
     # : A small a is taken for 0. Only 0 is 0: at 2⁻⁶⁰⁰ it is a number like any other.
     delta = Fraction(b) ** 2 - Fraction(a) * Fraction(c)
     # ? unhalved@four: delta = Fraction(b) ** 2 - 4 * Fraction(a) * Fraction(c)
     # @ Mind the 2
     # : The discriminant is b² − 4·a·c, which belongs to a·t² + b·t + c. Here the middle coefficient is 2·b.
-    # ? unhalved@all: delta = Fraction(b) ** 2 - 4 * Fraction(a) * Fraction(c)
     # ? rounded-discriminant: delta = Fraction(float(b) * float(b) - float(a) * float(c))
-    # ? rounded-discriminant: delta = Fraction(float(Fraction(b) ** 2) - float(Fraction(a) * Fraction(c)))
     # ? overflow: delta = limited(b, b) - limited(a, c)
-    # + absolute-epsilon: delta = Fraction(0) if abs(delta) < {1e-15..1e-9/3} else delta
-    # + loose-epsilon: delta = Fraction(0) if abs(delta) <= Fraction({1e-15..1e-6/3}) * Fraction(b) ** 2 else delta
+    # + absolute-epsilon: delta = Fraction(0) if abs(delta) < 1e-12 else delta
+    # + loose-epsilon: delta = Fraction(0) if abs(delta) <= Fraction(1e-9) * Fraction(b) ** 2 else delta
     if delta < 0:
         return []
         # ? absent-root: return None
@@ -68,27 +64,15 @@ def stable(a, b, c):
         # ? double-root-twice: return [-b / a, -b / a]
         # @ A double root is given once
         # ? double-root-missed: return []
-    # ? double-root-twice: pass
-    # : The general way is taken where Δ = 0, and the one root comes twice, or 0 is divided by 0.
     s = root(delta)
     q = -(b + s) if b >= 0 else s - b
     # ? sign-wrong-way: q = s - b if b >= 0 else -(b + s)
     # ? sign-wrong-way: q = -(b + s)
     # : q is −b − √Δ whatever the sign of b: for b < 0 that subtracts. Take the sign of b.
-    # ? sign-wrong-way: q = s - b
-    # : q is −b + √Δ whatever the sign of b: for b > 0 that subtracts. Take the sign of b.
     # ? sign-of-zero: q = -(b + ((b > 0) - (b < 0)) * s)
-    # ? sign-of-zero: q = -(b + b / abs(b) * s)
-    # : The sign of b is found as b/|b|, which divides by 0 where b is 0.
-    # ? sign-of-zero: q = -(b + s) if b > 0 else s - b if b < 0 else 0.0
-    # + unhalved@all: q = q / 2
     first, second = q / a, c / q
     # ? naive-roots: first, second = (-b - s) / a, (-b + s) / a
-    # ? naive-roots: first, second = q / a, -2 * b / a - q / a
-    # : The second root is found from the sum of both, −2·b/a, by a subtraction. Use their product: c/q.
     # ? floor-division: first, second = q // a, c // q
-    # ? wrong-sign: first, second = -q / a, -c / q
-    # : The roots come out with the other sign: they are (−b ± √Δ)/a.
     # ? first-root-only: return [q / a]
     # : Only one root is returned where there are two.
     # ? unhalved: first, second = q / (2 * a), c / (2 * q)
@@ -96,16 +80,10 @@ def stable(a, b, c):
     # + zero-root-lost: if c == 0: return [q / a]
     # + zero-root-lost: if c == 0: return [0.0]
     # : With c = 0 only the root 0 is returned; the other one is −2·b/a.
-    # + zero-root-lost: return sorted(x for x in (first, second) if x != 0)
-    # : A root that is 0 is thrown away, as if it were none.
     # + rounded-output: first, second = round(first, 9), round(second, 9)
-    # + rounded-output: first, second = float("%.12g" % first), float("%.12g" % second)
     return sorted([first, second])
     # ? unsorted: return [first, second]
     # @ in ascending order
-    # ? unsorted: return [second, first]
-    # ? unsorted: return sorted([first, second], key=abs)
-    # : The roots are sorted by magnitude. −3 comes before 1.
     # ? unsorted: return sorted([first, second], reverse=True)
     # : The roots come in descending order.
 

@@ -23,7 +23,6 @@ def relative(P0, P1, r, Q0, Q1, s):
     reach = r + s
     # ? one-radius: reach = r
     # @ is r + s or less
-    # ? one-radius: reach = s
     # ? one-radius: reach = max(r, s)
     # : The larger radius stands for both. The discs touch where the centres are r + s apart.
     # ? radii-subtracted: reach = abs(r - s)
@@ -35,15 +34,11 @@ def relative(P0, P1, r, Q0, Q1, s):
     # ? end-for-way: wx, wy = Q1
     # ? one-still@unseen: wx, wy = 0, 0
     dx, dy = vx - wx, vy - wy
-    # ? one-still: dx, dy = vx, vy
     # ? one-still: dx, dy = -wx, -wy
     # : The first disc is taken to rest in P0. Both move: seen from the second, the first goes the difference of both
     # : ways.
     # ? absolute-motion: dx, dy = vx + wx, vy + wy
     # : Both ways are added, which is right only if the second one is reversed. Subtract it.
-    # ? absolute-motion: dx, dy = wx - vx, wy - vy
-    # : The second way less the first is how the second disc moves as seen from the first, but f is the first as seen
-    # : from the second. Take both differences the same way round.
     size = max(reach, abs(vx), abs(vy), abs(fx), abs(fy), abs(Q1[0] - P0[0]), abs(Q1[1] - P0[1]))
     # = size = max(reach, hypot(vx, vy), hypot(fx, fy), hypot(wx, wy))
     # ? coordinate-epsilon: size = max(reach, *map(abs, (*P0, *P1, *Q0, *Q1)))
@@ -52,11 +47,9 @@ def relative(P0, P1, r, Q0, Q1, s):
     # : radii and the ways, and add nothing to it.
     near = 1e-10 * size
     # = near = 1e-9 * size
-    # ? absolute-epsilon: near = {1e-15..1e-3/3}
-    # ? absolute-epsilon: near = max(1e-9, 1e-9 * size)
-    # : A fixed 1e-9 is the least threshold, and tiny discs are all epsilon. Measure it by the size alone.
+    # ? absolute-epsilon: near = {1e-9..1e-6/3}
     # ? equality: near = 0
-    # ? loose-epsilon: near = {1e-6..1e-3} * size
+    # ? loose-epsilon: near = 1e-4 * size
     # ? loose-epsilon: near = 1e-8 + 1e-5 * reach
     # : The lengths are compared as np.isclose does, within 1e-5 of the radii. Choose a threshold that is between rounding
     # : and what the statement promises: 1e-9 of the size.
@@ -65,13 +58,10 @@ def relative(P0, P1, r, Q0, Q1, s):
     # ? global-frame: away = sqrt(abs(P0[0] * P0[0] + P0[1] * P0[1] - 2 * (P0[0] * Q0[0] + P0[1] * Q0[1]) + Q0[0] * Q0[0] + Q0[1] * Q0[1]))
     if away <= reach + near:
         return 0.0
-        # ? overlap-is-none: return None
-    # ? loose-start: if away <= reach + {1e-6..1e-3} * size: return 0.0
+    # ? loose-start: if away <= reach + 1e-4 * size: return 0.0
     # ? overlap-is-none: if away < reach - near: return None
     # @ If they touch or overlap at the start
     # : Discs that overlap from the start get None, and only those that just touch get 0. The answer is 0 for both.
-    # ? overlap-is-none: pass
-    # : Nothing is said of discs that overlap from the start: the first root is before t = 0, and the answer None.
     # ? exit-for-entry@inside: pass
     # : Discs that overlap from the start are asked for their next touch, when they part. They touch from t = 0 on.
     # ? tunnelling: return 1.0 if hypot(fx + dx, fy + dy) <= reach + near else None
@@ -79,16 +69,11 @@ def relative(P0, P1, r, Q0, Q1, s):
     # ? tunnelling-sampled: for i in range(101):
     # |     if hypot(fx + i / 100 * dx, fy + i / 100 * dy) <= reach + near: return i / 100
     # | return None
-    # ? tunnelling-sampled: for i in range(10001):
-    # |     if hypot(fx + i / 10000 * dx, fy + i / 10000 * dy) <= reach + near: return i / 10000
-    # | return None
     length = hypot(dx, dy)
     if length == 0:
         return None
         # ? no-degenerate: return 0.0
         # @ A disc may rest
-    # ? no-degenerate: pass
-    # : Discs that move alike have no motion as seen from each other, and the division by its length fails.
     # ? no-degenerate: if (vx, vy) == (0, 0): return None
     # : Only a first disc that rests is thought of. If both move alike the division fails as well; and a disc that rests
     # : may be met by the other.
@@ -113,7 +98,6 @@ def relative(P0, P1, r, Q0, Q1, s):
         # = half = sqrt(reach * reach - d * d)
         # ? foot-for-entry: half = 0
         first = foot - half
-        # ? exit-for-entry: first = foot + half
         # = first = (away - reach) * (away + reach) / (foot + half) if foot > 0 else foot - half
         # ? exit-for-entry@inside: first = foot - half if foot - half >= 0 else foot + half
     if first < 0:
@@ -122,21 +106,15 @@ def relative(P0, P1, r, Q0, Q1, s):
         # : A touch before the start is moved to t = 0. It does not count: the answer is None.
     # ? behind-counts: first = abs(first)
     # @ What was before
-    # ? behind-counts: pass
-    # : A touch before the start is returned, with its negative t.
     if first > length + near:
         return None
         # ? t-beyond-one: return 1.0
         # : A touch after the end is moved to t = 1. It does not count: the answer is None.
-    # ? t-beyond-one: pass
-    # ? tight-end: if first > length: return None
     # ? tight-end: if first >= length: return None
     # : A touch at the very end is left out. The end, t = 1, is in time.
-    # ? loose-end: if first > length + {1e-6..1e-3} * size: return None
+    # ? loose-end: if first > length + 1e-4 * size: return None
     # ? loose-end: if first > 1.000001 * length: return None
     # : The end has a slack in t, 1e-6: on a long way that is more than 1e-7 of the size. Take 1e-9 of the size.
-    # ? loose-end: if first > 1.0001 * length: return None
-    # : The end has a slack of its own, 1e-4 of the way. A touch that is clearly later is no touch in time.
     return first / length
     # ? distance-for-parameter: return first
     # ? distance-for-parameter: return first / hypot(vx, vy)
@@ -149,22 +127,16 @@ def quadratic(P0, P1, r, Q0, Q1, s):
     "right"
     fx, fy = P0[0] - Q0[0], P0[1] - Q0[1]
     dx, dy = P1[0] - P0[0] - Q1[0] + Q0[0], P1[1] - P0[1] - Q1[1] + Q0[1]
-    # ? one-still: dx, dy = P1[0] - P0[0], P1[1] - P0[1]
-    # ? absolute-motion: dx, dy = P1[0] - P0[0] + Q1[0] - Q0[0], P1[1] - P0[1] + Q1[1] - Q0[1]
     reach = r + s
-    # ? one-radius: reach = r
     size = max(reach, *map(abs, (fx, fy, P1[0] - P0[0], P1[1] - P0[1], Q1[0] - P0[0], Q1[1] - P0[1])))
     a, b = dx * dx + dy * dy, dx * fx + dy * fy
     c = fx * fx + fy * fy - reach * reach
-    # ? one-radius: c = fx * fx + fy * fy - r * r - s * s
-    # : The squares of the radii are added, r² + s². The centres are r + s apart where the discs touch: (r + s)².
     touch = 1e-10 * size * (2 * reach + 1e-10 * size)
-    # ? absolute-epsilon: touch = {1e-15..1e-3/3}
+    # ? absolute-epsilon: touch = {1e-15..1e-3/12}
     # ? area-units: touch = 1e-10 * size
     # : An area is compared with a length, 1e-10 of the size. Multiply the threshold by r + s.
     if c <= touch:
         return 0.0
-        # ? overlap-is-none: return None
     # ? exit-for-entry@inside: if abs(c) <= touch: return 0.0
     # : Discs that overlap from the start are asked for their next touch, when they part. They touch from t = 0 on.
     if b >= 0:
@@ -186,7 +158,4 @@ def quadratic(P0, P1, r, Q0, Q1, s):
     # ? not-divided: t = -b - root
     return t if (t - 1) * sqrt(a) <= 1e-10 * size else None
     # ? t-beyond-one: return t
-    # ? t-beyond-one: return min(t, 1.0)
-    # : A touch after the end is moved to t = 1. It does not count: the answer is None.
     # ? rounded-output: return round(t, 6) if (t - 1) * sqrt(a) <= 1e-10 * size else None
-    # ? rounded-output: return round(t, 3) if (t - 1) * sqrt(a) <= 1e-10 * size else None

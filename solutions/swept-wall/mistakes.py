@@ -35,14 +35,9 @@ def fat(P0, P1, r, A, B):
     # : the disc to the wall, and add nothing to it.
     near = 1e-10 * size
     # = near = 1e-9 * size
-    # ? absolute-epsilon: near = {1e-15..1e-3/3}
-    # ? absolute-epsilon: near = max(1e-9, 1e-9 * size)
-    # : A fixed 1e-9 is the least threshold, and a tiny disc is all epsilon. Measure it by the size alone.
+    # ? absolute-epsilon: near = {1e-15..1e-9/6}
     # ? equality: near = 0
-    # ? loose-epsilon: near = {1e-6..1e-3} * size
-    # ? loose-epsilon: near = 1e-8 + 1e-5 * r
-    # : The lengths are compared as np.isclose does, within 1e-5 of the radius. Choose a threshold between
-    # : rounding and what the statement promises: 1e-9 of the size.
+    # ? loose-epsilon: near = {1e-4..1e-3/1} * size
     wall = hypot(wx, wy)
     if wall == 0:
         height = foot = 0.0
@@ -57,12 +52,10 @@ def fat(P0, P1, r, A, B):
     if start <= r + near:
         return 0.0
         # ? overlap-is-none: return None
-    # ? loose-start: if start <= r + {1e-6..1e-3} * size: return 0.0
+    # ? loose-start: if start <= r + {1e-6..1e-3/3} * size: return 0.0
     # ? overlap-is-none: if start < r - near: return None
     # @ If they touch or overlap at the start
     # : What overlaps at the start gets None, and only what just touches gets 0. The answer is 0 for both.
-    # ? overlap-is-none: pass
-    # : Nothing is said of what overlaps at the start: the first moment is before t = 0, and the answer None.
     # ? tunnelling: foot = ((fx + dx) * wx + (fy + dy) * wy) / wall if wall else 0.0
     # | x, y = fx + dx, fy + dy
     # | last = abs(wx * y - wy * x) / wall if 0 < foot < wall else min(hypot(x, y), hypot(gx + dx, gy + dy))
@@ -103,7 +96,7 @@ def fat(P0, P1, r, A, B):
     # @ The wall has ends
     # ? square-ends@box: pass
     turn = wx * dy - wy * dx
-    # ? flat-is-along: turn = wx * dy - wy * dx if abs(wx * dy - wy * dx) > {1e-3..1e-1} * way * wall else 0
+    # ? flat-is-along: turn = wx * dy - wy * dx if abs(wx * dy - wy * dx) > 1e-2 * way * wall else 0
     if turn and wall:
         side = r if height > 0 else -r
         # ? other-side: side = -r if height > 0 else r
@@ -115,7 +108,6 @@ def fat(P0, P1, r, A, B):
             times.append(t)
             # ? line-for-wall: pass
         # ? line-for-wall@start: times.append(t)
-        # ? line-for-wall: times.append(t)
         # ? square-ends@box: if -r <= place <= wall + r: times.append(t)
         # : The wall is made longer by r on both sides, and a disc beside an end hits a corner that is not there.
         # : Fatten it evenly: the ends are circles.
@@ -131,19 +123,14 @@ def fat(P0, P1, r, A, B):
         # : A touch before the start is moved to t = 0. It does not count: the answer is None.
     # ? behind-counts: t = abs(t)
     # @ What was before
-    # ? behind-counts: pass
-    # : A touch before the start is returned, with its negative t.
     if (t - 1) * way > near:
         return None
         # ? t-beyond-one: return 1.0
         # : A touch after the end is moved to t = 1. It does not count: the answer is None.
-    # ? t-beyond-one: pass
     # ? tight-end: if t > 1: return None
     # ? tight-end: if t >= 1: return None
     # : A touch at the very end is left out. The end, t = 1, is in time.
-    # ? loose-end: if (t - 1) * way > {1e-6..1e-3} * size: return None
-    # ? loose-end: if t > 1.0001: return None
-    # : The end has a slack of its own, 1e-4 of the way. A touch that is clearly later is no touch in time.
+    # ? loose-end: if (t - 1) * way > 1e-4 * size: return None
     return t
     # ? distance-for-parameter: return t * way
     # ? point-for-parameter: return (P0[0] + t * dx, P0[1] + t * dy)
@@ -163,7 +150,7 @@ def framed(P0, P1, r, A, B):
     "right"
     p, q, a, b = complex(*P0), complex(*P1), complex(*A), complex(*B)
     near = 1e-10 * max(r, abs(a - p), abs(b - p), abs(a - q), abs(b - q))
-    # ? absolute-epsilon: near = {1e-15..1e-3/3}
+    # ? absolute-epsilon: near = {1e-15..1e-3/12}
     wall = abs(b - a)
     turn = ((b - a) / wall).conjugate() if wall else 1
     z, v = (p - a) * turn, (q - p) * turn
@@ -171,7 +158,6 @@ def framed(P0, P1, r, A, B):
         z, v = z.conjugate(), v.conjugate()
     if abs(z - min(max(z.real, 0), wall)) <= r + near:
         return 0.0
-        # ? overlap-is-none: return None
     if v == 0:
         return None
     if z.imag > r and v.imag < -1e-6 * abs(v):
@@ -187,17 +173,13 @@ def framed(P0, P1, r, A, B):
         # ? line-for-wall: return t if (t - 1) * abs(v) <= near else None
     found = []
     ends = (z, z - wall)
-    # ? one-end-only: ends = (z,)
     for end in ends:
         u = end * (v / abs(v)).conjugate()
         depth = r - abs(u.imag)
         if depth > near:
             found.append(-u.real - sqrt(depth * (r + abs(u.imag))))
-            # ? exit-for-entry: found.append(-u.real + sqrt(depth * (r + abs(u.imag))))
         elif depth >= -near:
             found.append(-u.real)
-            # ? graze-missed: pass
-    # ? no-round-ends: found = []
     first = min(found, default=-1.0)
     # ? slide-late: first = max(found, default=-1.0)
     if first < 0 or first > abs(v) + near:

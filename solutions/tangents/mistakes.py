@@ -11,12 +11,8 @@ def polar(cx, cy, r, P):
         return [(cx, cy)]
         # ? zero-radius: return []
         # @ With r = 0
-        # ? zero-radius: return None
-        # : For a radius of 0 None is returned, as if there were no circle. It is the point C: the answer is [C].
         # ? zero-radius: return [P]
         # : For a radius of 0 the answer is P. It is C, wherever P is.
-        # ? zero-radius: pass
-        # : A radius of 0 goes through the general way, and C comes out twice. Answer [C], before anything else.
     fx, fy = P[0] - cx, P[1] - cy
     # ? forgotten-centre@unused: fx, fy = P
     # @ centre C
@@ -24,8 +20,6 @@ def polar(cx, cy, r, P):
     # : first, and add it to the points again.
     ox, oy = cx, cy
     # ? forgotten-centre@unused: ox, oy = 0, 0
-    # ? forgotten-centre: ox, oy = 0, 0
-    # : The points are as seen from the centre: it was subtracted from P, and never added again.
     # ? forgotten-centre: ox, oy = P
     # : The points are added to P, but they were found as seen from the centre. Add them to C.
     size = max(r, abs(fx), abs(fy))
@@ -36,13 +30,8 @@ def polar(cx, cy, r, P):
     # : size from the centre, and add nothing to it.
     near = 1e-10 * size
     # = near = 1e-9 * size
-    # ? absolute-epsilon: near = {1e-15..1e-3/3}
-    # ? absolute-epsilon: near = max(1e-9, 1e-9 * size)
-    # : A fixed 1e-9 is the least threshold, and a tiny circle is all epsilon. Measure it by the size alone.
-    # ? loose-epsilon: near = {1e-6..1e-2/2} * size
-    # ? loose-epsilon: near = 1e-8 + 1e-5 * r
-    # : The lengths are compared as np.isclose does, within 1e-5 of the radius. Compare within 1e-9 of
-    # : the size.
+    # ? absolute-epsilon: near = {1e-9..1e-3/6}
+    # ? loose-epsilon: near = 1e-4 * size
     d = hypot(fx, fy)
     # = d = sqrt(fx * fx + fy * fy)
     # ? global-frame: d = sqrt(max(1.0, P[0] * P[0] + P[1] * P[1] - 2 * (P[0] * cx + P[1] * cy) + cx * cx + cy * cy))
@@ -51,17 +40,12 @@ def polar(cx, cy, r, P):
         # ? on-is-none: return []
         # ? on-is-two: return [P, P]
         # @ P on the circle
-    # ? on-is-two: if abs(d - r) <= near: d = r
-    # : The general way gives both points for P on the circle as well, and they are the same. It is one: [P].
     # = if d == r: return [P]
     # ? equality: if fx * fx + fy * fy == r * r: return [P]
     # : |f|² is compared with r² by ==. Both are rounded: compare lengths, within a small
     # : part of the size.
     # = if (Fraction(P[0]) - Fraction(cx)) ** 2 + (Fraction(P[1]) - Fraction(cy)) ** 2 == Fraction(r) ** 2: return [P]
-    # ? area-units: if abs(fx * fx + fy * fy - r * r) <= {1e-15..1e-3/3}: return [P]
-    # ? area-units: if abs(fx * fx + fy * fy - r * r) <= near: return [P]
-    # : |f|² − r², an area, is compared with a length, 1e-10 of the size. Compare |f| with r, or multiply the
-    # : threshold by |f| + r.
+    # ? area-units: if abs(fx * fx + fy * fy - r * r) <= {1e-15..1e-3/12}: return [P]
     if d < r:
         return []
         # ? none-for-empty: return None
@@ -70,13 +54,9 @@ def polar(cx, cy, r, P):
     # ? sqrt-of-negative@power: pass
     # : The root of a negative number is taken by ** 0.5, which makes it a complex one. Inside there is no
     # : tangent: return [].
-    # ? sqrt-of-negative@abs: pass
-    # : "To be safe" the root is taken of the absolute value, and two points come out for P inside. There is no
-    # : tangent: return [].
     h = sqrt((d - r) * (d + r))
     # = h = sqrt(d * d - r * r)
     # ? sqrt-of-negative@power: h = ((d - r) * (d + r)) ** 0.5
-    # ? sqrt-of-negative@abs: h = sqrt(abs((d - r) * (d + r)))
     along, beside = (r / d) ** 2, (r / d) * (h / d)
     # ? chord-at-centre: along, beside = 0, r / d
     # ? chord-at-centre: along, beside = r / d, h / d
@@ -90,12 +70,8 @@ def polar(cx, cy, r, P):
     # ? right-first: return [right, left]
     # @ on the left of P→C
     # ? unordered: return sorted([left, right])
-    # ? unordered: return sorted([left, right], reverse=True)
     # ? unordered: return sorted([left, right], key=lambda point: point[1])
     # : The points are sorted by y. Which one is left of P→C depends on where P is.
-    # ? unordered: return sorted([left, right], key=lambda point: atan2(point[1] - cy, point[0] - cx))
-    # : The points are sorted by their angles, which jump from π to −π on one side of the circle. Take the left
-    # : one by its formula.
 
 
 def rotated(cx, cy, r, P):
@@ -111,32 +87,20 @@ def rotated(cx, cy, r, P):
     u = f / d
     if abs(d - r) <= near:
         return [P]
-        # ? on-is-none: return []
-        # ? on-is-two: return [P, P]
     if d < r:
         return []
-        # ? none-for-empty: return None
-    # ? sqrt-of-negative: pass
-    # : The angle with the cosine r/d is asked for before anybody has looked whether P is outside: inside r/d is
-    # : more than 1. Decide first.
     angle = acos(r / d)
     # = angle = atan2(sqrt((d - r) * (d + r)), r)
     # = angle = pi / 2 - asin(r / d)
     # ? half-angle: angle = asin(r / d)
     # ? half-angle: angle = acos(r / d) / 2
     # : The angle at C is halved. It is the whole angle between CP and the radius: its cosine is r/d.
-    # ? half-angle: angle = 2 * asin(r / d)
-    # : The angle between both tangents at P is taken. The one at C has the cosine r/d.
-    # ? half-angle: angle = atan2(r, d)
-    # : The angle is that of a triangle whose right angle is at C. It is where the tangent touches: cosine r/d.
     left, right = r * u * exp(-1j * angle), r * u * exp(1j * angle)
     # ? length-as-point: left, right = sqrt(d * d - r * r) * u * exp(-1j * angle), sqrt(d * d - r * r) * u * exp(1j * angle)
     # : The points are as far from C as the tangents are long. They are on the circle: r away.
     return [(cx + p.real, cy + p.imag) for p in (left, right)]
-    # ? right-first: return [(cx + p.real, cy + p.imag) for p in (right, left)]
     # ? forgotten-centre: return [(p.real, p.imag) for p in (left, right)]
     # : The points are as seen from the centre: it was subtracted from P, and never added again.
-    # ? unordered: return sorted((cx + p.real, cy + p.imag) for p in (left, right))
 
 
 def thales(cx, cy, r, P):
@@ -154,17 +118,12 @@ def thales(cx, cy, r, P):
     # ? thales-wrong-radius: radius = d
     # ? thales-wrong-radius: radius = sqrt(d * d - r * r) / 2
     # : The second circle has half the tangent's length for its radius. It goes through C and P: half of |P − C|.
-    # ? thales-wrong-radius: radius = (d + r) / 2
-    # : The second circle has half of d + r for its radius. It goes through C and P: half of |P − C|.
-    # ? thales-wrong-radius: radius = d - r
-    # : The second circle ends where the first begins. It goes through C and P: its radius is half of |P − C|.
     foot = (r * r - radius * radius + away * away) / (2 * away)
     half = sqrt(max(0.0, (r - foot) * (r + foot)))
     ux, uy = fx / d, fy / d
     left = (cx + foot * ux + half * uy, cy + foot * uy - half * ux)
     right = (cx + foot * ux - half * uy, cy + foot * uy + half * ux)
     return [left, right]
-    # ? right-first: return [right, left]
 
 
 def slopes(cx, cy, r, P):

@@ -1,6 +1,6 @@
 """How the count in arrays goes wrong, written out circle by circle: what an array does to all, a loop does to each."""
 
-from math import hypot, inf, nan, sqrt
+from math import hypot, nan, sqrt
 
 
 def counted(cx, cy, r, A, B):
@@ -39,8 +39,8 @@ def counted(cx, cy, r, A, B):
         # ? one-size@every: size = every
         # ? coordinate-epsilon: size = max(radius, abs(x), abs(y), abs(ax), abs(ay), abs(bx), abs(by))
         near = 1e-10 * size
-        # ? absolute-epsilon: near = {1e-12..1e-6/2}
-        # ? loose-epsilon: near = {1e-6..1e-2/2} * size
+        # ? absolute-epsilon: near = {1e-10..1e-6/4}
+        # ? loose-epsilon: near = {1e-4..1e-2/2} * size
         # ? equality-tangency: near = 0.0
         # : The distance is compared with the radius by ==. After a division and a root it is hardly ever the same.
         # + segment-for-line: t = -(fx * dx + fy * dy) / length**2

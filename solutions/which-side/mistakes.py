@@ -1,6 +1,6 @@
 """How the side of a line goes wrong: right ways to it, and mistakes beside the lines that they spoil."""
 
-from math import atan2, hypot, pi, sin
+from math import atan2, hypot, sin
 
 
 def wrap(x):
@@ -18,21 +18,14 @@ def product(A, B, P):
     # ? sum-for-difference: dx, dy = B[0] + A[0], B[1] + A[1]
     # ? swapped-coordinates: dx, dy = B[1] - A[1], B[0] - A[0]
     # : The way from A to B has x and y exchanged. dx is the difference of the x.
-    # ? forgotten-start: dx, dy = B
-    # : B is taken for the way from A to B, as if A were (0, 0). Subtract A from B.
     fx, fy = P[0] - A[0], P[1] - A[1]
     # = fx, fy = P[0] - B[0], P[1] - B[1]
-    # ? forgotten-start: fx, fy = P
     # ? forgotten-start@all: fx, fy = P
     # : Neither B nor P is seen from A: the line is taken to begin at (0, 0). Subtract A from both.
     # ? sides-exchanged: fx, fy = A[0] - P[0], A[1] - P[1]
     # @ y grows upwards
     # : The way from P to A is taken, and left and right change places. Take P - A.
     # ? sum-for-difference: fx, fy = P[0] + A[0], P[1] + A[1]
-    # ? forgotten-start: fx, fy = P[0] - B[0], P[1] - A[1]
-    # : x is seen from B and y from A. Let both begin at the same point.
-    # ? forgotten-start: fx, fy = P[0] - A[0], P[1] - B[1]
-    # : x is seen from A and y from B. Let both begin at the same point.
     # ? forgotten-start: fx, fy = P[0] - A[0], P[1]
     # : A is subtracted from P in x only. Subtract it in y as well.
     # + segment-for-line: if not min(A[0], B[0]) <= P[0] <= max(A[0], B[0]): return 0
@@ -49,32 +42,23 @@ def product(A, B, P):
     # : x is multiplied with x and y with y. In the cross product each x meets a y.
     # ? swapped-coordinates: cross = dx * fy + dy * fx
     # : The two products are added. The cross product is their difference.
-    # ? sides-exchanged: cross = dy * fx - dx * fy
     # ? float-arithmetic: cross = float(dx) * fy - float(dy) * fx
-    # ? float-arithmetic: cross = dx * float(fy) - dy * float(fx)
     # ? float-arithmetic: cross = sin(atan2(fy, fx) - atan2(dy, dx)) if fx or fy else 0
     # : The angles of the two ways are compared. An angle is rounded, and small differences are lost. Take the cross
     # : product, in whole numbers.
-    # ? float-arithmetic: cross = (lambda t: (t + pi) % (2 * pi) - pi if abs(abs(t) - pi) > 1e-15 else 0)(atan2(fy, fx) - atan2(dy, dx)) if fx or fy else 0
-    # : The angles of the two ways are compared. An angle is rounded, and small differences are lost. Take the cross
-    # : product, in whole numbers.
     # ? angles-compared: cross = atan2(fy, fx) - atan2(dy, dx)
-    # ? float-arithmetic: cross = float(A[0]) * (B[1] - P[1]) + float(B[0]) * (P[1] - A[1]) + float(P[0]) * (A[1] - B[1])
     # ? overflow-32: cross = wrap(dx * fy - dy * fx)
     # @ of whole numbers
     # ? nearly-on-is-on: cross = cross if (cross := dx * fy - dy * fx) ** 2 > 1 else 0
-    # ? nearly-on-is-on: cross = (lambda k: 0 if abs(k) <= {1e-9..1e-3/3} * hypot(dx, dy) else k)(dx * fy - dy * fx)
-    # ? nearly-on-is-on: cross = (lambda k: 0 if abs(k) <= {1e-12..1e-3/3} * hypot(dx, dy) * hypot(fx, fy) else k)(dx * fy - dy * fx)
+    # ? nearly-on-is-on: cross = (lambda k: 0 if abs(k) <= 1e-6 * hypot(dx, dy) * hypot(fx, fy) else k)(dx * fy - dy * fx)
     # : A point that is off by a small part of the figure's own size counts as on the line. In whole numbers 0 is
     # : exact: compare with 0.
     if cross > 0:
         return 1
-        # ? sides-exchanged@sign: return -1
         # ? number-for-sign@sign: return cross
         # ? boolean-answer@sign: return True
     if cross < 0:
         return -1
-        # ? sides-exchanged@sign: return 1
         # ? number-for-sign@sign: return cross
         # ? boolean-answer@sign: return False
         # ? edge-missed: return 0
@@ -83,8 +67,6 @@ def product(A, B, P):
         # ? boolean-answer: return False
         # : False is returned for the right. The answer is a number: -1.
     return 0
-    # ? edge-missed: return 1
-    # ? edge-missed: return -1
     # ? edge-missed: return None
     # : A point on the line gets None. It is a place like the others: return 0.
     # ? boolean-answer@sign: return False
