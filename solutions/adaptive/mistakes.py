@@ -26,6 +26,7 @@ def filtered(cx, cy, r, ax, ay, bx, by):
     "right"
     cx, cy, r, ax, ay, bx, by = float(cx), float(cy), float(r), float(ax), float(ay), float(bx), float(by)
     dx, dy, fx, fy = bx - ax, by - ay, ax - cx, ay - cy
+    # ? from-world-origin: dx, dy, fx, fy = bx - ax, by - ay, ax, ay
     # + no-degenerate: if dx == dy == 0: return -1
     # : A == B is answered with −1, as a miss. Δ is 0 then.
     # + no-degenerate: if dx == dy == 0: return None

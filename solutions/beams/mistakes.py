@@ -1,6 +1,6 @@
 """How a scan goes wrong: a right sweep and a right loop, with mistakes beside the lines."""
 
-from math import asin, atan, atan2, hypot, inf, pi, sqrt
+from math import asin, atan, atan2, degrees, hypot, inf, pi, sqrt
 
 
 def sweep(circles, O, dirs):
@@ -24,6 +24,7 @@ def sweep(circles, O, dirs):
     last = None
     for dx, dy in dirs:
         angle = atan2(dy, dx)
+        # ? degrees-for-radians: angle = degrees(atan2(dy, dx))
         # ? angle-by-slope@atan: angle = atan(dy / dx) if dx else pi / 2
         length = hypot(dx, dy)
         while begun < len(events) and events[begun][0] <= angle:
@@ -81,6 +82,7 @@ def loop(circles, O, dirs):
             half = sqrt((r - d) * (r + d)) if d < r - near else 0.0
             # + foot-for-root: half = 0.0
             s = middle - half
+            # + segment-for-ray: if s > length: continue
             # ? far-root: s = middle + half
             key = s
             # ? index-of-centre-distance: key = hypot(fx, fy)

@@ -1,7 +1,7 @@
 """How two circles go wrong: right ways to their common points, and mistakes beside the lines that they spoil."""
 
 from cmath import exp
-from math import acos, atan2, hypot, sqrt
+from math import acos, atan2, degrees, hypot, sqrt
 
 
 def radical(cx1, cy1, r1, cx2, cy2, r2):
@@ -125,6 +125,7 @@ def cosines(cx1, cy1, r1, cx2, cy2, r2):
         # ? inner-missed: return []
     cosine = (d * d + r1 * r1 - r2 * r2) / (2 * d * r1)
     angle = acos(max(-1.0, min(1.0, cosine)))
+    # ? degrees-for-radians: angle = degrees(acos(max(-1.0, min(1.0, cosine))))
     # = angle = acos(cosine)
     # = angle = atan2(sqrt((d + r1 - r2) * (d + r2 - r1) * (r1 + r2 - d) * (d + r1 + r2)), d * d + r1 * r1 - r2 * r2)
     left, right = u * exp(1j * angle), u * exp(-1j * angle)

@@ -1,7 +1,7 @@
 """How common tangents go wrong: right ways to them, and mistakes beside the lines that they spoil."""
 
 from cmath import exp
-from math import acos, hypot, sqrt
+from math import acos, degrees, hypot, sqrt
 
 
 def normals(cx1, cy1, r1, cx2, cy2, r2):
@@ -91,6 +91,7 @@ def turned(cx1, cy1, r1, cx2, cy2, r2):
     angles += [acos((r1 + r2) / d)] if d > r1 + r2 + near else []
     # ? inner-first: angles = [acos((r1 + r2) / d)] * (d > r1 + r2 + near) + angles
     points = [u * exp(side * 1j * angle) for angle in angles for side in (1, -1)]
+    # ? degrees-for-radians: points = [u * exp(side * 1j * degrees(angle)) for angle in angles for side in (1, -1)]
     if abs(d - r1 - r2) <= near:
         points.append(u)
     return [(cx1 + p.real, cy1 + p.imag) for p in points]

@@ -55,6 +55,7 @@ def pieces(circles, O, D, program):
         d = abs(ux * fy - uy * fx)
         # ? global-frame: d = abs((ux * oy - uy * ox) - (ux * y - uy * x))
         foot = -(fx * ux + fy * uy)
+        # + centre-behind: if foot < 0: discs.append((0.0, 0.0)); continue
         # ? global-frame: foot = (x * ux + y * uy) - (ox * ux + oy * uy)
         if d >= r - near:
             discs.append((0.0, 0.0))
@@ -105,6 +106,7 @@ def pieces(circles, O, D, program):
             # @ as long as possible
             # : Every piece between two ends is a span of its own. Join those that follow one another.
     # + hull: spans = [[spans[0][0], spans[-1][1]]] if spans else []
+    # + segment-for-ray: spans = [(start, min(end, length)) for start, end in spans if start < length]
     # + first-span-only: spans = spans[:1]
     # @ Return a list
     return [(start / length, end / length) for start, end in spans]

@@ -90,6 +90,7 @@ def angle(A, B, P):
     ax, ay = A[0] - P[0], A[1] - P[1]
     bx, by = B[0] - P[0], B[1] - P[1]
     # = ax, ay, bx, by = P[0] - A[0], P[1] - A[1], P[0] - B[0], P[1] - B[1]
+    # ? from-world-origin: ax, ay, bx, by = *A, *B
     # ? sum-for-difference: ax, ay, bx, by = A[0] + P[0], A[1] + P[1], B[0] + P[0], B[1] + P[1]
     # : P is added where it has to be subtracted. The way from P to A is A - P.
     # ? centre-at-an-end: bx, by = B[0] - A[0], B[1] - A[1]

@@ -55,6 +55,7 @@ def feet(circles, O, D):
         foot = -(fx * ux + fy * uy)
         # ? global-frame: foot = (x * ux + y * uy) - (ox * ux + oy * uy)
         # ? foot-sign: foot = fx * ux + fy * uy
+        # + centre-behind: if foot < -near: continue
         if d > r + near:
             continue
         # ? sqrt-of-negative: pass

@@ -89,6 +89,7 @@ def signs(cx, cy, r, A, B):
     # + fixed-precision: return by_decimals(a, b, delta, 50)
     # : The roots are decimals of 50 digits, and the numbers have more. Signs of integers need no digits.
     # + line-count: return 0 if delta < 0 else 1 if delta == 0 else 2
+    # + both-ends-out: if min(start, end) > 0: return 0
     # + disc-for-circle: return int(start <= 0) + int(end <= 0)
     # : Ends in the disc are counted. The circle is the curve: an end inside is no point of it.
     # + disc-for-circle: return 1 if min(start, end) <= 0 else 2 if delta > 0 and 0 <= -b <= a else int(delta == 0 and 0 <= -b <= a)

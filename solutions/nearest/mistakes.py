@@ -64,6 +64,7 @@ def tree(circles, rays):
                 if gap > near:
                     continue
                 middle = (dx * fx + dy * fy) / length
+                # + centre-behind: if middle < -near: continue
                 half = sqrt(-gap * (gap + r + r)) if gap < -near else 0.0
                 # + tangent-missed: if gap >= -near: continue
                 # + foot-for-root: half = 0.0

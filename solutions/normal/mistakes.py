@@ -69,6 +69,7 @@ def from_the_centre(cx, cy, r, O, D):
     # : "To be safe" the root is taken of the absolute value, and a ray that misses gets a normal. A miss is None.
     # ? foot-for-miss: pass
     to_foot = -(fx * ux + fy * uy)
+    # + centre-behind: if to_foot < -slack: return None
     # ? global-frame: to_foot = (cx * ux + cy * uy) - (O[0] * ux + O[1] * uy)
     # : The way to the foot is the difference of two products of coordinates, which far from the origin are huge.
     # : Subtract C from O first.
@@ -109,6 +110,7 @@ def from_the_centre(cx, cy, r, O, D):
     if way < -slack:
         return None
     # ? exit-for-behind: pass
+    # + segment-for-ray: if way > length + slack: return None
     # ? exit-for-behind: way = abs(way)
     # : The absolute value of the way to the point is taken, and what is behind O is met as well. Leave the sign: a
     # : negative one is behind.

@@ -170,9 +170,7 @@ def quadratic(cx, cy, r, O, D):
     # ? far-root: first = ts[-1]
     # ? inside-is-miss: first = 0.0 if abs(ts[0]) * length <= slack else ts[0] if ts[0] > 0 else None
     # @ From inside
-    # ? inside-is-miss: first = None if b > 0 and abs(ts[0]) * length > slack else next((max(t, 0.0) for t in ts if t * length >= -slack), None)
-    # : A foot behind the origin is taken for a circle behind it, although from inside the ray meets the
-    # : circle on its way out. Look at the roots.
+    # ? centre-behind: first = None if b > 0 and abs(ts[0]) * length > slack else next((max(t, 0.0) for t in ts if t * length >= -slack), None)
     # ? absolute-value: first = min(abs(t) for t in ts)
     # : The absolute value of the foot and the half-chord's difference is returned, so that a circle behind
     # : the origin is met as well. A negative t is behind the origin and does not count.

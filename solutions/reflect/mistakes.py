@@ -69,6 +69,7 @@ def normal_part(cx, cy, r, O, D):
     # : "To be safe" the root is taken of the absolute value, and a ray that misses is reflected. A miss is None.
     # ? foot-for-miss: pass
     to_foot = -(fx * ux + fy * uy)
+    # + centre-behind: if to_foot < -slack: return None
     # ? global-frame: to_foot = (cx * ux + cy * uy) - (O[0] * ux + O[1] * uy)
     # : The way to the foot is the difference of two products of coordinates, which far from the origin are huge.
     # : Subtract C from O first.
@@ -93,7 +94,7 @@ def normal_part(cx, cy, r, O, D):
     # : The second point is taken although the first one is ahead as well. Take the nearer one.
     if first < -slack:
         way = last
-        # ? inside-missed: return None
+        # ? inside-is-miss: return None
         # @ a mirror on both sides
         # ? entry-behind: way = max(first, -slack)
         # @ the first point P of the ray
@@ -106,6 +107,7 @@ def normal_part(cx, cy, r, O, D):
     if way < -slack:
         return None
     # ? exit-for-behind: pass
+    # + segment-for-ray: if way > length + slack: return None
     # ? entry-behind@one: pass
     # ? on-is-none: if way <= slack: return None
     # : With O on the circle None is returned where the ray looks out, as if it had left already. It is reflected there:

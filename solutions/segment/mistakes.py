@@ -66,6 +66,7 @@ def geometric(cx, cy, r, A, B):
         # @ not the disc
     # + short-is-a-point: if length < 1e-7: return [A] if abs(hypot(ax, ay) - r) <= point else []
     ux, uy = dx / length, dy / length
+    # + both-ends-out: if min(hypot(ax, ay), hypot(bx, by)) > r + touch: return []
     side = ux * ay - uy * ax
     # ? swapped-coordinates: side = ux * ax - uy * ay
     d = abs(side)

@@ -38,6 +38,7 @@ def hair(circles, O, D, L):
         # ? forgotten-centre: fx, fy = ox, oy
         d = abs(ux * fy - uy * fx)
         foot = -(fx * ux + fy * uy)
+        # + centre-behind: if foot < 0: continue
         if d >= r:
             continue
         # ? sqrt-of-negative: pass
@@ -49,6 +50,7 @@ def hair(circles, O, D, L):
         # ? first-in-the-list: best = (foot - half if foot > half else foot + half, index) if foot + half > 0 and best is None else best
         # ? inside-is-miss: best = (foot - half, index) if foot - half > 0 and (best is None or foot - half < best[0]) else best
         # @ from inside, the ray hits it too
+    # + segment-for-ray: if best and best[0] > length: best = None
     if best is None:
         return None
         # ? sentinel-miss: return "dark"
@@ -77,6 +79,7 @@ def hair(circles, O, D, L):
         # + first-circle-only: if index: continue
         # @ Every circle counts
         # + ray-for-segment@all: reach = float("inf")
+        # + both-ends-out: if min(hypot(fx, fy), hypot(fx + vx, fy + vy)) >= r - least: continue
         # @ beyond L, behind P
         # + blocked-by-behind@own: if index == own: continue
         d = abs(wx * fy - wy * fx)

@@ -73,6 +73,7 @@ def foot(C, r, O, D):
     if where == 1:
         return None
     m = -(ux * fx + uy * fy + uz * fz)
+    # + centre-behind: if m < -slack: return None
     # ? foot-sign: m = ux * fx + uy * fy + uz * fz
     half = 0.0 if where == 0 else sqrt(abs(gap * (r + d)))
     # = half = 0.0 if where == 0 else sqrt(max(0.0, r * r - d * d))

@@ -28,6 +28,7 @@ def relative(P0, P1, r, Q0, Q1, s):
     # ? radii-subtracted: reach = abs(r - s)
     fx, fy = P0[0] - Q0[0], P0[1] - Q0[1]
     # = fx, fy = -(Q0[0] - P0[0]), -(Q0[1] - P0[1])
+    # ? from-world-origin: fx, fy = P0
     vx, vy = P1[0] - P0[0], P1[1] - P0[1]
     # ? end-for-way: vx, vy = P1
     wx, wy = Q1[0] - Q0[0], Q1[1] - Q0[1]

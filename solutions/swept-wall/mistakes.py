@@ -26,7 +26,9 @@ def fat(P0, P1, r, A, B):
     # ? end-for-way: wx, wy = B
     # : B is taken for the way from A to B.
     fx, fy = P0[0] - A[0], P0[1] - A[1]
+    # ? from-world-origin@all: fx, fy = P0
     gx, gy = P0[0] - B[0], P0[1] - B[1]
+    # ? from-world-origin@all: gx, gy = P0
     size = max(r, *map(abs, (fx, fy, gx, gy, fx + dx, fy + dy, gx + dx, gy + dy)))
     # = size = max(r, hypot(fx, fy), hypot(gx, gy), hypot(dx, dy))
     # ? coordinate-epsilon: size = max(r, *map(abs, (*P0, *P1, *A, *B)))

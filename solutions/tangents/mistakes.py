@@ -2,7 +2,7 @@
 
 from cmath import exp
 from fractions import Fraction
-from math import acos, asin, atan2, hypot, pi, sqrt
+from math import acos, asin, atan2, degrees, hypot, pi, sqrt
 
 
 def polar(cx, cy, r, P):
@@ -92,6 +92,7 @@ def rotated(cx, cy, r, P):
     angle = acos(r / d)
     # = angle = atan2(sqrt((d - r) * (d + r)), r)
     # = angle = pi / 2 - asin(r / d)
+    # ? degrees-for-radians: angle = degrees(acos(r / d))
     # ? half-angle: angle = asin(r / d)
     # ? half-angle: angle = acos(r / d) / 2
     # : The angle at C is halved. It is the whole angle between CP and the radius: its cosine is r/d.
