@@ -51,7 +51,7 @@ def distance(cx, cy, r, A, B):
     near = 1e-10 * size
     # = near = 1e-9 * size
     # ? single-precision@wide: near = 4e-7 * size
-    # ? absolute-epsilon: near = 1e-12
+    # ? absolute-epsilon: near = 1e-9
     # ? loose-epsilon: near = 1e-4 * size
     dx, dy = B[0] - A[0], B[1] - A[1]
     # ? forgotten-centre@b: dx, dy = bx - ax, by - ay
@@ -124,8 +124,8 @@ def distance(cx, cy, r, A, B):
     # : The distance and the radius are both cut down to whole numbers before they are compared. Compare
     # : them as they are.
     # ? foot-sign: d = (lambda t: hypot(ax + t * dx, ay + t * dy))((ax * dx + ay * dy) / length ** 2)
-    # + rounded-distance: return (lambda d: 1 if d == r else 2 if d < r else 0)(round(d, 9))
-    # + rounded-distance: return (lambda d, r: 1 if d == r else 2 if d < r else 0)(round(d, 6), round(r, 6))
+    # + rounded-distance: d = round(d, 6)
+    # + rounded-distance: return (lambda d: 1 if d == r else 2 if d < r else 0)(round(d, 6))
     if d > r + near:
         return 0
         # ? swapped-answers@s: return 2
@@ -164,6 +164,7 @@ def quadratic(cx, cy, r, A, B):
     if a == 0:
         return None
     # ? no-degenerate: pass
+    # ? absolute-epsilon@t: if a < 1e-9: return None
     b, c = fx * dx + fy * dy, fx * fx + fy * fy - r * r
     # ? global-frame@g: b, c = fx * dx + fy * dy, A[0] ** 2 + A[1] ** 2 + cx * cx + cy * cy - 2 * (A[0] * cx + A[1] * cy) - r * r
     # : x² and y² of the points and of the centre are expanded and added up: far from the origin they are
@@ -174,7 +175,7 @@ def quadratic(cx, cy, r, A, B):
     # ? cancellation@e: disc = b * b - a * c
     # ? global-frame@g: disc = b * b - a * c
     # ? equality-tangency@q: disc = b * b - a * c
-    # ? absolute-epsilon@b: disc = b * b - a * c
+    # ? absolute-epsilon@t: disc = 4 * (b * b - a * c)
     # ? radius-not-squared: disc = r * a - k * k
     # ? overflow-64: disc = wrap(r * r * a - k * k, 64)
     # ? overflow-32: disc = wrap(r * r * a - k * k, 32)
@@ -185,8 +186,10 @@ def quadratic(cx, cy, r, A, B):
     # : The distance is compared with the radius by ==. After a division and a root it is hardly ever the
     # : same double. Compare within a small fraction of the size.
     # ? equality-tangency@q: limit = 0
-    # ? absolute-epsilon: limit = 1e-12
-    # ? absolute-epsilon@b: limit = 1e-3
+    # ? absolute-epsilon: limit = 1e-9
+    # ? absolute-epsilon@t: limit = 1e-9
+    # : Everything is compared with one fixed number, whatever the size of the figure: lengths, and the
+    # : discriminant, a fourth power of one. Compare lengths, within a small part of the size.
     # ? loose-epsilon: limit = 1e-5 * r * r * a
     if disc < -limit:
         return 0

@@ -46,8 +46,6 @@ def quadratic(cx, cy, r, O, D):
         # : The length of D = (0, 0) is divided by all the same, and nan comes out. There is no ray then:
         # : return None before dividing.
         # ? sentinel-miss@s1: return -1
-        # ? sentinel-miss@s2: return 0
-        # : A miss is reported as 0, which is the answer of an origin on the circle. Return None.
         # ? null-on-circle: return 0 if abs(hypot(fx, fy) - r) <= near else None
         # @ there is no ray
     # ? short-is-null: if a < {1e-12..1e-6/6}: return None
@@ -105,7 +103,9 @@ def quadratic(cx, cy, r, O, D):
     if where == 1:
         return None
         # ? sentinel-miss@s1: return -1
-        # ? sentinel-miss@s2: return 0
+        # ? sentinel-miss: return -1
+        # : A line that passes the circle is reported as −1, although a circle behind the origin is None.
+        # : Return None for both: −1 is a number like any other.
     if where == 0:
         ts = [-b / a]
     else:
@@ -188,7 +188,6 @@ def quadratic(cx, cy, r, O, D):
     if first is None:
         return None
         # ? sentinel-miss@s1: return -1
-        # ? sentinel-miss@s2: return 0
     return first
     # ? distance-for-parameter: return first * length
     # @ not a distance
