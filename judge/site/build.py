@@ -43,7 +43,7 @@ PAGE = Path(__file__).parent / "page"
 MARK = b'name="generator" content="judge site"'
 _PACKAGE = Path(__file__).parent.parent
 _IN_A_TAB = (  # of this package; the rest is for processes, terminals and machines
-    *("__init__.py", "cache.py", "errors.py", "files.py"),
+    *("__init__.py", "cache.py", "errors.py", "files.py", "version.py"),
     *("exact", "values", "drawing", "problem", "data", "geometry", "sandbox", "languages", "run", "diagnose"),
     *("repair", "mistakes", "judging", "report", "site"),
 )
