@@ -2,6 +2,7 @@
 
 from judge.geometry.boxes import scan
 from judge.geometry.hooks import MANY, hooks
+from judge.geometry.scenes import either
 from judge.geometry.scenes.close import narrow
 from judge.geometry.scenes.growth import arcs
 from judge.geometry.scenes.many import FASTEST, besides, scans, touches, wraps
@@ -20,7 +21,7 @@ INTERVIEW = [
 ]
 
 PRODUCTION = [
-    group("touch", "Beams that touch a circle or miss that by 1, and a circle behind it.", touches((3, 8), 24), skills="collapse the tangent"),
+    group("touch", "Beams that touch a circle or miss that by 1, and a circle behind it; one beam alone, too.", either(touches((3, 8), 24), *2 * (touches((1, 1), 24),)), cases=120, skills="collapse the tangent"),
     group("near", "Beams that nearly touch a circle, or meet two at nearly one place.", narrow((2, 4), 4_000), skills="nearly is not touching"),
     group("wrap", "Circles across the direction of π, where the angles begin anew, and beams on both sides of it.", wraps((1, 5), (6, 10), 90, (10, 40)), skills="angles wrap around"),
     group("hidden", "Large circles that small ones hide in part, and circles behind them that cannot be seen at all.", scans((1, 5), (14, 24), 90, (8, 30), hidden=True), skills="the nearest of several"),

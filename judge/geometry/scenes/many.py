@@ -294,7 +294,7 @@ def touches(beams: Bounds, reach: int) -> Scene:
         for _ in range(draw.integer(*beams)):
             p, q, length = draw.choice(TRIPLES)
             a, b = draw.choice([(p * draw.sign(), q * draw.sign()), (q * draw.sign(), p * draw.sign())])
-            ahead, beside = draw.integer(reach // 2, reach), draw.integer(2, reach // 4) * draw.sign()
+            ahead, beside = draw.integer(2, reach), draw.integer(2, reach // 4) * draw.sign()
             r = abs(beside) * length + draw.choice([0, 0, 0, 1, -1])
             scene.append((a * ahead - b * beside, b * ahead + a * beside, r))
             if draw.boolean():
