@@ -5,7 +5,8 @@
     def test_count():
         judge_problem("count").check(my_count)
 
-The routine is called in this process, so it is trusted; `judge run` contains what is not. What it does to
+The routine is called in this process, so it is trusted; `judge run` contains what is not, and so does
+`check_case`, which holds a file against one case. What it does to
 Decimal's context, the state of `random` and of numpy, the recursion limit and the filters of warnings lasts
 for a test group and is undone then. With the pytest plug-in of this distribution each test group becomes a
 test of its own; see `judge.pytest_plugin`.
@@ -42,7 +43,7 @@ from judge.run.result import Result, earned
 from judge.run.settings import Settings
 from judge.sandbox.boundary import Usage
 
-__all__ = ["JudgeGroup", "JudgeProblem", "judge_problem"]
+__all__ = ["JudgeGroup", "JudgeProblem", "check_case", "judge_problem"]
 
 _WIDTH = 100  # columns of a failure's text: numbers are shown in full, and pytest adds its own margin
 
@@ -53,6 +54,32 @@ def judge_problem(name: str, *, problems: Sequence[str | os.PathLike[str]] = ())
     Raises UsageError if there is none and ProblemError if it is broken.
     """
     return JudgeProblem(find_problem(name, [Path(folder) for folder in problems]))
+
+
+def check_case(replay: str, file: str | os.PathLike[str]) -> None:
+    """Hold a submission's file, in any language, against the case of a replay id, as `judge try` does.
+
+    Raises:
+        AssertionError: the answer is wrong, or there is none; the text says why.
+        UsageError: the id is none, or the file cannot be read.
+        ProblemError: the problem is broken.
+    """
+    __tracebackhide__ = True
+    from judge.diagnose.replay import decode, problem_name
+    from judge.judging.api import read_source
+    from judge.judging.cases import ask, try_case
+    from judge.judging.options import RunOptions
+    from judge.judging.session import Session
+    from judge.problem.module import load_module
+
+    problem = find_problem(problem_name(replay))
+    found = decode(replay, problem, load_module(problem))
+    tried = try_case(problem, found.case, found.group.name)
+    with Session(problem, RunOptions()) as session:
+        said = ask(session, tried, *read_source(Path(file)))
+    if said.verdict is not Verdict.AC:
+        lines = f"{said.verdict.value}  {said.message}", f"expected {tried.expected}, got {said.got}"
+        raise AssertionError("\n".join(map(printable, lines)))
 
 
 class JudgeProblem:

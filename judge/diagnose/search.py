@@ -8,13 +8,13 @@ from __future__ import annotations
 import os
 import warnings
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import ExitStack, contextmanager, suppress
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from random import Random
 from typing import Any
 
 from judge.data.draw import Draw
-from judge.diagnose.trial import Finding, Trial
+from judge.diagnose.trial import FailingCase, Trial
 from judge.problem import Case, Group
 
 _KEY = b"the failing case"
@@ -44,7 +44,7 @@ class _Spent(BaseException):
 
 def shrunk(
     trial: Trial, builder: Callable[[Draw], Any], group: Group, choices: Sequence[int]
-) -> Finding | None:
+) -> FailingCase | None:
     """The simplest failing case on the way that Hypothesis takes from `choices`; None if nothing fails.
 
     The search is the same every time: nothing is kept, and chance has a fixed seed.
@@ -53,25 +53,22 @@ def shrunk(
     from hypothesis.database import InMemoryExampleDatabase
     from hypothesis.errors import HypothesisException
 
-    best: list[Finding] = []
+    best: list[FailingCase] = []
 
     def fails(case: Case) -> bool:
         if trial.budget.spent:
             raise _Spent
         trial.budget.looked_at()
-        if not trial.valid(case, group):
-            return False
-        finding = trial.alone(case, group)
-        if finding is None:
-            return False
-        if not best or finding.measure < best[0].measure:
-            best[:] = [finding]
-        return True
+        failing = trial.alone(case, group) if trial.valid(case, group) else None
+        if failing is not None and (not best or failing.measure < best[0].measure):
+            best[:] = [failing]
+        return failing is not None
 
     database = InMemoryExampleDatabase()
-    known = _as_bytes(choices)
-    if known is not None:
-        database.save(_KEY, known)
+    with suppress(ImportError):  # a version that keeps choices in another form
+        from hypothesis.database import choices_to_bytes
+
+        database.save(_KEY, choices_to_bytes(tuple(choices)))
     profile = settings(
         database=database,
         deadline=None,
@@ -80,53 +77,33 @@ def shrunk(
         verbosity=Verbosity.quiet,
     )
     # Nothing found, or a submission that answers at random: `best` is what there is.
-    with ExitStack() as stack:
-        stack.enter_context(_keeping_nothing())
-        stack.enter_context(_without_neighbours())
-        stack.enter_context(warnings.catch_warnings())
-        stack.enter_context(suppress(HypothesisException, _Spent))
-        warnings.simplefilter("ignore")  # what Hypothesis has to say of our settings is not for the person
+    with _secluded(), suppress(HypothesisException, _Spent):
         find(strategy(builder), fails, settings=profile, random=Random(0), database_key=_KEY)
     return best[0] if best else None
 
 
 @contextmanager
-def _keeping_nothing() -> Iterator[None]:
-    """Leave no folder `.hypothesis` wherever the person is: it would hold notes on the problem's module."""
-    from hypothesis.configuration import set_hypothesis_home_dir, storage_directory
+def _secluded() -> Iterator[None]:
+    """Hypothesis reads nothing of what is around it, keeps nothing and says nothing.
 
-    before = storage_directory(intent_to_write=False)
-    set_hypothesis_home_dir(os.devnull)
-    try:
-        yield
-    finally:
-        set_hypothesis_home_dir(before if isinstance(before, Path) else before.path)  # by its version
-
-
-@contextmanager
-def _without_neighbours() -> Iterator[None]:
-    """Draw no constants from the code of modules that lie in the current folder: elsewhere there are others.
-
-    Versions that do not look for them have no such function.
+    It would leave a folder `.hypothesis` wherever the person is, with notes on the problem's module, and draw
+    constants from the code of all modules in the current folder: elsewhere there are others. Versions that
+    do not look for them have no such function. What it has to say of our settings is not for the person.
     """
+    from hypothesis.configuration import set_hypothesis_home_dir, storage_directory
     from hypothesis.internal.conjecture import providers
 
-    known = getattr(providers, "_get_local_constants", None)
-    if known is None:
-        yield
-        return
-    nothing = providers.Constants()  # type: ignore[attr-defined]  # `known` would read all our modules for one
-    providers._get_local_constants = lambda: nothing
+    home = storage_directory(intent_to_write=False)
+    constants = getattr(providers, "_get_local_constants", None)
+    set_hypothesis_home_dir(os.devnull)
+    if constants is not None:
+        nothing = providers.Constants()  # type: ignore[attr-defined]  # `constants` would read all our modules
+        providers._get_local_constants = lambda: nothing
     try:
-        yield
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            yield
     finally:
-        providers._get_local_constants = known
-
-
-def _as_bytes(choices: Sequence[int]) -> bytes | None:
-    """The choices as Hypothesis keeps them; None with a version that has another form."""
-    try:
-        from hypothesis.database import choices_to_bytes
-    except ImportError:
-        return None
-    return choices_to_bytes(tuple(choices))
+        set_hypothesis_home_dir(home if isinstance(home, Path) else home.path)  # by its version
+        if constants is not None:
+            providers._get_local_constants = constants

@@ -23,7 +23,7 @@ from msgspec import Struct
 
 from judge.data.build import Fresh
 from judge.data.model import ProblemData
-from judge.diagnose.simplicity import numbers_of, with_numbers
+from judge.diagnose.candidates import numbers_of, with_numbers
 from judge.holes.rows import Rows
 from judge.problem import Case
 from judge.problem.model import EXAMPLES
@@ -157,7 +157,7 @@ class Stream:
                 break
             if other in (inside, outside):
                 break
-            case = with_numbers(start, iter([*numbers[:at], other, *numbers[at + 1 :]]))
+            case = with_numbers(start, [*numbers[:at], other, *numbers[at + 1 :]])
             found = self._solve(case)
             if found is None or form(found.exact) != form(solved.exact):
                 outside = other
@@ -186,7 +186,7 @@ class Stream:
         if way < 8 and numbers:
             place = random.randrange(len(numbers))
             numbers[place] = _stepped(random, numbers, place, way, self._whole(case)[place])
-            return with_numbers(case, iter(numbers))
+            return with_numbers(case, numbers)
         if way == 8:
             return self._scaled(case, random.randint(-60, 60), at)
         if way == 9:

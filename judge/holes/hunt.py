@@ -20,8 +20,8 @@ from msgspec import Struct
 from judge.cache import Store, code_key
 from judge.data.load import kept_place
 from judge.data.model import ProblemData
-from judge.diagnose.polish import fewer, steps
-from judge.diagnose.simplicity import measure
+from judge.diagnose.candidates import measure
+from judge.diagnose.simplify import fewer, steps
 from judge.errors import ProblemError, UsageError
 from judge.holes.bench import Bench
 from judge.holes.cases import Found, Place, Stream

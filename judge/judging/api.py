@@ -45,7 +45,7 @@ def judge(
     """
     found = find_problem(problem, [Path(each) for each in folders]) if isinstance(problem, str) else problem
     options.chosen(found)  # a name that is none is told before anything is built
-    content, called = _read(source)
+    content, called = read_source(source)
     return _judged(found, options, content, name or called)
 
 
@@ -72,7 +72,7 @@ def _judged(problem: Problem, options: RunOptions, source: bytes, name: str) -> 
         return session.judge(source, name)
 
 
-def _read(source: bytes | str | os.PathLike[str]) -> tuple[bytes, str]:
+def read_source(source: bytes | str | os.PathLike[str]) -> tuple[bytes, str]:
     """The bytes of a submission, and what it is called."""
     if isinstance(source, str) and "\n" not in source and is_program(source):
         remedy = f"give pathlib.Path({source!r}), or the text that is in it"

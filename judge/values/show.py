@@ -7,7 +7,7 @@ from itertools import islice, starmap
 from typing import Any
 
 from judge.values.answers import AnyOf, Exact, Judged, Real, Target
-from judge.values.atoms import Atom, IntType, Type, Value
+from judge.values.atoms import Atom, Type, Value
 from judge.values.parameters import tokens
 from judge.values.types import Composite, ListType, TupleType, lasting
 from judge.values.wire import Raw, items, show
@@ -96,20 +96,3 @@ def accepted(type_: Type, target: Target) -> Any:
     if target is not None and not isinstance(inner, Atom):
         return list(starmap(accepted, inner.pairs(target)))
     return list(target[:2]) if target is not None and inner.measured else target
-
-
-def asserts(type_: Type, what: str, target: Target) -> Iterator[str]:
-    """Python conditions on the expression `what`, all of which hold exactly for the one right answer."""
-    inner = lasting(type_)
-    if target is None:
-        yield f"{what} is None"
-    elif not isinstance(inner, Atom):
-        if isinstance(inner, ListType):
-            yield f"len({what}) == {len(target)}"
-        for at, (part, each) in enumerate(inner.pairs(target)):
-            yield from asserts(part, f"{what}[{at}]", each)
-    elif inner.measured:
-        yield f"{target[0]!r} <= {what} <= {target[1]!r}"
-    else:  # a bool or a float may be equal to an int
-        plain = f" and not isinstance({what}, (bool, float))" if isinstance(inner, IntType) else ""
-        yield f"{what} == {target!r}{plain}"

@@ -15,7 +15,7 @@ from sampling import daily
 
 from judge import RunOptions, Session
 from judge.data.build import validate
-from judge.diagnose.simplicity import measure
+from judge.diagnose.candidates import measure
 from judge.problem import Verdict
 from judge.problem.find import find_problem, sound_problems
 from judge.problem.model import KataLevel

@@ -35,7 +35,7 @@ MODULES = (
     "run/growth",
     "data/build",
     "mistakes/likeness",
-    "diagnose/simplicity",
+    "diagnose/candidates",
     "practice/history",
     "sandbox/linux/seccomp",
 )

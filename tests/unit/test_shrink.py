@@ -18,12 +18,11 @@ from msgspec.structs import replace
 from judge.data.build import validate
 from judge.data.load import load_data
 from judge.data.model import ProblemData
-from judge.diagnose.budget import Guard, SearchBudget
+from judge.diagnose.candidates import measure, numbers_of
 from judge.diagnose.replay import decode
 from judge.diagnose.search import shrunk as shrunk_by_parameters
 from judge.diagnose.shrink import shrink
-from judge.diagnose.simplicity import measure, numbers_of
-from judge.diagnose.trial import Trial
+from judge.diagnose.trial import SearchBudget, Trial
 from judge.problem import Verdict
 from judge.problem.find import find_problem
 from judge.problem.module import load_module
@@ -59,7 +58,7 @@ def shrunk(name, source, *, budget=None, cpu_seconds=2.0, later=None):
             runner,
             result,
             reference=reference,
-            budget=budget or SearchBudget(guard=Guard(cpu=600.0, wall=600.0)),  # of a busy machine
+            budget=budget or SearchBudget(cpu=600.0, wall=600.0),  # of a busy machine
         )
     return problem, result, found
 
@@ -147,7 +146,7 @@ def test_the_budget_ends_the_search_and_it_says_so(most):
     ],
 )
 def test_what_gives_no_answer_shrinks_to_what_gives_none_either(deed, verdict, message):
-    budget = SearchBudget(guard=Guard(cpu=600.0, wall=600.0))
+    budget = SearchBudget(cpu=600.0, wall=600.0)
     source = MIDDLE.format(f"if a < 0:\n        {deed}")
     _, result, found = shrunk("middle", source, cpu_seconds=0.1, budget=budget)
     assert result.verdict is verdict

@@ -10,11 +10,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from fractions import Fraction
 from heapq import nsmallest
-from itertools import combinations, islice
+from itertools import chain, combinations, islice
 from math import gcd
 
-from judge.diagnose.simplicity import items_of, numbers_of, with_numbers
-from judge.diagnose.trial import Finding, Trial
+from judge.diagnose.candidates import items_of, measure, numbers_of, with_numbers
+from judge.diagnose.trial import FailingCase, Trial
 from judge.problem import Case, Group, Problem
 from judge.values import parameters
 from judge.values.atoms import Number
@@ -25,31 +25,29 @@ _WORK = 1_000_000  # values that the candidates of a round may have together: a 
 _HUGE = 400  # bits, beyond which numbers are only cut
 
 
-def polished(trial: Trial, start: Finding, group: Group) -> Finding:
+def simplified(trial: Trial, start: FailingCase, group: Group) -> FailingCase:
     """The simplest failing case that steps from `start` lead to, judged under `group`'s tolerance."""
-    simpler = trial.module.hooks.simpler
-    best = start
+    simpler, best = trial.module.hooks.simpler, start
     if simpler is not None:
-        best = _better(trial, best, group, simpler(trial.problem, start.case))
+        best = _better(trial, best, group, simpler(trial.runner.problem, start.case))
     for _ in range(_ROUNDS):
-        after = _better(trial, best, group, _steps(trial.problem, best.case))
+        after = _better(trial, best, group, chain(fewer(trial.runner.problem, best.case), steps(best.case)))
         if after is best or trial.budget.spent:
             return after
         best = after
     return best
 
 
-def rounded(trial: Trial, best: Finding, group: Group) -> Finding:
+def rounded(trial: Trial, best: FailingCase, group: Group) -> FailingCase:
     """The case with long numbers as round as they can be: as many digits, most of them 0."""
     for _ in range(_ROUNDS):
         numbers = list(numbers_of(best.case))
-        rounder = [
+        cases = [
             _replaced(best.case, numbers, dict.fromkeys(places, other))
-            for places in _alike(numbers)
+            for places in _equal(numbers)
             for other in _rounder(numbers[places[0]])
         ]
-        cases = [case for case in rounder if trial.measure(case)[0] <= best.measure[0]]
-        found = trial.simplest(cases, group)
+        found = trial.simplest([case for case in cases if measure(case)[0] <= best.measure[0]], group)
         if found is None:
             return best
         best = found
@@ -64,32 +62,10 @@ def _rounder(signed: Number) -> Iterator[int]:
         yield from (int(text) // unit * unit, (int(text) // unit + 1) * unit)
 
 
-def _better(trial: Trial, best: Finding, group: Group, cases: Iterable[Case]) -> Finding:
-    most = max(_MOST, _WORK // (1 + items_of(best.case)))
-    simpler = (case for case in islice(cases, most) if trial.measure(case) < best.measure)
-    chosen = nsmallest(_MOST, _distinct(simpler), key=trial.measure)
-    for first in range(0, len(chosen), 100):
-        if trial.budget.spent:
-            break
-        found = trial.simplest(chosen[first : first + 100], group)
-        if found is not None:
-            return found
-    return best
-
-
-def _distinct(cases: Iterable[Case]) -> Iterator[Case]:
-    """Each case once; 1 and 1.0 are two."""
-    seen = set()
-    for case in cases:
-        text = hash(repr(case))
-        if text not in seen:
-            seen.add(text)
-            yield case
-
-
-def _steps(problem: Problem, case: Case) -> Iterator[Case]:
-    yield from fewer(problem, case)
-    yield from steps(case)
+def _better(trial: Trial, best: FailingCase, group: Group, cases: Iterable[Case]) -> FailingCase:
+    most, size = max(_MOST, _WORK // (1 + items_of(best.case))), best.measure
+    simpler = {hash(repr(case)): case for case in islice(cases, most) if measure(case) < size}
+    return trial.simplest(nsmallest(_MOST, simpler.values(), key=measure), group) or best
 
 
 def fewer(problem: Problem, case: Case) -> Iterator[Case]:
@@ -103,7 +79,7 @@ def steps(case: Case) -> Iterator[Case]:
     """The case with one thing changed: a number wherever it stands, two by as much, or all numbers."""
     numbers = list(numbers_of(case))
     yield from _all_changed(case, numbers)
-    for places in _alike(numbers):
+    for places in _equal(numbers):
         value = numbers[places[0]]
         for smaller in _smaller(value):
             yield _replaced(case, numbers, dict.fromkeys(places, smaller))
@@ -117,7 +93,7 @@ def steps(case: Case) -> Iterator[Case]:
     yield from _pairs(case, numbers)
 
 
-def _alike(numbers: list[Number]) -> list[list[int]]:
+def _equal(numbers: list[Number]) -> list[list[int]]:
     """The places of equal magnitudes."""
     places: dict[Number, list[int]] = {}
     for place, value in enumerate(numbers):
@@ -164,12 +140,8 @@ def _pairs(case: Case, numbers: list[Number]) -> Iterator[Case]:
             if larger < 0:
                 continue
             other = int(larger) if isinstance(high, int) and larger.denominator == 1 else float(larger)
-            changed: dict[int, Number] = {}
-            for place, value in enumerate(numbers):
-                if abs(value) == low:
-                    changed[place] = smaller
-                elif abs(value) == high:
-                    changed[place] = other
+            becomes = {low: smaller, high: other}
+            changed = {at: becomes[abs(each)] for at, each in enumerate(numbers) if abs(each) in becomes}
             yield _replaced(case, numbers, changed)
 
 
@@ -177,31 +149,24 @@ def _all_changed(case: Case, numbers: list[Number]) -> Iterator[Case]:
     """Every number divided, made an integer, or cut to so many digits."""
     if all(isinstance(number, int) for number in numbers):
         common = gcd(*(int(number) for number in numbers))
-        divisors = [common] if common > 1 else []
-        for divisor in [*divisors, 2, 10]:
-            yield _rebuilt(case, [_divided(number, divisor) for number in numbers])
+        for divisor in ([common] if common > 1 else []) + [2, 10]:
+            yield with_numbers(case, [int(number) // divisor for number in numbers])
         return
     if all(float(number).is_integer() and abs(number) < 1e17 for number in numbers):
-        yield _rebuilt(case, [int(number) for number in numbers])
-    yield _rebuilt(case, [0 if number == 0 else number for number in numbers])
+        yield with_numbers(case, [int(number) for number in numbers])
+    yield with_numbers(case, [0 if number == 0 else number for number in numbers])
     unit = _common_unit(numbers)
     if unit is not None:
         whole = [int(Fraction(number) / unit) for number in numbers]
-        yield _rebuilt(case, list(whole))
+        yield with_numbers(case, list(whole))
         for exponent in range(-15, 10):
             scale = Fraction(10) ** exponent
             if Fraction(1, 32) < scale / unit < 32:
-                yield _rebuilt(case, [float(value * scale) if value else 0 for value in whole])
+                yield with_numbers(case, [float(value * scale) if value else 0 for value in whole])
     for kept in range(6):
-        yield _rebuilt(case, [_cut(number, kept) for number in numbers])
-
-
-def _cut(number: Number, kept: int) -> Number:
-    return number if isinstance(number, int) else float(f"{number:.{kept}e}")
-
-
-def _divided(number: Number, divisor: int) -> Number:
-    return int(number) // divisor
+        yield with_numbers(
+            case, [each if isinstance(each, int) else float(f"{each:.{kept}e}") for each in numbers]
+        )
 
 
 def _common_unit(numbers: list[Number]) -> Fraction | None:
@@ -219,8 +184,4 @@ def _replaced(case: Case, numbers: list[Number], changed: dict[int, Number], *, 
     values = list(numbers)
     for place, value in changed.items():
         values[place] = -value if signed and numbers[place] < 0 and value else value
-    return _rebuilt(case, values)
-
-
-def _rebuilt(case: Case, numbers: list[Number]) -> Case:
-    return with_numbers(case, iter(numbers))
+    return with_numbers(case, values)
