@@ -14,8 +14,9 @@ calls: what is found depends neither on how fast the machine is nor on what else
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from functools import partial
+from itertools import tee
 from typing import Any, NamedTuple
 
 from msgspec.structs import replace
@@ -125,7 +126,8 @@ class _Search(NamedTuple):
         if not trial.runner.problem.parameters:  # there is one case
             return self._told(best)
         under = usual = usual_group(trial.runner.problem)
-        found = self._candidate(usual)
+        levels, again = tee(self._levels())
+        found = self._candidate(levels, usual)
         if found is not None:
             best = min(best, simplified(trial, found, usual))
         if best is self.first:
@@ -135,20 +137,22 @@ class _Search(NamedTuple):
             best = min(best, simplified(trial, best, under))
         if _is_long(best, HARD):
             trial.look_for(None)
-            other = self._candidate(usual)
+            other = self._candidate(again, usual)
             if other is not None:
                 best, under = simplified(trial, other, usual), usual
         return self._told(rounded(trial, best, under))
 
-    def _candidate(self, group: Group) -> FailingCase | None:
-        """The simplest failing case of the first level that has one simpler than what failed first."""
+    def _levels(self) -> Iterator[list[Case]]:
+        """The cases of each level that are simpler than the first one that failed."""
         problem, size = self.trial.runner.problem, self.first.measure
         for level in candidates(problem):
-            if self.trial.budget.spent:
-                break
             cases = (case for each in level for case in each.cases(problem))
-            simpler = [case for case in cases if measure(case) < size]
-            found = self.trial.simplest(simpler, group)
+            yield [case for case in cases if measure(case) < size]
+
+    def _candidate(self, levels: Iterator[list[Case]], group: Group) -> FailingCase | None:
+        """The simplest failing case of the first level that has one."""
+        while not self.trial.budget.spent and (cases := next(levels, None)) is not None:
+            found = self.trial.simplest(cases, group)
             if found is not None:
                 return found
         return None

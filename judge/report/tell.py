@@ -188,7 +188,7 @@ def _time(result: Result) -> str:
 
 def grows(growth: Growth) -> str:
     """`Your time grows like n^2.0, the reference's like n^1.1`."""
-    return f"Your time grows like n^{growth.exponent:.1f}, the reference's like n^{growth.reference:.1f}"
+    return f"Your time grows {growth.law}, the reference's like n^{growth.reference:.1f}"
 
 
 def _source(result: Result, source: bytes) -> tuple[str, ...]:

@@ -39,6 +39,7 @@ class GroupRun:
         self.cases = group.cases
         self.targets = group.targets
         self.usage = Usage()
+        self.imported = Usage()  # by the longest import that was measured apart
         self.ended = False  # whether nothing more of it is to be run
         self.given_up = False  # whether none of it was run that says anything
         self.passed = 0
@@ -63,6 +64,7 @@ class GroupRun:
     def take(self, replies: Replies) -> None:
         """Decide what came of the next cases, and record it; a breakdown is left to the caller."""
         self.usage += replies.usage
+        self.imported = max(self.imported, replies.imported)
         decide, targets, worst, answered = self._runner.decide, self.targets, self._worst, Stop.ANSWERED
         for index, (stop, answer, detail) in enumerate(replies.replies, self.reached):
             if stop is not answered:

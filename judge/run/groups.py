@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from itertools import takewhile
+from math import inf
+from typing import NamedTuple
 
 from judge.errors import JudgeError
 from judge.problem import Case, Verdict
@@ -11,7 +13,7 @@ from judge.run.budget import Budget
 from judge.run.group import GroupRun, group_limits
 from judge.run.replies import Breakdown, Replies
 from judge.run.runner import Runner
-from judge.sandbox.boundary import Box, Stop
+from judge.sandbox.boundary import Box, Stop, Usage
 
 MOST_LOSSES = 3  # calls of a group that may end their process before the rest is given up
 SEARCHED_SECONDS = 1.0  # the longest run that is worth repeating to find the case it breaks at
@@ -55,22 +57,38 @@ def run_groups(
         waiting = [progress for progress in waiting if not progress.over]
 
 
-def run_timed(
-    runner: Runner, box: Box, group: GroupRun, budget: Budget, *, one_first: bool
-) -> Iterator[tuple[Sequence[Case], float]]:
-    """As `run_groups` for one group: what was run, and its CPU seconds without the import, piece by piece.
+class Piece(NamedTuple):
+    """What was run of a group, and what it used without the import; `cut` where it was stopped early."""
 
-    That is all cases, or the first one and then the others.
+    cases: Sequence[Case]
+    usage: Usage
+    cut: bool
+
+
+def run_timed(
+    runner: Runner, box: Box, group: GroupRun, budget: Budget, first: float | None = None
+) -> Iterator[Piece]:
+    """As `run_groups` for one group, piece by piece: all cases, or the first one and then the others.
+
+    The first one may take so many CPU seconds at first; if it is cut, nothing is recorded of it, and it is
+    run once more, within the group's own limits.
     """
     progress = _Progress(runner, box, group, budget)
+    one_first, most = first is not None, first or inf
     while not progress.over and not budget.over:
         cases = progress.rest[:1] if one_first and not group.reached else progress.rest
         within = budget.within(group_limits(group.problem, group.group, group.usage))
-        replies = budget.booked(runner.timed(box, cases, within))
+        early = within._replace(cpu_seconds=min(within.cpu_seconds, most))
+        replies = budget.booked(runner.timed(box, cases, early))
         if not (replies.replies or replies.breakdown):
             raise JudgeError("the sandbox made no call at all", where=group.group.name)
-        progress.take(replies)
-        yield cases, replies.usage.cpu_seconds
+        cut = replies.stop is Stop.CPU and most < within.cpu_seconds
+        if not cut:
+            progress.take(replies)
+        most = inf
+        # The limits hold for an import too; one that was cut tells nothing of the calls.
+        called = not (cut and runner.calls) or replies.imported != Usage()
+        yield Piece(cases, replies.usage if called else Usage(), cut)
 
 
 class _Progress:

@@ -1,12 +1,14 @@
 """Judging the groups of the rule of growth: each is timed by the way, and what grows too fast ends early.
 
 The first turn of a race is the one in which a group is judged; the reference's turn follows at once. So an
-accepted submission runs its largest size once, and one that is clearly too steep never does.
+accepted submission runs its largest size once, and one that is clearly too steep never does: the first case
+of a larger size is cut as soon as that may be said. If it then cannot be, the case is run again, whole.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from math import ceil, inf
 
 from msgspec.structs import replace
 
@@ -14,8 +16,8 @@ from judge.problem import Case, Verdict
 from judge.run.again import limits_of
 from judge.run.budget import Budget
 from judge.run.group import GroupRun
-from judge.run.groups import run_timed
-from judge.run.growth import SHORT_SECONDS, Course, grow, is_steep
+from judge.run.groups import Piece, run_timed
+from judge.run.growth import LEAST_SECONDS, SHORT_SECONDS, Course, grow, is_steep, steep_seconds
 from judge.run.measure import theirs_on, time_limit
 from judge.run.races import Timed, too_slow
 from judge.run.reference import Reference
@@ -66,17 +68,17 @@ class _Growing:
     def judge(self, run: GroupRun) -> None:
         """Judge the group, and note what both took."""
         own, theirs = 0.0, Usage()
-        one_first = self._smaller is not None
-        for cases, seconds in run_timed(
-            self._runner, self._submission, run, self._budget, one_first=one_first
-        ):
+        ahead = self._theirs(run, run.cases[:1]) if self._rival and self._smaller else None
+        first = self._first_seconds(run, ahead) if self._smaller else None
+        for piece in run_timed(self._runner, self._submission, run, self._budget, first):
             if self._rival is None or run.verdict is not Verdict.AC:
                 self._rival = None  # nothing hangs on the time any more
                 continue
-            used = self._theirs(run, cases)
-            own, theirs = own + seconds, theirs + used
-            if self._is_steep(run, cases, seconds, used):
+            used, ahead = ahead or self._theirs(run, piece.cases), None
+            if self._is_steep(run, piece, used):
                 return
+            if not piece.cut:
+                own, theirs = own + piece.usage.cpu_seconds, theirs + used
         if self._rival is not None and run.reached == len(run.cases) and theirs.cpu_seconds:
             pair, limit = Pair(own, theirs.cpu_seconds), time_limit(run.problem, [run])
             run.first = pair, theirs
@@ -85,17 +87,27 @@ class _Growing:
                 self.timed = Timed(replace(decide([pair], limit), limit=limit))
                 too_slow([run], self.timed.decision)
 
-    def _is_steep(self, run: GroupRun, cases: Sequence[Case], own: float, used: Usage) -> bool:
+    def _first_seconds(self, run: GroupRun, theirs: Usage | None) -> float:
+        """How long the first case may take at first: from then on the submission may be clearly too steep."""
+        problem, smaller = self._runner.problem, self._smaller
+        if theirs is None or smaller is None or smaller.first is None or problem.growth is None:
+            return inf
+        sizes = smaller.group.size or 1, run.group.size or 1
+        return steep_seconds(sizes, smaller.first[0], theirs.cpu_seconds, problem.growth.slope)
+
+    def _is_steep(self, run: GroupRun, piece: Piece, used: Usage) -> bool:
         """Whether the submission is too steep by what it took here; then the group says so."""
         problem, smaller = self._runner.problem, self._smaller
+        cases, own = piece.cases, piece.usage.cpu_seconds
         if smaller is None or smaller.first is None or problem.growth is None:
             return False
         sizes, slope = (smaller.group.size or 1, run.group.size or 1), problem.growth.slope
         pairs, theirs = [smaller.first[0]], [used.cpu_seconds]
         if not is_steep(sizes, pairs, own, theirs, slope):
             return False
-        # All that is not long is run again.
-        pair = self._pair(smaller, smaller.cases)
+        # All that is not long is run again, of the smaller size what takes the reference long enough.
+        few = smaller.cases[: ceil(len(smaller.cases) * 2 * LEAST_SECONDS / pairs[0].reference)]
+        pair = self._pair(smaller, few)
         if pair is None:
             return False
         pairs.append(pair)
@@ -109,12 +121,15 @@ class _Growing:
             theirs.append(self._theirs(run, cases).cpu_seconds)
         if not is_steep(sizes, pairs, own, theirs, slope):
             return False
-        worst = max(pairs, key=lambda pair: pair.ratio), Pair(own, max(theirs))
-        of_both = zip((smaller, run), sizes, (len(smaller.cases), len(cases)), worst, strict=True)
+        counts = len(smaller.cases), len(few)
+        worst, count = max(zip(pairs, counts, strict=True), key=lambda each: each[0].ratio)
+        turns = (smaller, count, worst, True), (run, len(cases), Pair(own, max(theirs)), not piece.cut)
         courses = [
-            Course(each.group.name, size, _none, _none, cases=count, first=first)
-            for each, size, count, first in of_both
+            Course(each.group.name, size, _none, _none, cases=count, ended=ended, first=first)
+            for size, (each, count, first, ended) in zip(sizes, turns, strict=True)
         ]
+        if piece.cut:
+            run.usage += piece.usage
         growth = grow(courses, slope, lambda: False).growth
         self.timed = Timed(Decision(None), growth)
         run.too_slow(f"{growth}; its exponent may exceed that by {slope:g}")

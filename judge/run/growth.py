@@ -27,6 +27,8 @@ QUICK_SECONDS = 0.2  # turns that are so short
 GREY = 0.15  # on either side of the limit
 SHORT_SECONDS = 0.5  # turns of the steepest course; where they are shorter, to be too steep takes
 ROUNDS_OF_SHORT = 5
+_LEAST_CUT = 1.0  # CPU seconds that the first case of a larger size may take in any event
+_MORE = 1.3  # times what would be clearly too steep by the turns so far: the next ones may differ
 _SHORTEST = 1e-4  # seconds: what takes less cannot be told from nothing
 
 
@@ -126,6 +128,17 @@ def is_steep(
         return False
     ratios = max(pair.ratio for pair in pairs), own / max(theirs)
     return exponent([*zip(sizes, ratios, strict=True)]) > slope + GREY
+
+
+def steep_seconds(sizes: tuple[int, int], pair: Pair, theirs: float, slope: float) -> float:
+    """The CPU time on the larger size that is enough to be clearly too steep, and some more.
+
+    `pair` is that of the smaller size, `theirs` the reference's time on the larger one.
+    """
+    if min(theirs, pair.reference) < LEAST_SECONDS:
+        return math.inf
+    steeper = math.pow(sizes[1] / sizes[0], slope + GREY)
+    return max(_LEAST_CUT, _MORE * pair.ratio * theirs * steeper)
 
 
 def _counting(courses: Sequence[Course], pairs: dict[str, list[Pair]]) -> list[Course]:

@@ -44,7 +44,7 @@ class Duel:
         self._cases = track.cases
         self._places = [(runs[place], index) for place, index in track.places]
         self._limits = limits = limits_of(runner.problem, runs)
-        used = sum((run.usage for run in runs), Usage())
+        used = sum((run.usage + run.imported for run in runs), Usage())
         self._tighter = limits._replace(
             cpu_seconds=min(limits.cpu_seconds, 2 * used.cpu_seconds + _MORE_CPU_SECONDS),
             wall_seconds=min(limits.wall_seconds, 2 * used.wall_seconds + _MORE_WALL_SECONDS),

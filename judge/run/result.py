@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 from collections.abc import Iterable, Mapping, Sequence
 from enum import Enum
 from types import MappingProxyType
@@ -150,7 +151,14 @@ class Growth(Struct, frozen=True):
     points: tuple[GrowthPoint, ...] = ()
 
     def __str__(self) -> str:
-        return f"it grows like n^{self.exponent:.1f}, the reference like n^{self.reference:.1f}"
+        return f"it grows {self.law}, the reference like n^{self.reference:.1f}"
+
+    @property
+    def law(self) -> str:
+        """`like n^2.0`; of a submission that was stopped on one of the sizes, `at least` like that."""
+        if all(point.ended for point in self.points if point.group in self.groups):
+            return f"like n^{self.exponent:.1f}"
+        return f"at least like n^{math.floor(self.exponent * 10) / 10:.1f}"
 
 
 class Timing(Struct, frozen=True, kw_only=True):

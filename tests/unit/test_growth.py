@@ -5,10 +5,20 @@ from __future__ import annotations
 import math
 
 import pytest
+from judging import COUNTS, LIMITS, make_data
 from msgspec.structs import replace
 
-from judge.run.growth import Course, exponent, grow, is_steep
-from judge.run.timing import MOST_PAIRS, Pair
+from judge.problem import Verdict
+from judge.run.budget import Budget
+from judge.run.function import FunctionRunner
+from judge.run.group import GroupRun
+from judge.run.groups import run_timed
+from judge.run.growth import Course, exponent, grow, is_steep, steep_seconds
+from judge.run.measure import Duel
+from judge.run.reference import Track
+from judge.run.replies import Replies
+from judge.run.timing import MOST_PAIRS, Pace, Pair
+from judge.sandbox.boundary import Reply, Stop, Usage
 
 SLOPE = 0.4
 SIZES = (2_000, 8_000, 32_000)
@@ -128,6 +138,7 @@ def test_a_group_that_did_not_end_never_makes_the_growth_flatter():
     ]
     late = Course("n-8000", 8_000, lambda: 40.0, lambda: 0.02 * 16, None, 1, ended=False)
     assert grow([*courses, late], SLOPE).growth.groups == ("n-500", "n-2000", "n-8000")
+    assert str(grow([*courses, late], SLOPE).growth).startswith("it grows at least like n^2.7, ")
     assert grow([courses[0], late], SLOPE).growth.groups == ("n-500", "n-8000")
 
 
@@ -169,6 +180,59 @@ def test_turns_in_which_a_group_was_judged_are_not_run_again():
 )
 def test_what_is_clearly_too_steep_by_one_turn(pairs, own, theirs, steep):
     assert is_steep((2_000, 8_000), pairs, own, theirs, SLOPE) is steep
+
+
+def test_what_is_cut_is_too_steep_although_the_next_turns_differ():
+    pair = Pair(0.9, 0.1)
+    most = steep_seconds((2_000, 8_000), pair, 0.14, SLOPE)
+    assert is_steep((2_000, 8_000), [pair, Pair(1.0, 0.1)], most, [0.14, 0.16], SLOPE)
+    assert steep_seconds((2_000, 8_000), Pair(0.01, 0.1), 0.14, SLOPE) >= 1.0  # no haste
+    assert steep_seconds((2_000, 8_000), Pair(0.9, 0.009), 0.14, SLOPE) == math.inf  # nobody can say
+
+
+class Scripted(FunctionRunner):
+    """Makes its calls in so many CPU seconds each, after an import; the box is a list of the limits."""
+
+    importing: float = 0.1
+    calling: float = 1.5
+
+    def timed(self, box, cases, limits):
+        box.append((len(cases), limits.cpu_seconds))
+        answers = [Reply(Stop.ANSWERED, count) for count in COUNTS[-len(cases) :]]
+        stop, imported = [Reply(Stop.CPU)], Usage(self.importing, self.importing)
+        if self.importing > limits.cpu_seconds:
+            return Replies(stop, Usage(limits.cpu_seconds, 1.0), Stop.CPU, lost=True)
+        if self.calling > limits.cpu_seconds:
+            return Replies(stop, Usage(limits.cpu_seconds, 1.0), Stop.CPU, lost=True, imported=imported)
+        return Replies(answers[: len(cases)], Usage(self.calling, self.calling), imported=imported)
+
+
+@pytest.mark.parametrize(("importing", "told"), [(0.1, 1.0), (1.2, 0.0)])
+def test_a_first_case_that_is_cut_is_run_again_whole(importing, told):
+    data = make_data("one")
+    runner, limits = Scripted(data.problem, importing=importing, calling=1.5), []
+    run = GroupRun(
+        data, replace(data.groups[0], cases=data.groups[0].cases[-1:], targets=COUNTS[-1:]), runner
+    )
+    pieces = [*run_timed(runner, limits, run, Budget(data.problem), first=1.0)]
+    case = run.cases[:1]
+    assert [(each.cases, each.usage.cpu_seconds, each.cut) for each in pieces] == [
+        (case, told, True),  # of an import that is cut nothing is charged
+        (case, 1.5, False),
+    ]
+    assert limits == [(1, 1.0), (1, 2.0)]
+    assert (run.verdict, run.usage.cpu_seconds) == (Verdict.AC, 1.5)
+
+
+def test_a_long_import_may_take_as_long_when_the_group_is_raced():
+    data = make_data("one", limits=replace(LIMITS, cpu_seconds=9.0))
+    runner, limits = Scripted(data.problem, importing=3.0, calling=0.1), []
+    run = GroupRun(data, data.groups[0], runner)
+    assert [each.cut for each in run_timed(runner, limits, run, Budget(data.problem))] == [False]
+    track = Track([(0, index) for index in range(len(run.cases))], run.cases, Pace())
+    duel = Duel(runner, [run], limits, None, track, Budget(data.problem))
+    assert duel.mine() == 0.1
+    assert limits[1][1] < 9.0
 
 
 def test_only_what_is_near_its_limit_is_run_again():
