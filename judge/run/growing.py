@@ -63,6 +63,7 @@ class _Growing:
         self._rival = reference.open(runner.reference(rule)) if rule else None
         self._budget = budget
         self._smaller: GroupRun | None = None  # the last one that was accepted
+        self._pairs: list[tuple[Pair, int]] = []  # its turns, and of how many cases
         self.timed: Timed | None = None
 
     def judge(self, run: GroupRun) -> None:
@@ -82,7 +83,7 @@ class _Growing:
         if self._rival is not None and run.reached == len(run.cases) and theirs.cpu_seconds:
             pair, limit = Pair(own, theirs.cpu_seconds), time_limit(run.problem, [run])
             run.first = pair, theirs
-            self._smaller = run
+            self._smaller, self._pairs = run, [(pair, len(run.cases))]
             if is_sure(pair, limit):
                 self.timed = Timed(replace(decide([pair], limit), limit=limit))
                 too_slow([run], self.timed.decision)
@@ -92,8 +93,11 @@ class _Growing:
         problem, smaller = self._runner.problem, self._smaller
         if theirs is None or smaller is None or smaller.first is None or problem.growth is None:
             return inf
+        if smaller.first[0].submission >= SHORT_SECONDS and not self._sampled(smaller):
+            return inf
         sizes = smaller.group.size or 1, run.group.size or 1
-        return steep_seconds(sizes, smaller.first[0], theirs.cpu_seconds, problem.growth.slope)
+        worst, _ = max(self._pairs, key=_ratio)
+        return steep_seconds(sizes, worst, theirs.cpu_seconds, problem.growth.slope)
 
     def _is_steep(self, run: GroupRun, piece: Piece, used: Usage) -> bool:
         """Whether the submission is too steep by what it took here; then the group says so."""
@@ -102,15 +106,12 @@ class _Growing:
         if smaller is None or smaller.first is None or problem.growth is None:
             return False
         sizes, slope = (smaller.group.size or 1, run.group.size or 1), problem.growth.slope
-        pairs, theirs = [smaller.first[0]], [used.cpu_seconds]
-        if not is_steep(sizes, pairs, own, theirs, slope):
+        theirs = [used.cpu_seconds]
+        if not is_steep(sizes, [pair for pair, _ in self._pairs], own, theirs, slope):
             return False
-        # All that is not long is run again, of the smaller size what takes the reference long enough.
-        few = smaller.cases[: ceil(len(smaller.cases) * 2 * LEAST_SECONDS / pairs[0].reference)]
-        pair = self._pair(smaller, few)
-        if pair is None:
+        # All that is not long is run again.
+        if len(self._pairs) == 1 and not self._sampled(smaller):
             return False
-        pairs.append(pair)
         if own < SHORT_SECONDS:
             pair = self._pair(run, cases)
             if pair is None:
@@ -119,10 +120,9 @@ class _Growing:
             theirs.append(pair.reference)
         else:
             theirs.append(self._theirs(run, cases).cpu_seconds)
-        if not is_steep(sizes, pairs, own, theirs, slope):
+        if not is_steep(sizes, [pair for pair, _ in self._pairs], own, theirs, slope):
             return False
-        counts = len(smaller.cases), len(few)
-        worst, count = max(zip(pairs, counts, strict=True), key=lambda each: each[0].ratio)
+        worst, count = max(self._pairs, key=_ratio)
         turns = (smaller, count, worst, True), (run, len(cases), Pair(own, max(theirs)), not piece.cut)
         courses = [
             Course(each.group.name, size, _none, _none, cases=count, ended=ended, first=first)
@@ -135,6 +135,15 @@ class _Growing:
         run.too_slow(f"{growth}; its exponent may exceed that by {slope:g}")
         return True
 
+    def _sampled(self, smaller: GroupRun) -> bool:
+        """Run of the smaller size again what takes the reference long enough; whether that ends well."""
+        whole, cases = self._pairs[0][0], smaller.cases
+        few = cases[: ceil(len(cases) * 2 * LEAST_SECONDS / whole.reference)]
+        pair = self._pair(smaller, few)
+        if pair is not None:
+            self._pairs.append((pair, len(few)))
+        return pair is not None
+
     def _pair(self, run: GroupRun, cases: Sequence[Case]) -> Pair | None:
         """One more turn each; None where the submission's does not end well."""
         within = self._budget.within(limits_of(run.problem, [run]))
@@ -145,6 +154,10 @@ class _Growing:
     def _theirs(self, run: GroupRun, cases: Sequence[Case]) -> Usage:
         assert self._rival is not None
         return theirs_on(self._runner, self._rival, cases, limits_of(run.problem, [run]))
+
+
+def _ratio(turn: tuple[Pair, int]) -> float:
+    return turn[0].ratio
 
 
 def _none() -> None:
