@@ -73,7 +73,7 @@ def test_a_mistake_is_named_and_its_smallest_case_is_a_valid_and_simpler_one(nam
     if stem == "right":
         assert result.verdict is Verdict.AC
         return
-    said = result.pitfall.name.split(" + ") if result.pitfall else ["silent"]
+    said = list(result.pitfall.names) if result.pitfall and result.pitfall.names else ["silent"]
     assert sorted(said) == sorted(stem.split("-and-"))
     module = load_module(problem)
     case, first = (
