@@ -139,7 +139,7 @@ def test_ctrl_c_inside_executed_text_has_the_usual_status(tmp_path):
 
 
 @pytest.mark.parametrize(
-    "place", ["diagnose.shrink.shrink", "mistakes.namer.Vetoes", "report.picture.result_picture"]
+    "place", ["diagnose.shrink.shrink", "mistakes.namer.Likeness", "report.picture.result_picture"]
 )
 def test_a_fault_in_explaining_leaves_the_verdict_alone(place, judge, submit, monkeypatch):
     def faulty(*_arguments, **_settings):
