@@ -150,6 +150,11 @@ class Repaired:
         """The program of that name that is most alike."""
         return self._likeness.nearest(one.name, [self._places[at] for at in one.step.gone])
 
+    @property
+    def tells(self) -> bool:
+        """Whether the pack says anything of repairs."""
+        return bool(self._kinds)
+
     def why(self, step: Step) -> str:
         """What is said of a repair of that kind."""
         kind, _, which = step.kind.partition(":")
@@ -189,7 +194,10 @@ def with_steps(result: Result, repaired: Repaired, fails: Callable[[Known], bool
             found = bearing
     if not any(fails(repaired.nearest(one)) for one in found if one.name):
         found = [one._replace(name="", share=0.0) for one in found]
-    steps = _told([one for one in found if one.name or one.step.gone], repaired)
+    found = [one for one in found if one.name or (one.step.gone and (one.step.line or repaired.tells))]
+    if not found:
+        return result
+    steps = _told(found, repaired)
     named = {one.name: one.share for one in found if one.name}
     texts = {one.name: repaired.text(one) for one in reversed(found) if one.name}
     advice = tuple(texts[name] for name in named)
@@ -221,6 +229,8 @@ def _told(found: Sequence[_Named], repaired: Repaired) -> tuple[MistakeStep, ...
 def _contradicts(repaired: Repaired, today: Pitfall, found: Sequence[_Named]) -> bool:
     """Whether the repair is a whole proof of something else than the name says."""
     kinds = [_plain(one.step.kind) for one in found]
+    if not repaired.tells:  # a pack that says nothing of repairs
+        return False
     if len(found) == 1 and kinds[0] in _PROVED:
         return not set(today.names) <= set(repaired.names(kinds[0]))
     gone = frozenset[int]().union(*(one.step.gone for one in found))

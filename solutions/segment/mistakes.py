@@ -35,7 +35,7 @@ def geometric(cx, cy, r, A, B):
     # : it.
     near = 1e-10 * size
     # = near = 1e-9 * size
-    # ? absolute-epsilon: near = 1e-14
+    # ? absolute-epsilon: near = 1e-9
     # ? loose-epsilon: near = 1e-2 * size
     touch = near
     # ? loose-epsilon: touch = 1e-4 * r

@@ -136,7 +136,7 @@ def test_a_kata_that_is_not_solved_stands_under_now_and_is_not_repeated(judge, m
         assert due(judge) == {"now": ["count"], "due": [], "later": []}
         assert judge("progress", "--due").lines[:2] == [
             "Now: not solved yet",
-            "  count  95 of 100 points  last run 2026-03-01",
+            "  count  96 of 100 points  last run 2026-03-01",
         ]
         assert any(row.split()[:2] == ["now", "count"] for row in judge("progress").lines)
     passed("count", when=START + timedelta(days=2))

@@ -35,7 +35,6 @@ from judge.languages.sources import sources_of
 from judge.problem import Verdict
 from judge.problem.find import find_problem, fitting_problems, meant_problem, signs
 from judge.problem.toml import line_of, parse_toml
-from judge.repair.features import features
 from judge.report import formats, tell
 from judge.run import entry, printed, program
 from judge.run.result import judge_fault
@@ -162,10 +161,6 @@ _FUNCTIONS = {
 }
 
 
-def _looked_at(text: str) -> None:
-    features(text)
-
-
 def _normal(name: str, text: str) -> None:
     normal_form(text.encode(), name, "line_count")
 
@@ -241,7 +236,6 @@ def _readers() -> dict[str, Callable[[str], None]]:
             found[f"{language} sources"] = partial(_sources, name)
     return {
         **found,
-        "python features": _looked_at,
         "message": _failed,
         "annotation": _annotated,
         "complaint": _complaint,

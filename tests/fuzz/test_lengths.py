@@ -23,7 +23,6 @@ ONCE = [
     ("javascript sources", repeated("=/[")),
     ("rust sources", repeated("a", "struct Pt {")),
     nightly("rust sources", repeated("#![", "//")),
-    ("python features", repeated("\u0301\u0316", "a")),
     ("toml", repeated("a.", "", "a=1")),
     ("students", repeated("\u0301\u0316", "a")),
     ("annotation", counted("a_name_of_forty_letters_that_nobody_has_N = 1\n")),

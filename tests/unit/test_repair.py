@@ -61,7 +61,7 @@ def test_one_change_is_found_at_its_line(kata, wrong):
     assert told == [(wrong.kind, wrong.line)]
 
 
-FOOT = """\
+UNSIGNED = """\
 def foot(A, B, C):
     if tuple(A) == tuple(B):
         return None
@@ -72,7 +72,7 @@ def foot(A, B, C):
 
 
 def test_a_number_beside_a_point_is_not_the_same_item_twice(kata):
-    assert repair(kata("foot"), FOOT)[1] == [("without-abs", 5)]
+    assert repair(kata("foot"), UNSIGNED)[1] == [("without-abs", 5)]
 
 
 DRAFTS = {
@@ -268,7 +268,7 @@ def test_the_order_of_the_candidates_does_not_matter(kata, monkeypatch):
         b"        super().__init__(*a)\n        self.made = self.made[::-1]\n"
     )
     assert other.count(b"_Reversed") == 2
-    monkeypatch.setattr("judge.repair.search.SOURCE", other)
+    monkeypatch.setattr("judge.repair.beside.SOURCE", other)
     assert [repair(kata("segment"), text)[1] for text in wrong] == first
 
 
