@@ -33,7 +33,7 @@ _SENTENCE = re.compile(r".*?(?:[.!?](?=\s)|$)", re.DOTALL)  # the first one of a
 
 _FEW = 8  # different right answers, up to which many mistakes have the same wrong ones
 
-_CLEAR = 0.8  # a likeness that stands even if the known program passes the case that is shown
+_CLEAR = 0.7  # a likeness that stands even if the known program passes the case that is shown
 
 Alone = Callable[[str, int], bool]  # whether a submission fails that case of the group, called for it alone
 

@@ -41,6 +41,7 @@ _STRENGTH = {  # how likely a repair of that kind is the mistake itself; 0.6 whe
     **dict.fromkeys(("sign", "coordinates", "without-float", "without-sorted", "single"), 0.7),
     **dict.fromkeys(("condition", "measure", "constant", "operator", "dropped", "branch"), 0.45),
 }
+_WIDTHS = ("tolerance", "size", "room")  # a known program has another width, and may pass any case
 _PROVED = ("rounding", "fresh", "parameter-order")  # what a name must not contradict
 
 
@@ -192,7 +193,9 @@ def with_steps(result: Result, repaired: Repaired, fails: Callable[[Known], bool
             return result
         if today.score >= _LIKELY:  # the other steps would say less
             found = bearing
-    if not any(fails(repaired.nearest(one)) for one in found if one.name):
+    sure = {*(today.names if today else ())}  # looked at already
+    sure |= {one.name for one in found if one.step.kind in _SURE or one.step.kind.startswith(_WIDTHS)}
+    if not any(one.name in sure or fails(repaired.nearest(one)) for one in found if one.name):
         found = [one._replace(name="", share=0.0) for one in found]
     found = [one for one in found if one.name or (one.step.gone and (one.step.line or repaired.tells))]
     if not found:

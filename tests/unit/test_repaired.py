@@ -189,9 +189,9 @@ def test_of_a_part_only_the_line_is_told():
 
 
 def test_no_name_is_told_whose_program_does_not_fail_the_case_that_is_shown():
-    made = Repair(cases=asked(range(10)), **whole(("room", 7, range(10))))
+    made = Repair(cases=asked(range(10)), **whole(("sign", 7, range(10))))
     does = {"g": Answers(CASES, {case: one(1) for case in range(10)})}
-    repaired = Repaired(made, Likeness([known("no-room", range(10))], does), KINDS, few=False)
-    assert with_steps(RESULT, repaired, lambda _: True).pitfall.names == ("no-room",)
+    repaired = Repaired(made, Likeness([known("far", range(10))], does), KINDS, few=False)
+    assert with_steps(RESULT, repaired, lambda _: True).pitfall.names == ("far",)
     told = with_steps(RESULT, repaired, lambda _: False).pitfall
     assert (told.names, [step.line for step in told.steps]) == ((), [7])
