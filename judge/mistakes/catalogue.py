@@ -3,7 +3,6 @@
 [floor-division]
 why = "The quotient is taken with //, which drops everything behind the point."
 advice = "Divide with /."
-rounding = true            # chance decides which cases fail: how many do is all that can be compared
 state = true               # it is one only if a case passes when it is called alone
 form = true                # the answer's form is wrong, and that is the mistake itself
 needs = ["//", "whole"]    # a program has one of these, or does not make it (judge.repair.features)
@@ -43,7 +42,6 @@ class Words(Struct, frozen=True):
 
     why: str = ""
     advice: str = ""
-    rounding: bool = False
     state: bool = False
     form: bool = False
     needs: tuple[str, ...] = ()

@@ -30,11 +30,6 @@ class Maker(Struct, frozen=True):
     lines: tuple[Line, ...] = ()
     choice: Choice | None = None
 
-    @property
-    def chance(self) -> bool:
-        """Whether chance may decide which cases fail; where nothing is said of a file, it may."""
-        return self.words.rounding or (self.choice is None and self.words == Words())
-
 
 class Makers(Struct, frozen=True):
     """Every maker, and what is wrong with the files; `family` is None where there is no mistakes.py.

@@ -16,6 +16,7 @@ from judge.problem import Case
 from judge.run.result import Behaviour
 from judge.values.answers import Target
 from judge.values.check import is_right
+from judge.values.types import ListType, lasting
 from judge.values.wire import Raw
 
 _ALIKE = 1e-7  # of the figure: two points nearer than that are one
@@ -108,8 +109,7 @@ class Cases:
                 if place in answers.wrong:
                     self.wrong.append(len(self.all))
                 self.all.append(Asked(group, place, group.cases[place], group.targets[place]))
-        answer = data.problem.answer.text
-        self.several = answer.startswith("[") or answer == "points"  # a list, not parts of one thing
+        self.several = isinstance(lasting(data.problem.answer), ListType)  # not parts of one thing
         self._known: dict[tuple[int, str], bool] = {}
 
     @cached_property

@@ -15,7 +15,7 @@ from typing import Any
 from judge.data.build import target_of, validate
 from judge.problem import Case
 from judge.problem.declare import InvalidCase
-from judge.repair.cases import Asked, Cases
+from judge.repair.cases import Asked, Cases, figure_of
 from judge.run.runner import Runner
 from judge.sandbox.boundary import Box, Limits, Stop
 from judge.values.answers import Exact, Target
@@ -108,7 +108,7 @@ def _floated(value: Any) -> Any:
 
 def moved(cases: Cases, case: Case, *, move: bool, scale: bool) -> Case | None:
     """The case with its first point at the origin, or at size 1; None where floats cannot hold it."""
-    hook, figure = cases.data.module.hooks.figure, None
+    hook = cases.data.module.hooks.figure
     first: list[tuple[Any, ...]] = []
 
     def note(role: str, _name: str, numbers: tuple[Any, ...]) -> tuple[Any, ...]:
@@ -120,8 +120,6 @@ def moved(cases: Cases, case: Case, *, move: bool, scale: bool) -> Case | None:
         return None
     unit = Fraction(1)
     if scale:
-        from judge.repair.cases import figure_of
-
         figure = figure_of(cases.data, case)
         size = figure.size if figure else 0.0
         if not size or not math.isfinite(size):

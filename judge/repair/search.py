@@ -32,10 +32,7 @@ _OF_A_PLACE = 4  # of these with one kind at one line
 _MOST_CALLS = 150_000
 _DEPTH, _BEAM = 3, 2
 _WORTH = 0.1  # of the failures that a step must take away
-_SHRUNK = (
-    "1e-30",
-    "1e-900",
-)  # a tolerance that is next to nothing, and one that is nothing beside any number
+_SHRUNK = ("1e-30", "1e-900")  # a tolerance that is next to nothing, and one that is nothing at all
 _ROUNDING = (  # the edits that can matter where no formula is wrong
     *(
         "room",

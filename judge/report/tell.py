@@ -112,7 +112,7 @@ def place_of(failure: Failure | None) -> str:
 
 
 def mistake_text(pitfall: Pitfall) -> str:
-    """`Very likely mistake: above-for-left (or slope-intercept)`; without a name where it was found."""
+    """`Very likely mistake: above-for-left`; without a name where it was found."""
     if not pitfall.names:
         if len(pitfall.steps) > 1:
             return "Several mistakes found"
@@ -120,8 +120,7 @@ def mistake_text(pitfall: Pitfall) -> str:
         return f"Mistake found{line}"
     likely = "Very likely" if pitfall.score >= _LIKELY else "Likely"
     several = "mistakes" if len(pitfall.names) > 1 else "mistake"
-    perhaps = f" (or {' or '.join(pitfall.perhaps)})" if pitfall.perhaps else ""
-    return f"{likely} {several}: {' and '.join(pitfall.names)}{perhaps}"
+    return f"{likely} {several}: {' and '.join(pitfall.names)}"
 
 
 def _advice(pitfall: Pitfall) -> tuple[str, ...]:

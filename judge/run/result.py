@@ -210,8 +210,8 @@ class MistakeStep(Struct, frozen=True):
 class Pitfall(Struct, frozen=True):
     """The mistake that explains the wrong answers, or the two together; `score` is between 0 and 1.
 
-    `advice` says of each what is wrong. `perhaps` is another mistake that explains them nearly as well, if
-    there is one. `steps` are what was proved, the largest first: all that is known where there is no name.
+    `advice` says of each what is wrong. `perhaps` is empty: results of before may have another mistake in it.
+    `steps` are what was proved, the largest first: all that is known where there is no name.
     """
 
     names: tuple[str, ...]
