@@ -42,9 +42,9 @@ def from_the_centre(cx, cy, r, O, D):
     near = 1e-10 * reach
     # = near = 1e-9 * reach
     # ? absolute-epsilon: near = 1e-9
-    # ? loose-epsilon: near = 1e-2 * reach
+    # ? loose-epsilon: near = 1e-6 * reach
     touch = slack = near
-    # ? absolute-epsilon: touch, slack = 1e-12, near
+    # ? absolute-epsilon: touch, slack = 1e-9, near
     # ? loose-epsilon: touch, slack = 1e-6 * reach, near
     # ? loose-origin: touch, slack = near, {1e-4..1e-2/2} * reach
     # ? no-snap: touch, slack = near, 0

@@ -25,7 +25,7 @@ def half_open(cx, cy, r, V):
     # : the centre, and add nothing to it.
     near = 1e-10 * size
     # = near = 1e-9 * size
-    # ? absolute-epsilon: near = 1e-15
+    # ? absolute-epsilon: near = 1e-9
     # ? absolute-epsilon: near = max(1e-9, 1e-9 * size)
     # : A fixed 1e-9 is the least threshold, and a tiny figure is all epsilon. Measure it by the size alone.
     # ? loose-epsilon: near = {1e-4..1e-2/2} * size

@@ -27,7 +27,7 @@ def quadratic(cx, cy, r, O, D):
     # : to it.
     near = 1e-10 * size
     # = near = 1e-9 * size
-    # ? loose-epsilon: near = 1e-2 * size
+    # ? loose-epsilon: near = 1e-6 * size
     touch = near
     # ? loose-epsilon: touch = 1e-4 * r
     slack = near

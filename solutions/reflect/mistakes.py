@@ -39,10 +39,10 @@ def normal_part(cx, cy, r, O, D):
     # : size from the centre, and add nothing to it.
     near = 1e-10 * reach
     # = near = 1e-9 * reach
-    # ? absolute-epsilon: near = 1e-15
-    # ? loose-epsilon: near = 1e-2 * reach
+    # ? absolute-epsilon: near = 1e-9
+    # ? loose-epsilon: near = 1e-6 * reach
     touch = slack = near
-    # ? absolute-epsilon: touch, slack = 1e-12, near
+    # ? absolute-epsilon: touch, slack = 1e-9, near
     # ? loose-epsilon: touch, slack = 1e-6 * reach, near
     # ? loose-origin: touch, slack = near, {1e-4..1e-2/2} * reach
     # ? no-snap: touch, slack = near, 0

@@ -36,7 +36,7 @@ def geometric(cx, cy, r, A, B):
     near = 1e-10 * size
     # = near = 1e-9 * size
     # ? absolute-epsilon: near = 1e-9
-    # ? loose-epsilon: near = 1e-2 * size
+    # ? loose-epsilon: near = 1e-6 * size
     touch = near
     # ? loose-epsilon: touch = 1e-4 * r
     slack = near

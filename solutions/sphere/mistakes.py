@@ -33,7 +33,7 @@ def foot(C, r, O, D):
     # : size from the centre, and add nothing to it.
     near = 1e-10 * size
     # = near = 1e-9 * size
-    # ? absolute-epsilon: near = 1e-15
+    # ? absolute-epsilon: near = 1e-9
     # ? loose-epsilon: near = {1e-4..1e-2/2} * size
     slack = near
     # ? no-snap: slack = 0
