@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any, NoReturn
 import click
 
 from judge.cli.interrupt import imported
-from judge.cli.table import COMMANDS, HEADINGS, LIKE, OLD
+from judge.cli.table import COMMANDS, HEADINGS, LIKE
 from judge.errors import ExitCode, JudgeError, UsageError, nearest, shortage
 from judge.version import __version__
 
@@ -57,16 +57,10 @@ class Commands(click.Group):
     def resolve_command(
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
-        """The command that the first argument names, or named; any other name is refused with a near one."""
-        name, *rest = args
-        if not ctx.resilient_parsing:
-            if name in OLD:
-                from judge.report.screen import note
-
-                note(f"{name} is now: judge {' '.join(OLD[name])}")
-                args = [*OLD[name], *rest]
-            elif name not in COMMANDS and not name.startswith("-"):
-                raise UsageError(_unknown(name))
+        """The command that the first argument names; any other name is refused with a near one."""
+        name = args[0]
+        if not ctx.resilient_parsing and name not in COMMANDS and not name.startswith("-"):
+            raise UsageError(_unknown(name))
         return super().resolve_command(ctx, args)
 
     def shell_complete(self, ctx: click.Context, incomplete: str) -> list[CompletionItem[str]]:
@@ -155,7 +149,7 @@ def _unknown(name: str) -> str:
         from judge.report.words import shown_command  # only for the one who is told
 
         return f"There is no command {name}. To judge that file: {shown_command('judge', 'run', file=name)}"
-    near = LIKE.get(name) or nearest(name, COMMANDS) or " ".join(OLD.get(nearest(name, OLD) or "", ()))
+    near = LIKE.get(name) or nearest(name, COMMANDS)
     meant = f"Did you mean judge {near}?" if near else "judge --help shows the commands"
     return f"There is no command {name if name.isprintable() else ascii(name)}. {meant}"
 

@@ -168,11 +168,6 @@ class OutFile(Struct, frozen=True):
                 replace_file(self.path, content)
 
 
-def svg_target(path: Path | None) -> OutFile:
-    """The file that `--svg` names. Raises UsageError."""
-    return OutFile(path, "--svg", "an SVG", lambda start: b"<svg" in start)
-
-
 def check_place(path: Path, option: str) -> None:
     """Make sure that `path`, which `option` names, is an ordinary file or nothing yet, and can be written.
 
@@ -203,7 +198,7 @@ def writing(path: Path, remedy: str) -> Iterator[None]:
 
 
 def _another(option: str) -> str:
-    return f"name another file with {option}"
+    return "move it away" if option == "--open" else f"name another file with {option}"
 
 
 def moment() -> datetime:

@@ -62,7 +62,6 @@ Interview
   hack       cases      interview  Find a case on which a wrong program fails.
     judge hack count
     judge hack count 1 "0, 0, 1, (-1, 1), (1, 1)"
-    judge hack count --list
 Teach and set
   class      class      class      Judge everything that a class has submitted.
     judge class homework -j 4
@@ -106,24 +105,6 @@ for _line in _TABLE.strip().splitlines():
         case _:
             _rows[_name].examples.append(_line.strip())
 COMMANDS: Mapping[str, Entry] = {name: entry for rows in HEADINGS.values() for name, entry in rows.items()}
-
-# what a command was called -> the words that stand for it now
-OLD: Mapping[str, tuple[str, ...]] = {
-    "stress": ("run", "--fresh", "30s"),
-    "bench": ("solution", "--times"),
-    "due": ("progress", "--due"),
-    "report": ("progress", "--html"),
-    "init": ("start", "--no-watch"),
-    "watch": ("start",),
-    "next": ("start",),
-    "practice": ("list",),
-    "why": ("show", "--groups"),
-    "data": ("export", "--format", "files"),
-    "replay": ("try",),
-    "explore": ("try", "--out", "judge-try.html"),
-    "schema": ("help", "--schema"),
-    "completion": ("help", "--completion"),
-}
 
 # words that people try -> the command that they mean, where no name is near
 LIKE: Mapping[str, str] = {

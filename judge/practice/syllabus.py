@@ -250,8 +250,8 @@ def find_row(name: str, rows: Iterable[Row]) -> Row:
     if found := known.get(name.upper()):
         return found
     near = nearest(name.upper(), known)
-    remedy = f"did you mean {near!r}? " if near else ""
-    raise UsageError(f"there is no question {name!r}", remedy=f"{remedy}'judge progress --all' lists them")
+    remedy = f"did you mean {near!r}?" if near else f"they are {', '.join(row.id for row in known.values())}"
+    raise UsageError(f"there is no question {name!r}", remedy=remedy)
 
 
 def unknown_names(problems: Iterable[Problem], extra: Sequence[Path] = ()) -> Iterator[ProblemError]:

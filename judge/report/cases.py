@@ -12,7 +12,6 @@ from rich.console import Group, RenderableType
 from judge.data.parse import call_of, line_of
 from judge.drawing import Picture
 from judge.drawing.braille import LEAST_ROWS
-from judge.practice.progress import HackState
 from judge.problem import Verdict
 from judge.report.entry import entry_text
 from judge.report.parts import (
@@ -21,13 +20,11 @@ from judge.report.parts import (
     blocks,
     commands,
     facts,
-    faint,
     good,
     head,
     indented,
     joined,
     label,
-    table,
     text,
     under,
 )
@@ -45,7 +42,6 @@ from judge.values.types import Composite, lasting
 _MOST = 12  # numbers whose interval is shown
 _PRINTED = 10  # lines
 _ANSWERS = 3  # of several that are right, which are shown
-_STATES = {HackState.BROKEN: good("broken"), HackState.GIVEN_UP: faint("given up")}
 
 
 def case_tried(found: CaseTried, screen: Screen) -> RenderableType:
@@ -147,11 +143,9 @@ def picture_of(tried: Tried) -> Picture | None:
 
 
 def hack_turn(found: HackTurn, screen: Screen) -> RenderableType:
-    """The program and what is asked, or how all of them stand; or whether a case breaks it."""
+    """The program and what is asked; or whether a case breaks it."""
     if found.outcome == "shown":
         return _program(found)
-    if found.outcome == "listed":
-        return _standing(found)
     ended = _ended(found)
     return _fitted(found.tried, None, ended, screen) if found.tried else ended
 
@@ -180,18 +174,3 @@ def _ended(found: HackTurn) -> RenderableType:
     if found.following:
         said += f"; next: judge hack {name} {found.following.number}"
     return blocks(mistake, facts([(label(Verdict.AC, "WON"), said)]))
-
-
-def _standing(found: HackTurn) -> RenderableType:
-    """A row for each program that was broken or given up, with its mistake; how many others there are."""
-    lines, name = found.published, found.problem.id
-    rows = [(str(each.number), _STATES[each.state], faint(each.mistake)) for each in lines if each.mistake]
-    left = [each.number for each in lines if not each.mistake]
-    still = (
-        [("open", counted(len(left), "program")), ("next", f"judge hack {name} {left[0]}")] if left else []
-    )
-    return blocks(
-        head(name, f"{found.done} of {len(lines)} wrong programs broken"),
-        indented(table(rows, "program", "state", "mistake", right=[0])) if rows else None,
-        indented(facts(still)) if left else None,
-    )

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from datetime import datetime
-from itertools import groupby
 
 from rich.console import Group, RenderableType
 from rich.text import Text
@@ -59,9 +58,7 @@ def progress_page(found: published.ProgressPage, screen: Screen) -> RenderableTy
     whole = told.set
     solved = solved_bar(len(whole.solved), len(whole.katas), whole.stars, screen.width)
     top = solved if told.sets else Group(strong(whole.title), solved)
-    if found.paged:
-        return blocks(top, *_all(told))
-    below = [(f"judge progress {whole.name} --all", "each skill and question")]
+    below = [(f"judge list {whole.name}", "its katas")]
     if told.sets:
         narrow = screen.width is not None and screen.width < _NARROW
         rows = [_set(each)[: 2 if narrow else None] for each in told.sets]
@@ -120,27 +117,6 @@ def _made(told: published.ProgressShown) -> Iterator[tuple[Cell, Cell]]:
         yield "mistakes", ", ".join(map("".join, often))
     if any(each.state is not State.OPEN for each in told.rows):
         yield "questions", _ticked(told.rows)
-
-
-def _all(told: published.ProgressShown) -> Iterator[RenderableType]:
-    """A row for each skill, and for each question."""
-    yield table(map(_skill, told.skills), "skill", "", "since", "what it asks")
-    for section, grouped in groupby(told.rows, lambda each: each.section):
-        questions = list(grouped)
-        rows = [
-            (strong(each.row), _MARKS[each.state], faint(next(iter(each.drills), "")), each.ask)
-            for each in questions
-        ]
-        below = table(rows, "id", "", "practise with", "question")
-        yield Group(head(section, _ticked(questions)), below)
-
-
-def _skill(skill: SkillProgress) -> tuple[Cell, ...]:
-    some = skill.state is State.SHOWN and skill.met < len(skill.needs)
-    mark = good(f"✓ {skill.met} of {len(skill.needs)}") if some else _MARKS[skill.state]
-    said = f"Fails {_failing(skill)}." if skill.state is State.LOST else skill.about
-    name = faint(skill.name) if skill.state is State.OPEN else skill.name
-    return name, mark, faint(day(skill.since)), faint(said)
 
 
 def _failing(skill: SkillProgress) -> str:

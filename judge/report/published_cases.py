@@ -44,14 +44,14 @@ class CaseLine(Published, frozen=True, kw_only=True):
 
 
 class PageWritten(Published, frozen=True):
-    """A file that was written: a page, a picture or a test."""
+    """A page that was written."""
 
     problem: str
     file: str
 
 
 class HackLine(Published, frozen=True, kw_only=True):
-    """A wrong program; `outcome` is shown, listed, won, lost or given-up.
+    """A wrong program; `outcome` is shown, won, lost or given-up.
 
     What names its mistake is null before it is broken or given up.
     """
@@ -87,7 +87,7 @@ class CaseTried(Struct, frozen=True):
 
 
 class HackTurn(Struct, frozen=True, dict=True):
-    """A wrong program that is shown, attacked or given up, among all those of the kata; or these are listed.
+    """A wrong program that is shown, attacked or given up, among all those of the kata.
 
     `hacks` are the attempts at them so far, oldest first. `why` says why a case does not break it. With
     `goes_on` a terminal asks for more.
@@ -126,14 +126,12 @@ class HackTurn(Struct, frozen=True, dict=True):
         return ExitCode.NOT_ACCEPTED if ended else ExitCode.ACCEPTED
 
     @property
-    def published(self) -> tuple[HackLine, ...]:
-        """The lines of JSON."""
-        return tuple(map(self._line, self.puzzles if self.outcome == "listed" else (self.puzzle,)))
-
-    def _line(self, puzzle: Puzzle) -> HackLine:
+    def published(self) -> tuple[HackLine]:
+        """The line of JSON."""
+        puzzle, tried = self.puzzle, self.tried
         state = self.states[puzzle.mistake]
         is_told = state is not HackState.OPEN
-        return HackLine(
+        line = HackLine(
             problem=self.problem.id,
             number=puzzle.number,
             outcome=self.outcome,
@@ -142,9 +140,10 @@ class HackTurn(Struct, frozen=True, dict=True):
             mistake=puzzle.mistake if is_told else None,
             advice=puzzle.advice if is_told else None,
             source=puzzle.source.decode(),
-            case=_row(self.tried) if self.tried else None,
-            said=self.tried.said if self.tried else None,
+            case=_row(tried) if tried else None,
+            said=tried.said if tried else None,
         )
+        return (line,)
 
 
 def _row(tried: Tried) -> CaseRow:

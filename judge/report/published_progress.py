@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from datetime import datetime
 
-from msgspec import Struct, to_builtins
+from msgspec import Struct
 
 from judge.practice.events import Run
 from judge.practice.progress import Question, SkillProgress
@@ -13,11 +12,6 @@ from judge.practice.review import Due
 from judge.problem import Problem, Verdict
 from judge.published import Published
 from judge.run.result import Result
-
-_COLUMNS = (
-    *("run", "time", "problem", "submission", "path", "verdict", "score", "mode", "mistake", "ratio"),
-    *("passed", "failed", "levels", "source"),
-)
 
 
 class SetShare(Struct, frozen=True, kw_only=True):
@@ -47,12 +41,11 @@ class ProgressShown(Published, frozen=True, kw_only=True):
 
 
 class ProgressPage(Struct, frozen=True):
-    """The same with what is due, and the next kata; `paged` with each skill and question."""
+    """The same with what is due, and the next kata."""
 
     published: tuple[ProgressShown]
     due: Due
     next: Problem | None
-    paged: bool
 
 
 class QuestionShown(Published, frozen=True):
@@ -85,30 +78,16 @@ def row_of(run: Run) -> RunRow:
 
 
 class RunList(Struct, frozen=True):
-    """Runs, the latest last; `more` says that older ones are left out, and `plain` is their CSV."""
+    """Runs, the latest last; `more` says that older ones are left out."""
 
     runs: list[Run]
     problem: str
     more: bool
-    plain: str
 
     @property
     def published(self) -> list[RunRow]:
         """Each run in full."""
         return list(map(row_of, self.runs))
-
-
-def csv_of(runs: Iterable[Run]) -> str:
-    """The runs as CSV. Raises StoreError where a result is damaged."""
-    from judge.report.formats import csv_text  # only who asks for it waits for it
-
-    rows = ({**to_builtins(run), "run": run.id, "levels": run.levels} for run in runs)
-    return csv_text([_COLUMNS, *([_cell(row[name]) for name in _COLUMNS] for row in rows)], "\n")
-
-
-def _cell(value: object) -> object:
-    """What a cell holds: names side by side."""
-    return " ".join(value) if isinstance(value, tuple) else value
 
 
 class RunsCompared(Published, frozen=True):

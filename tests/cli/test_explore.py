@@ -1,4 +1,4 @@
-"""`judge try --out`: the page on which a case is dragged, as a file and as a browser shows it."""
+"""`judge try --open`: the page on which a case is dragged, as a file and as a browser shows it."""
 
 from __future__ import annotations
 
@@ -28,22 +28,27 @@ browser = pytest.mark.skipif(CHROMIUM is None, reason="Chromium is not installed
 TOUCH = "0, 0, 1, (-1, 1), (1, 1)"
 
 
+@pytest.fixture(autouse=True)
+def _nothing_is_opened(monkeypatch):
+    monkeypatch.setattr(webbrowser, "open", lambda address: bool(address))
+
+
 def start_of(page):
     (text,) = re.findall(r'<script type="application/json" id="start">(.*?)</script>', page, re.DOTALL)
     return json.loads(text)
 
 
 def test_it_writes_one_file_that_loads_nothing(judge):
-    ended = judge("try", "count", "--out", "page.html")
-    assert (ended.status, ended.out, ended.err) == (0, "Wrote page.html: count\n", "")
-    page = Path("page.html").read_text(encoding="utf-8")
+    ended = judge("try", "count", "--open")
+    assert (ended.status, ended.out, ended.err) == (0, "Wrote judge-try.html: count\n", "")
+    page = Path("judge-try.html").read_text(encoding="utf-8")
     assert not re.search(
         r"""(src|href)=|@import|url\(|fetch\(|XMLHttp|WebSocket|https?://(?!www\.w3\.org/2000/svg)""", page
     )
     assert "default-src 'none'" in page
     assert start_of(page)["kind"] == "line"
     assert start_of(page)["cases"][0][0] == "Example 1"
-    assert judge("try", "count", "--out", "page.html").status == 0  # over its own page
+    assert judge("try", "count", "--open").status == 0  # over its own page
 
 
 @pytest.mark.parametrize(
@@ -59,9 +64,9 @@ def test_it_writes_one_file_that_loads_nothing(judge):
     ],
 )
 def test_a_case_of_ones_own(judge, words, kind, numbers):
-    _, line = judge("try", *words, "--out", "page.html", "--json").lines
-    assert json.loads(line) == {"schema": 1, "problem": words[0], "file": "page.html"}
-    start = start_of(Path("page.html").read_text(encoding="utf-8"))
+    _, line = judge("try", *words, "--open", "--json").lines
+    assert json.loads(line) == {"schema": 1, "problem": words[0], "file": "judge-try.html"}
+    start = start_of(Path("judge-try.html").read_text(encoding="utf-8"))
     assert (start["kind"], start["problem"], start["cases"][0][0]) == (
         kind,
         words[0],
@@ -76,31 +81,33 @@ def test_the_case_that_broke_a_file(judge, submit):
     found = json.loads(judge("run", "count", name, "--no-name", "--group", "grid", "--json").out)[
         "counterexample"
     ]
-    assert judge("try", "--out", "page.html").status == 1
-    start = start_of(Path("page.html").read_text(encoding="utf-8"))
+    assert judge("try", "--open").status == 1
+    start = start_of(Path("judge-try.html").read_text(encoding="utf-8"))
     case = found["input"]
     numbers = explore._flat([each["value"] for each in start["args"]])
     assert list(map(float, numbers)) == [case["cx"], case["cy"], case["r"], *case["A"], *case["B"]]
 
 
 def test_it_is_opened_in_the_browser_or_that_is_said(judge, monkeypatch):
-    opened = []
+    addresses = []
     for found, said in ((True, ""), (False, "judge: No browser was found. Open judge-try.html yourself\n")):
-        monkeypatch.setattr(webbrowser, "open", lambda address, found=found: opened.append(address) or found)
+        monkeypatch.setattr(
+            webbrowser, "open", lambda address, found=found: addresses.append(address) or found
+        )
         ended = judge("try", "count", TOUCH, "--open")
         assert (ended.status, ended.err) == (0, said)
         assert ended.out.endswith("Wrote judge-try.html: count\n")
-    assert opened == [Path("judge-try.html").absolute().as_uri()] * 2
+    assert addresses == [Path("judge-try.html").absolute().as_uri()] * 2
 
 
 def test_a_kata_without_a_page_and_a_case_too_large_for_one(judge):
-    ended = judge("try", "sphere", "--out", "page.html")
+    ended = judge("try", "sphere", "--open")
     assert (ended.status, ended.out) == (2, "")
-    assert ended.err == "judge: No page for sphere yet; leave out --open and --out\n"
+    assert ended.err == "judge: No page for sphere yet; leave out --open\n"
     rays = ", ".join(f"(({x}, 0), (1, 0))" for x in range(200))
-    ended = judge("try", "nearest", f"[(0, 0, 1)], [{rays}]", "--out", "page.html")
+    ended = judge("try", "nearest", f"[(0, 0, 1)], [{rays}]", "--open")
     assert ended.status == 2
-    assert not Path("page.html").exists()
+    assert not Path("judge-try.html").exists()
     assert "the case has 803 numbers, and a page has 600 at most" in ended.err
 
 
@@ -111,7 +118,7 @@ def shown(tmp_path, problem, values, script=""):
     """The page's text after a script has run in it, which may say more in a <pre id="said">."""
     html = load_module(found := find_problem(problem)).hooks.explore(found, values)
     html = re.sub(r"<meta http-equiv=[^>]*>", "", html)
-    page = tmp_path / "page.html"
+    page = tmp_path / "judge-try.html"
     page.write_text(
         html.replace("</body>", f"<pre id='said'></pre><script>{script}</script></body>"), encoding="utf-8"
     )

@@ -17,7 +17,7 @@ from cli_support import ROOT
 from terminals import on_a_terminal
 
 from judge.cli.app import app
-from judge.cli.table import COMMANDS, OLD
+from judge.cli.table import COMMANDS
 from judge.errors import nearest
 from judge.manual import page, topics
 
@@ -28,7 +28,7 @@ QUIET = (  # need no file of one's own, no history, and no time
     "judge help interview",
     "judge help tolerance zero",
     'judge hack count 1 "0, 0, 1, (-1, 1), (1, 1)"',
-    "judge hack count --list",
+    "judge hack count",
 )
 
 
@@ -130,18 +130,7 @@ def test_examples_that_need_nothing_succeed(example, judge):
 # -- names that are no command's -----------------------------------------------------------------------------
 
 
-def test_an_old_name_stands_for_its_words_and_says_so(judge):
-    now, before = judge("show", "--groups", "count"), judge("why", "count")
-    assert (before.status, before.out) == (0, now.out)
-    assert before.err == "judge: why is now: judge show --groups\n"
-    assert not {*OLD} & {*COMMANDS}
-    for words in OLD.values():
-        assert words[0] in COMMANDS
-
-
-@pytest.mark.parametrize(
-    ("typed", "meant"), [("submit", "run"), ("shwo", "show"), ("lst", "list"), ("scheme", "help --schema")]
-)
+@pytest.mark.parametrize(("typed", "meant"), [("submit", "run"), ("shwo", "show"), ("lst", "list")])
 def test_a_mistyped_command_is_refused_with_the_one_that_was_meant(typed, meant, judge):
     ended = judge(typed)
     assert (ended.status, ended.out) == (2, "")
@@ -213,7 +202,7 @@ def test_every_command_is_named_for_two_hundred_words_with_one_slip(judge):
         before, letter, after = meant[:at], meant[at], meant[at + 1 :]
         other = chance.choice("abcdefghijklmnopqrstuvwxyz")
         typed = before + chance.choice(("", letter * 2, other, after[:1] + letter)) + after
-        if len(typed) < 2 or typed in COMMANDS or typed in OLD:
+        if len(typed) < 2 or typed in COMMANDS:
             continue
         asked += 1
         ended = judge(typed)

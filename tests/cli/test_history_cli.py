@@ -40,13 +40,12 @@ def changed(path, change):
 COMMANDS = (
     ("history",),
     ("history", "--json"),
-    ("history", "--csv"),
     ("progress",),
     ("progress", "--json"),
     ("progress", "--due"),
     ("progress", "--html"),
     ("history", "--restore", "3"),
-    ("next", "--json"),
+    ("start", "--json"),
 )
 
 

@@ -154,10 +154,3 @@ def test_a_file_says_its_kata_and_its_language(judge, submit, tmp_path):
     assert judge("start", "middle", "--language", "rust").out.startswith("Created middle.rs.")
     assert judge("start", "middle", "--language", "rust", "--no-watch").out.startswith("middle.rs exists.")
     assert (tmp_path / "middle.go").read_text().startswith("// middle: The middle.")
-
-
-@pytest.mark.parametrize("old", [("init", "middle"), ("watch", "middle"), ("next",), ("practice",)])
-def test_old_names_do_what_is_meant_and_say_so(old, judge):
-    ended = judge(*old)
-    assert ended.status == 0
-    assert f"judge: {old[0]} is now: judge " in ended.err

@@ -96,23 +96,6 @@ def test_data_are_what_programs_read_and_print(name, judge):
         assert lines == wanted or not kata.exact
 
 
-@pytest.mark.nightly
-def test_kept_cases_fail_on_the_mistakes_and_pass_once_they_are_mended(judge, tmp_path):
-    """One file for both, as a person would go on with it."""
-    chosen = [BY_ID["by-size"], BY_ID["larger-fraction"]]
-    for status in (1, 0):
-        for kata in chosen:
-            mine = tmp_path / f"{kata.entry}.py"
-            mine.write_bytes((kata.wrong if status else kata.accepted).read_bytes())
-            if status:
-                assert judge("run", kata.id, mine.name, "-q").status == 1
-                assert judge("try", mine.name, "--pytest", "test_kept.py").status == 1
-        command = [sys.executable, "-m", "pytest", "-q", "--tb=no", "-p", "no:cacheprovider", "test_kept.py"]
-        ended = subprocess.run(command, capture_output=True, encoding="utf-8", timeout=120, check=False)
-        last = ended.stdout.splitlines()[-1]
-        assert (ended.returncode, last[:8]) == (status, f"2 {'failed' if status else 'passed'}"), ended.stdout
-
-
 def test_the_report_shows_what_went_wrong_and_draws_nothing(judge, submit):
     kata = BY_ID["unit-vector"]
     mine = submit(f"{kata.wrong.read_text(encoding='utf-8')}# mine\n", f"{kata.entry}.py")

@@ -95,10 +95,8 @@ def test_these_commands_only_read_it(judge, practised, mark):
     more = [
         "solution middle --give-up",
         "progress",
-        "progress --all",
         "progress --due",
         "hack middle",
-        "hack middle --list",
     ]
     for words in (*(each for ways in READ.values() for each in ways), *more):
         assert judge(*words.split()).status == 0, words

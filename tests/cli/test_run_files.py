@@ -1,7 +1,8 @@
-"""The files that `judge run` and its likes write: JUnit XML, pictures, tests that keep a failing case."""
+"""The files that `judge run` and its likes write: JUnit XML, tests that keep a failing case."""
 
 from __future__ import annotations
 
+import json
 import os
 import subprocess
 import sys
@@ -40,17 +41,17 @@ def test_what_the_submission_prints_and_returns_cannot_break_it(judge, submit):
     assert r"the str '\x08]]>\ud800<' where a number" in failure.get("message")
 
 
-# -- pictures ------------------------------------------------------------------------------------------------
+# -- a test that holds a file ----------------------------------------------------------------------------
 
 
-def test_the_failing_case_is_drawn_into_a_file(judge, submit):
-    name = submit("def line_count(cx, cy, r, A, B):\n    return 1\n")
-    assert judge("run", "count", name, "--group", "grid", "--no-name").status == 1
-    assert judge("try", "--svg", "case.svg").status == 1
-    assert Xml.parse("case.svg").getroot()[0].text == "Line and circle: how many common points – your case"
+KEPT = """from pathlib import Path
+
+from judge.testing import check_case
 
 
-# -- tests that keep a failing case --------------------------------------------------------------------------
+def test_kept():
+    check_case({!r}, Path(__file__).parent / "mine.py")
+"""
 
 
 def run_pytest(name):
@@ -60,23 +61,11 @@ def run_pytest(name):
 
 
 def test_a_kept_case_fails_until_the_submission_is_right(judge, submit):
-    for source, name in (
-        (FLOOR, "work/mine.py"),
-        (FLOOR, "a/x².py"),  # each has a name of its own
-        (FLOOR, "b/x_.py"),
-    ):
-        assert judge("run", "-q", "middle", submit(source, name)).status == 1
-        assert "Wrote test_kept.py: middle" in judge("try", name, "--pytest", "test_kept.py").out
-    assert "3 failed" in run_pytest("test_kept.py").stdout
-    for name in ("work/mine.py", "a/x².py", "b/x_.py"):
-        submit(MEAN, name)
+    result = json.loads(judge("run", "middle", submit(FLOOR, "mine.py"), "--json").out)
+    Path("test_kept.py").write_text(KEPT.format(result["counterexample"]["replay"]))
+    assert "1 failed" in run_pytest("test_kept.py").stdout
+    submit(MEAN, "mine.py")
     assert run_pytest("test_kept.py").returncode == 0
-
-
-def test_a_file_that_is_no_text_is_left_alone(judge, submit):
-    Path("binary.py").write_bytes(b"\xff\xfe\x00")
-    assert judge("try", "middle", "1, 2", submit(FLOOR), "--pytest", "binary.py").status == 2
-    assert Path("binary.py").read_bytes() == b"\xff\xfe\x00"
 
 
 # -- files that no transcript can hold -------------------------------------------------------------------

@@ -35,7 +35,7 @@ pytestmark = pytest.mark.slow
 
 SAMPLES = [
     "list others",
-    "hack middle --list",
+    "hack middle",
     "hint middle",
     "solution middle --give-up --times --rounds 1",
     "help quiz",

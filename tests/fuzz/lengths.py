@@ -25,9 +25,7 @@ from msgspec.structs import replace
 from judge.batch.normal import normal_form
 from judge.batch.roster import read_students
 from judge.data.parse import read_case
-from judge.diagnose.regression import with_case
 from judge.errors import JudgeError
-from judge.judging.cases import try_case
 from judge.languages import scan
 from judge.languages.model import language_of_file, languages
 from judge.languages.signature import Signature
@@ -38,7 +36,6 @@ from judge.problem.toml import line_of, parse_toml
 from judge.report import formats, tell
 from judge.run import entry, printed, program
 from judge.run.result import judge_fault
-from judge.run.tried import Tried
 from judge.sandbox import calls, ends
 from judge.sandbox import compile as compiling
 from judge.sandbox.boundary import Inspection
@@ -218,15 +215,6 @@ def _students(text: str) -> None:
     read_students(path)
 
 
-def _regression(text: str) -> None:
-    with_case(text, Path("test_kept.py"), Path("a.py"), _tried())
-
-
-@cache
-def _tried() -> Tried:
-    return try_case(find_problem("count"), (0, 0, 1, (-1, 1), (1, 1)))
-
-
 def _readers() -> dict[str, Callable[[str], None]]:
     found: dict[str, Callable[[str], None]] = {}
     for language, name in _FILES.items():
@@ -244,7 +232,6 @@ def _readers() -> dict[str, Callable[[str], None]]:
         "case": _case,
         "students": _students,
         "type": _type,
-        "regression": _regression,
         "toml lines": partial(line_of, path=("a", "b", 7, "c")),
         "toml": partial(parse_toml, name="cards.toml"),
     }
@@ -263,12 +250,11 @@ _OWN_TOKENS = {
     ),
     "toml lines": _TOML,
     "toml": _TOML,
-    "regression": ("\ndef test_a():", "def test_a_count_examples_25c408()\n"),
 }  # fmt: skip
 _FILLING = (" ", "a", "1", "\n", ",", ") ", "'a", "{")  # what goes on and on after something is opened
 _DIFFERENT = (
     "def nN(a): pass\n", "nN = 1\n", "int nN(int a) { return 1; }\n", "nN(", "line_countN ", "nN,", "nN: N\n",
-    "def test_a_count_examples_25c408_N():\n", "[nN]\n", "struct nN { nN a; };\n",
+    "[nN]\n", "struct nN { nN a; };\n",
 )  # fmt: skip
 
 

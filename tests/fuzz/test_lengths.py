@@ -28,10 +28,6 @@ ONCE = [
     ("annotation", counted("a_name_of_forty_letters_that_nobody_has_N = 1\n")),
     nightly("complaint", repeated("1")),
     ("complaint", repeated(" ", "a.c:1:", "warning")),
-    (
-        "regression",
-        counted("def test_a_count_examples_25c408_N():\n", "def test_a_count_examples_25c408():\n"),
-    ),
 ]
 
 

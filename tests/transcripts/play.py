@@ -38,7 +38,6 @@ from jsonschema.exceptions import best_match
 from judge.cli import main
 from judge.cli.app import app
 from judge.cli.emit import schema_of
-from judge.cli.table import OLD
 from judge.judging.containment import keep_level
 from judge.sandbox import levels
 from judge.version import __version__
@@ -242,7 +241,7 @@ def _checked(step: Step, line: str) -> str:
 
 
 def _schema(words: list[str]) -> dict[str, Any]:
-    command = app.get_command(None, OLD.get(words[0], words)[0])
+    command = app.get_command(None, words[0])
     assert command is not None
     return schema_of(command)
 

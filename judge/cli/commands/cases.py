@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from pathlib import Path
 
@@ -11,14 +11,12 @@ import click
 from msgspec import Struct
 from msgspec.structs import replace
 
-from judge.cli.files import OutFile, Submission, read_submissions, svg_target
+from judge.cli.files import OutFile, Submission, read_submissions
 from judge.cli.options import Common, command, opt
 from judge.cli.resolve import history_at, kata_meant, keep, problem_of_file, shown, usual_file
 from judge.data.parse import example_of, line_of, read_case
-from judge.diagnose.regression import MARK, with_case
 from judge.diagnose.replay import decode, problem_name
 from judge.errors import UsageError
-from judge.files import read_ordinary_text
 from judge.judging.cases import ask as ask_file
 from judge.judging.cases import hack as attack
 from judge.judging.cases import smallest, try_case
@@ -30,7 +28,7 @@ from judge.practice.events import Hack, Outcome
 from judge.practice.progress import was_shown
 from judge.problem import Problem, Verdict
 from judge.problem.find import find_problem
-from judge.problem.model import Mode, case_of
+from judge.problem.model import case_of
 from judge.problem.module import load_module
 from judge.report import published_cases as published
 from judge.report.screen import Notes, is_terminal, note
@@ -44,10 +42,7 @@ _PAGE_MARK = b'name="generator" content="judge try"'
 class TryAsk(Struct, frozen=True):
     """What to make of the case."""
 
-    opened: bool = opt("--open", "Drag the figure in the browser.")
-    page: Path | None = opt("--out FILE", f"Write that page; {_PAGE} with --open alone.")
-    svg: Path | None = opt("--svg FILE", "Draw the case into an SVG file.")
-    test: Path | None = opt("--pytest FILE", "Add the case as a pytest test of your file.")
+    opened: bool = opt("--open", f"Drag the figure in the browser: writes {_PAGE} and opens it.")
 
 
 @command("try", published.CaseLine, published.PageWritten, numbers=True, ask=TryAsk)
@@ -62,27 +57,22 @@ def try_(words: tuple[str, ...], ask: TryAsk, common: Common) -> Iterator[Struct
     Exit status: 0 accepted or no FILE, 1 not accepted, 2 usage or an invalid case, 3 a fault of the judge.
     """
     problem, tried, file = _meant(_arguments(words), common)
-    page = ask.page or (_PAGE if ask.opened else None)
-    wanted: list[tuple[OutFile, Callable[[Path, Problem, Tried | None], str]]] = [
-        (OutFile(page, "--out", "a page of judge try", lambda start: _PAGE_MARK in start), _page),
-        (svg_target(ask.svg), _svg),
-        (OutFile(ask.test, "--pytest", "a file of such tests", lambda start: start.startswith(MARK)), _test),
-    ]
-    if tried is None and (not page or ask.svg or ask.test):
+    if tried is None and not ask.opened:
         raise UsageError(f'Give a case: judge try {problem.id} "{example_of(problem)}"')
     if tried is not None and file is not None:
         tried = _answered(tried, file, common)
-    written = [(target, make(target.path, problem, tried)) for target, make in wanted if target.path]
+    page = _page(problem, tried) if ask.opened else None
     if tried is not None:
         yield published.CaseTried(tried)
-    for target, made in written:
-        target.write(made.encode())
-        yield published.PageWritten(problem=problem.id, file=str(target.path))
-    if ask.opened and page:
+    if page is not None:
+        OutFile(_PAGE, "--open", "a page of judge try", lambda start: _PAGE_MARK in start).write(
+            page.encode()
+        )
+        yield published.PageWritten(problem=problem.id, file=str(_PAGE))
         import webbrowser  # hardly ever
 
-        if not webbrowser.open(page.absolute().as_uri()):
-            note(f"No browser was found. Open {page} yourself")
+        if not webbrowser.open(_PAGE.absolute().as_uri()):
+            note(f"No browser was found. Open {_PAGE} yourself")
 
 
 def _arguments(words: Sequence[str]) -> list[str]:
@@ -157,39 +147,17 @@ def _answered(tried: Tried, file: str, common: Common) -> Tried:
     return replace(tried, said=said)
 
 
-def _page(_path: Path, problem: Problem, tried: Tried | None) -> str:
+def _page(problem: Problem, tried: Tried | None) -> str:
     explore = load_module(problem).hooks.explore
     page = explore(problem, problem.named(tried.case) if tried else None) if explore else None
     if page is None:
-        raise UsageError(f"No page for {problem.id} yet", remedy="leave out --open and --out")
+        raise UsageError(f"No page for {problem.id} yet", remedy="leave out --open")
     return page
-
-
-def _svg(_path: Path, _problem: Problem, tried: Tried | None) -> str:
-    from judge.drawing.svg import to_svg
-    from judge.report.cases import picture_of
-
-    picture = picture_of(tried) if tried else None
-    if picture is None:
-        raise UsageError("there is no picture of this case", remedy="leave out --svg")
-    return to_svg(picture)
-
-
-def _test(path: Path, _problem: Problem, tried: Tried | None) -> str:
-    said = tried.said if tried else None
-    if not tried or not said or said.mode is not Mode.FUNCTION or not Path(said.submission).is_file():
-        raise UsageError("--pytest tests a function", remedy="name a file that defines it")
-    try:
-        content = read_ordinary_text(path) if path.exists() else ""
-    except (OSError, ValueError) as fault:
-        raise UsageError("this file cannot be read", where=str(path)) from fault
-    return with_case(content, path, Path(said.submission), tried)
 
 
 class HackAsk(Struct, frozen=True):
     """What to do about the wrong programs, other than break one."""
 
-    listed: bool = opt("--list", "List the programs, and which ones you broke.")
     give_up: bool = opt("--give-up", "Name the mistake, and show a smallest case.")
 
 
@@ -213,13 +181,11 @@ def hack(name: str, words: tuple[str, ...], ask: HackAsk, common: Common) -> Ite
     with history_at(common.db, reading=True) as history:
         hacks = tuple(history.events(Hack, problem.id))
     number, text = _number_and_case(problem, _arguments(words))
-    turn = published.HackTurn(problem, puzzles, hacks, puzzles[0], "listed" if ask.listed else "shown")
+    turn = published.HackTurn(problem, puzzles, hacks, puzzles[0], "shown")
     turn = replace(
         turn, puzzle=puzzle_called(puzzles, number, problem.id) if number else turn.following or puzzles[0]
     )
-    if ask.listed:
-        yield turn
-    elif ask.give_up:
+    if ask.give_up:
         yield _given_up(turn, common)
     elif text is not None:
         yield _attempted(turn, sys.stdin.read(1 << 16) if text == "-" else text, common)

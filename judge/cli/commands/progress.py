@@ -38,7 +38,6 @@ _PAGE = Path("judge-report.html")
 class ProgressAsk(Struct, frozen=True):
     """What to show of the progress."""
 
-    whole: bool = opt("--all", "List each skill and question.")
     due: bool = opt("--due", "What to repeat today, and when the rest comes again.")
     question: str | None = opt("--question ID", "One interview question, and what ticks it.")
     html: bool = opt("--html", "Write a page that you can send and print.")
@@ -66,10 +65,10 @@ def progress(name: str, ask: ProgressAsk, common: Common) -> Struct:
     A kata that you solve at once comes again after 1, 3, 8, 21, 60, then 180 days, a step sooner if you
     needed failed runs or hints. Running an accepted file again changes nothing.
     """
-    asked_for = ask.whole + ask.due + ask.html + (ask.question is not None)
+    asked_for = ask.due + ask.html + (ask.question is not None)
     of_page = ask.out != _PAGE or ask.person or ask.opened
     _refuse(
-        (asked_for > 1, "--all, --due, --question and --html exclude each other; give one of them"),
+        (asked_for > 1, "--due, --question and --html exclude each other; give one of them"),
         (of_page and not ask.html, "--out, --name and --open go with --html; add --html"),
     )
     folders = common.problems
@@ -105,7 +104,7 @@ def progress(name: str, ask: ProgressAsk, common: Common) -> Struct:
         rows=tuple([each for each in asked if each.section in parts] or asked),
         next=following.id if following else None,
     )
-    return published.ProgressPage((told,), due, following, ask.whole)
+    return published.ProgressPage((told,), due, following)
 
 
 def _refuse(*rules: tuple[object, str]) -> None:
@@ -154,7 +153,6 @@ class HistoryAsk(Struct, frozen=True):
     """What to show of the runs."""
 
     limit: int | None = opt("--limit N", "Only the last N runs.", type=click.IntRange(1))
-    csv: bool = opt("--csv", "Write CSV, one run on each line.")
     restore: bool = opt("--restore", "Write the source of that RUN to its file again.")
     out: Path | None = opt("--out FILE", "Restore it to this file instead.")
 
@@ -164,7 +162,7 @@ class HistoryAsk(Struct, frozen=True):
 def history(words: tuple[str, ...], ask: HistoryAsk, common: Common) -> Struct:
     """Show your runs, one run, or what changed between two.
 
-    The latest run is last. The screen shows the last 18, JSON and CSV all of them. RUN is the number in the
+    The latest run is last. The screen shows the last 18, JSON all of them. RUN is the number in the
     first column.
 
     With --restore, the source that a run judged is written to its file again. If that file has changed since,
@@ -173,11 +171,10 @@ def history(words: tuple[str, ...], ask: HistoryAsk, common: Common) -> Struct:
     numbers = [int(word) for word in words if word.isdecimal()]
     many, one = len(words) > min(max(len(numbers), 1), 2), len(numbers) == 1
     _refuse(
-        (ask.csv and common.json, "--json and --csv exclude each other; give one of them"),
         (many, "Give one kata, one run or two runs; such as judge history 3 5"),
         (ask.restore and not one, "Which run? --restore takes one; such as judge history 3 --restore"),
         (ask.out and not ask.restore, "--out goes with --restore: judge history 3 --restore --out old.py"),
-        (numbers and (ask.csv or ask.limit), "--csv and --limit are for the list of runs; leave them out"),
+        (numbers and ask.limit, "--limit is for the list of runs; leave it out"),
     )
     with history_at(common.db, reading=True) as found:
         if not numbers:
@@ -190,15 +187,13 @@ def history(words: tuple[str, ...], ask: HistoryAsk, common: Common) -> Struct:
 
 def _listed(name: str, ask: HistoryAsk, common: Common, history: History) -> published.RunList:
     """The last runs, of that kata if one is named, which may be gone since. Raises UsageError."""
-    whole = common.json or ask.csv
-    most = ask.limit or (None if whole else _ON_SCREEN)
+    most = ask.limit or (None if common.json else _ON_SCREEN)
     runs = history.runs(name or None, most and most + 1)
     if not runs and name:
         find_problem(name, common.problems)
     kept = runs[-most:] if most else runs
     more = ask.limit is None and len(kept) < len(runs)
-    shown_runs = history.with_results(kept) if whole else kept
-    return published.RunList(shown_runs, name, more, published.csv_of(shown_runs) if ask.csv else "")
+    return published.RunList(history.with_results(kept) if common.json else kept, name, more)
 
 
 def _compared(first: tuple[Run, bytes], second: tuple[Run, bytes]) -> published.RunsCompared:
