@@ -36,10 +36,11 @@ def standing(problem: str, common: Common) -> Standing:
     shows = [Skill(each.name, "") for kata in mine.problems if kata.id == problem for each in kata.skills]
     found = skills(mine.problems, mine.own, shows) if runs else []
     return Standing(
-        runs=len(runs),
+        runs=sum(run.path == runs[-1].path for run in runs),
         new=tuple(each.name for each in found if each.since == runs[-1].when),
         hints=hints,
         next=mine.next(problem),
         solved=len(mine.solved),
         katas=len(mine.problems),
+        stars=mine.stars(mine.problems),
     )

@@ -21,10 +21,11 @@ from rich.text import Text
 
 from judge.cli.hints import HintAsk, hints, note_seen
 from judge.cli.judging import Wish, with_standing
+from judge.cli.model import admit, model_beside, model_row
 from judge.cli.options import Common
 from judge.cli.resolve import Kata, history_at, take_up
 from judge.cli.watching import WatchedFile
-from judge.errors import JudgeError
+from judge.errors import JudgeError, UsageError
 from judge.judging.options import RunOptions
 from judge.languages import language_of
 from judge.practice.progress import solved
@@ -33,9 +34,10 @@ from judge.practice.syllabus import Course, read_course
 from judge.report import watch as texts
 from judge.report.parts import faint, good, warning
 from judge.report.picture import has_room, statement
+from judge.report.practise import BESIDE, model
 from judge.report.published_practise import HintShown
 from judge.report.published_result import Judged
-from judge.report.result import begun, magnified, screenful, told_of, verdict_line
+from judge.report.result import begun, magnified, paged, told_of, verdict_line
 from judge.report.screen import Screen, drawn, out
 from judge.report.tell import shown_failure
 from judge.report.views import view
@@ -46,9 +48,11 @@ _ASKED = {  # what is done when the key is pressed again
     "n": "Not solved yet. Press n again to skip it.",
     "x": "Start over? Your text will be kept as a .bak file. Press x again.",
 }
+_TITLES = {"s": "statement", "m": "model", "M": "model", "l": "list", "": "result"}
 _LOOK = 0.1  # seconds between two looks at the file and the keys
 _AGAIN = 2.0  # seconds after which what was broken off is broken off again, if an import has swallowed it
 _BELOW = 2  # rows that the keys take, and one to spare
+_LEAST_PAGE = 4  # rows of a page
 
 
 class _OutdatedError(KeyboardInterrupt):
@@ -89,6 +93,7 @@ class _Loop:
         self._why = ""  # there is no result
         self._notes = ""  # that came with either
         self._shown: str | Text | HintShown = ""  # the key of a view, or what it says; "" for the result
+        self._page, self._pages = 0, 1  # which of them is shown
         self._covered = False  # whether it must be drawn anew
         self._pressed: list[str] = []
         self._asked = ""  # the key before, where it asks for confirmation
@@ -170,6 +175,9 @@ class _Loop:
         self._show("")
         if self._found and self._found.result.solved:  # the verdict stands there already, and is worth more
             self._found = with_standing(self._found, self._common)
+            if standing := self._found.standing:
+                row = model_row(self._kata.problem, self._kata.path, self._found.source)
+                self._found = replace(self._found, standing=replace(standing, model=row))
             self._draw()
 
     def _begin(self, result: Result) -> None:
@@ -187,24 +195,38 @@ class _Loop:
     def _place(self, screen: Screen) -> RenderableType:
         return texts.place(self._kata.problem, self._course(), screen)
 
+    @property
+    def _state(self) -> str:
+        """Whether the kata is open, its file failed on a case, or is solved."""
+        solved = self._found is not None and self._found.result.solved
+        return "solved" if solved else "failed" if self._case() else "open"
+
     def _obey(self, key: str) -> Kata | None:
         """Do what a key says; the kata to go on to, if it says so."""
         sure, self._asked = key == self._asked, ""
         try:
-            if key == "n" and (sure or (self._found and self._found.result.solved)):
+            if key == "n" and (sure or self._state == "solved"):
                 return self._next()
+            if key in " b" and self._pages > 1:
+                self._page = min(max(self._page + (1 if key == " " else -1), 0), self._pages - 1)
+                self._draw()
+                return None
             if key == "x" and sure:
                 write_stub(self._kata.problem, self._kata.path, over=True)
             elif key in _ASKED:
                 self._asked = key
                 self._show(warning(_ASKED[key]))
+            elif key == "h" and self._state == "solved":
+                self._show(good("Solved. m shows the model solution."))
             elif key == "h":
                 (hint,) = hints(self._kata.problem, HintAsk(), self._common.db)
                 note_seen(hint, self._common.db)
                 self._show(hint)
             elif key == "e":
                 self._show(self._browse())
-            elif key in "slp":
+            elif key == "m":
+                self._show("M" if self._shown == "m" and (out().width or 0) >= BESIDE else "m")
+            elif key in "slp?":
                 self._show(key)
             elif key in " \n":
                 self._show("")
@@ -244,25 +266,49 @@ class _Loop:
         return faint(f"Opened {file.name}")
 
     def _show(self, shown: str | Text | HintShown) -> None:
-        self._shown = shown
+        self._shown, self._page = shown, 0
         self._draw()
 
     def _draw(self) -> None:
-        """All of it at once; the verdict is last, above the keys."""
-        self._covered, screen, found = False, out(), self._found
-        text = self._notes + drawn(self._view(screen, screen.height - _BELOW), screen)
-        if self._shown != "" and (found or self._why):
-            end = verdict_line(told_of(found), self._kata.name) if found else warning(self._why)
-            apart = () if text.endswith("\n\n") else ("",)
-            text += drawn(Group(*apart, end), screen)
-        texts.redraw(screen, f"{text}\n", texts.keys_line(screen, failed=bool(self._case())))
+        """All of it at once, or a page of it; the verdict is last, above the keys."""
+        self._covered, screen, found, shown = False, out(), self._found, self._shown
+        end: list[str] = []
+        if shown != "" and (found or self._why):
+            last = verdict_line(told_of(found), self._kata.name) if found else warning(self._why)
+            end = ["", *drawn(last, screen).splitlines()]
+        room = screen.height - _BELOW - len(end)
+        rows = (self._notes + drawn(self._view(screen, room), screen)).rstrip("\n").splitlines()
+        what = (
+            "hint"
+            if isinstance(shown, HintShown)
+            else _TITLES.get(shown, "")
+            if isinstance(shown, str)
+            else ""
+        )
+        if what and (len(rows) > room or shown == "s"):
+
+            def head(count: int) -> list[str]:
+                title = texts.page_head(self._kata.problem, what, self._page + 1, count, screen)
+                return [*drawn(title, screen).splitlines(), ""]
+
+            pages = texts.pages(rows, max(room - len(head(2)), _LEAST_PAGE))
+            self._page, self._pages = min(self._page, len(pages) - 1), len(pages)
+            rows = [*head(len(pages)), *pages[self._page]]
+        else:
+            self._pages = 1
+        keys = texts.keys_line(screen, self._state, paged=self._pages > 1)
+        texts.redraw(screen, "\n".join([*rows, *end, "", ""]), keys)
 
     def _view(self, screen: Screen, rows: int) -> RenderableType:
         """What is shown, in so many rows if that can be."""
         problem = self._kata.problem
         match self._shown:
             case "s":
-                return statement(problem, screen)
+                return statement(problem, screen, titled=False)
+            case "m" | "M":
+                return self._model(screen)
+            case "?":
+                return texts.keys_page(self._state)
             case "l":
                 from judge.cli.commands.look import ListAsk, listed
 
@@ -274,10 +320,20 @@ class _Loop:
             case Text() as said:
                 return said
         if self._found:
-            return screenful(self._found, screen, rows - self._notes.count("\n"))
+            return paged(self._found, screen, rows - self._notes.count("\n"))
         if self._why:
             return warning(self._why)
         return texts.begun(self._place(screen), problem, self._kata.name, screen, rows)
+
+    def _model(self, screen: Screen) -> RenderableType:
+        """The model, why it works, and the person's own."""
+        problem = self._kata.problem
+        try:
+            yours = admit(problem, self._common.db)
+        except UsageError:
+            return warning("Solve it first, or give up: judge solution --give-up")
+        shown = model_beside(problem, self._kata.path)
+        return model(shown, yours[1] if yours else b"", screen, whole=self._shown == "M")
 
     def _picture(self, screen: Screen, rows: int) -> RenderableType:
         """The failing case, drawn below its arguments."""

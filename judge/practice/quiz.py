@@ -15,9 +15,10 @@ from judge.practice.cards import Card
 from judge.practice.events import Help, Run
 from judge.practice.progress import solved
 from judge.practice.review import Review, reviews
-from judge.practice.syllabus import FIRST, USUAL, find_set, read_checklist
+from judge.practice.syllabus import USUAL, find_set, read_checklist
 from judge.problem import Problem, Tier, Verdict
 from judge.problem.find import problem_folders, sound_problems
+from judge.problem.model import FIRST
 from judge.run.result import Result
 
 _BEFORE, _AFTER = 6, 15  # minutes of the interview for each card before the kata, and after it

@@ -37,14 +37,13 @@ from judge.cache import DISK, digest, stamp
 from judge.errors import ProblemError, UsageError, nearest
 from judge.problem import Problem, Tier
 from judge.problem.find import find_problem, problem_folders, problem_roots, sound_problems
-from judge.problem.model import Listed
+from judge.problem.model import FIRST, Listed
 
 if TYPE_CHECKING:
     from judge.problem.toml import TomlFile
 
 P = TypeVar("P", bound=Listed)
 USUAL = "path"  # the set that stands for all of them in order
-FIRST = "first-steps"  # the set that a newcomer begins with
 _ORDER = [FIRST, *(tier.value for tier in Tier)]  # sets of these names come first; others after them, by name
 
 

@@ -112,6 +112,9 @@ class Mode(Enum):
     PROGRAM = "program"  # it reads stdin and writes stdout
 
 
+FIRST = "first-steps"  # the set that a newcomer begins with
+
+
 class Tier(Enum):
     """How far along the path a problem stands, easiest first."""
 

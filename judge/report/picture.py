@@ -122,17 +122,18 @@ def example_picture(problem: Problem) -> Picture | None:
     return None
 
 
-def statement(problem: Problem, screen: Screen) -> RenderableType:
-    """The statement, on a terminal with its figure."""
+def statement(problem: Problem, screen: Screen, *, titled: bool = True) -> RenderableType:
+    """The statement, on a terminal with its figure; its title may be left out."""
     from rich.console import Group
     from rich.text import Text
 
     from judge.report.parts import FIGURE, blocks, indented, prose
 
-    before, *after = FIGURE.split(problem.statement, 1)
+    whole = problem.statement if titled else problem.statement.partition("\n")[2].lstrip("\n")
+    before, *after = FIGURE.split(whole, 1)
     rows = drawing(partial(example_picture, problem), screen, "the figure") if after else None
     if rows is None:
-        return prose(problem.statement, screen)
+        return prose(whole, screen)
     rest = Text.from_ansi(
         drawn(prose(after[0], screen), screen).strip("\n")
     )  # a list begins with a blank row

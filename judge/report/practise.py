@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from rich.console import Group, RenderableType
+from rich.table import Table
 from rich.text import Text
 
 from judge.report.parts import blocks, commands, faint, good, head, joined, prose, strong, table, text
@@ -10,6 +11,8 @@ from judge.report.published_practise import Begun, HintShown, SolutionShown
 from judge.report.screen import Screen, is_terminal
 from judge.report.words import printable, seconds, shown_name, times
 from judge.run.result import Taken
+
+BESIDE, _USUAL = 120, 80  # columns from which on two programs stand side by side; that a screen has
 
 
 def begun(found: Begun, _screen: Screen) -> RenderableType:
@@ -35,15 +38,35 @@ def hint_shown(found: HintShown, screen: Screen) -> RenderableType:
 def solution_shown(found: SolutionShown, screen: Screen) -> RenderableType:
     """Its idea, why it works, and the program, whose lines are never broken: they can be copied."""
     shown = found.shown
-    rows = [printable(row.expandtabs(4)) for row in shown.program.split("\n")]
-    if not is_terminal(screen.stream):
-        rows = [f"```{shown.code}", *rows, "```"]
+    fence = [] if is_terminal(screen.stream) else [Text(f"```{shown.code}"), Text("```")]
     return blocks(
         head(f"{found.problem}: {shown.idea.replace('-', ' ')}", shown.file),
         prose(shown.explanation, screen) if shown.explanation else None,
-        Group(*(Text(row, no_wrap=True, overflow="ignore") for row in rows)),
+        Group(*fence[:1], *_source(shown.program), *fence[1:]),
         _timed(found) if shown.taken else _beside(found),
     )
+
+
+def model(found: SolutionShown, yours: bytes, screen: Screen, *, whole: bool) -> RenderableType:
+    """The model, why it works, and the person's own: beside it where there is room and not `whole`."""
+    shown, width = found.shown, screen.width or _USUAL
+    own = yours.decode("utf-8", "replace").strip("\n") if yours else ""
+    programs = [(shown.idea.replace("-", " "), shown.program), *([("yours", own)] if own else [])]
+    apart = width < BESIDE or whole or not own
+    sides = [Group(strong(name), Text(), *_source(each, folded=apart)) for name, each in programs]
+    why = prose(shown.explanation, screen) if shown.explanation else None
+    if apart:
+        return blocks(None if whole else why, *sides)
+    both = Table.grid(padding=(0, 2, 0, 0))
+    for _ in sides:
+        both.add_column(width=width // 2 - 2, no_wrap=True, overflow="crop")
+    both.add_row(*sides)
+    return blocks(why, both)
+
+
+def _source(program: str, *, folded: bool = False) -> list[Text]:
+    rows = (printable(row.expandtabs(4)) for row in program.split("\n"))
+    return [Text(row, no_wrap=not folded, overflow="fold" if folded else "ignore") for row in rows]
 
 
 def _beside(found: SolutionShown) -> RenderableType:

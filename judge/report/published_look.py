@@ -149,8 +149,19 @@ class Mentions(Struct, frozen=True):
         return ExitCode.ACCEPTED if self.published else ExitCode.NOT_ACCEPTED
 
 
+class ModelRow(Struct, frozen=True):
+    """The model beside a person's program: the ideas of all approaches, its own first, and both lengths."""
+
+    ideas: tuple[str, ...]
+    lines: int
+    yours: int
+
+
 class Standing(Struct, frozen=True):
-    """What a kata took a person, the skills that are new, the next kata, and how many of all are solved."""
+    """What a file took a person, the skills that are new, the next kata, and how many of all are solved.
+
+    `stars` are how many katas have one star and two.
+    """
 
     runs: int
     new: tuple[str, ...]
@@ -158,6 +169,8 @@ class Standing(Struct, frozen=True):
     next: Problem | None
     solved: int
     katas: int
+    stars: tuple[int, ...]
+    model: ModelRow | None = None
 
 
 class Home(Struct, frozen=True):

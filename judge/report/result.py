@@ -4,13 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from functools import partial
+from typing import NamedTuple
 
 from msgspec import Struct
-from rich.console import Group, RenderableType
+from rich.cells import cell_len
+from rich.console import Console, ConsoleOptions, Group, RenderableType, RenderResult
 from rich.text import Text
 
 from judge.problem import Verdict
 from judge.report.parts import (
+    READABLE,
     Cell,
     bad,
     beside,
@@ -32,13 +35,14 @@ from judge.report.parts import (
 from judge.report.published_result import Judged, Several
 from judge.report.screen import Screen
 from judge.report.tell import Told, looking, place_of, tell
-from judge.report.words import counted, shown_name, times
+from judge.report.words import counted, printable, shown_name, times
 from judge.run.result import GroupResult, Result
 
 Drawing = Callable[[int], Sequence[Text]]  # the picture of the failing case in about so many rows
 _LABELS = {"got": bad, "expected": good}
 _LEAST, _MOST = 9, 14  # rows of a picture
-_SKILLS = 2  # that are named
+_AROUND = 20  # columns beside the skills that are new
+_MARGIN = 16  # columns beside a value
 _ROWS = 60  # of a result, on whatever screen
 
 
@@ -49,16 +53,21 @@ class _Cut(Struct, frozen=True):
     values: int | None = None
     advice: int | None = None
     fails: bool = True
+    commands: bool = True
 
 
-_CUTS = (
+_PAGED = (  # what is longer is shown in pages
     *(_Cut(picture=rows) for rows in range(_MOST, _LEAST - 1, -1)),
-    _Cut(),
+    _Cut(picture=_LEAST, commands=False),
+    _Cut(picture=_LEAST, commands=False, fails=False),
+    _Cut(commands=False),
+    _Cut(commands=False, fails=False),
     _Cut(values=6),
-    _Cut(values=3, advice=4),
-    _Cut(values=2, advice=2, fails=False),
-    _Cut(values=1, advice=1, fails=False),
-    _Cut(values=1, advice=0, fails=False),
+)
+_CUTS = (
+    *_PAGED[:-1],
+    *(_Cut(values=rows, commands=False, fails=False) for rows in (6, 3, 2, 1)),
+    *(_Cut(values=1, advice=rows, commands=False, fails=False) for rows in (4, 2, 1)),
 )
 
 
@@ -73,7 +82,8 @@ def judged(found: Judged, screen: Screen) -> RenderableType:
 
 def told_of(found: Judged, why: str = "") -> Told:
     """The result in words; `why` is what the failing case turns on."""
-    return tell(found.data.problem if found.data else None, found.result, found.source, why)
+    problem = found.data.problem if found.data else None
+    return tell(problem, found.result, found.source, why, whole=found.whole)
 
 
 def _explained(found: Judged, screen: Screen) -> tuple[Told, Drawing | None]:
@@ -88,7 +98,9 @@ def _explained(found: Judged, screen: Screen) -> tuple[Told, Drawing | None]:
     return told, partial(picture_rows, picture) if picture and has_room(screen) else None
 
 
-def screenful(found: Judged, screen: Screen, rows: int | None) -> RenderableType:
+def screenful(
+    found: Judged, screen: Screen, rows: int | None, cuts: Sequence[_Cut] = _CUTS
+) -> RenderableType:
     """One result in at most so many rows, if that can be; all there is where they are None."""
     (told, drawing), width = _explained(found, screen), screen.width
     top = joined(
@@ -98,8 +110,13 @@ def screenful(found: Judged, screen: Screen, rows: int | None) -> RenderableType
         f"  {told.stars}" if told.stars else "",
         faint(f"  {told.how}" if told.how else ""),
     )
-    laid = (blocks(top, *_parts(found, told, drawing, cut, width), verdict_line(told)) for cut in _CUTS)
+    laid = (blocks(top, *_parts(found, told, drawing, cut, width), verdict_line(told)) for cut in cuts)
     return first_that_fits(laid, screen, rows)
+
+
+def paged(found: Judged, screen: Screen, rows: int) -> RenderableType:
+    """One result in so many rows if little has to be left out for that; else nearly all of it."""
+    return screenful(found, screen, rows, _PAGED)
 
 
 def begun(result: Result, name: str) -> RenderableType:
@@ -142,7 +159,7 @@ def _parts(
         yield indented(facts([("fresh", found.fresh)]))
     elif found.result.solved and (found.commands or found.key):
         yield _accepted(found, width)
-    elif told.commands and found.commands:
+    elif told.commands and found.commands and cut.commands:
         yield indented(commands(told.commands))
 
 
@@ -155,20 +172,39 @@ def magnified(found: Judged, screen: Screen, rows: int) -> RenderableType | None
 
 def _case(told: Told, drawing: Drawing | None, cut: _Cut, width: int | None) -> RenderableType:
     """The failing case, and its picture where one is to be drawn."""
-    rows: list[tuple[Cell, Cell]] = []
-    if told.input:
-        rows.append(("", text(_cut("   ".join(told.input), cut.values, width))))
-    for name, said in told.facts:
-        rows.append((faint(name), _LABELS.get(name, text)(_cut(said, cut.values, width))))
-    case = Group(strong(told.case), *([indented(table(rows))] if rows else []))
+    wide = 2 + max((len(name) for name, _ in told.facts), default=0)
+    below = [indented(_Arguments(told.input, cut.values), 2 + wide)] if told.input else []
+    said = [(name, _LABELS.get(name, text)(_cut(said, cut.values, width))) for name, said in told.facts]
+    case = Group(strong(told.case), *below, *([indented(facts(said))] if said else []))
     if drawing is None or not cut.picture:
         return indented(case)
     return indented(beside(case, drawing(cut.picture), width and width - 4))
 
 
+class _Arguments(NamedTuple):
+    """The arguments of a case in rows of whole ones, of which at most so many are shown."""
+
+    told: Sequence[str]
+    most: int | None
+
+    def __rich_console__(self, _console: Console, options: ConsoleOptions) -> RenderResult:
+        rows = [""]
+        for each in map(printable, self.told):
+            longer = f"{rows[-1]}   {each}" if rows[-1] else each
+            if rows[-1] and cell_len(longer) > options.max_width:
+                rows.append(each)
+            else:
+                rows[-1] = longer
+        shown = "\n".join(rows)
+        if self.most is not None:
+            shown = "\n".join(rows[: self.most]) + (" …" if len(rows) > self.most else "")
+            shown = _cut(shown, self.most, options.max_width + _MARGIN)
+        yield Text(shown)
+
+
 def _cut(said: str, rows: int | None, width: int | None) -> str:
     """At most about so many rows of it."""
-    room = None if rows is None else rows * max(20, (width or 80) - 16)
+    room = None if rows is None else rows * max(20, (width or 80) - _MARGIN)
     return said if room is None or len(said) <= room else f"{said[: room - 2].rstrip(' ,')} …"
 
 
@@ -214,20 +250,32 @@ def several(found: Several, _screen: Screen) -> Text:
 
 def _accepted(found: Judged, width: int | None) -> RenderableType:
     """What follows an accepted result: what it took, how to go on, and how many katas are solved."""
-    standing, go_on = found.standing, found.key or "judge start"
-    onward = [] if found.key else [(f"judge solution {found.result.problem}", "the model solution")]
+    standing, keyed = found.standing, bool(found.key)
+    go_on = "n" if keyed else "judge start"
+    onward = [] if keyed else [(f"judge solution {found.result.problem}", "the model solution")]
     if standing is None:
         return indented(commands([*onward, (go_on, "the next kata")]))
-    hints = f", {counted(standing.hints, 'hint')}" if standing.hints else ""
+    hints = counted(standing.hints, "hint") if standing.hints else "no hint"
+    took = f"{counted(standing.runs, 'run')}, {hints}"
+    if model := standing.model:
+        took += f"; {counted(model.yours, 'line')}, the model has {model.lines}"
+        first, *others = (idea.replace("-", " ") for idea in model.ideas)
+        onward.append(("m", f"the model: {first}" + (f"; also: {', '.join(others)}" if others else "")))
     if following := standing.next:
         title = f"{following.title[:1].lower()}{following.title[1:]}"
         onward.append((go_on, f"next: {following.id}, {title}"))
-    named = "   ".join(f"✓ {name}" for name in standing.new[:_SKILLS])
-    more = f", {len(standing.new) - _SKILLS} more" if len(standing.new) > _SKILLS else ""
-    new = [("shown", joined(good(named), more))]
-    you: list[tuple[Cell, Cell]] = [("you", counted(standing.runs, "run") + hints)]
+    new = [("New", _new(standing.new, width))] if standing.new else []
     return blocks(
-        indented(facts([*(new if standing.new else []), *you])),
+        indented(facts([*new, ("You", took)])),
         indented(commands(onward)) if onward else None,
-        solved_bar(standing.solved, standing.katas, (), width),
+        solved_bar(standing.solved, standing.katas, standing.stars, width),
     )
+
+
+def _new(skills: Sequence[str], width: int | None) -> Text:
+    """The skills that are new: as many as there is room for, and how many more."""
+    room, shown = (width or READABLE) - _AROUND, [f"✓ {name}" for name in skills]
+    while len("   ".join(shown)) > room and len(shown) > 1:
+        shown.pop()
+    left = len(skills) - len(shown)
+    return joined(good("   ".join(shown)), f"   {left} more" if left else "")

@@ -11,7 +11,7 @@ from collections.abc import Iterator, Sequence
 from msgspec import Struct
 
 from judge.problem import Problem, Verdict
-from judge.problem.model import Mode
+from judge.problem.model import FIRST, Mode
 from judge.report.entry import entry_text
 from judge.report.words import argument, counted, seconds, shown_name, times
 from judge.run.result import Failure, GroupResult, Growth, LevelResult, Obstacle, Pitfall, Result
@@ -20,6 +20,7 @@ _PLACE = re.compile(r" \(line (\d{1,9})\)")
 # As judge.run.execute writes a compiler's complaint, whose quotation of the line follows it.
 _COMPILED = re.compile(r" \(line (\d{1,9})(?:, column (\d{1,9}))?\)(?:: .*)?")
 _SPENT = re.compile(r"used more than (\S+ s) of CPU time")
+_SLOW = 1.5  # times as long as the reference, from which on an accepted program hears of it
 _LIKELY = 0.9  # the score from which on a mistake is very likely
 _MOST_FAILS = 3  # groups that are named
 
@@ -68,10 +69,13 @@ class Told(Struct, frozen=True, kw_only=True):
         return [each for each in found if each]
 
 
-def tell(problem: Problem | None, result: Result, source: bytes = b"", why: str = "") -> Told:
+def tell(
+    problem: Problem | None, result: Result, source: bytes = b"", why: str = "", *, whole: bool = False
+) -> Told:
     """What the result says, as far as that can be said without the problem where there is none.
 
-    A wrong answer of which nothing more is known says `why`, what its case turns on.
+    A wrong answer of which nothing more is known says `why`, what its case turns on. The time of an accepted
+    one is told where it is worth a word, or `whole` of it is asked for.
     """
     hurdle, pitfall = result.hurdle, result.pitfall
     shown = None if hurdle else shown_failure(result)
@@ -90,7 +94,7 @@ def tell(problem: Problem | None, result: Result, source: bytes = b"", why: str 
         facts=tuple(_facts(result, shown, why)),
         mistake=mistake_text(pitfall) if pitfall else "",
         advice=_advice(pitfall) if pitfall else (),
-        time=_time(result),
+        time=_time(problem, result, whole=whole),
         fails=tuple(f"{each.name} {each.passed}/{each.cases}" for each in failing[:_MOST_FAILS]),
         more=max(0, len(failing) - _MOST_FAILS),
         commands=tuple(_commands(problem, result, shown)),
@@ -166,12 +170,14 @@ def _happened(problem: Problem | None, result: Result) -> str:
     return _PLACE.sub(r", at line \1", message)
 
 
-def _time(result: Result) -> str:
+def _time(problem: Problem | None, result: Result, *, whole: bool) -> str:
     """How long it took beside the reference, where that was measured."""
     time, ratio, growth = result.time, result.time.ratio, result.time.growth
     late = result.verdict is Verdict.TLE
     said = []
-    if ratio is not None and (late or not ratio.unreliable):
+    first = problem is not None and FIRST in problem.sets
+    slow = ratio is not None and ratio.median > _SLOW and not first
+    if ratio is not None and (late or (not ratio.unreliable and (slow or whole))):
         whose = f"the {time.reference} reference's" if time.reference else "the reference's"
         doubts = "; ".join(filter(None, (ratio.busy, "near the limit" if time.borderline else "")))
         limit = f" (limit {ratio.limit:g} ×)" if late and ratio.limit else ""

@@ -8,7 +8,7 @@ import re
 import select
 import termios
 import tty
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from functools import partial
 from itertools import chain
@@ -19,7 +19,7 @@ from rich.text import Text
 from judge.drawing.braille import LEAST_ROWS, ROWS
 from judge.practice.syllabus import Course
 from judge.problem import Problem
-from judge.report.parts import beside, faint, first_that_fits, joined, prose, solved_bar, strong, text
+from judge.report.parts import beside, facts, faint, first_that_fits, joined, prose, solved_bar, strong, text
 from judge.report.picture import drawing, example_picture
 from judge.report.screen import Screen, drawn
 from judge.report.words import shown_name
@@ -30,7 +30,9 @@ _REST_OF_SCREEN = "\x1b[J"
 _TOGETHER = ("\x1b[?2026h", "\x1b[?2026l")  # shown at once where the terminal knows how; ignored elsewhere
 _SEQUENCE = re.compile(r"\x1b(\[[0-9;?]*[ -/]*[@-~]|O.|.)?")  # of an arrow, a function key, Alt and a key
 GONE = ""  # told instead of a key when nobody is there any more
+_TURNS = {"[6": " ", "[B": " ", "[C": " ", "[5": "b", "[A": "b", "[D": "b"}  # PageDown, PageUp, arrows
 _KEYS = {
+    "m": "model",
     "n": "next",
     "h": "hint",
     "s": "statement",
@@ -40,7 +42,9 @@ _KEYS = {
     "x": "start over",
     "q": "quit",
 }
-_OF_A_CASE = "pe"  # keys that need a case that failed
+_LEFT_OUT = {"open": "mpe", "failed": "m", "solved": "hpe"}  # keys that say nothing then
+_PAGE_KEYS = {"space": "more", "b": "back", "Enter": "result", "n": "next", "q": "quit"}
+_LAST_THIRD = 2 / 3  # of a page, in which it may end at an empty row
 
 
 def place(problem: Problem, course: Course, screen: Screen) -> Group:
@@ -49,10 +53,8 @@ def place(problem: Problem, course: Course, screen: Screen) -> Group:
     if found := course.set_of(problem.id):
         at = [each.id for each in found.problems].index(problem.id) + 1
         said = f"{found.title.lower()}, kata {at} of {len(found.problems)}"
-    head = strong(f"{problem.id}  {problem.title}")
-    room = (screen.width or 80) - head.cell_len - len(said)
-    rows = [joined(head, " " * room, faint(said))] if room > 1 else [head, faint(said)]
-    return Group(*rows, solved_bar(len(course.solved), len(course.problems), (), screen.width))
+    title = apart(strong(f"{problem.id}  {problem.title}"), faint(said), screen)
+    return Group(title, solved_bar(len(course.solved), len(course.problems), (), screen.width))
 
 
 def begun(place: RenderableType, problem: Problem, file: str, screen: Screen, rows: int) -> Group:
@@ -77,16 +79,55 @@ def waiting_line(file: str, seconds: float, screen: Screen) -> Text:
     return faint(said[-(screen.width or 80) + 1 :])
 
 
-def keys_line(screen: Screen, *, failed: bool) -> Text:
-    """The keys on one line: what they do where there is room for it."""
-    shown = [(key, about) for key, about in _KEYS.items() if failed or key not in _OF_A_CASE]
-    for words, gap in ((2, "   "), (2, "  "), (1, " "), (0, " ")):
+def keys_line(screen: Screen, state: str, *, paged: bool = False) -> Text:
+    """The keys of a kata that is open, has failed or is solved, or of a page: what they do, if it fits."""
+    shown = {key: about for key, about in _KEYS.items() if key not in _LEFT_OUT[state]}
+    if paged:
+        shown = {key: about for key, about in _PAGE_KEYS.items() if key != "n" or state == "solved"}
+    for words, gap in ((2, "   "), (2, "  "), (1, " ")):
         line = Text(gap).join(
-            joined(strong(key), *map(" {}".format, about.split()[:words])) for key, about in shown
+            joined(strong(key), *map(" {}".format, about.split()[:words])) for key, about in shown.items()
         )
         if line.cell_len < (screen.width or 80):
-            break
-    return line
+            return line
+    if paged:
+        return joined(strong("space"), " more  ", strong("b"), " back  ", strong("Enter"), "  ", strong("q"))
+    few = [key for key in shown if key not in "pe" and (key != "n" or state == "solved")]
+    return joined(strong(" ".join(few)), "  ", strong("?"), " keys")
+
+
+def keys_page(state: str) -> RenderableType:
+    """What each key does."""
+    return facts((strong(key), about) for key, about in _KEYS.items() if key not in _LEFT_OUT[state])
+
+
+def pages(rows: Sequence[str], room: int) -> list[list[str]]:
+    """Rows in pages of at most so many.
+
+    A page ends at an empty row where one lies in its last third, and never below a row that stands alone, as
+    a heading does.
+    """
+    found, rest = [], list(rows)
+    while len(rest) > room:
+        ends = [at for at in range(room, int(room * _LAST_THIRD), -1) if not rest[at].strip()]
+        end = next((at for at in ends if rest[at - 1].strip() and rest[at - 2].strip()), room)
+        found.append(rest[:end])
+        rest = rest[end:]
+        while rest and not rest[0].strip():
+            rest.pop(0)
+    return [*found, rest] if rest or not found else found
+
+
+def page_head(problem: Problem, what: str, number: int, count: int, screen: Screen) -> Text:
+    """`segment  Circle and segment          statement, page 2 of 3`."""
+    said = f"{what}, page {number} of {count}" if count > 1 else what
+    return apart(strong(f"{problem.id}  {problem.title}"), faint(said), screen)
+
+
+def apart(left: Text, right: Text, screen: Screen) -> Text:
+    """One text at each end of a row, or below each other where there is no room."""
+    room = (screen.width or 80) - left.cell_len - right.cell_len
+    return joined(left, " " * room if room > 1 else Text("\n"), right)
 
 
 def redraw(screen: Screen, text: str, prompt: Text) -> None:
@@ -128,10 +169,14 @@ def single_keys(terminal: int) -> Callable[[], None]:
 
 
 def read_keys(terminal: int, seconds: float) -> list[str]:
-    """The keys that are pressed within so many seconds; those that send a sequence are none of ours."""
+    """The keys pressed within so many seconds; of those that send a sequence, the ones that turn pages."""
     if not select.select([terminal], [], [], seconds)[0]:
         return []
     found = b""
     with suppress(OSError):
         found = os.read(terminal, 64)
-    return list(_SEQUENCE.sub("", found.decode("ascii", "ignore")).lower()) if found else [GONE]
+    return list(_SEQUENCE.sub(_turn, found.decode("ascii", "ignore")).lower()) if found else [GONE]
+
+
+def _turn(sequence: re.Match[str]) -> str:
+    return _TURNS.get((sequence[1] or "").rstrip("~"), "")

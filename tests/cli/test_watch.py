@@ -144,7 +144,7 @@ def test_the_keys(watch, submit):
     assert last(terminal.sees("There is no page for middle yet.")).startswith("WA  ")
     terminal.press("x")
     terminal.sees("Press x again.")
-    terminal.press("\x1b[A?")  # an arrow and a key that mean nothing
+    terminal.press("\x1b[A%")  # an arrow where there are no pages, and a key that means nothing
     terminal.press("n")
     assert last(terminal.sees("Not solved yet. Press n again to skip it.")).startswith("WA  ")
     terminal.press("\n")
@@ -153,6 +153,49 @@ def test_the_keys(watch, submit):
     with History() as history:
         assert max(each.hints for each in history.events(Help, "middle")) == 2
         assert len(history.runs("middle")) == 1
+
+
+def test_what_is_long_is_read_in_pages(watch, tmp_path):
+    terminal = watch("segment", rows=24)
+    terminal.sees("Created segment.py")
+    for key, page in (
+        ("s", 1),
+        (" ", 2),
+        ("\x1b[6~", 3),
+        (" ", 4),
+        (" ", 4),
+        ("b", 3),
+        ("b", 2),
+        ("\x1b[A", 1),
+        ("b", 1),
+    ):
+        terminal.written = ""
+        terminal.press(key)
+        lines = terminal.sees(f"statement, page {page} of 4")
+        assert lines[0].startswith("segment  Circle and segment   ")
+        assert len(lines) < 24
+    assert terminal.frame.endswith("space more   b back   Enter result   q quit")
+    terminal.press("\n")
+    terminal.sees("Created segment.py")
+    terminal.leaves()
+
+
+def test_the_model_is_shown_once_the_kata_is_solved(watch, submit):
+    terminal = watch("middle", submit(FLOOR))
+    terminal.sees("WA  Wrong answer")
+    terminal.press("m")
+    terminal.sees("Solve it first, or give up: judge solution --give-up")
+    submit(MEAN)
+    terminal.sees("m  the model: ", "You  2 runs, no hint; 2 lines, the model has 2")
+    assert "h hint" not in terminal.frame
+    terminal.press("h")
+    terminal.sees("Solved. m shows the model solution.")
+    terminal.press("m")
+    lines = terminal.sees("yours")
+    assert lines.count("def middle(a, b):") == 2
+    terminal.leaves()
+    with History() as history:
+        assert not [*history.events(Help, "middle")]
 
 
 def test_going_on_begins_the_next_kata_beside_this_one(watch, submit, pack, tmp_path):

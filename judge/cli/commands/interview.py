@@ -35,9 +35,10 @@ from judge.practice.questions import ask as asked_of
 from judge.practice.quiz import lacking, left_open, next_cards, next_due, plan, to_practise, usual_kata
 from judge.practice.review import card_reviews
 from judge.practice.stub import write_stub
-from judge.practice.syllabus import FIRST, USUAL, find_row, read_checklist
+from judge.practice.syllabus import USUAL, find_row, read_checklist
 from judge.problem import Verdict
 from judge.problem.find import find_problem
+from judge.problem.model import FIRST
 from judge.report import quiz as texts
 from judge.report.published_quiz import CardList, CardRow, Interviewed, Quizzed
 from judge.report.screen import Screen, drawn, err, is_terminal, note, out, show

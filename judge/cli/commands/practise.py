@@ -13,6 +13,7 @@ from msgspec.structs import replace
 
 from judge.cli.files import read_submissions
 from judge.cli.hints import HintAsk, hints, note_seen
+from judge.cli.model import admit
 from judge.cli.options import Common, command, opt
 from judge.cli.resolve import (
     Kata,
@@ -28,7 +29,6 @@ from judge.cli.resolve import (
 )
 from judge.errors import UsageError
 from judge.languages import file_name, is_program, language_of
-from judge.practice.events import Help, Run
 from judge.practice.progress import solved
 from judge.practice.solutions import approaches, chosen_approach
 from judge.practice.stub import write_stub
@@ -176,7 +176,7 @@ def solution(name: str | None, approach: str | None, ask: SolutionAsk, common: C
     problem = kata_meant(name, common)
     models = approaches(problem)
     model = chosen_approach(problem, models, approach, ask.language)
-    yours = _admit(problem, common.db, giving_up=ask.giving_up)
+    yours = admit(problem, common.db, giving_up=ask.giving_up)
     programs = [(each.file, each.program.encode()) for each in models]
     if yours:
         programs.append((yours[0].submission, yours[1]))
@@ -210,20 +210,3 @@ def _measured(
         data = session.data
         with progress("measuring") as advance:
             return measure(data, entries, session.open_box, rounds, advance)
-
-
-def _admit(problem: Problem, db: Path | None, *, giving_up: bool) -> tuple[Run, bytes] | None:
-    """The person's latest run that solved it, and its source; None where it was given up, which is noted.
-
-    Raises UsageError where it is neither.
-    """
-    with history_at(db, reading=not giving_up) as history:
-        solved = [run for run in history.runs(problem.id) if run.solved]
-        if solved:
-            return solved[-1], history.source(solved[-1].id)
-        if any(each.gave_up for each in history.events(Help, problem.id)):
-            return None
-        if giving_up:
-            history.keep(Help(problem.id, hints=0))
-            return None
-    raise UsageError(f"Solve {problem.id} first", remedy="or see it anyway: add --give-up")
