@@ -14,9 +14,14 @@ from runs import Ended, Run, Worker
 from sampling import nightly
 from worker import CLOSED, FULL, KEPT, NULL, TERMINAL
 
-COUNTS = {"problems": (5, 80), "submissions": (1, 3), "commands": (5, 70)}  # by day and in all
-SEEDS = [(target, range(day)) for target, (day, _) in COUNTS.items()]
-SEEDS += [nightly(target, range(day, night)) for target, (day, night) in COUNTS.items()]
+# by day, in all, and in one test: 84 cases of submissions hold 504 hostile ones
+COUNTS = {"problems": (5, 80, 80), "submissions": (1, 84, 12), "commands": (5, 1000, 100)}
+SEEDS = [(target, range(day)) for target, (day, _, _) in COUNTS.items()]
+SEEDS += [
+    nightly(target, range(max(day, start), min(start + each, night)))
+    for target, (day, night, each) in COUNTS.items()
+    for start in range(0, night, each)
+]
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="the worker waits by Linux's descriptors")
 
@@ -69,7 +74,7 @@ def test_the_contract_sees_what_breaks_it(run, status, out, err, fault):
 
 
 def test_a_command_line_writes_only_where_it_may_and_has_the_streams_that_are_asked_for(worker, tmp_path):
-    case, elsewhere = tmp_path / "case", tmp_path / "elsewhere"
+    case, elsewhere = tmp_path / "own" / "case", tmp_path / "elsewhere"
     for folder in (case / "work", case / "tmp", elsewhere):
         folder.mkdir(parents=True)
     ended = worker.run(Run(("start", "count", str(elsewhere / "x.py"), "--no-watch")), case)
