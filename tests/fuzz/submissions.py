@@ -26,7 +26,7 @@ from runs import ROOT, Ended, Run
 
 from judge.problem.load import load_problem
 
-_BATCH = 8  # odd ones of a case, of which six are hostile
+_BATCH = 6  # odd ones of a case, of which four are hostile
 _LONGEST = 100_000  # characters of a result
 _CASES = 2  # of a test group
 _PROBLEMS = ("middle", "count", "segment", "ray-nearest", "exact-count")
@@ -145,7 +145,7 @@ def prepare(chance: random.Random, folder: Path) -> tuple[list[str], list[Run]]:
         (batch / name).write_bytes(_program(problem, "accepted", entry) if verdict == "AC" else wrong)
     story = [f"{problem}"]
     for number in range(_BATCH):
-        if number % 4:
+        if number % 3:
             what, source = hostile_program(chance, entry, parameters)
         elif chance.random() < 0.5:
             what, source = odd_program(chance, entry, parameters)

@@ -229,7 +229,10 @@ def _is_device(path: Any) -> bool:
 
 
 def _guard(folders: list[str], report: int) -> None:
-    """Refuse and report every change of a file outside these folders; devices may be opened."""
+    """Refuse and report every change of a file outside these folders; devices may be opened.
+
+    Whatever it would fetch is refused too.
+    """
     roots = [os.path.realpath(folder) for folder in folders]
 
     def allowed(path: Any, *, itself: bool, making: bool) -> bool:
@@ -246,6 +249,8 @@ def _guard(folders: list[str], report: int) -> None:
         return any(real == root or real.startswith(root + os.sep) for root in roots)
 
     def look(event: str, arguments: tuple[Any, ...]) -> None:
+        if event == "urllib.Request":
+            raise PermissionError(13, "the fuzz has no network")
         if event == "open":
             path, _, flags = arguments
             if not flags & _WRITING or isinstance(path, int):
