@@ -240,7 +240,11 @@ def test_a_shortage_anywhere_else_is_one_line_with_its_remedy(fault, line, judge
         (("history", "9" * 5000, "--restore"), {}, "Which run?"),
         (("new", "x" * 5000), {}, "no file can have a name as long as 'xxx"),
         (("list",), {"_JUDGE_COMPLETE": "bash_complete"}, "only a shell that completes a word sets"),
-        (("list",), {"_JUDGE_COMPLETE": "zsh_complete", "COMP_WORDS": "judge", "COMP_CWORD": "x"}, "only a shell"),
+        (
+            ("list",),
+            {"_JUDGE_COMPLETE": "zsh_complete", "COMP_WORDS": "judge", "COMP_CWORD": "x"},
+            "only a shell",
+        ),
     ],
 )
 def test_a_word_that_nobody_means_is_refused_in_one_line(words, settings, said, judge, monkeypatch):

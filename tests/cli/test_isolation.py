@@ -170,9 +170,8 @@ VERDICTS = {
     MEAN: "AC",
     "for _ in range(int(input())):\n    print(sum(map(float, input().split())) / 2)\n": "AC",
     """
-import asyncio, atexit, collections, concurrent.futures, contextlib, copy, ctypes, dataclasses, datetime, decimal, enum
-import fractions, functools, gc, heapq, io, itertools, json, logging, math, os, pathlib, pickle, platform, random, re
-import signal, socket, statistics, string, subprocess, sys, tempfile, threading, time, traceback, typing, uuid, zlib
+import concurrent.futures, ctypes, dataclasses, decimal, fractions, functools, json, os, platform, random, re
+import socket, statistics, subprocess, sys, tempfile, threading, time
 sys.setrecursionlimit(20_000)
 @functools.lru_cache(maxsize=None)
 def deep(n):
