@@ -124,6 +124,7 @@ def _world(folder: Path) -> dict[str, str | None]:
         "HOME": str(folder / "home"),
         "TMPDIR": str(folder / "tmp"),
         "LANG": "C.UTF-8",
+        "PAGER": "cat",  # any other waits for a key
         "JUDGE_DB": str(folder / "history.sqlite3"),
         "JUDGE_CACHE": str(folder / "cache"),
     }
