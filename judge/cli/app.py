@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from click.shell_completion import CompletionItem
 
 _DEBUG = "--debug"
+_COMPLETING = "_JUDGE_COMPLETE"  # a variable of click's
 _NARROWEST, _USUAL_WIDTH, _WIDEST = 30, 80, 100  # columns of help
 _UNWRITABLE = (errno.ENOSPC, errno.EDQUOT, errno.EBADF)  # no fault of ours: a full disk, a closed stream
 _BETTER = (  # than what click says
@@ -169,6 +170,10 @@ def explain(fault: Exception) -> tuple[str, int]:
         return fault.format_message(), ExitCode.USAGE
     if isinstance(fault, OSError) and fault.errno in _UNWRITABLE:
         return f"cannot write ({os.strerror(fault.errno).lower()})", ExitCode.FAULT
+    if isinstance(fault, OSError) and fault.errno == errno.ENAMETOOLONG:
+        return f"no file can have a name as long as {str(fault.filename)[:40]!r}…", ExitCode.USAGE
+    if _COMPLETING in os.environ and isinstance(fault, LookupError | ValueError):
+        return f"only a shell that completes a word sets {_COMPLETING}; unset it", ExitCode.USAGE
     short = None if isinstance(fault, BlockingIOError) else shortage(fault)  # that may be a pipe's
     if short:
         return str(short), short.exit_code

@@ -10,6 +10,7 @@ import io
 import shutil
 import tarfile
 from collections.abc import Callable
+from http.client import HTTPException
 from pathlib import Path
 from urllib.error import URLError
 from urllib.request import urlopen
@@ -17,7 +18,7 @@ from urllib.request import urlopen
 import msgspec
 from msgspec import Struct
 
-from judge.errors import JudgeError, UsageError
+from judge.errors import JudgeError, UsageError, printable
 from judge.files import cache_folder, replace_file
 
 Progress = Callable[[str, int, int], None]  # what is fetched, bytes so far, bytes in all
@@ -80,10 +81,10 @@ def _given(place: str, name: str) -> bytes:
             with urlopen(f"{place.rstrip('/')}/{name}", timeout=_SECONDS) as answer:
                 return bytes(answer.read())
         return (Path(place) / name).read_bytes()
-    except OSError as fault:
+    except (OSError, ValueError, HTTPException) as fault:  # the address is none, or what answers is
         remedy = "name a folder or an address that holds the files of the npm package pyodide"
         what = f"there is no {name}: {_why(fault)}"
-        raise UsageError(what, where=f"--pyodide {place}", remedy=remedy) from None
+        raise UsageError(what, where=f"--pyodide {printable(place)}", remedy=remedy) from None
 
 
 def _fetched(part: Part, kept: Path, progress: Progress | None) -> bytes:
@@ -99,7 +100,7 @@ def _fetched(part: Part, kept: Path, progress: Progress | None) -> bytes:
                 found += piece
                 if progress:
                     progress(part.name, min(size, len(found)), size)
-    except OSError as fault:
+    except (OSError, HTTPException) as fault:
         remedy = f"fetch {part.address} yourself and put it into {kept}"
         raise JudgeError(f"{part.name} cannot be fetched: {_why(fault)}", remedy=remedy) from None
     if not part.is_sound(found):
@@ -110,6 +111,6 @@ def _fetched(part: Part, kept: Path, progress: Progress | None) -> bytes:
     return found
 
 
-def _why(fault: OSError) -> str:
-    reason = fault.reason if isinstance(fault, URLError) else fault.strerror or fault
+def _why(fault: Exception) -> str:
+    reason = fault.reason if isinstance(fault, URLError) else getattr(fault, "strerror", None) or fault
     return str(getattr(reason, "strerror", None) or reason).lower()

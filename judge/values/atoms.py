@@ -306,7 +306,7 @@ class RealType(NumberType):
         nearest = target[2]
         found = absolute, relative, ulps = answers.errors(value, nearest)
         where = place.name(short=True) or words.answer or "the answer"
-        if words.negative and value < 0 <= nearest:
+        if words.negative and wire.near(value) < 0 <= nearest:
             return Mismatch(f"{where} is negative: {words.negative}", where, found)
         share = "" if relative is None else f", relative error {relative:.2g}"
         if ulps is not None and ulps < _FEW_ULPS:

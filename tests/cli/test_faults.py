@@ -232,3 +232,24 @@ def test_a_shortage_anywhere_else_is_one_line_with_its_remedy(fault, line, judge
     assert (ended.status, ended.out) == (3, "")
     assert ended.err.startswith(f"judge: {line}")
     assert ended.err.count("\n") == 1
+
+
+@pytest.mark.parametrize(
+    ("words", "settings", "said"),
+    [
+        (("history", "9" * 5000, "--restore"), {}, "Which run?"),
+        (("new", "x" * 5000), {}, "no file can have a name as long as 'xxx"),
+        (("list",), {"_JUDGE_COMPLETE": "bash_complete"}, "only a shell that completes a word sets"),
+        (
+            ("list",),
+            {"_JUDGE_COMPLETE": "zsh_complete", "COMP_WORDS": "judge", "COMP_CWORD": "x"},
+            "only a shell",
+        ),
+    ],
+)
+def test_a_word_that_nobody_means_is_refused_in_one_line(words, settings, said, judge, monkeypatch):
+    for name, value in settings.items():
+        monkeypatch.setenv(name, value)
+    ended = judge(*words)
+    assert (ended.status, ended.err.count("\n")) == (2, 1)
+    assert said in ended.err

@@ -166,6 +166,38 @@ def test_a_demanded_level_is_named_in_the_result(judge, level):
     assert ended.err == ""  # who asks for less gets no warning
 
 
+VERDICTS = {
+    MEAN: "AC",
+    "for _ in range(int(input())):\n    print(sum(map(float, input().split())) / 2)\n": "AC",
+    """
+import concurrent.futures, ctypes, dataclasses, decimal, fractions, functools, json, os, platform, random, re
+import socket, statistics, subprocess, sys, tempfile, threading, time
+sys.setrecursionlimit(20_000)
+@functools.lru_cache(maxsize=None)
+def deep(n):
+    return n and deep(n - 1)
+with concurrent.futures.ThreadPoolExecutor(4) as pool:
+    assert [*pool.map(deep, range(4))] == [0, 0, 0, 0]
+def middle(a, b):
+    print(deep(2000), random.random(), time.monotonic(), os.getpid(), platform.machine(), file=sys.stderr)
+    return float(sum(map(fractions.Fraction, (a, b))) / 2)
+""": "AC",
+    FLOOR: "WA",
+    MEAN.replace("/ 2", "/ 0"): "RTE",
+    f"import os\n{MEAN.replace('return', 'os._exit(0); return')}": "RTE",
+    "def middle(a, b):\n    return len([0] * (1 << 33))\n": "MLE",
+    "def middle(a, b)\n    return 1\n": "CE",
+}
+
+
+@pytest.mark.parametrize("level", OFFERED)
+def test_a_program_has_one_verdict_at_every_level(judge, submit, level):
+    files = [submit(source, f"p{place}.py") for place, source in enumerate(VERDICTS)]
+    ended = judge("run", "middle", *files, "--json", "--no-shrink", "--no-name", "--isolation", level)
+    assert [json.loads(row)["verdict"] for row in ended.lines] == [*VERDICTS.values()]
+    assert {json.loads(row)["isolation"] for row in ended.lines} == {level}
+
+
 def test_a_level_that_cannot_be_had_is_refused_with_a_remedy(judge, monkeypatch):
     monkeypatch.setattr("judge.sandbox.probe.missing", lambda _: "bubblewrap is not installed")
     ended = judge("run", "count", str(ACCEPTED / "quadratic.py"), "--isolation", "full")

@@ -124,6 +124,13 @@ def test_what_cannot_be_fetched_is_told_in_one_line(judge, monkeypatch, tmp_path
     assert "cannot be fetched: network is unreachable" in ended.err
 
 
+@pytest.mark.parametrize("place", ["gone", "http://[", "http://127.0.0.1:1/\n", "http://127.0.0.1:1"])
+def test_where_no_pyodide_is_the_place_is_named(place, judge):
+    ended = judge("site", "middle", "--out", "public", "--pyodide", place)
+    assert (ended.status, ended.err.count("\n")) == (2, 1)
+    assert "there is no pyodide.mjs: " in ended.err
+
+
 @pytest.fixture(scope="module")
 def tab(tmp_path_factory):
     """The katas of a site, opened in this interpreter."""

@@ -88,7 +88,7 @@ def _lay_out(folder: Path) -> None:
 
 
 @cache
-def _pool(table: str) -> dict[str, tuple[str, ...]]:
+def pool(table: str) -> dict[str, tuple[str, ...]]:
     """A table of odd/words.toml."""
     content = tomllib.loads((Path(__file__).parent / "odd" / "words.toml").read_text(encoding="utf-8"))
     return {name: tuple(map(_meant, words)) for name, words in content[table].items()}
@@ -118,7 +118,7 @@ def _odd(chance: random.Random) -> Run:
 
 def _words(chance: random.Random) -> tuple[tuple[str, ...], click.Command | None]:
     """The words, and the command that they name."""
-    loose = _pool("words")["LOOSE"]
+    loose = pool("words")["LOOSE"]
     if chance.random() < 0.06:
         return tuple(chance.choice((*loose, *COMMANDS)) for _ in range(chance.randrange(4))), None
     name = chance.choice(list(COMMANDS))
@@ -155,12 +155,18 @@ def _argument(chance: random.Random, argument: Any) -> list[str]:
     return ["mean.py" if value == "pipe" else value for value in values]  # a pipe is waited for
 
 
+def kinds(parameter: click.Parameter) -> list[str]:
+    """The tables of odd/words.toml that its values are in."""
+    if isinstance(parameter.type, click.Choice) or getattr(parameter, "is_flag", False):
+        return []
+    return re.findall(r"[A-Z/]+", parameter.metavar or "N")
+
+
 def _value(chance: random.Random, parameter: click.Parameter) -> str:
     """A value for it, a good one half of the time."""
     if isinstance(parameter.type, click.Choice):
         return chance.choice([*parameter.type.choices, "none-such"])
-    kinds = re.findall(r"[A-Z/]+", parameter.metavar or "N")
-    values = _pool("words")[chance.choice(kinds)]
+    values = pool("words")[chance.choice(kinds(parameter))]
     return chance.choice(values[:3] if chance.random() < 0.5 else values)
 
 
@@ -171,7 +177,7 @@ def _takes_json(command: click.Command) -> bool:
 def _world(chance: random.Random) -> tuple[dict[str, str | None], tuple[str, str, str], dict[str, Any]]:
     """The environment, the streams and the rest."""
     settings: dict[str, str | None] = {}
-    for name, values in _pool("settings").items():
+    for name, values in pool("settings").items():
         if chance.random() < (0.02 if name == "_JUDGE_COMPLETE" else 0.07):
             value = chance.choice(values)
             settings[name] = None if value == _UNSET else value

@@ -29,6 +29,7 @@ def faults(run: Run, ended: Ended) -> list[str]:
     found = [
         f"it changes a file that is not its own: {what}" for what in ended.outside if _foreign(run, what)
     ]
+    found += [f"it leaves a process behind: {what[:200]}" for what in ended.left]
     if ended.status == -14:
         found.append("it does not end")
     elif ended.status not in STATUSES and not (run.interrupt is not None and ended.status == -2):

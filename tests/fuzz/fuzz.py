@@ -53,7 +53,8 @@ def findings(
     """What is wrong with the cases of these seeds; each has a folder of its own in `folder`."""
     module = TARGETS[target]
     for seed in seeds:
-        place = folder / f"{target}-{seed}"
+        own = folder / f"{target}-{seed}"
+        place = own / "case"  # beside a folder, a command keeps what it found out about it
         for part in ("work", "home", "tmp"):
             (place / part).mkdir(parents=True)
         chance = random.Random(f"{target}:{seed}")
@@ -72,7 +73,7 @@ def findings(
         if not keep:
             for folder_of_its_own in place.glob("work/sealed"):  # which else nobody but root could empty
                 folder_of_its_own.chmod(0o700)
-            shutil.rmtree(place)
+            shutil.rmtree(own)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

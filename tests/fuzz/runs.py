@@ -51,13 +51,17 @@ class Run:
 
 @dataclass(frozen=True)
 class Ended:
-    """How a command line ended: status (negative: a signal's), what it wrote, what it changed elsewhere."""
+    """How a command line ended: status (negative: a signal's), what it wrote, what it changed elsewhere.
+
+    `left` are the processes that outlived it.
+    """
 
     status: int
     out: str
     err: str
     shown: str  # on the terminal
     outside: tuple[str, ...]
+    left: tuple[str, ...] = ()
 
 
 class Worker:
@@ -65,6 +69,7 @@ class Worker:
 
     def __enter__(self) -> Worker:
         settings = {name: os.environ[name] for name in ("PATH", "HOME") if name in os.environ}
+        self._go = tempfile.TemporaryDirectory(prefix="judge-fuzz-go-")  # filling it takes half a minute
         self._process = subprocess.Popen(
             [sys.executable, "-B", str(Path(__file__).with_name("worker.py"))],
             stdin=subprocess.PIPE,
@@ -78,16 +83,17 @@ class Worker:
         self._process.stdin.close()
         self._process.wait()
         self._process.stdout.close()
+        self._go.cleanup()
 
     def run(self, run: Run, folder: Path) -> Ended:
-        """Run it in the case's folder, which is all that it may change."""
+        """Run it in the case's folder; it may change what is in the folder around that, and nothing else."""
         files = [folder / name for name in ("stdin", "stdout", "stderr", "terminal")]
         for file in files:
             file.write_bytes(run.typed.encode() if file is files[0] else b"")
         streams = [
             str(file) if kind == KEPT else kind for kind, file in zip(run.streams, files, strict=False)
         ]
-        settings = _world(folder) | dict(run.settings)
+        settings = _world(folder) | {"GOCACHE": self._go.name} | dict(run.settings)
         request = {
             "words": run.words,
             "settings": {name: value for name, value in settings.items() if value is not None},
@@ -98,7 +104,7 @@ class Worker:
             "typed": run.typed,
             "encoding": run.encoding,
             "shown": str(files[3]),
-            "roots": [str(folder)],
+            "roots": [str(folder.parent)],
         }
         self._process.stdin.write(json.dumps(request).encode() + b"\n")
         self._process.stdin.flush()
@@ -107,7 +113,7 @@ class Worker:
             _text(file, run) if kind in (KEPT, TERMINAL) else ""
             for file, kind in zip(files[1:], (*run.streams[1:], TERMINAL), strict=True)
         )
-        return Ended(answer["status"], out, err, shown, tuple(answer["outside"]))
+        return Ended(answer["status"], out, err, shown, tuple(answer["outside"]), tuple(answer["left"]))
 
 
 def _world(folder: Path) -> dict[str, str | None]:
@@ -118,6 +124,7 @@ def _world(folder: Path) -> dict[str, str | None]:
         "HOME": str(folder / "home"),
         "TMPDIR": str(folder / "tmp"),
         "LANG": "C.UTF-8",
+        "PAGER": "cat",  # any other waits for a key
         "JUDGE_DB": str(folder / "history.sqlite3"),
         "JUDGE_CACHE": str(folder / "cache"),
     }

@@ -1,11 +1,13 @@
 """Folders of odd submissions, judged contained as any are: each has one result, and none costs another.
 
-Among them are one that is right and one that is wrong, whose verdicts are known. The odd ones are made of
+Among them are two that are right, the first and the last, and one that is wrong. The odd ones are made of
 
     odd/answers.txt   expressions, a line each; most are no answer to anything
     odd/classes.txt   the classes and functions that they name
     odd/shapes.txt    submissions around an answer, which ANSWER stands for, with `---` between them
     odd/lines.txt     whole submissions of one line; more are in odd/parts.toml
+    odd/deeds.txt     what a hostile one does, `---` between them
+    odd/moments.txt   when it does that, which is what `deed()` stands for; `first` comes before each answer
 
 ENTRY stands for the function's name, ARGS for its parameters.
 """
@@ -15,6 +17,7 @@ from __future__ import annotations
 import json
 import random
 import re
+import textwrap
 from functools import cache
 from pathlib import Path
 
@@ -23,16 +26,21 @@ from runs import ROOT, Ended, Run
 
 from judge.problem.load import load_problem
 
-_BATCH = 10  # odd ones of a case
+_BATCH = 6  # odd ones of a case, of which four are hostile
 _LONGEST = 100_000  # characters of a result
 _CASES = 2  # of a test group
 _PROBLEMS = ("middle", "count", "segment", "ray-nearest", "exact-count")
 _PACKS = {"middle": ROOT / "tests" / "fixtures" / "pack"}  # the others are shipped
 _NAMES = (*(name.replace("<byte>", "\udcff") for name in pool("names")), "x" * 200)
-_RIGHT, _WRONG = "0-right.py", "1-wrong.py"
+_KNOWN = {"0-right.py": "AC", "1-wrong.py": "WA", "~right.py": "AC"}  # these are judged first and last
+_IMPORTED = (
+    *("atexit", "builtins", "gc", "json", "marshal", "mmap", "os", "random", "resource", "select", "signal"),
+    *("subprocess", "sys", "threading", "time", "traceback", "warnings"),
+)
 
 
 _ODD = Path(__file__).with_name("odd")
+_BETWEEN = "\n---\n"
 _DEEP = "".join(f"{' ' * depth}if 1:\n" for depth in range(120)) + " " * 120 + "pass\n"
 _WHOLE = (
     *(*pool("programs"), _DEEP, "(" * 500 + ")" * 500, "[" * 10_000, "-" * 50_000 + "1", "9" * 5000),
@@ -53,11 +61,33 @@ def odd_program(chance: random.Random, entry: str, parameters: str) -> tuple[str
         text = chance.choice((*_WHOLE, *_odd("lines.txt")))
         what = repr(text[:60])
     else:
-        shape, answer = chance.choice(_odd("shapes.txt", "\n---\n")), chance.choice(_odd("answers.txt"))
+        shape, answer = chance.choice(_odd("shapes.txt", _BETWEEN)), chance.choice(_odd("answers.txt"))
         text = f"{_odd('classes.txt', chr(0))[0]}\n{shape.replace('ANSWER', f'({answer})')}\n"
         what = f"{shape[:90]!r} with {answer}"
     text = text.replace("ENTRY", entry).replace("ARGS", parameters)
     return what, text.encode("utf-8", "surrogatepass")
+
+
+def hostile_program(chance: random.Random, entry: str, parameters: str) -> tuple[str, bytes]:
+    """A program that does one to three hostile deeds, each at a moment of its own; else it answers."""
+    text = f"import {', '.join(_IMPORTED)}\nkept, done = [], []\n{_odd('classes.txt', chr(0))[0]}\n"
+    answer = chance.choice(("None", "1", "0.5", "[(1, 2)]"))
+    story, befores = [], []
+    for number in range(chance.choice((1, 1, 2, 3))):
+        deed, moment = (
+            chance.choice(_odd("deeds.txt", _BETWEEN)),
+            chance.choice(_odd("moments.txt", _BETWEEN)),
+        )
+        body = textwrap.indent(deed, "    ")
+        text += f"def deed{number}():\n{body}\n"
+        text += re.sub(r"\b(deed|first|Odd|last|Last)\b", rf"\g<1>{number}", moment) + "\n"
+        befores += [f"    found = first{number}()"] if "def first" in moment else []
+        story.append(f"{deed[:60]!r} in {moment[:60]!r}")
+    head = "def ENTRY(ARGS):" if chance.random() < 0.8 else "for line in sys.stdin:"  # or a whole program
+    last = "return found or ANSWER" if head.startswith("def") else "print(found or ANSWER)"
+    text += "\n".join([head, "    found = None", *befores, f"    {last}"])
+    text = text.replace("ANSWER", answer).replace("ENTRY", entry).replace("ARGS", parameters)
+    return ", ".join(story), f"{text}\n".encode()
 
 
 def changed_program(chance: random.Random, source: bytes) -> tuple[str, bytes]:
@@ -96,7 +126,7 @@ def _shortened(text: str) -> bytes:
     """A problem.toml with few cases, no race against a reference and a tenth of a second a group."""
     text = re.sub(r"(?m)^count = \d+", f"count = {_CASES}", text)
     text = re.sub(r"(?m)^cpu_seconds = .*", "cpu_seconds = 0.1", text)
-    text = re.sub(r"(?m)^wall_seconds = .*", "wall_seconds = 30", text)
+    text = re.sub(r"(?m)^wall_seconds = .*", "wall_seconds = 1", text)
     return re.sub(r"(?m)^\[time(\.\w+)?\].*\n([^\[\n].*\n|\n)*", "", text).encode()
 
 
@@ -110,11 +140,14 @@ def prepare(chance: random.Random, folder: Path) -> tuple[list[str], list[Run]]:
     entry, parameters = shipped.entry, ", ".join(parameter.name for parameter in shipped.parameters)
     batch = folder / "work" / "batch"
     batch.mkdir(parents=True)
-    (batch / _RIGHT).write_bytes(_program(problem, "accepted", entry))
-    (batch / _WRONG).write_bytes(f"def {entry}({parameters}):\n    return 'wrong'\n".encode())
+    wrong = f"def {entry}({parameters}):\n    return 'wrong'\n".encode()
+    for name, verdict in _KNOWN.items():
+        (batch / name).write_bytes(_program(problem, "accepted", entry) if verdict == "AC" else wrong)
     story = [f"{problem}"]
     for number in range(_BATCH):
-        if chance.random() < 0.5:
+        if number % 3:
+            what, source = hostile_program(chance, entry, parameters)
+        elif chance.random() < 0.5:
             what, source = odd_program(chance, entry, parameters)
         else:
             source = chance.choice(
@@ -170,7 +203,7 @@ def further_faults(run: Run, ended: Ended, folder: Path) -> list[str]:
     known = {result["submission"].rpartition("/")[2]: result for result in results}
     for name, result in known.items():
         why = str((result["failure"] or {}).get("message"))
-        wanted = {_RIGHT: "AC", _WRONG: "WA"}.get(name)
+        wanted = _KNOWN.get(name)
         if result["verdict"] == "JE" or wanted not in (None, result["verdict"]):
             found.append(f"{name!r} is judged {result['verdict']}, not {wanted or 'by itself'}: {why[:300]}")
         if len(json.dumps(result)) > _LONGEST:

@@ -8,15 +8,24 @@ from __future__ import annotations
 import sys
 
 import pytest
+from command_lines import kinds, pool
 from contract import faults
 from fuzz import findings
 from runs import Ended, Run, Worker
 from sampling import nightly
 from worker import CLOSED, FULL, KEPT, NULL, TERMINAL
 
-COUNTS = {"problems": (5, 80), "submissions": (1, 3), "commands": (5, 70)}  # by day and in all
-SEEDS = [(target, range(day)) for target, (day, _) in COUNTS.items()]
-SEEDS += [nightly(target, range(day, night)) for target, (day, night) in COUNTS.items()]
+from judge.cli.app import app
+from judge.cli.table import COMMANDS
+
+# by day, in all, and in one test: 126 cases of submissions hold 504 hostile ones
+COUNTS = {"problems": (5, 80, 80), "submissions": (1, 126, 18), "commands": (5, 1000, 100)}
+SEEDS = [(target, range(day)) for target, (day, _, _) in COUNTS.items()]
+SEEDS += [
+    nightly(target, range(max(day, start), min(start + each, night)))
+    for target, (day, night, each) in COUNTS.items()
+    for start in range(0, night, each)
+]
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="the worker waits by Linux's descriptors")
 
@@ -32,6 +41,12 @@ def test_no_case_ends_as_none_may_end(target, seeds, worker, tmp_path):
     found = list(findings(target, seeds, tmp_path, worker))
     assert not found, "\n\n".join(map(str, found))
     assert list(tmp_path.iterdir()) == []
+
+
+def test_every_value_that_a_command_takes_has_odd_ones():
+    commands = [app.get_command(None, name) for name in COMMANDS]
+    taken = {kind for command in commands for each in command.params for kind in kinds(each)}
+    assert taken == {*pool("words")} - {"LOOSE"}
 
 
 SHOW, JSON = Run(("show", "middle")), Run(("start", "--json"), checked=True)
@@ -69,7 +84,7 @@ def test_the_contract_sees_what_breaks_it(run, status, out, err, fault):
 
 
 def test_a_command_line_writes_only_where_it_may_and_has_the_streams_that_are_asked_for(worker, tmp_path):
-    case, elsewhere = tmp_path / "case", tmp_path / "elsewhere"
+    case, elsewhere = tmp_path / "own" / "case", tmp_path / "elsewhere"
     for folder in (case / "work", case / "tmp", elsewhere):
         folder.mkdir(parents=True)
     ended = worker.run(Run(("start", "count", str(elsewhere / "x.py"), "--no-watch")), case)

@@ -1,8 +1,9 @@
 """A process that has imported the judge and forks for every command line, which takes a few milliseconds.
 
 It reads requests from standard input, a JSON object a line, and answers each with one on standard output:
-{"status": 2, "outside": ["open /etc/x"]}. A status is negative where a signal ended the command line;
-`outside` lists what it tried to write outside its own folders, which is refused.
+{"status": 2, "outside": ["open /etc/x"], "left": []}. A status is negative where a signal ended the command
+line; `outside` lists what it tried to write outside its own folders, which is refused; `left` are the
+processes that it has left behind, which are ended.
 
 A stream of a command line is a file's path, or one of the words below.
 """
@@ -28,9 +29,12 @@ import traceback
 from pathlib import Path
 from typing import Any, NoReturn
 
+from judge.sandbox.linux import kernel
+
 CLOSED, FULL, NULL, GONE, TERMINAL = "closed", "full", "null", "gone", "terminal"
 KEPT = "kept"  # a word for the file of the case's own
 PATIENCE = 300  # seconds after which a command line is said not to end; nothing takes a tenth of it
+_TO_END = 20  # seconds for what a command line has started: it ends at once when that has ended
 _OWN_FAULT = 99  # the status of a child of which we made no command line
 _HIGH = 64  # our own descriptors are above, out of the way of what the judge opens
 _WRITING = os.O_WRONLY | os.O_RDWR | os.O_CREAT | os.O_TRUNC | os.O_APPEND
@@ -48,6 +52,7 @@ _AHEAD = ("hypothesis", "hypothesis.internal.conjecture.engine", "jinja2", "rich
 def main() -> None:
     """Serve until there is nothing more to read."""
     _import_ahead()
+    kernel.prctl(kernel.PR_SET_CHILD_SUBREAPER, 1)  # what a command line leaves behind comes to us
     answers = os.fdopen(fcntl.fcntl(1, fcntl.F_DUPFD_CLOEXEC, _HIGH), "w")
     for line in sys.stdin.buffer:
         answers.write(json.dumps(_serve(json.loads(line))) + "\n")
@@ -82,7 +87,28 @@ def _serve(request: dict[str, Any]) -> dict[str, Any]:
     report.seek(0)
     outside = sorted(set(report.read().decode(errors="replace").splitlines()))
     report.close()
-    return {"status": os.waitstatus_to_exitcode(status), "outside": outside}
+    return {"status": os.waitstatus_to_exitcode(status), "outside": outside, "left": _left()}
+
+
+def _left() -> list[str]:
+    """End the processes that a command line has left behind, once they had time to end by themselves."""
+    until = time.monotonic() + _TO_END
+    left = []
+    while True:
+        try:
+            gone = os.waitpid(-1, os.WNOHANG)[0]
+        except ChildProcessError:
+            return left
+        if not gone and time.monotonic() < until:
+            time.sleep(0.005)
+        elif not gone:
+            me = Path(f"/proc/self/task/{os.getpid()}/children")
+            for pid in me.read_text().split():
+                left.append(
+                    Path(f"/proc/{pid}/cmdline").read_bytes().replace(b"\0", b" ").decode(errors="replace")
+                )
+                os.kill(int(pid), signal.SIGKILL)
+                os.waitpid(int(pid), 0)
 
 
 def _wait(child: int, master: int, request: dict[str, Any]) -> int:
@@ -203,7 +229,10 @@ def _is_device(path: Any) -> bool:
 
 
 def _guard(folders: list[str], report: int) -> None:
-    """Refuse and report every change of a file outside these folders; devices may be opened."""
+    """Refuse and report every change of a file outside these folders; devices may be opened.
+
+    Whatever it would fetch is refused too.
+    """
     roots = [os.path.realpath(folder) for folder in folders]
 
     def allowed(path: Any, *, itself: bool, making: bool) -> bool:
@@ -220,6 +249,8 @@ def _guard(folders: list[str], report: int) -> None:
         return any(real == root or real.startswith(root + os.sep) for root in roots)
 
     def look(event: str, arguments: tuple[Any, ...]) -> None:
+        if event == "urllib.Request":
+            raise PermissionError(13, "the fuzz has no network")
         if event == "open":
             path, _, flags = arguments
             if not flags & _WRITING or isinstance(path, int):

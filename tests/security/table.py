@@ -139,6 +139,15 @@ OWN_SOURCE = {  # which a plain interpreter has under no descriptor
     "grow_own_source": "os.ftruncate(4, 1 << 20)",
     "change_own_source_by_name": "open(__file__, 'r+b', buffering=0).write(b'#')",
 }
+OF_THE_JUDGE = {  # whose memory it shares: at `limits` a plain user's submission has the rights of that user
+    "shrink_shared_memory": """
+        folder = f"/proc/{target['judge_pid']}/fd"
+        shared = [f"{folder}/{name}" for name in os.listdir(folder)]
+        largest = max((path for path in shared if "memfd:judge" in os.readlink(path)), key=os.path.getsize)
+        if os.path.getsize(largest) < 1 << 24: raise OSError("none is large enough")
+        os.truncate(largest, 0)
+        """,
+}
 WRITING = {
     "write_file": "open(inside('new.txt'), 'w').write('x')",
     "write_tmp": "path = f'/tmp/judge-attack-{os.getpid()}'\nopen(path, 'w').close()\nos.unlink(path)",
@@ -268,6 +277,7 @@ ATTACKS = [
     *_tries(EXISTENCE, open_at=ONLY_FULL),
     *_tries(OWN, open_at=ALWAYS),
     *_tries(OWN_SOURCE, open_at=ALWAYS, control=""),
+    *_tries(OF_THE_JUDGE, open_at=ALWAYS, control=""),
     *_tries({"be_root": "if os.getuid(): raise OSError('a plain user')"}, open_at=ALWAYS, control="root"),
     *_tries(WRITING),
     *_tries({"setxattr_file": "os.setxattr(target['victim'], 'user.judge', b'x')"}, control="maybe"),

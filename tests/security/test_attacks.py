@@ -25,6 +25,7 @@ def _by_day() -> Iterator[tuple[str, str, str]]:
         yield attack.name, LEVELS[turn % 3] if attack.ends else lowest, user
     for name in HIGHEST:
         yield name, "full", USERS[-1]
+    yield "shrink_shared_memory", "limits", "plain"
 
 
 BY_DAY = {*_by_day()}

@@ -14,6 +14,7 @@ from sandboxed import LIMITS, children, require
 
 from judge.errors import JudgeError, ShortageError, shortage, told
 from judge.sandbox import Boxes, Stop, open_box, room
+from judge.sandbox import box as box_
 from judge.sandbox import compile as compile_
 from judge.sandbox.box import ForkServerBox
 from judge.sandbox.inside import wire
@@ -69,6 +70,16 @@ def test_a_compiler_that_is_kept_waiting_or_killed_is_no_compile_error(reason, e
             box.inspect()
         monkeypatch.undo()
         assert box.inspect().fault is None
+
+
+def test_a_long_source_that_a_busy_machine_compiles_too_late_is_no_compile_error(monkeypatch):
+    source = b"x = 1\n" * 50_000 + b"def f(n):\n    return n"
+    monkeypatch.setattr(box_, "_INSPECTION", box_._INSPECTION._replace(wall_seconds=0.01))
+    with open_box(source, "f.py") as box, pytest.raises(ShortageError, match="too busy to compile it"):
+        box.inspect()
+    monkeypatch.undo()
+    with open_box(source, "f.py") as box:
+        assert box.call_many("f", [(1,)], LIMITS).replies[0].answer == 1
 
 
 C = "int main(void) { return 0; }"

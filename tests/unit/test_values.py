@@ -205,7 +205,9 @@ def test_a_wrapper_is_no_word_of_that_name():
 def test_a_problem_has_its_own_words():
     words = Words(answer="t", missing="but there is one", order="they come upwards", negative="never is it")
     assert judged("real?", Real(1), None, words).message == "None given, but there is one: t = 1.0"
-    assert judged("real?", Real(1), -1.0, words).message == "t is negative: never is it"
+    for below in (-1, -1.0, {"decimal": "-1.5"}, {"int": str(-(10**99))}, {"fraction": ["-1", "3"]}):
+        assert judged("real?", Real(1), below, words).message == "t is negative: never is it"
+    assert "t is off by 0.5" in judged("real?", Real(1), {"decimal": "1.5"}, words).message
     assert "negative" not in judged("real?", Real(-1), -2.0, words).message
     off = judged("real?", Real(1), 2.0, words)
     assert (off.where, off.message[:10]) == ("t", "t is off b")

@@ -32,6 +32,7 @@ from judge.report import published_progress as published
 from judge.report.screen import note
 
 _ON_SCREEN = 18  # runs, unless it is said how many
+_DIGITS = 18  # of the number of a run; what is longer is the name of a kata
 _PAGE = Path("judge-report.html")
 
 
@@ -168,7 +169,7 @@ def history(words: tuple[str, ...], ask: HistoryAsk, common: Common) -> Struct:
     With --restore, the source that a run judged is written to its file again. If that file has changed since,
     it is kept as FILE.bak. A damaged run is left out, and a note says so.
     """
-    numbers = [int(word) for word in words if word.isdecimal()]
+    numbers = [int(word) for word in words if word.isdecimal() and len(word) <= _DIGITS]
     many, one = len(words) > min(max(len(numbers), 1), 2), len(numbers) == 1
     _refuse(
         (many, "Give one kata, one run or two runs; such as judge history 3 5"),

@@ -1,0 +1,66 @@
+"""`driver.py` with one layer of the containment left out: `without.py LAYER LEVEL < names`.
+
+A layer is left out in the code that is sent into the container, so that nothing of the judge's has a switch
+for it.
+"""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import driver
+
+from judge.sandbox import bundle
+
+INSIDE, LINUX = "judge.sandbox.inside.", "judge.sandbox.linux."
+_RULES = (
+    f"{INSIDE}confine",
+    'landlock.restrict(config["readable"], config["writable"], runnable, filled)',
+    "pass",
+)
+_LOOK = (f"{INSIDE}server", "        _look_around(region, line, config)\n", "")
+_SERVERS = (f"{INSIDE}confine", "seccomp.Filter(seccomp.server_filter(machine, profile)).load()", "pass")
+_CHILDS = (
+    f"{LINUX}seccomp",
+    "child_filter(syscalls.machine(), self._MARK, profile)",
+    "bpf.otherwise(bpf.ALLOW)",
+)
+LAYERS = {
+    "landlock": (_RULES,),
+    "landlock and the last look": (_RULES, _LOOK),
+    "the server's filter": (_SERVERS,),
+    "the child's filter": (_CHILDS,),
+    "landlock and both filters": (_RULES, _LOOK, _SERVERS, _CHILDS),
+    "another user": ((f"{INSIDE}confine", 'if config["uid"] is not None:', "if False:"),),
+    "the limit on threads": ((f"{INSIDE}confine", "_limit(resource.RLIMIT_NPROC, self._threads)", "pass"),),
+    "hard limits": (
+        (f"{INSIDE}confine", "setrlimit(which, (value, value))", "setrlimit(which, (value, hard))"),
+    ),
+    "closed descriptors": ((f"{INSIDE}child", "os.closerange(len(kept), wire.MOST_DESCRIPTORS)", "pass"),),
+    "the seals of its source": (
+        (f"{INSIDE}source", "fcntl.fcntl(number, fcntl.F_ADD_SEALS, seals)", "pass"),
+    ),
+}
+
+
+def leave_out(layer: str) -> None:
+    """Send the container code that lacks the layer."""
+    whole = bundle._code_of
+
+    def lacking(name: str) -> object:
+        changes = [change for change in LAYERS[layer] if change[0] == name]
+        if not changes:
+            return whole(name)
+        source = Path(str(bundle.find_spec(name).origin)).read_text()
+        for _, here, instead in changes:
+            assert source.count(here) == 1, here
+            source = source.replace(here, instead)
+        return compile(source, name, "exec", dont_inherit=True)
+
+    bundle._code_of = lacking  # type: ignore[assignment]
+
+
+if __name__ == "__main__":
+    leave_out(sys.argv[1])
+    driver.main(sys.argv[2])
