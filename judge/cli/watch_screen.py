@@ -338,6 +338,6 @@ class _Loop:
     def _picture(self, screen: Screen, rows: int) -> RenderableType:
         """The failing case, drawn below its arguments."""
         if self._found and not has_room(screen):
-            return warning("A picture needs a terminal of 60 columns that knows braille.")
+            return warning("A picture needs a terminal of 40 columns that knows braille.")
         drawn = magnified(self._found, screen, rows - 4) if self._found else None
         return drawn or warning("There is no failing case to draw.")

@@ -125,23 +125,24 @@ def chart_svg(chart: Chart) -> str:
     return element(f'aria-label="{name}" width="100%" height="{bottom + _BELOW}"', parts)
 
 
-def chart_braille(chart: Chart, rows: int = ROWS) -> list[list[Piece]]:
-    """Rows for a terminal, at most `rows` or `LEAST_ROWS`, of at most `COLUMNS` columns."""
+def chart_braille(chart: Chart, rows: int = ROWS, columns: int = COLUMNS) -> list[list[Piece]]:
+    """Rows for a terminal, at most `rows` or `LEAST_ROWS`, of at most so many columns or `COLUMNS`."""
     across, up = _scales(chart)
     high = min(max(rows, LEAST_ROWS), ROWS) - 2
     levels = {round((1 - at) * (high - 1)): text for at, text in up.ticks()}
     left = max(map(len, levels.values()), default=0) + 1
-    raster = Raster(high, COLUMNS - left)
+    columns = min(columns, COLUMNS)
+    raster = Raster(high, columns - left)
     strokes, marks = [], []
     for series in chart.series:
         dots = [(2 * across(a) - 1, 2 * up(b) - 1) for a, b in series.points]
         strokes += [Stroke(pair, series.role) for pair in pairwise(dots)]
         marks += [Mark(dot, series.role, series.name) for dot in dots]
     cells = grid(Panel("", tuple(strokes), tuple(marks), ()), raster)
-    drawn = [[Piece(f"{levels.get(at, ''):>{left - 1}} "), *pieces(row)] for at, row in enumerate(cells)]
-    foot = " " * COLUMNS
+    drawn = [[Piece(f"{levels.get(at, ''):>{left - 1}} "), *pieces(row)] for at, row in cells.items()]
+    foot = " " * columns
     for share, said in across.ticks():
-        at = min(left + round(share * (raster.wide - 1)), COLUMNS - len(said))
+        at = min(left + round(share * (raster.wide - 1)), columns - len(said))
         if not foot[max(0, at - 1) : at + len(said)].strip():
             foot = foot[:at] + said + foot[at + len(said) :]
     letters = [LETTERS.get(series.role, series.name[:1]) for series in chart.series]

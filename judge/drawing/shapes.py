@@ -21,6 +21,11 @@ class Role(Enum):
     WANTED = "wanted"
     GOT = "got"
 
+    @property
+    def said(self) -> str:
+        """What an answer of that role is called."""
+        return "expected" if self is Role.WANTED else self.value
+
 
 @dataclass(frozen=True, slots=True)
 class Stroke:
@@ -34,16 +39,24 @@ class Stroke:
 
 @dataclass(frozen=True, slots=True)
 class Mark:
-    """A point and its label, `shared` with points of other roles where it stands for all that meet there.
+    """A point and its name, `shared` with points of other roles where it stands for all that meet there.
 
-    `towards` is set where it stands at the edge for one that lies outside.
+    Where it stands at the edge for one that lies outside, that is `towards` there and so far `away`. `sign`
+    is the letter or two that it has in a terminal.
     """
 
     at: Dot
     role: Role
     text: str
+    sign: str = ""
     towards: Dot | None = None
+    away: str = ""
     shared: bool = False
+
+    @property
+    def label(self) -> str:
+        """Its name, and how far away it is."""
+        return f"{self.text}, {self.away} away" if self.away else self.text
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,7 +100,7 @@ class Picture:
     facts: tuple[Fact, ...]
     legend: str = ""  # what its words stand for
     why: str = ""  # what the case turns on, where that is exact or cannot be seen
-    keys: tuple[str, str] = ("expected", "got")  # what the two kinds of marks are called
+    keys: tuple[str, str] = (Role.WANTED.said, Role.GOT.said)  # what the two kinds of marks are called
 
     @property
     def panels(self) -> tuple[Panel, ...]:

@@ -133,7 +133,7 @@ def _drawing(panel: Panel) -> Iterator[str]:
         else:
             yield _mark(mark.role, x, y)
     labelled = [spot for spot in spots if spot[0].text]
-    texts = [(x, y, _cut(mark.text, _WIDEST)) for mark, x, y in labelled]
+    texts = [(x, y, _cut(mark.label, _WIDEST)) for mark, x, y in labelled]
     for (mark, x, y), label in zip(labelled, place_labels(texts, _SIDE, taken, ink), strict=True):
         box = label.box
         if label.leader:  # to the point of the box that is next to the mark

@@ -310,7 +310,7 @@ def _moving(view: View, way: Way, r: Decimal, name: str, answers: Any) -> None:
     for t, role in zip(answers, (Role.WANTED, Role.GOT), strict=True):
         if isinstance(t, Decimal) and abs(t) < 100:
             view.rings.append(Ring(*way.at(t), r, role, None))
-            view.name(way.at(t), f"{role.value} t = {text(t)}" if name == "P" else "", role)
+            view.name(way.at(t), f"{role.said} t = {text(t)}" if name == "P" else "", role)
 
 
 def _ghosts(view: View, *discs: tuple[Place, Decimal]) -> None:

@@ -40,7 +40,7 @@ def common(view: View, answer: Plain, role: Role) -> None:
     if role is Role.WANTED and view.ways and isinstance(answer, Decimal):
         found = met(view.ways[0], view.rings[0])
         for t in found if answer else ():
-            view.name(view.ways[0].at(t), "common point", role)
+            view.name(view.ways[0].at(t), role.said, role)
 
 
 def chord(view: View, answer: Plain, role: Role) -> None:
@@ -60,7 +60,7 @@ def listed(view: View, answer: Plain, role: Role) -> None:
 
 
 def _numbered(role: Role, number: int, of: int) -> str:
-    return f"{role.value} {number}" if of > 1 else role.value
+    return f"{role.said} {number}" if of > 1 else role.said
 
 
 def touching(view: View, answer: Plain, role: Role) -> None:
@@ -85,7 +85,7 @@ def across(view: View, answer: Plain, role: Role) -> None:
 def on_ray(view: View, answer: Plain, role: Role) -> None:
     """A parameter t."""
     if isinstance(answer, Decimal) and view.ways:
-        view.name(view.ways[0].at(answer), f"{role.value} t = {text(answer)}", role)
+        view.name(view.ways[0].at(answer), f"{role.said} t = {text(answer)}", role)
 
 
 def spatial(view: View, answer: Plain, role: Role) -> None:
@@ -134,7 +134,7 @@ def nearest_point(view: View, answer: Plain, role: Role) -> None:
     foot = foot_of(view)
     if isinstance(answer, Decimal) and foot:
         P = view.spots[0].at
-        view.name(step(P, minus(foot, P), answer), role.value, role)
+        view.name(step(P, minus(foot, P), answer), role.said, role)
     else:
         listed(view, answer, role)
 

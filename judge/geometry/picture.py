@@ -7,6 +7,7 @@ decides is what `solve` asked of `Sure`; a kata without a promise asks nothing, 
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass, replace
@@ -18,12 +19,13 @@ from typing import Any
 from judge.drawing.clip import inside
 from judge.drawing.lengths import round_below
 from judge.drawing.lengths import short as figures
-from judge.drawing.shapes import Bar, Fact, Mark, Panel, Picture, Role
+from judge.drawing.shapes import Bar, Dot, Fact, Mark, Panel, Picture, Role
 from judge.geometry.frame import Frame
 from judge.geometry.sure import short
 from judge.geometry.view import (
     Contact,
     Place,
+    Spot,
     View,
     Way,
     cross,
@@ -45,7 +47,7 @@ _ROOM = Decimal(5) / 2  # half a lens, in lengths that it shows
 _FAR = 6  # points further out than so many sizes of what is drawn are shown at the edge
 _MARGIN = Decimal("1.2")
 _TOGETHER = 0.05  # marks that are closer than this share a label
-_EDGE = 0.97
+_REMARK = re.compile(r" \(.*")  # behind a name
 
 
 def compose(kind: str, shown: Shown, solve: Callable[..., Any]) -> Picture | None:
@@ -193,17 +195,40 @@ def _marks(view: View, frame: Frame, *, beyond: bool) -> tuple[Mark, ...]:
     """Every point in the panel; given ones outside it at its edge, and with `beyond` those of the case."""
     found: list[Mark] = []
     for spot in view.spots:
-        at = frame.place(spot.at)
+        at, sign = frame.place(spot.at), _sign(spot.text)
         if inside(at):
-            found.append(Mark(at, spot.role, spot.text))
+            found.append(Mark(at, spot.role, spot.text, sign))
         elif spot.text and (spot.role is Role.GOT or (beyond and spot.role is Role.CASE)):
             away = length(minus(spot.at, frame.middle))
             text = figures(Fraction(away)) if beyond else f"{short(away / (view.size or 1))} e"
-            x, y = at[0] / max(map(abs, at)), at[1] / max(map(abs, at))
-            size = hypot(x, y)
-            towards = x / size, y / size
-            found.append(Mark((x * _EDGE, y * _EDGE), spot.role, f"{spot.text}, {text} away", towards))
+            edge, towards = _leaving(view, frame, spot)
+            found.append(Mark(edge, spot.role, spot.text, sign, towards, text))
     return _merged(found)
+
+
+def _leaving(view: View, frame: Frame, spot: Spot) -> tuple[Dot, Dot]:
+    """Where a point outside stands, and towards where: at the end of what is seen of its own line, if any."""
+    for way in view.ways:
+        if spot.at in (way.start, way.at(1)):
+            whole = Way(way.start, way.along, None, None, beside=way.beside)
+            ends = [dot for stroke in frame.way(whole) for dot in (stroke.dots[0], stroke.dots[-1])]
+            if ends:
+                forth = dot(minus(spot.at, frame.middle), way.along) > 0
+                right, up = map(float, frame.turned(way.along))
+                return ends[-1 if forth else 0], _unit(right, up, 1 if forth else -1)
+    x, y = frame.place(spot.at)
+    far = max(abs(x), abs(y))
+    return (x / far, y / far), _unit(x, y)
+
+
+def _unit(x: float, y: float, times: int = 1) -> Dot:
+    size = hypot(x, y) or 1.0
+    return times * x / size, times * y / size
+
+
+def _sign(name: str) -> str:
+    """What of a name stands in a terminal: `C` of `C (r = 0)`, `AB` of `A = B`, `D` of `O + D`."""
+    return "".join(_REMARK.sub("", name).rpartition(" + ")[2].split(" = "))
 
 
 def _merged(marks: list[Mark]) -> tuple[Mark, ...]:
@@ -223,7 +248,7 @@ def _merged(marks: list[Mark]) -> tuple[Mark, ...]:
 
 
 def _together(one: Mark, other: Mark) -> bool:
-    if (one.towards is None) != (other.towards is None):
+    if (one.towards is None, one.away) != (other.towards is None, other.away):
         return False
     return hypot(one.at[0] - other.at[0], one.at[1] - other.at[1]) < _TOGETHER
 
@@ -255,7 +280,7 @@ def _lens(view: View, found: list[Contact], window: Frame) -> Panel | None:
         frame = Frame(sight.at, (2 * touch.r * unit).sqrt(), unit, touch.along)
         bars = [_bar(unit / e, " across", upright=True), _bar(frame.along / e, " along")]
     times = figures(Fraction(window.along / unit))
-    title = f"Lens: {sight.title}, × {times}{' across' if len(bars) > 1 else ''}"
+    title = f"Lens: {sight.title}, × {times}{' across, not to scale' if len(bars) > 1 else ''}"
     return Panel(title, _strokes(view, frame), _marks(view, frame, beyond=False), tuple(bars), sight.note)
 
 
@@ -268,7 +293,7 @@ def _bar(unit: Decimal, way: str, *, upright: bool = False) -> Bar:
 def _error(view: View, window: Frame) -> _Sight | None:
     """The worst of the given points that are nearly, but not quite, the wanted ones, each in its turn."""
     e = view.size or Decimal(1)
-    right = [spot for spot in view.spots if spot.role is Role.WANTED and spot.text != "common point"]
+    right = [spot for spot in view.spots if spot.role is Role.WANTED]
     told = [spot for spot in view.spots if spot.role is Role.GOT]
     if not told or len(right) != len(told):
         return None

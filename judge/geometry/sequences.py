@@ -57,7 +57,7 @@ def first_wrong_ray(circles, *rays, answers=(), **_: Any) -> View | None:
         if isinstance(answer, list) and at < len(answer):
             found = numbers(answer[at], 2)
             if found:
-                view.name(view.ways[0].at(found[1]), f"{role.value} circle {found[0]:.6g}", role)
+                view.name(view.ways[0].at(found[1]), f"{role.said} circle {found[0]:.6g}", role)
     return view
 
 

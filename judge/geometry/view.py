@@ -104,7 +104,7 @@ class View:
     def arrow(self, start: Place, tip: Place, role: Role, text: str = "") -> None:
         """Add a vector of an answer."""
         self.ways.append(Way(start, minus(tip, start), role=role))
-        self.name(tip, text or role.value, role)
+        self.name(tip, text or role.said, role)
 
 
 def precision(values: Sequence[Any]) -> int:

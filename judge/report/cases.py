@@ -66,7 +66,7 @@ def _fitted(
 ) -> RenderableType:
     """The case between what is above and below it, with its picture; on a low screen less is said of it."""
     found = made(partial(picture_of, tried), "the case")
-    picture = partial(picture_rows, found) if found and has_room(screen) else None
+    picture = partial(picture_rows, found, screen) if found and has_room(screen) else None
     fit: list[RenderableType] = []
     for brief in (False, True):
         middle = indented(facts(_facts(tried, getattr(found, "why", ""), brief)))

@@ -8,10 +8,12 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from functools import partial
+from itertools import zip_longest
 from typing import NamedTuple
 
 from rich.console import Console, ConsoleOptions, Group, RenderableType, RenderResult
 from rich.padding import Padding
+from rich.segment import Segment
 from rich.table import Table
 from rich.text import Text
 
@@ -26,6 +28,11 @@ READABLE = 100  # columns that prose has at most, however wide the screen is
 _LEAST = 20  # columns of prose below which it goes under its row
 _BAR = 40
 _GAP = 3  # columns between a drawing and what stands beside it
+_NARROW, _ROOMY = (
+    56,
+    116,
+)  # columns, from which on a drawing stands beside the text, and the text is kept short
+_TEXT = 72  # columns of that text
 _STATEMENT = 88  # columns of a statement
 _VERDICTS = dict.fromkeys((Verdict.TLE, Verdict.MLE, Verdict.OLE, Verdict.JE), WARNING) | {Verdict.AC: GOOD}
 FIGURE = re.compile(r"^!\[[^]]*\]\([^)]*\)\n\n?", re.MULTILINE)
@@ -79,16 +86,27 @@ def first_that_fits(layouts: Iterable[RenderableType], screen: Screen, rows: int
     return laid
 
 
-def beside(left: RenderableType, rows: Sequence[Text], width: int | None) -> RenderableType:
-    """A drawing to the right of what belongs to it, or below that where it would take more than half."""
-    wide = max((row.cell_len for row in rows), default=0)
-    if width is None or width - wide - _GAP < width // 2:
-        return Group(left, Text(), *rows)
-    both = Table.grid(expand=True, padding=(0, 0, 0, _GAP))
-    both.add_column(ratio=1)
-    both.add_column(width=wide + _GAP, no_wrap=True)
-    both.add_row(left, Group(*rows))
-    return both
+class beside(NamedTuple):  # noqa: N801 - it is used as the functions here are
+    """A drawing to the right of where its text ends, or below it where there is little room."""
+
+    left: RenderableType
+    rows: Sequence[Text]
+
+    def __rich_console__(self, console: Console, options: ConsoleOptions) -> RenderResult:
+        wide, width = max((row.cell_len for row in self.rows), default=0), options.max_width
+        room = width - wide - _GAP
+        if width < _NARROW or room < width // 2 - _GAP:
+            yield Group(self.left, Text(), *self.rows)
+            return
+        room = min(room, _TEXT) if width >= _ROOMY else room
+        lines = console.render_lines(self.left, options.update(width=room), pad=False)
+        end = max(map(Segment.get_line_length, lines), default=0) + _GAP
+        for line, row in zip_longest(lines, self.rows, fillvalue=None):
+            yield from line or ()
+            if row is not None:
+                yield Segment(" " * (end - Segment.get_line_length(line or [])))
+                yield from row.render(console)
+            yield Segment.line()
 
 
 class _Table(NamedTuple):

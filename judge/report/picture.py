@@ -7,7 +7,7 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from judge.drawing import Picture
-from judge.drawing.braille import COLUMNS, ROWS, to_braille
+from judge.drawing.braille import LEAST_COLUMNS, ROWS, to_braille
 from judge.drawing.chart import Axis, Chart, Series, chart_braille
 from judge.drawing.shapes import Role
 from judge.errors import JudgeError, told
@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from judge.problem.module import Module
     from judge.report.published_result import Judged
 
+INDENT = 4  # columns beside a drawing at most
 _COLOURS: dict[Role | None, str] = {
     Role.WANTED: "green",
     Role.GOT: "red",
@@ -35,13 +36,13 @@ _COLOURS: dict[Role | None, str] = {
 }
 
 
-def has_room(screen: Screen, columns: int = COLUMNS) -> bool:
+def has_room(screen: Screen) -> bool:
     """Whether a drawing can be read there: a terminal that is wide enough and knows the characters."""
     try:
         "\u28ff".encode(getattr(screen.stream, "encoding", None) or "utf-8")
     except UnicodeEncodeError:
         return False
-    return is_terminal(screen.stream) and screen.width is not None and screen.width >= columns
+    return is_terminal(screen.stream) and screen.width is not None and screen.width >= LEAST_COLUMNS + INDENT
 
 
 def growth_chart(growth: Growth) -> Chart | None:
@@ -57,14 +58,17 @@ def growth_chart(growth: Growth) -> Chart | None:
     return Chart(title, series, Axis("n", log=True), Axis("CPU time", seconds, log=True), f"{grows(growth)}.")
 
 
-def picture_rows(picture: Picture | Chart, rows: int = ROWS, *, answered: bool = True) -> list[Text]:
+def picture_rows(
+    picture: Picture | Chart, screen: Screen, rows: int = ROWS, *, answered: bool = True
+) -> list[Text]:
     """The drawing in about so many rows, coloured by what is expected and what was given."""
     from rich.text import Text
 
+    columns = (screen.width or 0) - INDENT
     if isinstance(picture, Chart):
-        pieces = chart_braille(picture, rows)
+        pieces = chart_braille(picture, rows, columns)
     else:
-        pieces = to_braille(picture, rows, answered=answered)
+        pieces = to_braille(picture, rows, columns, answered=answered)
     return [Text.assemble(*((each.text, _COLOURS.get(each.role, "")) for each in row)) for row in pieces]
 
 
@@ -73,7 +77,7 @@ def drawing(
 ) -> Callable[[int], list[Text]] | None:
     """What draws a picture in about so many rows; None where there is none, or no room on the screen."""
     picture = made(make, what) if has_room(screen) else None
-    return partial(picture_rows, picture) if picture else None
+    return partial(picture_rows, picture, screen) if picture else None
 
 
 def made(make: Callable[[], Picture | Chart | None], what: str) -> Picture | Chart | None:

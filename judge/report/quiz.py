@@ -50,9 +50,9 @@ def question(asked: Question, place: str, screen: Screen) -> RenderableType:
         from judge.drawing.braille import LEAST_ROWS
         from judge.report.picture import has_room, picture_rows
 
-        if has_room(screen, _PANEL):
+        if has_room(screen):
             room = screen.height - drawn(Group(*parts), screen).count("\n") - _AROUND
-            parts += map(indented, picture_rows(asked.picture, max(room, LEAST_ROWS), answered=False))
+            parts += map(indented, picture_rows(asked.picture, screen, max(room, LEAST_ROWS), answered=False))
     return Group(*parts)
 
 

@@ -95,7 +95,7 @@ def _explained(found: Judged, screen: Screen) -> tuple[Told, Drawing | None]:
 
     picture = made(partial(result_picture, found), "the failing case")
     told = told_of(found, getattr(picture, "why", ""))
-    return told, partial(picture_rows, picture) if picture and has_room(screen) else None
+    return told, partial(picture_rows, picture, screen) if picture and has_room(screen) else None
 
 
 def screenful(
@@ -178,7 +178,7 @@ def _case(told: Told, drawing: Drawing | None, cut: _Cut, width: int | None) -> 
     case = Group(strong(told.case), *below, *([indented(facts(said))] if said else []))
     if drawing is None or not cut.picture:
         return indented(case)
-    return indented(beside(case, drawing(cut.picture), width and width - 4))
+    return indented(beside(case, drawing(cut.picture)))
 
 
 class _Arguments(NamedTuple):

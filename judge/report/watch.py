@@ -68,7 +68,7 @@ def begun(place: RenderableType, problem: Problem, file: str, screen: Screen, ro
     cut = [*Text.from_ansi(drawn(task, screen)).split()[: room - 1], faint("  … press s for the rest")]
     picture = drawing(partial(example_picture, problem), screen, "the figure")
     sizes = range(min(room, ROWS), LEAST_ROWS - 1, -1)
-    pictured = (beside(task, picture(size), screen.width) for size in sizes) if picture else ()
+    pictured = (beside(task, picture(size)) for size in sizes) if picture else ()
     fitting = first_that_fits(chain(pictured, (task, Group(*cut))), screen, room)
     return Group(above, fitting, below)
 

@@ -12,7 +12,8 @@ from sampling import daily
 
 from judge.data.load import load_data
 from judge.drawing import labels
-from judge.drawing.braille import COLUMNS, LEAST_ROWS, ROWS, to_braille
+from judge.drawing.braille import COLUMNS, LEAST_COLUMNS, LEAST_ROWS, MOST_ROWS, ROWS, to_braille
+from judge.drawing.shapes import Role
 from judge.drawing.svg import to_svg
 from judge.problem.declare import Shown
 from judge.problem.load import load_problem
@@ -54,25 +55,32 @@ def check_svg(text):
     return root
 
 
+LEGEND = ("true scale", "o expected", "x got", "* both")
+
+
+def lines_of(drawn, rows=ROWS, columns=COLUMNS):
+    """The drawing itself, and the words around it."""
+    found = ["".join(piece.text for piece in row) for row in to_braille(drawn, rows, columns)]
+    assert len(found) <= max(rows, LEAST_ROWS)
+    assert max(map(len, found)) <= columns
+    words = [found.pop(0)] if drawn.lens else []
+    while " away" in found[-1] or found[-1].startswith(LEGEND):
+        words.append(found.pop())
+    return found, "  ".join(words)
+
+
 def check_braille(drawn):
-    """It is as low as the terminal asks, and no wider than it may be."""
-    heights = []
-    for asked in (0, LEAST_ROWS, 12, ROWS, 99):
-        title, *body = ["".join(piece.text for piece in row) for row in to_braille(drawn, asked)]
-        assert title.startswith("True scale")
-        legend = body.pop() if body[-1].startswith(("o expected", "x got", "* both")) else ""
-        rows = "".join(body)
-        assert [letter for letter in "ox*" if letter in legend.split()] == [
-            each for each in "ox*" if each in rows
-        ]
-        assert body[0].strip()
-        assert body[-1].strip()
-        assert max(map(len, (title, *body))) <= COLUMNS
-        heights.append(len(body) + 1 + bool(legend))
-    assert max(heights) == heights[-1]
-    assert heights[0] == heights[1] <= LEAST_ROWS
-    assert heights[2] <= 12
-    assert heights[3] == heights[4] <= ROWS
+    """It is as low and as narrow as the terminal asks, and names what it draws."""
+    for rows in (0, LEAST_ROWS, 12, ROWS, MOST_ROWS):
+        for columns in (LEAST_COLUMNS, COLUMNS, 76):
+            body, words = lines_of(drawn, rows, columns)
+            marks = "".join(body)
+            assert [each for each in "ox*" if each in words.split()] == [
+                each for each in "ox*" if each in marks
+            ]
+            assert body[0].strip()
+            assert body[-1].strip()
+            assert ("true scale" in words.lower()) or columns == LEAST_COLUMNS
 
 
 @pytest.mark.parametrize("name", CASES)
@@ -108,6 +116,37 @@ def test_any_case_can_be_drawn_with_any_answer(name, built, monkeypatch):
             check_braille(drawn)
 
 
+@pytest.mark.slow
+@pytest.mark.parametrize("name", daily(KATAS, ["polygon", "beams"]))
+def test_no_named_point_is_lost(name, built, monkeypatch):
+    """Of the first six cases of each group; in one of 200 more meet in one place than can be named."""
+    monkeypatch.setenv("JUDGE_CACHE", str(built))
+    problem = load_problem(ROOT / "problems" / name)
+    module = load_module(problem)
+    seen, lost = 0, []
+    for group in load_data(problem).groups if module.hooks.picture else ():
+        for case in group.cases[:6]:
+            drawn = picture_of(problem, case, wanted_words(problem, module.solve(*case)), module)
+            if drawn is None:
+                continue
+            body, words = lines_of(drawn, 14, 76)
+            signs = {mark.sign for mark in drawn.whole.marks if mark.sign and mark.role is Role.CASE}
+            seen += 1
+            lost += [case] * any(sign not in "".join(body) for sign in signs)
+            for mark in drawn.whole.marks:
+                assert not mark.away or f" {mark.away} away" in words
+    assert len(lost) <= max(seen / 200, 3)
+
+
+def test_a_point_far_away_is_an_arrow_where_its_own_line_leaves():
+    """As in README's count: A lies far to the right on the line through B, which misses C."""
+    problem = load_problem(ROOT / "problems" / "count")
+    body, words = lines_of(picture_of(problem, (0, 0, 0, (6e-5, 0), (0, 1e-9)), "1"), 14)
+    (row,) = (line for line in body if "A→" in line)
+    assert "B" in row
+    assert "A→ 6e-5 away" in words
+
+
 def test_what_is_drawn_is_near_one():
     """However large the coordinates and however small the gap."""
     drawn = picture("exact-hairline")
@@ -115,7 +154,7 @@ def test_what_is_drawn_is_near_one():
     for panel in drawn.panels:
         dots = [dot for stroke in panel.strokes for dot in stroke.dots] + [mark.at for mark in panel.marks]
         assert all(abs(x) <= 1 + 1e-9 and abs(y) <= 1 + 1e-9 for x, y in dots)
-    assert sum("common point" in mark.text for mark in drawn.lens.marks) == 2
+    assert sum("expected" in mark.text for mark in drawn.lens.marks) == 2
     assert drawn.lens.bars[0].text == "1e-200 e across"
 
 
