@@ -49,8 +49,7 @@ def _written(value: Struct, common: Common) -> ExitCode:
             sys.stdout.write(_json(each) + "\n")
         sys.stdout.flush()
     elif plain := getattr(value, "plain", ""):
-        encoding = sys.stdout.encoding or "utf-8"
-        sys.stdout.write(plain.encode(encoding, "backslashreplace").decode(encoding))
+        sys.stdout.write(plain)
         sys.stdout.flush()
     else:
         from judge.report.screen import out, show  # --json does without the screen
