@@ -97,7 +97,9 @@ def test_a_case_that_the_reference_gets_wrong_counts_for_nothing():
     data = load_data(problem)
     reference = MIDDLE.format("if b == 0: return 7").encode()
     with open_box(source, "mine.py") as box, open_box(reference, "reference.py") as other:
-        trial = Trial(data.module, box, runner_for(problem, box.inspect(), source), Verdict.WA, SearchBudget())
+        trial = Trial(
+            data.module, box, runner_for(problem, box.inspect(), source), Verdict.WA, SearchBudget()
+        )
         trial.reference = lambda: other
         cases, group = [(0, 0), (0, 1)], data.groups[0].group
         assert trial.simplest(cases, group).case == (0, 1)
