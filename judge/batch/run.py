@@ -31,7 +31,7 @@ from judge.problem import Problem
 from judge.problem.find import find_problem
 from judge.report.published_klass import ClassRow, Cohort
 from judge.report.wait import Live, progress
-from judge.report.words import counted
+from judge.report.words import counted, shown_name
 from judge.run.result import Result
 
 _NAMES = 5  # files that one sentence names
@@ -274,4 +274,4 @@ def _left_out(found: ClassFolder) -> list[str]:
 
 def _some(names: Sequence[str]) -> str:
     more = len(names) - _NAMES
-    return ", ".join(names[:_NAMES]) + (f" and {more} more" if more > 0 else "")
+    return ", ".join(map(shown_name, names[:_NAMES])) + (f" and {more} more" if more > 0 else "")

@@ -104,6 +104,8 @@ class Commands(click.Group):
         kept = [word for word in words[:end] if word != _DEBUG] + words[end:]
         settings["standalone_mode"] = False
         settings.setdefault("terminal_width", _help_width())
+        with suppress(AttributeError):  # it is closed; of other streams than a file nothing is to be feared
+            sys.stdout.reconfigure(errors="backslashreplace")  # type: ignore[union-attr]
         try:
             status = super().main(kept, prog_name or "judge", **settings)
         except (click.Abort, KeyboardInterrupt):

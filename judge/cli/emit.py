@@ -49,8 +49,7 @@ def _written(value: Struct, common: Common) -> ExitCode:
             sys.stdout.write(_json(each) + "\n")
         sys.stdout.flush()
     elif plain := getattr(value, "plain", ""):
-        encoding = sys.stdout.encoding or "utf-8"
-        sys.stdout.write(plain.encode(encoding, "backslashreplace").decode(encoding))
+        sys.stdout.write(plain)
         sys.stdout.flush()
     else:
         from judge.report.screen import out, show  # --json does without the screen
@@ -88,8 +87,12 @@ def schema_of(command: click.Command) -> dict[str, Any]:
 def _json(value: Struct) -> str:
     """The value on one line; paths, types and exact numbers are text."""
     try:
-        return msgspec.json.encode(value, enc_hook=str).decode()
-    except UnicodeEncodeError:  # half of a surrogate pair, in a file's name for one
+        text = msgspec.json.encode(value, enc_hook=str).decode()
+        text.encode(getattr(sys.stdout, "encoding", None) or "utf-8")
+    except (
+        UnicodeEncodeError
+    ):  # half of a surrogate pair, in a file's name for one; or a stream of few letters
         import json
 
         return json.dumps(msgspec.to_builtins(value, enc_hook=str))
+    return text

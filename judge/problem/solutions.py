@@ -181,12 +181,10 @@ def parted(source: bytes, language: Language) -> tuple[str, str]:
 
 
 def tree_of_stranger(source: bytes) -> ast.Module:
-    """The tree of what anybody may have written. Raises SyntaxError as `tree_of`, and for a longer one.
+    """The tree of what anybody may have written, which is no longer than LONGEST. Raises SyntaxError.
 
     What encoding the program says that it has is not believed: some make accents of plain letters.
     """
-    if len(source) > LONGEST:
-        raise SyntaxError("it is too long")
     try:
         text = source.decode("utf-8-sig")
     except UnicodeDecodeError:

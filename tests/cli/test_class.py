@@ -55,7 +55,8 @@ def lasting(result):
     return {**result, "groups": groups, "time": 0, "memory_bytes": 0}
 
 
-def test_the_table_says_all_and_the_rows_are_those_of_judge_run(judge, homework):
+def test_the_table_says_all_and_the_rows_are_those_of_judge_run(judge, homework, submit):
+    submit("hello\n", "homework/a\nb.md")
     ended = judge("class", "homework", "--students", "list.csv")
     assert ended.status == 3
     assert ended.lines[:6] == [
@@ -74,7 +75,7 @@ def test_the_table_says_all_and_the_rows_are_those_of_judge_run(judge, homework)
         "dan/middle.py: it is a link to a file that is not there",
         "1 of 4 accepted, 5 students, 1 kata",
     ]
-    assert ended.err == "judge: not judged: README.md: not a program, by its name\n"
+    assert ended.err == "judge: not judged: README.md, a\\nb.md: not a program, by its name\n"
     found = rows(judge("class", "homework", "--json"))
     plain = judge("run", "middle", *(f"homework/{name}" for name in found), "--no-shrink", "--json")
     for row, line in zip(found.values(), plain.lines, strict=True):

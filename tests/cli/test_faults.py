@@ -179,6 +179,14 @@ def test_streams_that_are_closed_or_full_change_no_status(words, status, told, s
     assert ended.stderr.startswith("judge: cannot write (" if told else "")
 
 
+def test_what_a_stream_has_no_letter_for_is_written_out():
+    command = [sys.executable, "-X", "utf8=0", "-m", "judge", "list", "--help"]
+    settings = {**os.environ, "PYTHONIOENCODING": "cp1252"}
+    ended = subprocess.run(command, env=settings, capture_output=True, timeout=60, check=False)
+    assert (ended.returncode, ended.stderr) == (0, b"")
+    assert rb"\u2713" in ended.stdout
+
+
 # -- interrupted, or without a reader --------------------------------------------------------------------
 
 

@@ -18,7 +18,7 @@ STATUSES = (0, 1, 2, 3, 130, 141)
 _LINES = 100  # that any command line says on standard error
 _LONGEST = 2_000  # characters of one of them
 _USAGE = 3  # lines that a usage error takes
-_MAY_BE_EMPTY = ("history", "list")  # commands that write an object for each thing there is
+_MAY_BE_EMPTY = ("help", "history", "list")  # commands that write an object for each thing there is
 _TALK = ("quiz", "interview")  # commands that ask on standard error where standard output is JSON
 _ASKED = "[y/N]: "  # where a question ends that a person was asked
 _NEVER = ("Traceback (most recent call last)", "internal fault", "\x1b[31mred", "\x1b]0;title")
@@ -65,7 +65,7 @@ def _in_complaints(run: Run, ended: Ended) -> list[str]:
     lines = ended.err.rpartition(_ASKED)[2].splitlines()
     if run.interrupt is not None and lines[-1:] == [""]:  # for the ^C that a terminal shows
         lines.pop()
-    talks = run.checked and run.words[0] in _TALK and ended.status == 0
+    talks = run.checked and run.words[0] in _TALK and ended.status in (0, 141)  # nobody reads the JSON
     foreign = [line for line in lines if not line.startswith("judge: ") and not talks]
     found = [f"a line of standard error is not the judge's: {line[:200]!r}" for line in foreign[:1]]
     found += [

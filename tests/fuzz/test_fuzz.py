@@ -62,6 +62,7 @@ SOUND = (
     [
         (SHOW, 5, "", "judge: x\n", "its status 5 is not in the contract"),
         (SHOW, -14, "", "", "it does not end"),
+        (SHOW, 0, "", "", "it leaves a process behind: sleep 9"),
         (SHOW, 1, "Traceback (most recent call last)\n", "", "out says 'Traceback"),
         (SHOW, 3, "", "judge: internal fault: x\n", "err says 'internal fault'"),
         (SHOW, 0, "a\x1b[31m\n", "", r"standard output holds '\x1b'"),
@@ -79,7 +80,9 @@ SOUND = (
     ],
 )
 def test_the_contract_sees_what_breaks_it(run, status, out, err, fault):
-    found = faults(run, Ended(status, out, err, "", ()))
+    found = faults(
+        run, Ended(status, out, err, "", (), left=("sleep 9",) if "behind" in (fault or "") else ())
+    )
     assert any(fault in each for each in found) if fault else not found, found
 
 

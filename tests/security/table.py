@@ -170,6 +170,10 @@ TALKING = {
         pair = socket.socketpair(socket.AF_UNIX, socket.SOCK_DGRAM)
         pair[0].sendto(b"x", target["unix_datagram"])
         """,
+    "unix_datagram_message": """
+        pair = socket.socketpair(socket.AF_UNIX, socket.SOCK_DGRAM)
+        pair[0].sendmsg([b"x"], (), 0, target["unix_datagram"])
+        """,
     "netlink": "socket.socket(socket.AF_NETLINK, socket.SOCK_RAW, 0).close()",
 }
 PROCESSES = {

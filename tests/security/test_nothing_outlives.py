@@ -64,6 +64,18 @@ def test_the_tree_dies_with_a_killed_judge(attacker: Attacker, level: str, what:
         assert not _alive_after_a_moment(family)
 
 
+@pytest.mark.parametrize(("what", "user", "level"), by_turns(["sleeper", "deaf"], USERS, LEVELS[1:]))
+def test_a_child_dies_with_a_killed_server(attacker: Attacker, level: str, what: str) -> None:
+    """The kernel may choose it where memory is short; at the highest level it takes its namespace along."""
+    attacker.require(level)
+    with _started(attacker, what, level) as process:
+        family = _settled_family(process.pid)
+        server = next(pid for pid, each in family.items() if each.parent == process.pid)
+        assert server in {each.parent for each in family.values()}
+        os.kill(server, signal.SIGKILL)
+        assert not _alive_after_a_moment(family)
+
+
 @pytest.mark.parametrize(
     ("number", "user", "level"), by_turns([signal.SIGINT, signal.SIGKILL], USERS, LEVELS)
 )

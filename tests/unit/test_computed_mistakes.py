@@ -74,11 +74,14 @@ def test_a_program_that_changes_its_lists_changes_no_other_ones():
 
 
 def test_a_callers_precision_changes_no_answer():
-    source = b"from decimal import Decimal\n\n\ndef answer(n, P):\n    return str(Decimal(n) / 7)\n"
-    data = make_data("one")
-    alone = Computer(data).behaviour(Program(source, "sevenths"))
+    source = b"from decimal import Decimal\n\n\ndef answer(n, P):\n    return int(Decimal(10**9 + n) / 7)\n"
+    program, data = Program(source, "sevenths"), make_data("one")
+    (group,) = data.groups
+    alone = Computer(data).behaviour(program)
     with localcontext(Context(prec=3)):
-        assert Computer(data).behaviour(Program(source, "sevenths")) == alone
+        assert Computer(data).behaviour(program) == alone
+        found = Computer(data).answer(program, group.cases[0], group.targets[0], lambda: None)
+    assert found == alone["one"].wrong[0] == ("count", (142857143.0,))
 
 
 def test_an_exception_is_a_wrong_answer():

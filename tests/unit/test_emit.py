@@ -66,6 +66,14 @@ def test_what_a_field_does_not_allow_is_refused():
     assert "1<=x<=9" in refused.output
 
 
+@pytest.mark.parametrize("encoding", ["ascii", "cp1252", "utf-8"])
+def test_json_is_whole_on_a_stream_of_few_letters(encoding, monkeypatch):
+    stream = io.TextIOWrapper(io.BytesIO(), encoding)
+    monkeypatch.setattr("sys.stdout", stream)
+    emit(Document("text", ({"n": "→ é \U0001f600"},)), Common(json=True))
+    assert json.loads(stream.buffer.getvalue()) == {"n": "→ é \U0001f600"}
+
+
 def test_a_line_of_json_can_hold_any_number_and_stands_for_what_is_published(capsys):
     assert emit(Document("text", ({"n": 10**400}, {"n": 2})), Common(json=True)) is ExitCode.ACCEPTED
     assert [json.loads(line) for line in capsys.readouterr().out.splitlines()] == [{"n": 10**400}, {"n": 2}]

@@ -126,3 +126,15 @@ def test_what_cannot_be_read_is_equal_to_its_own_bytes_alone(source):
     for name in ("a.py", "a.cpp", "a.java", "a.rs", "a.txt"):
         assert normal_form(source, name) == normal_form(source, name)
         assert normal_form(source + b"\nx = 1", name) != normal_form(source, name)
+
+
+@pytest.mark.parametrize(
+    ("source", "like"),
+    [
+        (b"# coding: utf-7\nx = '+AGE-'\n", b"x = 'a'\n"),  # an encoding that would be believed
+        (b"x = 1\n" + b"#" * 70_000, b"x = 1\n"),  # longer than a person writes
+        (f"e{chr(0x301) * 1000} = 1\n".encode(), b"x = 1\n"),  # accents that Python would sort
+    ],
+)
+def test_what_may_keep_the_judge_busy_is_not_read(source, like):
+    assert normal_form(source, "a.py") != normal_form(like, "a.py")

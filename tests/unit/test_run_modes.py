@@ -169,6 +169,11 @@ def test_lines_of_an_output(stdout, complete, lines):
     assert answer_lines(stdout, complete=complete) == lines
 
 
+def test_a_flood_of_wrong_lines_is_a_flood():
+    result = judged("import sys\nsys.stdin.read()\nwhile True: print(7)\n", make_data("one"))
+    assert (result.verdict, result.failure.message) == (Verdict.OLE, "wrote more than 1 MB")
+
+
 @pytest.mark.slow
 def test_the_search_for_the_case_has_an_end(monkeypatch):
     """It breaks at once when all cases are there, and takes its time when it is run on fewer."""

@@ -91,6 +91,21 @@ def simplest_of(count, deed):
         return [(trial.simplest(cases, group), budget.calls) for _ in range(2)]
 
 
+def test_a_case_that_the_reference_gets_wrong_counts_for_nothing():
+    source = MIDDLE.format("return 7").encode()
+    problem = find_problem("middle", PACKS)
+    data = load_data(problem)
+    reference = MIDDLE.format("if b == 0: return 7").encode()
+    with open_box(source, "mine.py") as box, open_box(reference, "reference.py") as other:
+        trial = Trial(
+            data.module, box, runner_for(problem, box.inspect(), source), Verdict.WA, SearchBudget()
+        )
+        trial.reference = lambda: other
+        cases, group = [(0, 0), (0, 1)], data.groups[0].group
+        assert trial.simplest(cases, group).case == (0, 1)
+        assert trial.simplest(cases, group, reference_agrees=False).case == (0, 0)
+
+
 def test_a_case_that_was_right_is_not_called_again():
     assert simplest_of(300, "pass") == [(None, 300)] * 2
 
