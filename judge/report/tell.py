@@ -22,6 +22,7 @@ _COMPILED = re.compile(r" \(line (\d{1,9})(?:, column (\d{1,9}))?\)(?:: .*)?")
 _SPENT = re.compile(r"used more than (\S+ s) of CPU time")
 _SLOW = 1.5  # times as long as the reference, from which on an accepted program hears of it
 _LIKELY = 0.9  # the score from which on a mistake is very likely
+_PYTHON = ".py"
 _MOST_FAILS = 3  # groups that are named
 
 
@@ -92,8 +93,8 @@ def tell(
         case=_case(result, shown),
         input=tuple(f"{name} = {argument(value)}" for name, value in values.items()),
         facts=tuple(_facts(result, shown, why)),
-        mistake=mistake_text(pitfall) if pitfall else "",
-        advice=_advice(pitfall) if pitfall else (),
+        mistake=mistake_text(pitfall, result.submission) if pitfall else "",
+        advice=_advice(pitfall, result.submission) if pitfall else (),
         time=_time(problem, result, whole=whole),
         fails=tuple(f"{each.name} {each.passed}/{each.cases}" for each in failing[:_MOST_FAILS]),
         more=max(0, len(failing) - _MOST_FAILS),
@@ -115,22 +116,29 @@ def place_of(failure: Failure | None) -> str:
     return failure.group if failure.case is None else f"{failure.group}, case {failure.case}"
 
 
-def mistake_text(pitfall: Pitfall) -> str:
-    """`Very likely mistake: above-for-left`; without a name where it was found."""
+def mistake_text(pitfall: Pitfall, submission: str) -> str:
+    """`Very likely mistake: above-for-left`; without a name where it was found.
+
+    Of a routine and of another language than Python only the answers are known.
+    """
     if not pitfall.names:
         if len(pitfall.steps) > 1:
             return "Several mistakes found"
         line = next((f" in line {step.line}" for step in pitfall.steps if step.line), "")
         return f"Mistake found{line}"
+    if not submission.endswith(_PYTHON):
+        return f"It answers like {' and '.join(pitfall.names)}"
     likely = "Very likely" if pitfall.score >= _LIKELY else "Likely"
     several = "mistakes" if len(pitfall.names) > 1 else "mistake"
     return f"{likely} {several}: {' and '.join(pitfall.names)}"
 
 
-def _advice(pitfall: Pitfall) -> tuple[str, ...]:
+def _advice(pitfall: Pitfall, submission: str) -> tuple[str, ...]:
+    example = None if submission.endswith(_PYTHON) else " For example,"  # not of what nobody has read
     several = len(pitfall.names) > 1
     pairs = zip(pitfall.names, pitfall.advice, strict=False)  # a kept result may be damaged
-    told = [f"{name}: {text}" if several else text for name, text in pairs if text]
+    texts = [(name, text.split(example)[0] if example else text) for name, text in pairs]
+    told = [f"{name}: {text}" if several else text for name, text in texts if text]
     steps = [_step(pitfall, at) for at in range(len(pitfall.steps))]
     placed = any(step.line or step.name is None for step in pitfall.steps)  # else nothing is new
     return (*told, *(steps if placed else ()))
