@@ -283,7 +283,7 @@ class Search:
 
 
 def seek(data: ProblemData, judged: Judged, box: Box, beside: Beside, *, share: float = 1.0) -> Repair | None:
-    """What makes the submission in `box` right; None where it cannot be called.
+    """What makes the submission in `box` right; None where nothing is found, or it cannot be called.
 
     It is changed in the box beside; without a source in Python, or with a library in it, only question 1 is
     asked. Of the usual number of calls `share` are made. Raises JudgeError.
@@ -295,7 +295,7 @@ def seek(data: ProblemData, judged: Judged, box: Box, beside: Beside, *, share: 
     if runner.calls and beside.text is not None and found.cases.wrong:
         with suppress(LostError):
             found = Search(found.cases, Child(beside.box, beside.text, found.cases), share).repair(found.ways)
-    return found
+    return found if found.whole or found.part or found.ways else None
 
 
 def otherwise(data: ProblemData, does: Behaviour, runner: Runner, box: Box) -> Repair:
