@@ -22,7 +22,6 @@ _COMPILED = re.compile(r" \(line (\d{1,9})(?:, column (\d{1,9}))?\)(?:: .*)?")
 _SPENT = re.compile(r"used more than (\S+ s) of CPU time")
 _SLOW = 1.5  # times as long as the reference, from which on an accepted program hears of it
 _LIKELY = 0.9  # the score from which on a mistake is very likely
-_PYTHON = ".py"
 _MOST_FAILS = 3  # groups that are named
 
 
@@ -94,7 +93,7 @@ def tell(
         input=tuple(f"{name} = {argument(value)}" for name, value in values.items()),
         facts=tuple(_facts(result, shown, why)),
         mistake=mistake_text(pitfall, result.submission) if pitfall else "",
-        advice=_advice(pitfall, result.submission) if pitfall else (),
+        advice=_advice(pitfall) if pitfall else (),
         time=_time(problem, result, whole=whole),
         fails=tuple(f"{each.name} {each.passed}/{each.cases}" for each in failing[:_MOST_FAILS]),
         more=max(0, len(failing) - _MOST_FAILS),
@@ -126,19 +125,16 @@ def mistake_text(pitfall: Pitfall, submission: str) -> str:
             return "Several mistakes found"
         line = next((f" in line {step.line}" for step in pitfall.steps if step.line), "")
         return f"Mistake found{line}"
-    if not submission.endswith(_PYTHON):
+    if not submission.endswith(".py"):
         return f"It answers like {' and '.join(pitfall.names)}"
     likely = "Very likely" if pitfall.score >= _LIKELY else "Likely"
-    several = "mistakes" if len(pitfall.names) > 1 else "mistake"
-    return f"{likely} {several}: {' and '.join(pitfall.names)}"
+    return f"{likely} mistake{'s' * (len(pitfall.names) > 1)}: {' and '.join(pitfall.names)}"
 
 
-def _advice(pitfall: Pitfall, submission: str) -> tuple[str, ...]:
-    example = None if submission.endswith(_PYTHON) else " For example,"  # not of what nobody has read
+def _advice(pitfall: Pitfall) -> tuple[str, ...]:
     several = len(pitfall.names) > 1
     pairs = zip(pitfall.names, pitfall.advice, strict=False)  # a kept result may be damaged
-    texts = [(name, text.split(example)[0] if example else text) for name, text in pairs]
-    told = [f"{name}: {text}" if several else text for name, text in texts if text]
+    told = [f"{name}: {text}" if several else text for name, text in pairs if text]
     steps = [_step(pitfall, at) for at in range(len(pitfall.steps))]
     placed = any(step.line or step.name is None for step in pitfall.steps)  # else nothing is new
     return (*told, *(steps if placed else ()))
