@@ -17,7 +17,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import nullcontext
-from functools import cached_property
+from functools import cached_property, partial
 from pathlib import Path
 from textwrap import wrap
 from typing import Any
@@ -194,6 +194,7 @@ def _explained(data: ProblemData, routine: Routine) -> Result:
     """What `judge run` would say of the routine: every group, the smallest case, the mistake's name."""
     from judge.diagnose.shrink import shrink  # only after a failure
     from judge.mistakes.namer import Namer
+    from judge.repair.search import otherwise
 
     runs, _ = _called(data, routine, [each.group.name for each in data.groups])
     first = next(run for run in runs if run.failure is not None)
@@ -218,7 +219,8 @@ def _explained(data: ProblemData, routine: Routine) -> Result:
         has = frozenset()
     namer = Namer(data, None, Settings(measured=False), nullcontext)
     does = {run.group.name: run.answers for run in runs}
-    return namer.named(replace(result, counterexample=found), does, lambda: has, fails_alone)
+    repair = partial(otherwise, data, does, FunctionRunner(data.problem), InProcess(routine=routine))
+    return namer.named(replace(result, counterexample=found), does, lambda: has, fails_alone, repair)
 
 
 def _lines(problem: Problem, name: str, runs: Sequence[GroupRun], found: Result | None) -> Iterator[str]:

@@ -13,7 +13,7 @@ edits = { "b = 2 * b" = "…" }  # lines that make it before the call of a right
 why = "…"
 
 [kind.room]                # what is said of a repair of that kind (judge.repair); {which} is what coincides
-why = "…"
+why = "…"                  # in place of the words of seen.toml
 names = ["…"]              # the mistakes that it may be, the likeliest first
 """
 

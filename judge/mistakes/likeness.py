@@ -6,7 +6,7 @@ failures and those that it alone has. Compared are the first cases of each group
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence, Set
 
 from msgspec import Struct
 
@@ -50,24 +50,29 @@ class Likeness:
         """All that are known."""
         return self._known.keys()
 
-    def share(self, name: str, some: Collection[Place] | None = None) -> float:
-        """How alike it is to the nearest program with that mistake, in `some` of the failures, or in all."""
-        return max(self._shares(name, some), default=0.0)
+    def share(
+        self, name: str, some: Collection[Place] | None = None, right: Set[Place] = frozenset()
+    ) -> float:
+        """How alike it is to the nearest program with that mistake, in `some` of the failures, or in all.
+
+        What is `right` is no failure any more.
+        """
+        return max(self._shares(name, some, right), default=0.0)
 
     def nearest(self, name: str, some: Collection[Place] | None = None) -> Known:
         """The program with that mistake that it is most like."""
-        shares = self._shares(name, some)
+        shares = self._shares(name, some, frozenset())
         return self._known[name][shares.index(max(shares))][0]
 
-    def _shares(self, name: str, some: Collection[Place] | None) -> list[float]:
+    def _shares(self, name: str, some: Collection[Place] | None, right: Set[Place]) -> list[float]:
         given = self._given.keys() if some is None else self._given.keys() & set(some)
-        return [self._share(given, wrong) for _, wrong in self._known[name]]
+        return [self._share(given, wrong, self._given.keys() - right) for _, wrong in self._known[name]]
 
-    def _share(self, places: Collection[Place], wrong: Wrong) -> float:
+    def _share(self, places: Collection[Place], wrong: Wrong, failing: Set[Place]) -> float:
         both = [each for each in places if each in wrong]
         same = sum(_same(self._given[each], wrong[each]) for each in both)
         others = sum(
-            case < self._reached.get(group, 0) and (group, case) not in self._given for group, case in wrong
+            case < self._reached.get(group, 0) and (group, case) not in failing for group, case in wrong
         )
         return (same + 0.5 * (len(both) - same)) / max(1, len(places) + others)
 

@@ -31,6 +31,8 @@ from judge.values.outline import Outline
 
 _SENTENCE = re.compile(r".*?(?:[.!?](?=\s)|$)", re.DOTALL)  # the first one of a text
 
+_EXAMPLE = " For example,"  # and what may be otherwise in a program of which no line is proved
+
 _FEW = 8  # different right answers, up to which many mistakes have the same wrong ones
 
 _CLEAR = 0.7  # a likeness that stands even if the known program passes the case that is shown
@@ -124,7 +126,8 @@ class Namer:
         state = self._maker(nearest).words.state and self._steady(does, alone)
         if state or (share < _CLEAR and not self._fails(result, nearest)):
             return result, likeness
-        return replace(result, pitfall=Pitfall((name,), round(share, 3), (nearest.text,))), likeness
+        text = nearest.text.partition(_EXAMPLE)[0]
+        return replace(result, pitfall=Pitfall((name,), round(share, 3), (text,))), likeness
 
     def _maker(self, known: Known) -> Maker:
         return next(each.maker for each in self._ready() if each.known is known)

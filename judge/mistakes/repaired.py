@@ -8,18 +8,19 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
+from pkgutil import get_data
 from typing import NamedTuple
 
 from msgspec.structs import replace
 
 from judge.mistakes.catalogue import Kinds
 from judge.mistakes.likeness import Known, Likeness, Place
+from judge.problem.toml import parse_toml
 from judge.repair.search import Repair, Step, Steps
 from judge.run.result import MistakeStep, Pitfall, Result
 
 _TOLD = 0.55  # share of the failures that a name of the kind must have
-_FITS = 0.3  # … and one that is today's already
-_ANY = 0.6  # … and one that the kind does not propose,
+_ANY = 0.75  # … and one that the kind does not propose: half of the answers are the same,
 _AHEAD = 0.15  # by so much more than the next one
 _BEHIND = 0.05  # … and no more than so much less than one that the kind does not propose
 _SAME = 0.9  # … and one of what is proved without a name
@@ -42,6 +43,9 @@ _STRENGTH = {  # how likely a repair of that kind is the mistake itself; 0.6 whe
     **dict.fromkeys(("condition", "measure", "constant", "operator", "dropped", "branch"), 0.45),
 }
 _WIDTHS = ("tolerance", "size", "room")  # a known program has another width, and may pass any case
+_ROOM = (*_WIDTHS, "near")
+SEEN = parse_toml((get_data(__package__, "seen.toml") or b"").decode(), "seen.toml")  # by kind
+_LINE = "line"  # … and where it is not proved which kind it is
 _PROVED = ("rounding", "fresh", "parameter-order")  # what a name must not contradict
 
 
@@ -93,16 +97,21 @@ class Repaired:
         return worth
 
     def _steps(self, chain: Steps) -> list[_Named]:
-        return [self._named(step) for step in chain]
+        found, before = [], frozenset[int]()
+        for step in chain:
+            found.append(self._named(step, before))
+            before |= step.gone
+        return found
 
-    def _named(self, step: Step) -> _Named:
+    def _named(self, step: Step, before: frozenset[int]) -> _Named:
+        """The step with its name; the steps `before` it have made these failures right."""
         kind = _plain(step.kind)
         names = [name for name in self.names(kind) if name in self._known]
         if "scaled" in self._repair.ways and kind.startswith(("tolerance", "size", "room")):
             names = [name for name in ("absolute-epsilon", *names) if name in self._known]
         if kind in _SURE and names:
             return _Named(step, names[0], 1.0)
-        shares = {name: self.share(name, step.gone) for name in self._known}
+        shares = {name: self.share(name, step.gone, before) for name in self._known}
         first = min(shares, key=lambda name: (-shares[name], name), default="")
         best = max(names, key=lambda name: shares[name] - 0.02 * names.index(name), default="")
         proved, most = kind in _PROVED or self._few, shares.get(first, 0.0)
@@ -118,28 +127,17 @@ class Repaired:
             return _Named(step, first, most)
         return _Named(step, "", shares.get(best, 0.0))
 
-    def joined(self, found: Sequence[_Named], names: Sequence[str]) -> list[_Named]:
-        """The steps, one without a name with that of today's which its kind may have and its failures fit."""
-        made = [*found]
-        for name in names:
-            if any(one.name == name for one in made):
-                continue
-            for at, one in enumerate(made):
-                kind = _plain(one.step.kind)
-                least = _SAME if kind in _PROVED else _FITS
-                if not one.name and name in self.names(kind) and self.share(name, one.step.gone) >= least:
-                    made[at] = one._replace(name=name)
-                    break
-        return made
-
     def names(self, kind: str) -> Sequence[str]:
         """Those that a repair of that kind may have."""
         words = self._kinds.get(kind)
         return words.names if words else ()
 
-    def share(self, name: str, gone: frozenset[int]) -> float:
+    def share(self, name: str, gone: frozenset[int], before: frozenset[int] = frozenset()) -> float:
         """How alike the failures that go are to those of the known programs of that name."""
-        return self._likeness.share(name, [self._places[at] for at in gone]) if name in self._known else 0.0
+        if name not in self._known:
+            return 0.0
+        some, right = ({self._places[at] for at in each} for each in (gone, before))
+        return self._likeness.share(name, some, right)
 
     def text(self, one: _Named) -> str:
         """What is said of the program of that name that is most alike; where it is not, what is proved."""
@@ -157,10 +155,24 @@ class Repaired:
         return bool(self._kinds)
 
     def why(self, step: Step) -> str:
-        """What is said of a repair of that kind."""
+        """What is said of a repair of that kind; only that the line is wrong where the kind is not proved."""
         kind, _, which = step.kind.partition(":")
         words = self._kinds.get(kind)
-        return words.why.replace("{which}", which.replace("=", " = ")) if words else ""
+        seen = (words.why if words else "") or SEEN[kind]
+        return seen.replace("{which}", which.replace("=", " = ")) if self._proves(step) else SEEN[_LINE]
+
+    def _proves(self, step: Step) -> bool:
+        """Whether it is the kind that is wrong: not where other kinds at this line are enough as well.
+
+        Nor where it gives room for rounding, and the program is wrong without rounding.
+        """
+        repair, kind = self._repair, _plain(step.kind)
+        if (step,) not in repair.whole:
+            return True
+        if kind.startswith(_ROOM):
+            return repair.rounding or repair.tolerance
+        here = {_plain(each.kind) for each, *more in repair.whole if not more and each.line == step.line}
+        return len(here) == 1 or _STRENGTH.get(kind, 0.0) >= _STRONG
 
 
 def _untold(one: _Named) -> float:
@@ -187,7 +199,6 @@ def with_steps(result: Result, repaired: Repaired, fails: Callable[[Known], bool
     if today is not None and len(found) == 1 == len(today.names):
         found = [found[0]._replace(name=today.names[0])]
     elif today is not None:
-        found = repaired.joined(found, today.names)
         bearing = [one for one in found if one.name in today.names]
         if not bearing:
             return result
@@ -197,7 +208,7 @@ def with_steps(result: Result, repaired: Repaired, fails: Callable[[Known], bool
     sure |= {one.name for one in found if one.step.kind in _SURE or one.step.kind.startswith(_WIDTHS)}
     if not any(one.name in sure or fails(repaired.nearest(one)) for one in found if one.name):
         found = [one._replace(name="", share=0.0) for one in found]
-    found = [one for one in found if one.name or (one.step.gone and (one.step.line or repaired.tells))]
+    found = [one for one in found if one.name or one.step.gone]
     if not found:
         return result
     steps = _told(found, repaired)

@@ -20,6 +20,8 @@ from judge.repair.changed import Changed
 from judge.repair.child import Child, LostError, Table
 from judge.repair.edits import KINDS
 from judge.run.execute import Judged
+from judge.run.result import Behaviour
+from judge.run.runner import Runner
 from judge.sandbox.boundary import Box
 from judge.values.wire import Raw
 
@@ -281,21 +283,25 @@ class Search:
 
 
 def seek(data: ProblemData, judged: Judged, box: Box, beside: Beside, *, share: float = 1.0) -> Repair | None:
-    """What makes the submission in `box` right; None where nothing is found, and it is asked no more.
+    """What makes the submission in `box` right; None where nothing is found, or it cannot be called.
 
     It is changed in the box beside; without a source in Python, or with a library in it, only question 1 is
     asked. Of the usual number of calls `share` are made. Raises JudgeError.
     """
     runner = judged.runner
-    cases = Cases(data, judged.behaviour)
-    if runner is None or not cases.wrong:
+    if runner is None:
         return None
-    ways = Changed(cases, runner, box).ways()
-    found = Repair(cases=cases, ways=ways)
-    if runner.calls and beside.text is not None:
+    found = otherwise(data, judged.behaviour, runner, box)
+    if runner.calls and beside.text is not None and found.cases.wrong:
         with suppress(LostError):
-            found = Search(cases, Child(beside.box, beside.text, cases), share).repair(ways)
-    return found if found.whole or found.part or ways else None
+            found = Search(found.cases, Child(beside.box, beside.text, found.cases), share).repair(found.ways)
+    return found if found.whole or found.part or found.ways else None
+
+
+def otherwise(data: ProblemData, does: Behaviour, runner: Runner, box: Box) -> Repair:
+    """What question 1 alone finds: for this no source is needed."""
+    cases = Cases(data, does)
+    return Repair(cases=cases, ways=Changed(cases, runner, box).ways())
 
 
 def _order(state: _State) -> tuple[object, ...]:

@@ -92,7 +92,7 @@ def tell(
         case=_case(result, shown),
         input=tuple(f"{name} = {argument(value)}" for name, value in values.items()),
         facts=tuple(_facts(result, shown, why)),
-        mistake=mistake_text(pitfall) if pitfall else "",
+        mistake=mistake_text(pitfall, result.submission) if pitfall else "",
         advice=_advice(pitfall) if pitfall else (),
         time=_time(problem, result, whole=whole),
         fails=tuple(f"{each.name} {each.passed}/{each.cases}" for each in failing[:_MOST_FAILS]),
@@ -115,16 +115,20 @@ def place_of(failure: Failure | None) -> str:
     return failure.group if failure.case is None else f"{failure.group}, case {failure.case}"
 
 
-def mistake_text(pitfall: Pitfall) -> str:
-    """`Very likely mistake: above-for-left`; without a name where it was found."""
+def mistake_text(pitfall: Pitfall, submission: str) -> str:
+    """`Very likely mistake: above-for-left`; without a name where it was found.
+
+    Of a routine and of another language than Python only the answers are known.
+    """
     if not pitfall.names:
         if len(pitfall.steps) > 1:
             return "Several mistakes found"
         line = next((f" in line {step.line}" for step in pitfall.steps if step.line), "")
         return f"Mistake found{line}"
+    if not submission.endswith(".py"):
+        return f"It answers like {' and '.join(pitfall.names)}"
     likely = "Very likely" if pitfall.score >= _LIKELY else "Likely"
-    several = "mistakes" if len(pitfall.names) > 1 else "mistake"
-    return f"{likely} {several}: {' and '.join(pitfall.names)}"
+    return f"{likely} mistake{'s' * (len(pitfall.names) > 1)}: {' and '.join(pitfall.names)}"
 
 
 def _advice(pitfall: Pitfall) -> tuple[str, ...]:

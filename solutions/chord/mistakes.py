@@ -15,7 +15,7 @@ def half_chord(cx, cy, r, A, B):
     # = size = max(r, hypot(ax, ay), hypot(bx, by))
     # ? coordinate-epsilon: size = max(r, abs(cx), abs(cy), abs(A[0]), abs(A[1]), abs(B[0]), abs(B[1]))
     # ? coordinate-epsilon: size = max(1, r, abs(ax), abs(ay), abs(bx), abs(by))
-    # : The threshold is a fraction of 1 at least, "to be safe": a small circle is all epsilon. Measure the
+    # : The threshold does not shrink with the figure: a small circle is all epsilon. Measure the
     # : size from the centre, and add nothing to it.
     near = 1e-10 * size
     # = near = 1e-9 * size

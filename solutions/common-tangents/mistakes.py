@@ -22,7 +22,7 @@ def normals(cx1, cy1, r1, cx2, cy2, r2):
     # = size = max(r1, r2, hypot(vx, vy))
     # ? coordinate-epsilon: size = max(r1, r2, abs(cx1), abs(cy1), abs(cx2), abs(cy2))
     # ? coordinate-epsilon: size = max(1, r1, r2, abs(vx), abs(vy))
-    # : The threshold is a fraction of 1 at least, "to be safe": small circles are all epsilon. Measure the
+    # : The threshold does not shrink with the figure: small circles are all epsilon. Measure the
     # : size by the radii and C2 − C1, and add nothing to it.
     near = 1e-10 * size
     # = near = 1e-9 * size

@@ -23,7 +23,7 @@ def feet(circles, O, D):
     # = size = max(max(r, hypot(x - ox, y - oy)) for x, y, r in circles)
     # ? coordinate-epsilon: size = max(max(r, abs(x), abs(y), abs(ox), abs(oy)) for x, y, r in circles)
     # ? coordinate-epsilon: size = 1 + max(max(r, abs(x - ox), abs(y - oy)) for x, y, r in circles)
-    # : The threshold is a fraction of 1 at least, "to be safe": small circles are all epsilon. Measure the
+    # : The threshold does not shrink with the figure: small circles are all epsilon. Measure the
     # : size by the radii and the centres as seen from O, and add nothing to it.
     near = 1e-10 * size
     # = near = 1e-9 * size

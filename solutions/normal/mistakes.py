@@ -37,7 +37,7 @@ def from_the_centre(cx, cy, r, O, D):
     # = reach = max(r, hypot(fx, fy))
     # ? coordinate-epsilon: reach = max(r, abs(cx), abs(cy), abs(O[0]), abs(O[1]))
     # ? coordinate-epsilon: reach = max(1, r, abs(fx), abs(fy))
-    # : The threshold is a fraction of 1 at least, "to be safe": a small circle is all epsilon. Measure the
+    # : The threshold does not shrink with the figure: a small circle is all epsilon. Measure the
     # : size from the centre, and add nothing to it.
     near = 1e-10 * reach
     # = near = 1e-9 * reach

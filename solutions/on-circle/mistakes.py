@@ -16,7 +16,7 @@ def lengths(cx, cy, r, P):
     # = size = max(r, hypot(fx, fy))
     # ? coordinate-epsilon: size = max(r, abs(cx), abs(cy), abs(P[0]), abs(P[1]))
     # ? coordinate-epsilon: size = max(1, r, abs(fx), abs(fy))
-    # : The threshold is a fraction of 1 at least, "to be safe": a small circle is all epsilon. Measure the
+    # : The threshold does not shrink with the figure: a small circle is all epsilon. Measure the
     # : size from the centre, and add nothing to it.
     near = 1e-10 * size
     # = near = 1e-9 * size

@@ -21,7 +21,7 @@ def half_open(cx, cy, r, V):
     # = size = max(r, *(hypot(x - cx, y - cy) for x, y in V))
     # ? coordinate-epsilon: size = max(r, abs(cx), abs(cy), *(max(abs(x), abs(y)) for x, y in V))
     # ? coordinate-epsilon: size = max(1, r, *(max(abs(x - cx), abs(y - cy)) for x, y in V))
-    # : The threshold is a fraction of 1 at least, "to be safe": a small figure is all epsilon. Measure the size from
+    # : The threshold does not shrink with the figure: a small figure is all epsilon. Measure the size from
     # : the centre, and add nothing to it.
     near = 1e-10 * size
     # = near = 1e-9 * size

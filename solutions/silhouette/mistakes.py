@@ -40,7 +40,7 @@ def machine(circles, O, D, h):
         # = size = max(r, hypot(fx, fy))
         # ? coordinate-epsilon: size = max(abs(x), abs(y), r, abs(O[0]), abs(O[1]))
         # ? coordinate-epsilon: size = max(1, r, abs(fx), abs(fy))
-        # : The threshold is a fraction of 1 at least, "to be safe": a small circle is all epsilon. Measure the
+        # : The threshold does not shrink with the figure: a small circle is all epsilon. Measure the
         # : size from the centre, and add nothing to it.
         near = 1e-10 * size
         # = near = 1e-9 * size

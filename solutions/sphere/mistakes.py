@@ -29,7 +29,7 @@ def foot(C, r, O, D):
     # = size = max(r, hypot(fx, fy, fz))
     # ? coordinate-epsilon: size = max(r, *map(abs, (*C, *O)))
     # ? coordinate-epsilon: size = max(1, r, abs(fx), abs(fy), abs(fz))
-    # : The threshold is a fraction of 1 at least, "to be safe": a small sphere is all epsilon. Measure the
+    # : The threshold does not shrink with the figure: a small sphere is all epsilon. Measure the
     # : size from the centre, and add nothing to it.
     near = 1e-10 * size
     # = near = 1e-9 * size

@@ -44,7 +44,7 @@ def relative(P0, P1, r, Q0, Q1, s):
     # = size = max(reach, hypot(vx, vy), hypot(fx, fy), hypot(wx, wy))
     # ? coordinate-epsilon: size = max(reach, *map(abs, (*P0, *P1, *Q0, *Q1)))
     # ? coordinate-epsilon: size = max(1, reach, abs(vx), abs(vy), abs(fx), abs(fy))
-    # : The threshold is a fraction of 1 at least, "to be safe": small discs are all epsilon. Measure the size by the
+    # : The threshold does not shrink with the figure: small discs are all epsilon. Measure the size by the
     # : radii and the ways, and add nothing to it.
     near = 1e-10 * size
     # = near = 1e-9 * size

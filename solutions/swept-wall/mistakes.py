@@ -33,7 +33,7 @@ def fat(P0, P1, r, A, B):
     # = size = max(r, hypot(fx, fy), hypot(gx, gy), hypot(dx, dy))
     # ? coordinate-epsilon: size = max(r, *map(abs, (*P0, *P1, *A, *B)))
     # ? coordinate-epsilon: size = max(1, r, *map(abs, (fx, fy, gx, gy, dx, dy)))
-    # : The threshold is a fraction of 1 at least, "to be safe": a small disc is all epsilon. Measure the size from
+    # : The threshold does not shrink with the figure: a small disc is all epsilon. Measure the size from
     # : the disc to the wall, and add nothing to it.
     near = 1e-10 * size
     # = near = 1e-9 * size

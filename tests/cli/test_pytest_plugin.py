@@ -52,7 +52,7 @@ def test_a_failure_is_that_of_its_group(library):
             "E * expected *.5",
             "E * got *",
             "E * why * the answer is off by 0.5,*",
-            "E *Very likely mistake: floor-division",
+            "E *It answers like floor-division",
             "test_lib.py:5: AssertionError",
         ]
     )
@@ -139,3 +139,12 @@ def test_an_exception_is_a_failure_that_leads_to_its_line():
         judge_problem("middle").check(stumbles)
     assert f"ZeroDivisionError: division by zero ({__file__}:" in " ".join(str(failed.value).split())
     assert isinstance(failed.value.__cause__, ZeroDivisionError)
+
+
+def test_a_routine_is_asked_in_other_ways_too():
+    def rounds(cx, cy, r, point):
+        gap = round(((point[0] - cx) ** 2 + (point[1] - cy) ** 2) ** 0.5 - r, 9)
+        return 0 if gap == 0 else 1 if gap > 0 else -1
+
+    with pytest.raises(AssertionError, match=r"The program is right if the figure has size 1\."):
+        judge_problem("on-circle").check(rounds)

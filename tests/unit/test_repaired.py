@@ -8,8 +8,10 @@ import pytest
 
 from judge.mistakes.catalogue import KindWords
 from judge.mistakes.likeness import Known, Likeness
-from judge.mistakes.repaired import Repaired, with_steps
+from judge.mistakes.repaired import SEEN, Repaired, with_steps
 from judge.problem import Verdict
+from judge.repair.changed import WAYS
+from judge.repair.edits import KINDS as EDITS
 from judge.repair.search import Repair, Step
 from judge.run.result import Answers, Pitfall, Result
 
@@ -69,7 +71,7 @@ def test_a_name_is_told_where_its_failures_are_those_that_go():
     ],
 )
 def test_else_the_line_alone_is(programs):
-    found = said(whole(("room", 7, range(10))), *programs)
+    found = said(whole(("room", 7, range(10)), rounding=True), *programs)
     assert found.names == ()
     assert [(step.name, step.line, step.why) for step in found.steps] == [(None, 7, "No room for .")]
 
@@ -87,7 +89,7 @@ def test_a_name_that_the_kind_does_not_know_must_be_far_ahead():
 
 def test_the_name_that_is_known_already_gets_the_line():
     today = Pitfall(("far",), 0.9, ("why far",))
-    found = said(whole(("sign", 3, range(10))), known("far", range(6)), today=today)
+    found = said(whole(("sign", 3, range(10))), known("far", range(8)), today=today)
     assert (found.names, found.advice) == (("far",), ("why far",))
     assert [(step.name, step.line) for step in found.steps] == [("far", 3)]
 
@@ -195,3 +197,30 @@ def test_no_name_is_told_whose_program_does_not_fail_the_case_that_is_shown():
     assert with_steps(RESULT, repaired, lambda _: True).pitfall.names == ("far",)
     told = with_steps(RESULT, repaired, lambda _: False).pitfall
     assert (told.names, [step.line for step in told.steps]) == ((), [7])
+
+
+def seen(*chains, **more):
+    found = said({"whole": tuple((Step(*each, frozenset(range(10))),) for each in chains), **more})
+    return [step.why for step in found.steps]
+
+
+def test_only_the_line_is_told_where_it_is_not_proved_what_is_wrong_in_it():
+    assert seen(("sign", 3)) == ["A sign."]
+    assert seen(("sign", 3), ("name", 3)) == [SEEN["line"]]
+    assert seen(("sign", 3), ("sign", 3), ("name", 4)) == ["A sign."]
+    assert seen(("guard-same:A=B", 3), ("name", 3)) == ["A = B is wrong."]
+    assert seen(("room", 3)) == [SEEN["line"]]  # it is wrong without rounding as well
+    assert seen(("room", 3), tolerance=True) == ["No room for ."]
+
+
+def test_a_pack_without_words_gets_those_of_every_topic():
+    assert seen(("turned", 3)) == [SEEN["turned"]]
+    assert {*EDITS, *WAYS, "rounding", "once", "filter", "order", "guard-same", "guard-zero"} <= {*SEEN}
+
+
+def test_a_later_step_is_not_named_after_a_mistake_that_fails_what_is_right_before_it():
+    steps = whole(("sign", 7, range(6)), ("name", 9, range(6, 12)))
+    programs = known("near", range(6, 12)), known("far", range(12))
+    assert said(steps, programs[0], wrong=range(12)).names == ("near",)
+    told = said(steps, programs[1], wrong=range(12)).steps
+    assert [(step.name, step.line) for step in told] == [("far", 7), (None, 9)]
