@@ -13,7 +13,7 @@ from judge.data.build import target_of, validate
 from judge.data.model import ProblemData
 from judge.data.pins import hash_of
 from judge.holes.cases import Solved
-from judge.holes.model import Kept
+from judge.holes.model import Judged
 from judge.holes.programs import GIVEN_UP, Base, Candidate, Crowd, original
 from judge.holes.rows import suppressed_after
 from judge.problem import Case, Group, Problem, Tolerance
@@ -24,7 +24,8 @@ from judge.values.check import is_right
 from judge.verify.model import Progress
 
 _WAVES = (8, 24, 96, 384)  # cases that are asked before the rest: most mutants die there
-_AT_ONCE = 100  # mutants that are judged between two looks at the clock
+_AT_ONCE = 16  # mutants that are judged between two looks at the clock, and more where that is quick
+_QUICK = 1.0  # seconds
 _KEPT = 4  # groups that are remembered to reject a mutant
 _FEW = 4  # answers of a mutant that are looked at first: most are wrong at once
 _RUNGS = 8  # of a ladder that are judged at once; of other numbers, which are slow, two
@@ -48,7 +49,7 @@ class Bench:
     """The data of a kata, a crowd to ask, and what is known of its mutants from earlier runs."""
 
     def __init__(
-        self, problem: Problem, sets: Sequence[ProblemData], crowd: Crowd, kept: Kept, progress: Progress
+        self, problem: Problem, sets: Sequence[ProblemData], crowd: Crowd, kept: Judged, progress: Progress
     ) -> None:
         self.problem, self.crowd = problem, crowd
         self.module = sets[0].module
@@ -82,26 +83,26 @@ class Bench:
             else:
                 batch.append(each)
         accepted: list[Candidate] = []
-        judged, high = 0, dict.fromkeys(ladders, 0)
+        judged, size, high = 0, _AT_ONCE, dict.fromkeys(ladders, 0)
         while True:
             for ladder, rungs in ladders.items():
-                enough, size = (1, 2) if rungs and rungs[0].mutant.numbers[0] else (_ENOUGH, _RUNGS)
+                enough, few = (1, 2) if rungs and rungs[0].mutant.numbers[0] else (_ENOUGH, _RUNGS)
                 if high[ladder] < enough:
-                    batch += rungs[:size]
-                    del rungs[:size]
+                    batch += rungs[:few]
+                    del rungs[:few]
             if not batch:
                 return accepted, judged, True
-            for at in range(0, len(batch), _AT_ONCE):
+            while batch:
                 if self.late:
                     return accepted, judged, False
-                part = batch[at : at + _AT_ONCE]
+                part, batch, begun = batch[:size], batch[size:], monotonic()
                 passed = self.accepted(part, judged, len(made))
+                size = size * 2 if monotonic() - begun < _QUICK else max(1, size // 2)
                 judged += len(part)
                 accepted += passed
                 for each in passed:
                     if each.mutant.ladder:
                         high[each.base.file, each.mutant.kind, each.mutant.ladder] += 1
-            batch = []
 
     def accepted(self, some: Sequence[Candidate], done: int = 0, total: int = 0) -> list[Candidate]:
         """Those of them that one of the sets of data accepts."""
