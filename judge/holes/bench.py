@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from itertools import chain
+from itertools import chain, pairwise
 from math import inf
 from time import monotonic
 from typing import NamedTuple
@@ -23,9 +23,10 @@ from judge.values.answers import Exact, Target, within
 from judge.values.check import is_right
 from judge.verify.model import Progress
 
-_WAVES = (8, 24, 96, 384)  # cases that are asked before the rest: most mutants die there
-_AT_ONCE = 16  # mutants that are judged between two looks at the clock, and more where that is quick
-_QUICK = 1.0  # seconds
+_WAVES = (0, 8, 32, 128, 512, None)  # cases that are asked before the rest: most mutants die there
+_AT_ONCE = (
+    16  # mutants that are judged between two looks at the clock, and more where that takes less than a second
+)
 _KEPT = 4  # groups that are remembered to reject a mutant
 _FEW = 4  # answers of a mutant that are looked at first: most are wrong at once
 _RUNGS = 8  # of a ladder that are judged at once; of other numbers, which are slow, two
@@ -67,7 +68,12 @@ class Bench:
 
     def is_right(self, base: Base) -> bool:
         """Whether all sets of data accept it."""
-        return not any(self.failing(base, aimed) for aimed in self._sets)
+        for aimed in self._sets:
+            known = original(base).key + _whole(aimed)
+            if known not in self._kept.passed and self.failing(base, aimed):
+                return False
+            self._kept.passed[known] = ""
+        return True
 
     def judged(self, made: Sequence[Candidate]) -> tuple[list[Candidate], int, bool]:
         """Those that are accepted, how many were judged, and whether that was before the time was up.
@@ -97,7 +103,7 @@ class Bench:
                     return accepted, judged, False
                 part, batch, begun = batch[:size], batch[size:], monotonic()
                 passed = self.accepted(part, judged, len(made))
-                size = size * 2 if monotonic() - begun < _QUICK else max(1, size // 2)
+                size = size * 2 if monotonic() - begun < 1 else size // 2 or 1
                 judged += len(part)
                 accepted += passed
                 for each in passed:
@@ -108,15 +114,14 @@ class Bench:
         """Those of them that one of the sets of data accepts."""
         kept, left, accepted = self._kept, list(some), list[Candidate]()
         for aimed in self._sets:
-            places = {each.place for each in aimed}
-            whole = digest("".join(sorted(places)).encode())[:24]
+            places, whole = {each.place for each in aimed}, _whole(aimed)
             dead = [each for each in left if places.intersection(kept.killed.get(each.key, ()))]
             accepted += [each for each in left if kept.passed.get(each.key) == whole]
             known = {each.key for each in (*dead, *accepted)}
             alive = [each for each in left if each.key not in known]
-            for part in _waves(aimed):
+            for first, last in pairwise(_WAVES):
                 self._progress("judging mutants", done + len(some) - len(alive), total)
-                alive, more = self._survivors(alive, part)
+                alive, more = self._survivors(alive, aimed[first:last])
                 dead += more
             kept.passed |= dict.fromkeys([each.key for each in alive], whole)
             accepted += alive
@@ -236,12 +241,9 @@ def _mixed(data: ProblemData) -> list[Aimed]:
     return [row[at] for at in range(most) for row in rows if at < len(row)]
 
 
-def _waves(aimed: Sequence[Aimed]) -> Iterator[Sequence[Aimed]]:
-    at = 0
-    for size in (*_WAVES, len(aimed)):
-        if at < len(aimed):
-            yield aimed[at : at + size]
-        at += size
+def _whole(aimed: Sequence[Aimed]) -> str:
+    """What a set of data is known by."""
+    return digest("".join(sorted({each.place for each in aimed})).encode())[:24]
 
 
 def _usual(data: ProblemData) -> Group:

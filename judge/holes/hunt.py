@@ -99,10 +99,9 @@ def look_for_holes(
         if box.isolation not in LEVELS[:2]:
             what = f"mutants need the isolation {' or '.join(LEVELS[:2])}, and here is {box.isolation}"
             raise UsageError(what, remedy="see 'judge doctor'")
-        bench = Bench(problem, sets, Crowd(problem, box), judged, progress or (lambda *_: None))
-        hunt = _Hunt(bench, sets[0], search, kept, progress or (lambda *_: None))
-        hunt.keep = keep
-        return hunt.holes(programs)
+        tell = progress or (lambda *_: None)
+        bench = Bench(problem, sets, Crowd(problem, box), judged, tell)
+        return _Hunt(bench, sets[0], search, kept, tell, keep).holes(programs)
 
 
 def _said(reply: Reply) -> str:
@@ -114,7 +113,13 @@ class _Hunt:
     """One search; `found` and `edge` are by mutant, `faults` are right programs that fail."""
 
     def __init__(
-        self, bench: Bench, data: ProblemData, search: Search, kept: Kept, progress: Progress
+        self,
+        bench: Bench,
+        data: ProblemData,
+        search: Search,
+        kept: Kept,
+        progress: Progress,
+        keep: Callable[[], str | None],
     ) -> None:
         self._bench, self._problem, self._data = bench, data.problem, data
         self._search, self._kept, self._progress = search, kept, progress
@@ -122,7 +127,7 @@ class _Hunt:
         self._edge: dict[str, Found] = {}
         self._faults: dict[str, Fault] = {}
         self._stopped = False
-        self.keep: Callable[[], str | None] = lambda: None
+        self._keep = keep
 
     def holes(self, programs: Sequence[Base]) -> Holes:
         """All that was found."""
@@ -135,7 +140,7 @@ class _Hunt:
         try:
             accepted, count, ended = self._bench.judged([*made.values()])
         finally:
-            self.keep()
+            self._keep()
         marked, stale = self._marked([*made.values()], accepted)
         left = {each.key: each for each in accepted if each.key not in marked}
         if left:
@@ -155,7 +160,7 @@ class _Hunt:
             edge=len(self._edge),
             unknown=len(left) - len(found) - len(self._edge),
             faults=(*(stale if ended else ()), *self._faults.values()),
-            notes=tuple(filter(None, [None if ended else f"{problem.id}: {_UNJUDGED}", self.keep()])),
+            notes=tuple(filter(None, [None if ended else f"{problem.id}: {_UNJUDGED}", self._keep()])),
             stopped=self._stopped,
         )
 
@@ -334,4 +339,4 @@ class _Hunt:
         found = self._edge | self._found
         self._kept.near = [repr(each) for each in place.near]
         self._kept.witnesses = {key: (repr(each.case), each.way, each.row) for key, each in found.items()}
-        self.keep()
+        self._keep()

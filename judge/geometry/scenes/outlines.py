@@ -22,7 +22,6 @@ The words of a polygon add corners, each beside a point P of the circle in whole
     skim                 two corners: P, and one in the middle of a chord that nearly touches
     again                the first corner once more
     dot                  the first word of all: r is 0; at, by: at C, or on the other side of C
-    facing               on the other side of C, in line with C and the last corner that is not there
     slant                two corners as far on both sides of C, in nearly a diagonal
 """
 
@@ -119,7 +118,6 @@ _CORNERS = (
     "right",
     "at",
     "by",
-    "facing",
     "slant",
 )
 _BRUSH = 2048  # parts of the radius: a corner is so few of them away from where its edge touches
@@ -166,9 +164,6 @@ def _corners(draw: Draw, name: str, x: int, y: int, before: Sequence[Point]) -> 
         """So many radii along the tangent at that height, in parts."""
         return Point([height * x // 100 - along * y // per, height * y // 100 + along * x // per])
 
-    if name == "facing":
-        times, last = draw.integer(1, 3), next(filter(any, before[::-1]))
-        return [Point([-times * n for n in last])]
     if name in ("tangent", "brush"):
         ends = sorted((draw.integer(-3, 3), draw.integer(-3, 3)))
         if ends[0] == ends[1]:
@@ -217,7 +212,7 @@ def _corners(draw: Draw, name: str, x: int, y: int, before: Sequence[Point]) -> 
         "level": lambda: Point([draw.sign() * (abs(x) + abs(y)) * draw.integer(1, 400) // 100, 0]),
         "pole": lambda: Point([0, isqrt(x * x + y * y) * draw.sign()][:: draw.sign()]),
         "at": lambda: Point([0, 0]),
-        "by": lambda: Point([-before[-1][0] * draw.integer(1, 3), -before[-1][1] * draw.integer(1, 3)]),
+        "by": lambda: Point([-k * n for k in [draw.integer(1, 3)] for n in next(filter(any, before[::-1]))]),
         "again": lambda: Point(before[0]),
     }
     return [found[name]()]
