@@ -24,9 +24,7 @@ from judge.values.check import is_right
 from judge.verify.model import Progress
 
 _WAVES = (0, 8, 32, 128, 512, None)  # cases that are asked before the rest: most mutants die there
-_AT_ONCE = (
-    16  # mutants that are judged between two looks at the clock, and more where that takes less than a second
-)
+_AT_ONCE = 16  # mutants that are judged between two looks at the clock: more where they take no second
 _KEPT = 4  # groups that are remembered to reject a mutant
 _FEW = 4  # answers of a mutant that are looked at first: most are wrong at once
 _RUNGS = 8  # of a ladder that are judged at once; of other numbers, which are slow, two
