@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from itertools import chain
+from itertools import chain, pairwise
 from math import inf
 from time import monotonic
 from typing import NamedTuple
@@ -13,7 +13,7 @@ from judge.data.build import target_of, validate
 from judge.data.model import ProblemData
 from judge.data.pins import hash_of
 from judge.holes.cases import Solved
-from judge.holes.model import Kept
+from judge.holes.model import Judged
 from judge.holes.programs import GIVEN_UP, Base, Candidate, Crowd, original
 from judge.holes.rows import suppressed_after
 from judge.problem import Case, Group, Problem, Tolerance
@@ -23,8 +23,8 @@ from judge.values.answers import Exact, Target, within
 from judge.values.check import is_right
 from judge.verify.model import Progress
 
-_WAVES = (8, 24, 96, 384)  # cases that are asked before the rest: most mutants die there
-_AT_ONCE = 100  # mutants that are judged between two looks at the clock
+_WAVES = (0, 8, 32, 128, 512, None)  # cases that are asked before the rest: most mutants die there
+_AT_ONCE = 16  # mutants that are judged between two looks at the clock: more where they take no second
 _KEPT = 4  # groups that are remembered to reject a mutant
 _FEW = 4  # answers of a mutant that are looked at first: most are wrong at once
 _RUNGS = 8  # of a ladder that are judged at once; of other numbers, which are slow, two
@@ -48,7 +48,7 @@ class Bench:
     """The data of a kata, a crowd to ask, and what is known of its mutants from earlier runs."""
 
     def __init__(
-        self, problem: Problem, sets: Sequence[ProblemData], crowd: Crowd, kept: Kept, progress: Progress
+        self, problem: Problem, sets: Sequence[ProblemData], crowd: Crowd, kept: Judged, progress: Progress
     ) -> None:
         self.problem, self.crowd = problem, crowd
         self.module = sets[0].module
@@ -66,7 +66,12 @@ class Bench:
 
     def is_right(self, base: Base) -> bool:
         """Whether all sets of data accept it."""
-        return not any(self.failing(base, aimed) for aimed in self._sets)
+        for aimed in self._sets:
+            known = original(base).key + _whole(aimed)
+            if known not in self._kept.passed and self.failing(base, aimed):
+                return False
+            self._kept.passed[known] = ""
+        return True
 
     def judged(self, made: Sequence[Candidate]) -> tuple[list[Candidate], int, bool]:
         """Those that are accepted, how many were judged, and whether that was before the time was up.
@@ -82,40 +87,39 @@ class Bench:
             else:
                 batch.append(each)
         accepted: list[Candidate] = []
-        judged, high = 0, dict.fromkeys(ladders, 0)
+        judged, size, high = 0, _AT_ONCE, dict.fromkeys(ladders, 0)
         while True:
             for ladder, rungs in ladders.items():
-                enough, size = (1, 2) if rungs and rungs[0].mutant.numbers[0] else (_ENOUGH, _RUNGS)
+                enough, few = (1, 2) if rungs and rungs[0].mutant.numbers[0] else (_ENOUGH, _RUNGS)
                 if high[ladder] < enough:
-                    batch += rungs[:size]
-                    del rungs[:size]
+                    batch += rungs[:few]
+                    del rungs[:few]
             if not batch:
                 return accepted, judged, True
-            for at in range(0, len(batch), _AT_ONCE):
+            while batch:
                 if self.late:
                     return accepted, judged, False
-                part = batch[at : at + _AT_ONCE]
+                part, batch, begun = batch[:size], batch[size:], monotonic()
                 passed = self.accepted(part, judged, len(made))
+                size = size * 2 if monotonic() - begun < 1 else size // 2 or 1
                 judged += len(part)
                 accepted += passed
                 for each in passed:
                     if each.mutant.ladder:
                         high[each.base.file, each.mutant.kind, each.mutant.ladder] += 1
-            batch = []
 
     def accepted(self, some: Sequence[Candidate], done: int = 0, total: int = 0) -> list[Candidate]:
         """Those of them that one of the sets of data accepts."""
         kept, left, accepted = self._kept, list(some), list[Candidate]()
         for aimed in self._sets:
-            places = {each.place for each in aimed}
-            whole = digest("".join(sorted(places)).encode())[:24]
+            places, whole = {each.place for each in aimed}, _whole(aimed)
             dead = [each for each in left if places.intersection(kept.killed.get(each.key, ()))]
             accepted += [each for each in left if kept.passed.get(each.key) == whole]
             known = {each.key for each in (*dead, *accepted)}
             alive = [each for each in left if each.key not in known]
-            for part in _waves(aimed):
+            for first, last in pairwise(_WAVES):
                 self._progress("judging mutants", done + len(some) - len(alive), total)
-                alive, more = self._survivors(alive, part)
+                alive, more = self._survivors(alive, aimed[first:last])
                 dead += more
             kept.passed |= dict.fromkeys([each.key for each in alive], whole)
             accepted += alive
@@ -235,12 +239,9 @@ def _mixed(data: ProblemData) -> list[Aimed]:
     return [row[at] for at in range(most) for row in rows if at < len(row)]
 
 
-def _waves(aimed: Sequence[Aimed]) -> Iterator[Sequence[Aimed]]:
-    at = 0
-    for size in (*_WAVES, len(aimed)):
-        if at < len(aimed):
-            yield aimed[at : at + size]
-        at += size
+def _whole(aimed: Sequence[Aimed]) -> str:
+    """What a set of data is known by."""
+    return digest("".join(sorted({each.place for each in aimed})).encode())[:24]
 
 
 def _usual(data: ProblemData) -> Group:

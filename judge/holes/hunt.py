@@ -1,8 +1,8 @@
 """Holes in a kata's data: changed programs that they accept, and for each a valid case on which it is wrong.
 
 What survives without such a case is right in another way, or nobody knows. Whatever was found is kept, so
-that the next search goes on where this one ended: of a mutant the groups that rejected it, of a stream its
-place.
+that the next search goes on where this one ended: of a mutant the groups that rejected it, of a seed's
+stream its place.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from judge.diagnose.simplify import fewer, steps
 from judge.errors import ProblemError, UsageError
 from judge.holes.bench import Bench
 from judge.holes.cases import Found, Place, Stream
-from judge.holes.model import Hole, Holes, Kept, Search
+from judge.holes.model import Hole, Holes, Judged, Kept, Search
 from judge.holes.programs import SOURCE, Base, Candidate, Crowd, bases
 from judge.problem import Case, Problem
 from judge.problem.solutions import MISTAKES
@@ -85,16 +85,23 @@ def look_for_holes(
         remedy = f"write a function {problem.entry} in Python into accepted"
         fault = Fault("no accepted program can be changed", f"{problem.solutions.name}/accepted", remedy)
         return Holes(problem.id, faults=(fault,))
-    place = f"{kept_place('holes', problem, None)[0]}-{search.seed}", code_key("holes")
-    kept = store.read(*place, Kept) or Kept()
+    name, key = kept_place("holes", problem, None)[0], code_key("holes")
+    own = f"{name}-{search.seed}"
+    judged = store.read(name, key, Judged) or Judged()
+    kept = store.read(own, key, Kept) or Kept()
+
+    def keep() -> str | None:
+        for at, what in ((name, judged), (own, kept)):
+            note = store.write(at, key, msgspec.json.encode(what), "searches for holes")
+        return note
+
     with box_factory(SOURCE, "holes.py") as box:
         if box.isolation not in LEVELS[:2]:
             what = f"mutants need the isolation {' or '.join(LEVELS[:2])}, and here is {box.isolation}"
             raise UsageError(what, remedy="see 'judge doctor'")
-        bench = Bench(problem, sets, Crowd(problem, box), kept, progress or (lambda *_: None))
-        hunt = _Hunt(bench, sets[0], search, kept, progress or (lambda *_: None))
-        hunt.keep = lambda: store.write(*place, msgspec.json.encode(kept), "searches for holes")
-        return hunt.holes(programs)
+        tell = progress or (lambda *_: None)
+        bench = Bench(problem, sets, Crowd(problem, box), judged, tell)
+        return _Hunt(bench, sets[0], search, kept, tell, keep).holes(programs)
 
 
 def _said(reply: Reply) -> str:
@@ -106,7 +113,13 @@ class _Hunt:
     """One search; `found` and `edge` are by mutant, `faults` are right programs that fail."""
 
     def __init__(
-        self, bench: Bench, data: ProblemData, search: Search, kept: Kept, progress: Progress
+        self,
+        bench: Bench,
+        data: ProblemData,
+        search: Search,
+        kept: Kept,
+        progress: Progress,
+        keep: Callable[[], str | None],
     ) -> None:
         self._bench, self._problem, self._data = bench, data.problem, data
         self._search, self._kept, self._progress = search, kept, progress
@@ -114,25 +127,27 @@ class _Hunt:
         self._edge: dict[str, Found] = {}
         self._faults: dict[str, Fault] = {}
         self._stopped = False
-        self.keep: Callable[[], str | None] = lambda: None
+        self._keep = keep
 
     def holes(self, programs: Sequence[Base]) -> Holes:
         """All that was found."""
         problem, answer = self._problem, self._problem.answer
+        begun, seconds = monotonic(), self._search.seconds
         right = [each for each in programs if self._bench.is_right(each)]
         measured = answer.measured or any(each.type.measured for each in problem.parameters)
         made = {each.key: each for base in right for each in base.mutants(measured)}
-        self._bench.until = monotonic() + self._search.seconds / 2  # a first search has to judge them all
+        self._bench.until = begun + seconds / 2  # a first search has to judge them all
         try:
             accepted, count, ended = self._bench.judged([*made.values()])
         finally:
-            self.keep()
+            self._keep()
         marked, stale = self._marked([*made.values()], accepted)
         left = {each.key: each for each in accepted if each.key not in marked}
         if left:
+            self._bench.until = begun + seconds
             self._look(right, left)
         found = {key: each for key, each in left.items() if key in self._found}
-        self._bench.until = monotonic() + self._search.seconds / 4  # for shorter cases
+        self._bench.until = begun + seconds * 1.25  # for shorter cases
         return Holes(
             problem=problem.id,
             programs=len(right),
@@ -145,7 +160,7 @@ class _Hunt:
             edge=len(self._edge),
             unknown=len(left) - len(found) - len(self._edge),
             faults=(*(stale if ended else ()), *self._faults.values()),
-            notes=tuple(filter(None, [None if ended else f"{problem.id}: {_UNJUDGED}", self.keep()])),
+            notes=tuple(filter(None, [None if ended else f"{problem.id}: {_UNJUDGED}", self._keep()])),
             stopped=self._stopped,
         )
 
@@ -182,7 +197,6 @@ class _Hunt:
         stream = Stream(self._data, bench.solved, search.seed, place)
         rows = [kept.witnesses[key] for key in left if key in kept.witnesses]
         begun = saved = monotonic()
-        bench.until = begun + search.seconds
         self._ask(right, left, [Found(ast.literal_eval(case), way, row) for case, way, row in rows])
         last = kept.cases + search.cases
         try:
@@ -196,7 +210,7 @@ class _Hunt:
                 asked = len(left) - len(self._found)
                 for _ in range(_TURNS):
                     batch += (each for each in stream.turn() if bench.solved(each.case) is not None)
-                    if len(batch) * asked >= _AT_ONCE:
+                    if len(batch) * asked >= _AT_ONCE or bench.late:
                         break
                 if not batch:
                     break
@@ -230,8 +244,6 @@ class _Hunt:
         telling: list[Case] = []
         size = bench.crowd.most // len(aimed) + 1
         for first in range(0, len(asked), size):
-            if bench.late:
-                break
             part = asked[first : first + size]
             for candidate, places in zip(part, bench.wrong(part, aimed), strict=True):
                 wrong = [at for at in places if at not in failing[candidate.base.file]]
@@ -327,4 +339,4 @@ class _Hunt:
         found = self._edge | self._found
         self._kept.near = [repr(each) for each in place.near]
         self._kept.witnesses = {key: (repr(each.case), each.way, each.row) for key, each in found.items()}
-        self.keep()
+        self._keep()

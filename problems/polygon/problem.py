@@ -10,6 +10,8 @@ from judge.problem.declare import group
 
 HOOKS = hooks(POLYGON)
 FULL = {**HUGE, "size": 2**35, "move": 49}
+WHOLE = {**BIG, "shift": 0, "numbers": "int"}
+LEVEL = {**FULL, "turn": "axis"}
 STARS = "in out in out", "in out out", "in in out out in", "out in out across"
 ON = "on out on in", "on in on out out", "on on on", "on out out in"
 TOUCHES = "tangent out", "tangent tangent", "in tangent", "brush out"
@@ -36,18 +38,18 @@ INTERVIEW = [
 PRODUCTION = [  # the same, where rounding bites
     group("turned", "A touch that squares cannot see.", polygons(*TOUCHES, **BIG), skills="a tangent has a width"),
     group("touch-full", "A touch that no formula in floats can see.", telling(polygons(*TOUCHES, **FULL), *TELLING), skills="a tangent has a width"),
-    group("corner-full", "Corners on the circle, and rounding puts them beside.", telling(either(polygons(*ON, **FULL), polygons("on level out", "level on out", "on level on", **FULL), *[polygons("on level out", "level on out", "level on out", **{**FULL, "turn": "axis"})] * 2), *TELLING), skills="a corner is met once"),
-    group("short-edge", "An edge of a ten millionth to an eighth of the figure has an end on the circle.", either(polygons("short out", "short in out", "short short", **FULL), polygons_of("stub", "in", count=(20, 42), turns=True, **FULL)), cases=45, skills="a corner is met once"),
+    group("corner-full", "Corners on the circle, and rounding puts them beside.", telling(either(polygons(*ON, **FULL), polygons("on level out", "level on out", "on level on", **FULL), polygons_of("on", "by", "leave", count=(30, 45), turns=True, **BIG), polygons("on level out", "level on out", **LEVEL), polygons_of("on", "pole", "level", count=(12, 20), turns=True, **LEVEL)), *TELLING), cases=72, skills="a corner is met once"),
+    group("short-edge", "An edge of a ten millionth to an eighth of the figure has an end on the circle.", either(polygons("short out", "short in out", "short short", **FULL), polygons_of("stub", "in", count=(20, 42), turns=True, **FULL), polygons_of("skim", "in", "skim", "out", count=(7, 12), turns=True, **FULL)), cases=54, skills="a corner is met once"),
     group("near-touch", "Nearly a touch: 1e-7 of the figure away.", polygons("tangent~ out", "tangent~ tangent~", "in tangent~", "brush~ out", **{**NEAR, "least": 7}), skills="nearly is not touching"),
     group("near-corner", "Corners just inside or just outside the circle.", polygons("on~ out on~ in", "on~ in on~ out", "on~ on on~", **{**NEAR, "least": 7}), skills="nearly is not on it"),
     group("tiny", "All of it tiny, down to 1e-29.", polygons("tangent out", "tangent~ out", "on out in", "on~ out in", **TINY), skills=("no absolute epsilon", "scale invariance")),
     group("offset", "A small figure far from the plane's origin.", polygons("in out in out", "tangent out", "on out in", "tangent in", "tangent~ out", "on~ out in", **OFFSET), skills="far from the origin"),
     group("far-corner", "A corner thousands or millions of radii away: its size is the figure's.", either(polygons("tangent far", "on far in", "far across", "tangent far out", **{**BIG, "size": 2**16}), polygons("remote across", "remote across out", "remote on across", "remote on in", **FAR)), cases=80, skills="the size of the whole"),
     group("speck", "A circle that is hardly more than a point beside the polygon, with a corner on it and an edge through it.", polygons("farthest on by", "on by farthest", "farthest on by out", **FAR), cases=16, skills="a corner is met once"),
-    group("dot-turned", "r = 0, and edges at any angle: |f|² − (f·u)² is all rounding there.", either(polygons("dot out by out", "dot out by in", "dot out out by", **BIG), polygons("dot out by out", "dot out out by", **FULL), polygons("dot slant in", "dot slant slant", **{**FULL, "turn": "axis"})), cases=90, skills="r = 0"),
+    group("dot-turned", "r = 0, and edges at any angle: |f|² − (f·u)² is all rounding there.", either(polygons("dot out by out", "dot out by in", "dot out out by", "dot out at by", "dot at out by", **BIG), polygons("dot out by out", "dot out out by", *3 * ("dot out at by", "dot at out by"), **FULL), polygons("dot slant in", "dot slant slant", **LEVEL)), cases=90, skills="r = 0"),
     group("steep", "Edges almost along an axis.", polygons("tangent out", "across out", "on out in", "in out out", **STEEP), skills="no slopes"),
-    group("zigzag", "Up to 64 corners, and nearly every edge crosses twice.", polygons_of("left", "right", count=(20, 64), turns=True, **PLAIN), cases=40, skills="edge by edge"),
+    group("zigzag", "Up to 64 corners, and nearly every edge crosses twice.", polygons_of("left", "right", count=(20, 64), turns=True, **PLAIN), cases=24, skills="edge by edge"),
     group("revisited", "The boundary comes to one place of the circle twice: each time is a crossing.", polygons("on out again in", "on in again out", "on out out again in in", **PLAIN), skills="order along the boundary"),
     group("random", "Any numbers, small and large.", cornered(uniform, (3, 12), 20, 1e4, 1e9), skills="full precision"),
-    group("large", "Whole numbers up to 2**30, some of them touches.", either(cornered(whole, (3, 12), 30), polygons(*TOUCHES, *ON, **{**BIG, "shift": 0, "numbers": "int"})), skills=("whole numbers that are large", "scale invariance")),
+    group("large", "Whole numbers up to 2**30, some of them touches.", either(cornered(whole, (3, 12), 30), polygons(*TOUCHES, *ON, **WHOLE), *2 * (polygons(*ON, **{**WHOLE, "size": 2**27, "turn": "axis", "move": 0}),)), cases=90, skills=("whole numbers that are large", "scale invariance")),
 ]

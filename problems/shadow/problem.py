@@ -18,7 +18,7 @@ def solve(circles, O, D, L):
 
 INTERVIEW = [
     group("grid", "Few circles in small whole numbers.", anywhere(12, (1, 3), (1, 8), light=True), cases=120, skills="the small grid"),
-    group("open", "The light shines freely on the point, or nothing is hit; other circles stand about.", lights("open", "open", "open", "miss", **ABOUT, **PLAIN), skills=("a second ray", "off the surface, a little")),
+    group("open", "The light shines freely on the point, or nothing is hit; other circles stand about.", either(lights("open", "open", "open", "miss", **ABOUT, **PLAIN), lights("torch", **AXIS)), cases=80, skills=("a second ray", "off the surface, a little")),
     group("far-side", "The light is on the side of the circle that the ray does not see.", lights("back", "back", "open", **ABOUT, **PLAIN), skills="which side is seen"),
     group("blocked", "A circle is between the point and the light.", lights("blocked", "around-light", "around-point", **PLAIN), skills="a second ray"),
     group("beyond", "A circle is on the line, but beyond the light or behind the point.", lights("beyond", "beyond", "behind", **PLAIN), skills="a ray that ends"),

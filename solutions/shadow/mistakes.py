@@ -20,7 +20,6 @@ def hair(circles, O, D, L):
     # ? direction-for-light: (ox, oy), (dx, dy), (lx, ly) = O, D, (O[0] + L[0], O[1] + L[1])
     size = max(abs(lx - ox), abs(ly - oy), *(max(r, abs(x - ox), abs(y - oy)) for x, y, r in circles))
     least = 1e-9 * size
-    # = least = 1e-10 * size
     # = least = 3e-8 * size
     # ? acne: least = 0
     # ? absolute-t-min: least = {1e-9..1e-3/6}

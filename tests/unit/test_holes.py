@@ -238,6 +238,16 @@ class TestSearch:
         assert after.rejected > before.rejected
         assert 0 < len({each.key for each in asked}) <= before.accepted
 
+    def test_another_seed_judges_no_mutant_again(self, pack, monkeypatch):
+        store = Memory()
+        before = looked(pack, store, cases=0)
+        asked = []
+        monkeypatch.setattr(
+            "judge.holes.programs.Crowd.differing", lambda self, some, cases: iter(asked.extend(some) or ())
+        )
+        after = looked(pack, store, cases=0, seed=1)
+        assert (after.accepted, asked) == (before.accepted, [])
+
     def test_a_mark_is_kept_and_a_stale_one_is_a_fault(self, pack):
         row = '[[same]]\nfile = "accepted/remainder.py"\nwas = "{}"\nbecomes = "{}"\nwhy = "a is no sign"\n'
         marks = pack / "solutions" / "divides" / "same.toml"

@@ -170,13 +170,10 @@ def _look(chosen: Sequence[str], ask: VerifyAsk, common: Common) -> Iterator[Str
 def _holes(ask: VerifyAsk, common: Common, name: str) -> Holes | Verified:
     try:
         problem = find_problem(name, common.problems)
-        if ask.groups:
-            problem = replace(problem, groups=chosen_groups(problem, ask.groups))
+        groups = tuple([each for each in chosen_groups(problem, ask.groups) if each.size is None])
+        problem = replace(problem, groups=groups)  # large cases are neither asked nor changed
         with stages(name) as advance:
-            sets = [
-                fresh_data(problem, advance, seed) if seed or ask.groups else load_data(problem)
-                for seed in (None, *range(1, ask.seeds))
-            ]
+            sets = [fresh_data(problem, advance, seed) for seed in (None, *range(1, ask.seeds))]
             search = Search(ask.seed or 0, seconds_of(ask.lasting or _LOOK, "--for"), program=ask.solution)
             boxes = contained(problem, RunOptions(isolation=common.isolation), ask.jobs)
             return look_for_holes(problem, sets, boxes, search, DISK, advance)

@@ -4,6 +4,7 @@ A word says what the light L is to the point P that the ray hits first.
 
     miss                          the ray hits nothing
     open, back                    nothing is between; on the side that the ray does not see
+    torch                         the same, far from the ray's start, where L is
     brink                         open, and the ray begins just before the circle
     level-open, level-back        the same, nearly on the tangent at P
     level-far                     open, nearly on the tangent, and all is far from the small circle
@@ -41,7 +42,7 @@ _BLOCKED = ("blocked", "gap", "around-light", "around-point", "skin", "sill", "p
 _SHADES: dict[str, tuple[Shade, ...]] = {
     "miss": (Shade.NOTHING,),
     **dict.fromkeys(
-        ("open", "brink", "room", "court", "beyond", "behind", "level-open", "level-far", "ledge"),
+        ("open", "brink", "torch", "room", "court", "beyond", "behind", "level-open", "level-far", "ledge"),
         (Shade.LIT,),
     ),
     **dict.fromkeys(("back", "level-back", "outdoors"), (Shade.BACK,)),
@@ -137,13 +138,14 @@ def _laid(draw: Draw, word: str, size: int) -> tuple[list[Row], Spot]:
         at = near_gap(draw, 3 * size, 7) * r // half + 1
     else:
         at = draw.integer(1, 2 * size)
+    at *= 99 if word == "torch" else 1
     circle = at + half, y, r
     wx, wy = draw.integer(-2 * size, size), draw.integer(-2 * size, 2 * size)
     if (wx * half + wy * y > 0) != (word == "back"):  # it would be on the other side of the tangent
         wx, wy = -wx, -wy
     light = at + wx, wy
-    if word in ("open", "back", "brink"):
-        return [circle], light
+    if word in ("open", "back", "brink", "torch"):
+        return [circle], (0, 0) if word == "torch" else light
     if word == "court":
         x, y = draw.choice((circle[:2], spot(size)))
         return [circle, (x, y, draw.integer(7 * size, 9 * size))], light

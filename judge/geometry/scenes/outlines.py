@@ -9,14 +9,17 @@ distance is 1.4 times the size, of which alone a near miss is clear.
 The words of a polygon add corners, each beside a point P of the circle in whole numbers.
 
     on, in, out          at P, inside, outside
+    pole                 on the circle, level with C or upright
     far, remote          1,000 to 10,000 radii away, or a million and more
     farthest             nearly as far as a circle is clear of its own centre
     tangent, brush       two corners on the tangent at P, near it or one of them very near
+    leave                two corners: P, and one on the tangent at P
     across               two corners outside whose edge cuts the circle
     box                  four corners around the circle
     left, right          beside the circle, so that a level edge between them cuts it
     level                beside C, to the left or right
     short, stub          two corners: P, and one that is 2**-4 to 2**-21 of the radius away, or 1e-7 of it
+    skim                 two corners: P, and one in the middle of a chord that nearly touches
     again                the first corner once more
     dot                  the first word of all: r is 0; at, by: at C, or on the other side of C
     slant                two corners as far on both sides of C, in nearly a diagonal
@@ -102,10 +105,13 @@ _CORNERS = (
     "farthest",
     "tangent",
     "brush",
+    "leave",
     "across",
     "level",
+    "pole",
     "short",
     "stub",
+    "skim",
     "box",
     "again",
     "left",
@@ -167,17 +173,22 @@ def _corners(draw: Draw, name: str, x: int, y: int, before: Sequence[Point]) -> 
         near, far = draw.integer(1, 20) * draw.sign(), draw.integer(1, 3) * draw.sign()
         pair = [beside(near, per=_BRUSH), beside(far)]
         return pair if draw.boolean() else pair[::-1]
+    if name == "leave":
+        return [beside(0), beside(draw.integer(1, 3) * draw.sign())]
     if name == "across":
         high, side = draw.integer(0, 90), draw.sign()
         return [beside(end * side * draw.integer(2, 4), high) for end in (-1, 1)]
-    if name in ("short", "stub"):
+    if name in ("short", "stub", "skim"):
         reach = max(abs(x), abs(y)) >> draw.integer(4, 21)
-        pair = [Point([x, y]), Point([x + draw.integer(-reach, reach), y + draw.integer(-reach, reach)])]
+        pair = [beside(0), Point([x + draw.integer(-reach, reach), y + draw.integer(-reach, reach)])]
         if name == "stub":
             along = 0 if abs(x) > abs(y) else 1
             gap = draw.integer(100, 125) * (x * x + y * y) // (10**9 * max(abs(x), abs(y))) + 1
-            pair[1] = Point([x, y])
+            pair[1] = beside(0)
             pair[1][along] += gap * draw.sign()
+        if name == "skim":  # the chord is 1/256 of the radius
+            flat = 512 * draw.sign()
+            pair[1] = Point([x - (x + flat * y) // flat**2, y - (y - flat * x) // flat**2])
         return pair if draw.boolean() else pair[::-1]
     if name == "box":
         out = draw.integer(160, 400)
@@ -192,15 +203,16 @@ def _corners(draw: Draw, name: str, x: int, y: int, before: Sequence[Point]) -> 
             Point([side * (abs(x) + abs(y)) * draw.integer(105, 200) // 100, y * draw.integer(0, 30) // 100])
         ]
     found = {
-        "on": lambda: Point([x, y]),
+        "on": lambda: beside(0),
         "in": lambda: grown(5, 60),
         "out": lambda: grown(150, 400),
         "far": lambda: grown(10**5, 10**6),
         "remote": lambda: grown(10**8, 4 * 10**8),
         "farthest": lambda: grown(67 * 10**7, 85 * 10**7),
         "level": lambda: Point([draw.sign() * (abs(x) + abs(y)) * draw.integer(1, 400) // 100, 0]),
+        "pole": lambda: Point([0, isqrt(x * x + y * y) * draw.sign()][:: draw.sign()]),
         "at": lambda: Point([0, 0]),
-        "by": lambda: Point([-before[-1][0] * draw.integer(1, 3), -before[-1][1] * draw.integer(1, 3)]),
+        "by": lambda: Point([-k * n for k in [draw.integer(1, 3)] for n in next(filter(any, before[::-1]))]),
         "again": lambda: Point(before[0]),
     }
     return [found[name]()]
