@@ -73,7 +73,7 @@ _TRIPLES = sorted(
 
 def triple(draw: Draw, most: int) -> tuple[int, int, int]:
     """(p, q, c) with p² + q² = c² and 5 <= c <= most, in either order of p and q."""
-    p, q, c = draw.choice(_TRIPLES[: bisect_right(_TRIPLES, most, key=lambda each: each[2])])
+    p, q, c = _TRIPLES[draw.integer(0, bisect_right(_TRIPLES, most, key=lambda each: each[2]) - 1)]
     return (q, p, c) if draw.boolean() else (p, q, c)
 
 
