@@ -12,6 +12,7 @@ from bisect import bisect_right
 from collections.abc import Callable, Sequence
 from itertools import permutations
 from math import gcd, isqrt
+from operator import mul
 from typing import Any
 
 from judge.data.draw import Draw
@@ -229,7 +230,7 @@ def _one(draw: Draw, options: int | Sequence[Any]) -> Any:
 
 
 def _significant(x: int) -> int:
-    return (x // (x & -x)).bit_length() if x else 0
+    return x.bit_length() - (x & -x).bit_length() + 1 if x else 0
 
 
 def _bits(rows: Sequence[Sequence[int]]) -> int:
@@ -237,7 +238,7 @@ def _bits(rows: Sequence[Sequence[int]]) -> int:
 
 
 def _dot(u: Sequence[int], v: Sequence[int]) -> int:
-    return sum([x * y for x, y in zip(u, v, strict=True)])
+    return sum(map(mul, u, v))
 
 
 def root_up(square: int) -> int:
