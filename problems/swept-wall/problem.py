@@ -44,6 +44,12 @@ def late(draw):
     return draw.reject()
 
 
+def head_on(draw):
+    """A point that comes to an end of the wall in line with it, along an axis: its square over the way's is above 1 in floats."""
+    x, w = (ldexp(draw.integer(1 << 52, 1 << 53), -27) for _ in range(2))
+    return mirrored(draw, 0, (-x, 0.0), (0.0, 0.0), (0.0, 0.0), (w, 0.0)) if x * x / x / x > 1 else draw.reject()
+
+
 def slipping(draw):
     """A point that comes to B, level with an end: as rounding sees it, past B from the cap, short of B from the side."""
     _, B, r, A, *_ = meeting(28)(draw)
@@ -154,7 +160,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("start-full", "The disc touches at the start, and rounding puts it apart.", either(telling(walls("rest side", **FULL), *TELLING), telling(walls("start side", **{**FULL, "turn": "axis"}), *TELLING), walls("start cap", **FULL), walls("start side dot", **FULL), walls("start side dot", **FULL)), cases=100, skills="touching from the start"),
     group("end-full", "The disc touches at the very end, and rounding makes it later.", telling(either(walls("end side", "end cap", **FULL), walls("end cap level", "end cap dot level", "end side level", "end post level", **{**FULL, "turn": "axis"}), walls("end cap afar", "end post afar", **AFAR), walls("end side dot", "end cap dot", "end post dot", **FULL), walls("end cap", "end side", **{**STEEP, "size": 2**7}), walls("end cap home", "end side home", "end post home", "stop cap home", "stop post home", **{**FULL, "move": 0})), *TELLING), cases=80, skills="first in time"),
     group("beside", "The disc touches at the very end, and its way begins level with an end of the wall.", beside(walls("end side", "end side", "end side", "end side dot", "end cap dot", "end post dot", **FULL)), cases=100, skills="first in time"),
-    group("at-an-end", "A point that begins or ends its way at an end of the wall.", either(ending, late, slipping), cases=100, skills="first in time"),
+    group("at-an-end", "A point that begins or ends its way at an end of the wall.", either(ending, late, slipping, head_on), cases=120, skills="first in time"),
     group("near-graze", "Nearly a graze: 1e-7 of the figure away.", walls("graze~ cap", "graze~ cap dot", "graze~ cap dot", "graze~ cap dot", "graze~ post", "slide~ side", **CLEAR), cases=100, skills="nearly is not touching"),
     group("near-start", "The disc nearly touches at the start, and leaves.", walls("start~ side", "start~ cap", **CLEAR), skills="touching from the start"),
     group("near-end", "The disc touches just before the end, or does not quite.", either(walls("end~ side", "end~ cap", "end~ side dot level", "end~ post dot level", **CLEAR), walls("shy cap", "shy post", **{**FULL, "shift": 0}), walls("end~ side grain", "end~ side", **{**PLAIN, "shift": -20})), cases=110, skills="first in time"),
