@@ -12,6 +12,7 @@ from bisect import bisect_right
 from collections.abc import Callable, Sequence
 from itertools import permutations
 from math import gcd, isqrt
+from operator import mul
 from typing import Any
 
 from judge.data.draw import Draw
@@ -73,7 +74,7 @@ _TRIPLES = sorted(
 
 def triple(draw: Draw, most: int) -> tuple[int, int, int]:
     """(p, q, c) with p² + q² = c² and 5 <= c <= most, in either order of p and q."""
-    p, q, c = draw.choice(_TRIPLES[: bisect_right(_TRIPLES, most, key=lambda each: each[2])])
+    p, q, c = _TRIPLES[draw.integer(0, bisect_right(_TRIPLES, most, key=lambda each: each[2]) - 1)]
     return (q, p, c) if draw.boolean() else (p, q, c)
 
 
@@ -229,7 +230,7 @@ def _one(draw: Draw, options: int | Sequence[Any]) -> Any:
 
 
 def _significant(x: int) -> int:
-    return (x // (x & -x)).bit_length() if x else 0
+    return x.bit_length() - (x & -x).bit_length() + 1 if x else 0
 
 
 def _bits(rows: Sequence[Sequence[int]]) -> int:
@@ -237,7 +238,7 @@ def _bits(rows: Sequence[Sequence[int]]) -> int:
 
 
 def _dot(u: Sequence[int], v: Sequence[int]) -> int:
-    return sum([x * y for x, y in zip(u, v, strict=True)])
+    return sum(map(mul, u, v))
 
 
 def root_up(square: int) -> int:

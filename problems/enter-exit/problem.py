@@ -55,7 +55,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("origin-full", "The origin on a circle, and rounding puts it beside.", telling(crowds(*ORIGIN, "exit0", "touch0", "touch0 behind", **FULL), *TELLING), skills="origin on the circle"),
     group("origin-touch", "The ray touches a circle at its origin, and rounding puts that behind.", crowds("touch0", "touch0 behind", "touch0 exit0", **BIG), cases=90, skills="origin on the circle"),
     group("origin-level", "The origin on circles, level with their centres or upright, and the ray any way or nearly along them.", either(telling(either(aligned(20, (1, 3)), aligned(2**28, (1, 3))), *TELLING), leaning), cases=90, skills="origin on the circle"),
-    group("near", "Nearly a touch: 1e-7 of the figure away.", crowds("touch~ cut", "touch~ touch~", "around touch~", "dot~ cut", **{**NEAR, "least": 7}), skills="nearly is not touching"),
+    group("near", "Nearly a touch: 1e-7 of the figure away.", either(crowds("touch~ cut", "touch~ touch~", "around touch~", "dot~ cut", **{**NEAR, "least": 7}), crowds("touch9~", "touch9~ cut", **{**NEAR, "least": 7})), cases=100, skills="nearly is not touching"),
     group("ties-near", "Two hits nearly at one place: their order counts.", crowds("exit2~ enter2", "enter2 enter2~", "exit2~ exit2", "touch2 enter2~", **NEAR), skills="hits in order"),
     group("origin-near", "The origin is just off a circle, inside or outside.", crowds("exit0~ enter", "enter0~ cut", "exit0~", "enter0~ exit0~", **NEAR), skills="origin on the circle"),
     group("dot-turned", "r = 0, and directions at any angle: |f|² − (f·u)² is all rounding there.", crowds("dot cut", "dot dot", "around dot", "enter2 dot2", **BIG), skills="r = 0"),

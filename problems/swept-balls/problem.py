@@ -1,6 +1,7 @@
 """Two moving discs: the exact moment of their first touch."""
 
 from functools import partial
+from math import ldexp
 
 from judge.geometry import plain
 from judge.geometry.hooks import BALLS, hooks
@@ -15,11 +16,25 @@ STARTS = "chord last after", "chord first before", "touch foot after", "chord la
 ENDS = "chord before first", "touch before foot", "chord before first rest", "chord after last"
 POINTS = "dot before after", "dot before after", "dot before foot", "dot before foot", "dot foot after", "dot-miss before after", "dot foot = rest"
 TELLING = plain.balls_meet, partial(plain.balls_meet, tolerance=1e-10)
-BELOW = plain.balls_meet, partial(plain.balls_meet, tolerance=-1e-10)
+BELOW = [partial(plain.balls_meet, tolerance=tolerance) for tolerance in (-1e-17, -1e-10)]  # overlaps: what is equal is not below
 
 
 def solve(P0, P1, r, Q0, Q1, s):
     return balls_meeting(P0, P1, r, Q0, Q1, s)
+
+
+def late(draw):
+    """Two points that run to one place, level with each other or on an axis or not, and rounding makes it later."""
+    P, X, r, Q, *_ = meeting(28)(draw)
+    level = draw.choice((P, (0, 0)))
+    Q = draw.choice((Q, (level[0], Q[1]), (Q[0], level[1])))
+    small = draw.choice((-20, -20, -45))
+    P, Q = draw.choice(((P, Q), (Q, P)))
+    for _ in range(12):
+        Y = tuple([p + ldexp(x - p, small) * draw.integer(1, 1 << 20) for p, x in zip(P, X, strict=True)])
+        if plain.balls_meet(P, Y, r, Q, Y, r) is None:
+            return P, Y, r, Q, Y, r
+    return draw.reject()
 
 
 INTERVIEW = [
@@ -32,20 +47,20 @@ INTERVIEW = [
     group("parallel", "Both move alike, or rest: what is apart stays so.", balls("cut in =", "miss foot =", "cut before =", "miss foot = rest", "chord first =", **PLAIN), skills="sit on one of them"),
     group("radii", "Radii of very different size, or one of 0.", balls("cut before after dot", "cut before after tiny", "cut in after dot", "miss before after dot", "cut before in tiny", **PLAIN), cases=80, skills="radii add"),
     group("points", "Both radii are 0: two points, which meet or do not.", either(balls(*POINTS, **PLAIN), balls(*POINTS, "dot~ before after", "dot before foot~", "dot foot~ after", **NEAR), balls(*POINTS, **FULL), balls("dot before foot home", "dot before after home", "dot foot after home", **{**FULL, "move": 0})), cases=100, skills="radii add"),
-    group("meeting", "Both radii are 0, and both points run to one place.", meeting(29), cases=150, skills="first in time"),
+    group("meeting", "Both radii are 0, and both points run to one place.", either(meeting(29), meeting(29), late, late, late), cases=210, skills="first in time"),
     group("fast", "A way of many radii: at no moment of a coarse clock the discs touch.", balls("cut far after", "through far after", "cut far -far", **PLAIN), skills="never step through"),
     group("repeated", "Neighbouring calls differ in one argument.", grid("pprppr", 4), turns=True, skills="nothing kept between calls"),
 ]
 
 PRODUCTION = [  # the same, where rounding bites
-    group("decimals", "Grazes in short decimals, which == does not see.", telling(balls("touch before after rest", "touch before after rest dot", "touch before after alone dot", "dot before foot rest", "dot before foot alone", **DECIMALS), *TELLING), cases=40, skills="a graze is a touch"),
+    group("decimals", "Grazes in short decimals, which == does not see.", telling(balls("touch before after rest", "touch before after rest dot", "touch before after alone dot", "dot before foot rest", "dot before foot alone", **DECIMALS), *TELLING), cases=30, skills="a graze is a touch"),
     group("turned", "Grazes that squares cannot see.", balls(*GRAZES, "touch before after alone", "touch before after alone dot", "touch before after rest dot", **BIG), cases=120, skills="a tangent has a width"),
-    group("graze-full", "Grazes that no formula in floats can see, or that seem to overlap.", either(telling(either(balls(*GRAZES, **FULL), balls("touch before after", "touch before after dot", **{**FULL, "turn": "axis"}), balls("touch before after alone dot", **FULL)), *TELLING), telling(balls("touch before after dot", **FULL), *BELOW)), cases=70, skills="a tangent has a width"),
+    group("graze-full", "Grazes that no formula in floats can see, or that seem to overlap.", either(telling(either(balls(*GRAZES, **FULL), balls("touch before after", "touch before after dot", **{**FULL, "turn": "axis"}), balls("touch before after alone dot", **FULL)), *TELLING), telling(balls("touch before after dot", **FULL), *BELOW), telling(balls("touch before after dot", "touch before after dot rest", **{**FULL, "turn": "axis"}), *BELOW)), cases=70, skills="a tangent has a width"),
     group("start-full", "The discs touch at the start, and rounding puts them apart.", balls(*STARTS, **FULL), skills="touching from the start"),
-    group("end-full", "The discs touch at the very end, and rounding makes it later.", telling(either(balls(*ENDS, **FULL), balls("chord before first", "chord before first along", "dot before foot", **{**FULL, "turn": "axis"}), balls(*ENDS, "dot before foot", "dot before foot rest", "dot before foot alone", **STEEP), balls("chord before first home", "touch before foot home", "chord before first home dot", **{**FULL, "move": 0}), meeting(29)), *TELLING), cases=120, skills="first in time"),
+    group("end-full", "The discs touch at the very end, and rounding makes it later.", telling(either(balls(*ENDS, **FULL), balls("chord before first", "chord before first along", "dot before foot", **{**FULL, "turn": "axis"}), balls(*ENDS, "dot before foot", "dot before foot rest", "dot before foot alone", **STEEP), balls("chord before first home", "touch before foot home", "chord before first home dot", **{**FULL, "move": 0})), *TELLING), cases=70, skills="first in time"),
     group("near-graze", "Nearly a graze: 1e-7 of the figure away.", balls("touch~ before after", "touch~ before after rest", "touch~ before after along", "touch~ before after rush", "touch~ before after rush", **{**NEAR, "least": 7}), skills="nearly is not touching"),
     group("near-start", "The discs nearly touch at the start, and come together or leave each other.", balls("chord last~ after", "chord first~ before", "chord first~ in", "chord last~ after rest", **{**NEAR, "least": 7}), skills="touching from the start"),
-    group("near-end", "The discs touch just before the end, or do not quite.", balls("chord before first~", "chord before first~ rest", "chord after -last~", **{**NEAR, "least": 7}), skills="first in time"),
+    group("near-end", "The discs touch just before the end, or do not quite.", either(balls("chord before first~", "chord before first~ rest", "chord after -last~", **{**NEAR, "least": 7}), balls("chord before first~", "dot before foot~", **{**NEAR, "shift": (-60, -40, 17)})), cases=80, skills="first in time"),
     group("slow", "The discs go far together, and hardly move as seen from each other.", balls("cut before in together", "cut before after together", "touch before after together", "cut before before together", **{**PLAIN, "shift": -20}), skills="t is not a distance"),
     group("long-way", "A way of up to a million radii.", balls("cut very-far after", "touch very-far after", "through far after", "dot before after rest grain", **{**PLAIN, "shift": -20}), cases=45, skills="never step through"),
     group("grain", "Discs so small beside the way that they are hardly hit.", balls("dot before foot rest grain", "dot before foot grain", **{**PLAIN, "shift": -20}), cases=100, skills="full precision"),

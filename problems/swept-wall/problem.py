@@ -1,11 +1,12 @@
 """A moving disc and a wall: the exact moment of their first touch."""
 
 from functools import partial
-from math import ldexp
+from math import hypot, ldexp
 
 from judge.geometry import plain
 from judge.geometry.hooks import WALL, hooks
 from judge.geometry.motion import wall_meeting
+from judge.geometry.pose import triple
 from judge.geometry.scenes import AXIS, BIG, DECIMALS, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, either, grid, meeting, telling, uniform, walls, whole
 from judge.problem.declare import group
 
@@ -23,12 +24,74 @@ def solve(P0, P1, r, A, B):
 
 
 def ending(draw):
-    """A point that begins or ends its way at an end of the wall."""
-    P, X, r, Q, *_ = meeting(30)(draw)
-    if draw.boolean():  # the end is the origin, and all lies to one side of it
-        side = draw.sign()
-        X, P, Q = (0, 0), *(tuple([side * abs(each) for each in point]) for point in (P, Q))
+    """A point that begins or ends its way at an end of the wall, level with it or with all to its sides."""
+    P, X, r, Q, *_ = meeting(28)(draw)
+    if draw.boolean():
+        P, Q = (tuple([x + side * abs(n - x) for n, x in zip(each, X, strict=True)]) for each, side in ((P, draw.sign()), (Q, draw.sign())))
+    if draw.boolean():
+        P = (P[0], X[1]) if draw.boolean() else (X[0], P[1])
     return *draw.choice(((P, X), (X, P))), r, *draw.choice(((Q, X), (X, Q)))
+
+
+def late(draw):
+    """A point that ends its way at an end of the wall, and rounding makes the touch later."""
+    P0, P1, *wall = ending(draw)
+    for _ in range(12):
+        n = draw.integer(1, 1 << 20) / (1 << 20)
+        begin = tuple([q + n * (p - q) for p, q in zip(P0, P1, strict=True)])
+        if plain.wall_meet(begin, P1, *wall) is None:
+            return begin, P1, *wall
+    return draw.reject()
+
+
+def head_on(draw):
+    """A point that comes to an end of the wall in line with it, along an axis: its square over the way's is above 1 in floats."""
+    x, w = (ldexp(draw.integer(1 << 52, 1 << 53), -27) for _ in range(2))
+    return mirrored(draw, 0, (-x, 0.0), (0.0, 0.0), (0.0, 0.0), (w, 0.0)) if x * x / x / x > 1 else draw.reject()
+
+
+def slipping(draw):
+    """A point that comes to B, level with an end: as rounding sees it, past B from the cap, short of B from the side."""
+    _, B, r, A, *_ = meeting(28)(draw)
+    wx, wy, axis, level = B[0] - A[0], B[1] - A[1], draw.integer(0, 1), draw.choice((A, B))
+    wall = hypot(wx, wy) or draw.reject()
+    ux, uy = wx / wall, wy / wall
+    for _ in range(25):
+        P = list(level)
+        P[axis] = ldexp(draw.integer(-(1 << 53), 1 << 53), draw.integer(-40, -25))
+        (fx, fy), (dx, dy) = ([n - m for m, n in zip(*each, strict=True)] for each in ((A, P), (P, B)))
+        x, y, u, v = fx * ux + fy * uy - wall, ux * fy - uy * fx, dx * ux + dy * uy, ux * dy - uy * dx
+        if u < 0 != v and -(x * u + y * v) / hypot(u, v) / hypot(u, v) > -x / u > -y / v:
+            return tuple(P), B, r, A, B
+    return draw.reject()
+
+
+def beside(drawn):
+    """A way that ends in touch and begins level with its end, or with an end of the wall, and rounding makes the touch later."""
+
+    def draw_case(draw):
+        P0, *rest = drawn(draw)
+        P1, _, A, B = rest
+        for _ in range(20):
+            other, n = draw.choice((P1, A, B)), draw.integer(-64, 64) / 64
+            x, y = (q + n * (p - q) for p, q in zip(P0, P1, strict=True))
+            begin = (other[0], y) if draw.boolean() else (x, other[1])
+            if plain.wall_meet(begin, *rest) is None:
+                return begin, *rest
+        return draw.reject()
+
+    return draw_case
+
+
+def back(drawn):
+    """The way goes on from where that of another case ends, or goes it back."""
+
+    def draw_case(draw):
+        P0, P1, *wall = drawn(draw)
+        times = draw.integer(1, 40)
+        return P1, draw.choice((P0, tuple([q + times * (q - p) for p, q in zip(P0, P1, strict=True)]))), *wall
+
+    return draw_case
 
 
 def parallel(draw):
@@ -36,59 +99,75 @@ def parallel(draw):
     x, y, u, v, h = (draw.integer(-99, 99) for _ in range(5))
     z, w = draw.choice(((x + h, y), (x, y + h)))
     times = draw.integer(-3, 3)
-    return (z, w), (z + times * u, w + times * v), draw.integer(0, abs(h)), *draw.choice((((x, y), (x + u, y + v)), ((x + u, y + v), (x, y))))
+    return (z, w), (z + times * u, w + times * v), draw.choice((0, draw.integer(0, abs(h)))), *draw.choice((((x, y), (x + u, y + v)), ((x + u, y + v), (x, y))))
 
 
-def upright(draw):
+def upright(draw, stops=False):
     """A graze along an axis, at which the height times the way through the way is not the height in floats."""
     bits, seems = draw.integer(-28, -12), draw.sign()
     x, end = (ldexp(draw.integer(1 << 28, 1 << 31), bits) for _ in range(2))
-    end = draw.choice((0.0, end))  # where it grazes, or later
+    end = 0.0 if stops else draw.choice((0.0, end))  # where it grazes, or later
     heights = (ldexp(draw.integer(1 << 28, 1 << 31), bits) for _ in range(99))
     height = next((r for r in heights if (r * (x + end) / (x + end) - r) * seems > 0), None) or draw.reject()
     k = ldexp(1.0, draw.integer(-6, 6))
-    level = (-x, -height * k), (-x * k, -height)
-    other = draw.choice((*level, *level, (x * k, -height * k), (-height * k, -x * k), (0.0, 0.0)))
-    turn = draw.choice((1, -1))
-    s, t = draw.sign(), draw.sign()
-    P0, P1, A, B = ((p[0] * s, p[1] * t)[::turn] for p in ((-x, height), (end, height), (0.0, 0.0), other))
-    return P0, P1, height, *draw.choice(((A, B), (B, A)))
+    over, level = (-x, -height * k), (-x * k, -height)
+    other = draw.choice((over, over, over, level, level, (x * k, -height * k), (-height * k, -x * k), (0.0, 0.0)))
+    return mirrored(draw, height, (-x, height), (end, height), (0.0, 0.0), other)
+
+
+def tangent(draw):
+    """A graze of the end of a wall from right above or beside it."""
+    p, q, c = triple(draw, 65)
+    k = draw.integer(1 << 20, 1 << 31)
+    far = k * q // c + draw.integer(1, k)
+    B = draw.integer(0, 1 << 36), draw.integer(0, 1 << 36)
+    points = (0, c * k), (p * far, c * k - q * far), (0, 0), (-B[0], -B[1])
+    small = ldexp(1.0, draw.integer(-30, -10))
+    return mirrored(draw, k * p * small, *[(x * small, y * small) for x, y in points])
+
+
+def mirrored(draw, r, *points):
+    """The points by any symmetry of the axes, and the ends of the wall in either order."""
+    turn, s, t = draw.choice((1, -1)), draw.sign(), draw.sign()
+    P0, P1, A, B = ((x * s, y * t)[::turn] for x, y in points)
+    return P0, P1, r, *draw.choice(((A, B), (B, A)))
 
 
 INTERVIEW = [
     group("grid", "Small whole numbers: everything that can happen.", grid("pprpp", 4), cases=180, skills="the small grid"),
     group("side", "Onto the side of a wall at any angle.", either(walls("hit side", **PLAIN), walls("hit side", **AXIS)), skills=("fatten the wall", "t is not a distance")),
     group("past", "Past the wall, where its line would be hit.", walls("past side", "past side", "hit side", **PLAIN), skills="fatten the wall"),
-    group("ends", "Onto an end, which is round.", walls("hit cap", **PLAIN), skills=("fatten the wall", "a wall has round ends")),
+    group("ends", "Onto an end, which is round.", either(walls("hit cap", **PLAIN), walls("hit cap", "hit cap level", **{**AXIS, "shift": -6, "move": 0})), cases=80, skills=("fatten the wall", "a wall has round ends")),
     group("overlap", "Disc and wall overlap or touch from the start, whatever the disc does then: t = 0.", walls("overlap side", "overlap cap", "start side", "start cap", "start post", **PLAIN), skills="touching from the start"),
-    group("away", "The disc leaves the wall, or rests beside it: the touch was before the start, or never.", walls("away side", "away cap", "rest side", "rest cap", **PLAIN), skills="first in time"),
+    group("away", "The disc leaves the wall, or rests beside it: the touch was before the start, or never.", either(walls("away side", "away cap", "rest side", "rest cap", **PLAIN), back(walls("shy cap", "shy post", **PLAIN)), back(walls("flat side", **PLAIN)), back(walls("flat side", **PLAIN))), cases=160, skills="first in time"),
     group("short", "The disc stops before the wall, or before it would graze it.", walls("short side", "short cap", "short post", "shy cap", "shy post", **PLAIN), skills="first in time"),
     group("graze", "The disc grazes an end.", walls(*GRAZES, "graze cap", **PLAIN), skills="a graze is a touch"),
-    group("slide", "The disc slides along the wall, and touches it from its first end on.", walls("slide side", **PLAIN), skills=("a graze is a touch", "a wall has round ends")),
+    group("slide", "The disc slides along the wall, and touches it from its first end on.", either(walls("slide side", **PLAIN), walls("slide side", **{**BIG, "turn": "axis"})), skills=("a graze is a touch", "a wall has round ends")),
     group("parallel", "A way parallel to the wall, from right above or beside an end of it.", parallel, skills="first in time"),
     group("post", "A wall that is a point.", walls("hit post", "hit post", "graze post", "short post", **PLAIN), skills="a wall has round ends"),
     group("point", "The radius is 0, or so small beside the way and the wall: the disc is a point.", walls("hit side dot", "hit post dot", "end side dot", "end post dot", "start cap dot", "short side dot", "rest post dot", "hit side grain", "hit side grain", "short side grain", "past side grain", "hit cap grain", "hit cap grain", **{**PLAIN, "shift": -20}), cases=100, skills="first in time"),
-    group("still", "The disc rests, on the wall or beside it.", walls("rest side", "rest cap", "rest post", **PLAIN), skills="touching from the start"),
+    group("still", "The disc rests, on the wall or beside it.", either(walls("rest side", "rest cap", "rest post", "rest post dot", **PLAIN), telling(walls("rest side", **FULL), *TELLING)), cases=80, skills="touching from the start"),
     group("fast", "A way of many radii: no coarse clock sees the touch.", walls("fast side", "fast cap", "fast post", **{**PLAIN, "shift": -20}), skills="never step through"),
     group("repeated", "Neighbouring calls differ in one argument.", grid("pprpp", 4), turns=True, skills="nothing kept between calls"),
 ]
 
 PRODUCTION = [  # the same, where rounding bites
-    group("decimals", "Touches in short decimals, which == does not see.", either(telling(walls("slide side", "end side", "start side", "start side", **DECIMALS), *TELLING), *2 * (walls("end post dot level", "end cap dot level", "end cap dot level", **DECIMALS),)), cases=120, skills="a graze is a touch"),
-    group("turned", "Grazes that squares cannot see.", walls(*GRAZES, "graze cap dot", "graze cap dot", "slide side", **BIGGER), cases=80, skills="a tangent has a width"),
-    group("upright", "Grazes along an axis that seem to be apart or to overlap, from level with an end of the wall, from its line, or right beside it.", upright, cases=140, skills="a tangent has a width"),
+    group("decimals", "Touches in short decimals, which == does not see.", either(telling(walls("slide side", "end side", "start side", "start side", **DECIMALS), *TELLING), *2 * (walls("end post dot level", "end cap dot level", "end cap dot level", **DECIMALS),)), cases=130, skills="a graze is a touch"),
+    group("turned", "Grazes that squares cannot see.", walls(*GRAZES, "graze cap dot", "graze cap dot", "graze cap dot", "slide side", **BIGGER), cases=150, skills="a tangent has a width"),
+    group("upright", "Grazes along an axis that seem to be apart or to overlap, from level with an end of the wall, from its line, or right beside it.", either(*3 * [upright], *2 * [telling(partial(upright, stops=True), *TELLING)], telling(tangent, *TELLING)), cases=220, skills="a tangent has a width"),
     group("graze-full", "Grazes that no formula in floats can see, or that seem to overlap.", telling(walls(*GRAZES, **FULL), *TELLING), skills="a tangent has a width"),
-    group("slide-full", "The disc slides along the wall, or stops where it would, and rounding puts it beside.", telling(walls("slide side", "stop side", **FULL), *TELLING), cases=80, skills="a tangent has a width"),
-    group("start-full", "The disc touches at the start, and rounding puts it apart.", either(telling(either(walls("start side", **FULL), walls("rest side", **FULL)), *TELLING), telling(walls("start side", **FULL), *TELLING), walls("start cap", **FULL)), cases=80, skills="touching from the start"),
-    group("end-full", "The disc touches at the very end, and rounding makes it later.", telling(either(walls("end side", "end cap", **FULL), walls("end cap level", "end cap dot level", "end side level", "end post level", **{**FULL, "turn": "axis"}), walls("end cap afar", "end post afar", **AFAR), walls("end side dot", "end cap dot", "end post dot", **FULL), walls("end cap", "end side", **{**STEEP, "size": 2**7}), walls("end cap home", "end side home", "end post home", "stop cap home", "stop post home", **{**FULL, "move": 0})), *TELLING), cases=120, skills="first in time"),
-    group("at-an-end", "A point that begins or ends its way at an end of the wall.", ending, cases=100, skills="first in time"),
+    group("slide-full", "The disc slides along the wall, or stops where it would, and rounding puts it beside.", telling(walls("slide side", "stop side", **FULL), *TELLING), cases=90, skills="a tangent has a width"),
+    group("start-full", "The disc touches at the start, and rounding puts it apart.", either(telling(walls("rest side", **FULL), *TELLING), telling(walls("start side", **{**FULL, "turn": "axis"}), *TELLING), walls("start cap", **FULL), walls("start side dot", **FULL), walls("start side dot", **FULL)), cases=100, skills="touching from the start"),
+    group("end-full", "The disc touches at the very end, and rounding makes it later.", telling(either(walls("end side", "end cap", **FULL), walls("end cap level", "end cap dot level", "end side level", "end post level", **{**FULL, "turn": "axis"}), walls("end cap afar", "end post afar", **AFAR), walls("end side dot", "end cap dot", "end post dot", **FULL), walls("end cap", "end side", **{**STEEP, "size": 2**7}), walls("end cap home", "end side home", "end post home", "stop cap home", "stop post home", **{**FULL, "move": 0})), *TELLING), cases=80, skills="first in time"),
+    group("beside", "The disc touches at the very end, and its way begins level with an end of the wall.", beside(walls("end side", "end side", "end side", "end side dot", "end cap dot", "end post dot", **FULL)), cases=100, skills="first in time"),
+    group("at-an-end", "A point that begins or ends its way at an end of the wall.", either(ending, late, slipping, head_on), cases=120, skills="first in time"),
     group("near-graze", "Nearly a graze: 1e-7 of the figure away.", walls("graze~ cap", "graze~ cap dot", "graze~ cap dot", "graze~ cap dot", "graze~ post", "slide~ side", **CLEAR), cases=100, skills="nearly is not touching"),
     group("near-start", "The disc nearly touches at the start, and leaves.", walls("start~ side", "start~ cap", **CLEAR), skills="touching from the start"),
-    group("near-end", "The disc touches just before the end, or does not quite.", either(walls("end~ side", "end~ cap", "end~ side dot level", "end~ post dot level", **CLEAR), walls("shy cap", "shy post", **{**FULL, "shift": 0}), walls("end~ side grain", "end~ side", **{**PLAIN, "shift": -20})), skills="first in time"),
-    group("flat", "Onto the side nearly along the wall: it still is the side.", walls("flat side", "flat side", "flat side grain", **{**PLAIN, "shift": -20}), cases=90, skills="fatten the wall"),
+    group("near-end", "The disc touches just before the end, or does not quite.", either(walls("end~ side", "end~ cap", "end~ side dot level", "end~ post dot level", **CLEAR), walls("shy cap", "shy post", **{**FULL, "shift": 0}), walls("end~ side grain", "end~ side", **{**PLAIN, "shift": -20})), cases=110, skills="first in time"),
+    group("flat", "Onto the side nearly along the wall: it still is the side.", either(walls("flat side", "flat side grain", **{**PLAIN, "shift": -20}), walls("flat side", **{**PLAIN, "size": 100}), walls("flat side", **{**PLAIN, "size": 100})), cases=140, skills="fatten the wall"),
     group("rim", "Onto the side, close to an end: it still is the side.", walls("hit side rim", "end side rim", **{**BIG, "size": 2**16}), skills="a wall has round ends"),
     group("broad", "A wall that is less than a hundredth of the disc: it is no post.", walls("broad side", **PLAIN), skills="a wall has round ends"),
-    group("tiny", "All of it tiny, down to 1e-29.", walls("graze cap", "graze~ cap", "end~ side", "hit side", **TINY), skills=("no absolute epsilon", "scale invariance")),
+    group("tiny", "All of it tiny, down to 1e-29.", walls("graze cap", "graze~ cap", "stop cap", "end~ side", "hit side", **TINY), skills=("no absolute epsilon", "scale invariance")),
     group("offset", "A small figure far from the plane's origin.", walls("hit side", "hit cap", "graze cap", "end side", "start side", "shy cap", **OFFSET), skills="far from the origin"),
     group("offset-near", "Nearly a touch at the start, on the way or at the end, far from the plane's origin.", walls("graze~ cap", "slide~ side", "start~ side", "end~ side", "end~ cap", "end~ post dot level", **OFFSET), skills="far from the origin"),
     group("steep", "Ways almost along an axis.", either(walls("hit side", "hit cap", "graze cap", "short cap", **{**STEEP, "size": 2**7}), walls("hit side level", "hit cap level", "short side", "away side level", **TILTED)), skills="no slopes"),

@@ -15,8 +15,7 @@ judge.geometry.level; "=" for the second place is no way at all. Words after the
 
 Of a wall, the first word says what happens, the second one where: at its side, a cap (a round end), or a
 post. Others may follow: "dot", the radius is 0; "grain", it is tiny beside way and wall; "level", the way
-runs along an axis; "upright", so does a graze, and the wall leans; "afar", from far away; "rim", close to an
-end; "home".
+runs along an axis; "afar", from far away; "rim", close to an end; "home".
 
     hit, fast, flat       the disc comes to it: from near, from far, nearly along it
     graze, slide          it passes just in touch; along the side
@@ -31,7 +30,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from math import ldexp
-from operator import mul
 from typing import Any
 
 from judge.data.draw import Draw
@@ -46,7 +44,7 @@ _WHAT = (
     *("shy", "stop", "broad"),
 )
 _WHERE = ("side", "cap", "post")
-_HOW = ("dot", "grain", "level", "upright", "afar", "rim", "home")
+_HOW = ("dot", "grain", "level", "afar", "rim", "home")
 
 
 def _level_balls(draw: Draw, words: Sequence[str], size: int = 30) -> tuple[list[Atom], list[Nudge]]:
@@ -148,16 +146,6 @@ def _level_wall(draw: Draw, words: Sequence[str], size: int = 30) -> tuple[list[
     nudges = [Nudge(at, i, outwards * (1 if n > 0 else -1)) for at in moved for i, n in enumerate(along) if n]
     ends = [Point([0, 0]), Point([W, 0])]
     atoms: list[Atom] = [start, end, Length([R]), *(ends if draw.boolean() else ends[::-1])]
-    if "upright" in words:
-        for each in atoms:
-            whole = [sum(map(mul, each, axis)) for axis in (away, across)]
-            each[:] = whole if isinstance(each, Point) else [R * c]
-        nudges = [Nudge(at, 0, outwards) for at in moved]
-        y = draw.choice((start[1], sum([each[1] for each in ends]), -start[0] * across[0]))
-        if y == -start[0] * across[0]:  # from the line of the wall; or from beside its other end
-            for each in atoms:
-                each[:] = [-away[0] * n for n in each]
-        start[1], end[1] = y or start[1], -y or end[1]
     if "home" in words:
         _home(draw, atoms, (0, 1, 3))
     return atoms, nudges
