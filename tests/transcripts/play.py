@@ -62,7 +62,8 @@ _NOISE = {  # keys of JSON whose values another machine, or another day, would h
     "cpu_seconds", "wall_seconds", "memory_bytes", "isolation", "low", "high", "median", "pairs", "at",
     "seconds", "judged_at", "worker", "machine", "python", "standard", "cases_per_second", "digest",
 }  # fmt: skip
-_MASKS = [  # of text, each as wide as what it hides
+_MASKS = [  # of text, each as wide as what it hides, but for the first: somebody else is at work here
+    (re.compile(r"judge: Waited: another judge of yours was timing\n"), ""),
     (re.compile(r"\d{4}-\d\d-\d\d"), "2026-01-01"),
     (re.compile(r"\b\d\d-\d\d \d\d:\d\d\b"), "01-01 00:00"),
     (re.compile(r"T\d\d:\d\d:\d\d(\.\d+)?(?=\+|Z)"), "T00:00:00"),
