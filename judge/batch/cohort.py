@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter, defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from types import MappingProxyType
 
 from judge.batch.model import Row, text_of
 from judge.problem.model import Verdict
@@ -20,25 +21,29 @@ def cohort_of(
     history: Iterable[Row] = (),
     equal: Sequence[Alike] = (),
     left: int = 0,
+    titles: Sequence[str] = (),
+    unread: Mapping[str, Sequence[str]] = MappingProxyType({}),
+    late: Mapping[str, int | None] = MappingProxyType({}),
+    weights: Mapping[str, float] = MappingProxyType({}),
 ) -> Cohort:
     """The class as it stands: the students and problems of the table, in its order, and the present rows.
 
     `history` are rows of texts that were submitted before and have been replaced since; they tell who is
-    stuck and nothing else. `equal` are the sets of equal files, `left` counts files without a row.
+    stuck and nothing else. `equal` are the sets of equal files, `left` counts files without a row. `titles`
+    are those of the list of students, and `unread` is what of a student's is not judged. `late` are days, by
+    file, None where a platform says so alone; `weights` are those of katas.
     """
     counts = counting(rows)
     handins = Counter((row.student, row.problem) for row in rows)
     marks: dict[str, dict[str, Mark]] = {}
     for (student, problem), row in counts.items():
-        marks.setdefault(student, {})[problem] = _mark(row, handins[student, problem])
+        marks.setdefault(student, {})[problem] = _mark(row, handins[student, problem], late)
     order = [each.id for each in students]
     own = {each: [counts[who, each] for who in order if each in marks.get(who, ())] for each in problems}
     met = [each for each in problems if own[each]]
     results = [row.result for row in rows]
     failures = [(each.submission, each.failure) for each in results if each.verdict is Verdict.JE]
-    judged = Counter(
-        (row.done.machine, row.result.isolation) for row in rows if row.result.verdict is not Verdict.JE
-    )
+    judged = Counter((row.done.machine, row.result.isolation) for row in rows if row.result.isolation)
     unsolved = [who for who in order if not any(mark.accepted for mark in marks.get(who, {}).values())]
     return Cohort(
         students=tuple(students),
@@ -51,6 +56,9 @@ def cohort_of(
         machines=tuple(Machine(*where, times) for where, times in sorted(judged.items())),
         unjudged=tuple((file, failure.message if failure else "") for file, failure in failures),
         left=left,
+        titles=tuple(titles),
+        unread={who: tuple(told) for who, told in unread.items()},
+        weights=dict(weights),
     )
 
 
@@ -80,7 +88,7 @@ def _in_turn(rows: Iterable[Row]) -> dict[_Pair, list[Row]]:
     return found
 
 
-def _mark(row: Row, handins: int) -> Mark:
+def _mark(row: Row, handins: int, late: Mapping[str, int | None]) -> Mark:
     ratio = row.result.time.ratio
     return Mark(
         file=row.file,
@@ -90,6 +98,8 @@ def _mark(row: Row, handins: int) -> Mark:
         handins=handins,
         copied=bool(row.copied),
         busy=bool(ratio and ratio.busy),
+        late=row.file in late and late[row.file] != 0,
+        late_days=late.get(row.file),
     )
 
 

@@ -4,7 +4,9 @@
     PROBLEM/STUDENT.py          where a folder at the top is called like a problem; PROBLEM/STUDENT/any.py too
 
 A file is for the problem that it is called like (`exact_count.py` is for exact-count), or else for the one
-whose function it defines. Whatever lies in the folder costs at most its own row.
+whose function it defines. What a learning platform hands out is taken as it is (judge.batch.forms); a list
+of the students tells who is meant by a name. Zips and notebooks are opened (judge.batch.packed). Whatever
+lies in the folder costs at most its own row.
 
 A student may have set links, so that they are followed to the student's own files alone. A file that has
 names in the folders of several students (a hard link) belongs to the one whose folder has the file's owner,
@@ -16,13 +18,16 @@ from __future__ import annotations
 import errno
 import os
 import unicodedata
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterator, Sequence
+from contextlib import suppress
 from pathlib import Path, PurePath
 
 from msgspec import Struct
 from msgspec.structs import replace
 
+from judge.batch.forms import METADATA, Owner, Roster, owners, submitters
 from judge.batch.model import Handin
+from judge.batch.packed import is_packed, unpacked
 from judge.errors import JudgeError, UsageError
 from judge.files import (
     NOT_FOLLOWED,
@@ -44,11 +49,13 @@ _NO_PROBLEM = "no kata has that name, and it defines no kata's function"
 class ClassFolder(Struct, frozen=True):
     """What was found: hand-ins in the order of students, problems and files.
 
-    `unplaced` are other files, and programs without a student or a problem, each with why it is not judged.
+    `unplaced` are other files, and programs without a student or a problem, each with why it is not judged;
+    `late` are students whose files the platform calls late.
     """
 
     handins: tuple[Handin, ...]
     unplaced: tuple[Handin, ...]
+    late: frozenset[str] = frozenset()
 
 
 def read_class(
@@ -56,36 +63,40 @@ def read_class(
     *,
     only: Collection[str] = (),
     folders: Sequence[Path] = (),
-    students: Collection[str] = (),
+    roster: Roster | None = None,
 ) -> ClassFolder:
     """Everything that is handed in, in a class's folder.
 
     `only` are ids of problems: without them, all; `folders` are folders of problems to look in first.
-    `students` are the known ids: a folder that is called like one of them is a student's in any case.
+    A folder that is called after somebody of the `roster` is theirs in any case.
 
     Raises:
         UsageError: it is no folder, cannot be read, or holds more than any class.
     """
     root = root_of(folder)
     known = {each.name for each in problem_folders(folders)}
-    reader = _Reader(root, known, folders, students)
+    every = [*files_below(root)]
+    reader = _Reader(root, known, folders, roster or Roster())
+    reader.learn_owners([path for path, _ in every])
     handins, unplaced, size = [], [], 0
-    for path, why in files_below(root):
-        if why or not is_program(path):
-            unplaced.append(Handin("", "", legible(path), why=why or "not a program, by its name"))
+    for path, why in every:
+        if PurePath(path).name == METADATA:
             continue
-        found = reader.handin(path)
-        size += len(found.source)
-        if size > _MOST_BYTES:
-            what = f"the programs come to more than {_MOST_BYTES // 2**20} MB"
-            raise UsageError(what, where=str(folder), remedy="judge a part of the class at a time")
-        if found.problem and found.student:
-            handins += [found] if not only or found.problem in only else []
-        else:
-            unplaced.append(found)
+        for found in (
+            [Handin(reader.student(path), "", legible(path), why=why)] if why else reader.handins(path)
+        ):
+            size += len(found.source)
+            if size > _MOST_BYTES:
+                what = f"the programs come to more than {_MOST_BYTES // 2**20} MB"
+                raise UsageError(what, where=str(folder), remedy="judge a part of the class at a time")
+            if found.problem and found.student:
+                handins += [found] if not only or found.problem in only else []
+            else:
+                unplaced.append(found)
     handins = reader.without_shared(handins)
     handins.sort(key=lambda each: (each.student, each.problem, each.file))
-    return ClassFolder(tuple(handins), tuple(unplaced))
+    late = frozenset(who for who, owner in reader.owners.values() if owner.late)
+    return ClassFolder(tuple(handins), tuple(unplaced), late)
 
 
 def root_of(folder: Path) -> Path:
@@ -117,35 +128,96 @@ class _Reader(Struct):
     root: Path
     known: Collection[str]
     folders: Sequence[Path]
-    students: Collection[str]
+    roster: Roster
     names: dict[tuple[int, int], list[_Name]] = {}
+    owners: dict[
+        str, tuple[str, Owner]
+    ] = {}  # of names in the outermost folder: the student, and what it tells
+    outer: int = 0  # folders around all of them
 
-    def handin(self, path: str) -> Handin:
-        """The file, by its path in the class's folder; without a problem or a student where it has none."""
-        student, problem = self._placed(PurePath(path))
-        source, why = b"", ""
+    def learn_owners(self, paths: Sequence[str]) -> None:
+        """Find out whose each name is that a platform has given."""
+        metadata = next((path for path in paths if PurePath(path).name == METADATA), "")
+        if metadata:
+            self.outer = len(PurePath(metadata).parts) - 1
+            told = submitters(read_below(self.root, metadata)[0].decode("utf-8", "replace"))
+        else:
+            parts = [PurePath(path).parts for path in paths]
+            told = owners({each[0] for each in parts})
+            if not told and len({each[0] for each in parts}) == 1 and min(map(len, parts)) > 1:
+                self.outer = 1
+                told = owners({each[1] for each in parts})
+            self.outer = self.outer if told else 0
+        for name, owner in told.items():
+            fits = self.roster.whose(owner)
+            self.owners[name] = (
+                next(iter(fits)) if len(fits) == 1 else legible(owner.name or owner.key),
+                owner,
+            )
+
+    def handins(self, path: str) -> Iterator[Handin]:
+        """What a file holds, by its path in the class's folder; without a student or a problem where it has
+        none.
+        """
+        if is_program(path) or not is_packed(path):
+            yield self._handin(path, path, None)
+            return
+        student = self.student(path)
         try:
-            source = self._read(path, student)
-            if student and not problem:
-                problem = self._told(source, path)
+            inside = [*unpacked(path, self._read(path, student))]
+        except OSError as fault:
+            yield Handin(student, "", legible(path), why=why_unreadable(fault))
+        except JudgeError as fault:
+            yield Handin(student, "", legible(path), why=str(fault))
+        else:
+            for name, source in inside:
+                yield self._handin(path, name, source)
+
+    def _handin(self, path: str, name: str, source: bytes | None) -> Handin:
+        """A program of that name in the file; its bytes where it had to be unpacked."""
+        student, problem = self._placed(PurePath(path), PurePath(name).name if name != path else "")
+        why = "" if is_program(name) else "not a program, by its name"
+        try:
+            source = self._read(path, student) if source is None and not why else source
+            if student and source is not None and not problem and not why:
+                problem = self._told(source, name)
         except OSError as fault:
             why = why_unreadable(fault)
         except JudgeError as fault:  # of a problem that is broken, or of this text
-            why = str(fault).removeprefix(f"{path}: ")
-        if not student:
+            why = str(fault).removeprefix(f"{name}: ")
+        if not student and is_program(name):
             why = why or (_BACKSLASH if "\\" in path else _NOBODY)
-        return Handin(student, problem, legible(path), b"" if why else source, why)
+        at = 0.0
+        with suppress(OSError, ValueError):
+            at = (self.root / path).stat().st_mtime
+        problem = problem if is_program(name) else ""
+        return Handin(student, problem, legible(name), b"" if why else source or b"", why, at)
 
-    def _placed(self, path: PurePath) -> tuple[str, str]:
-        """The student and the problem that a path tells, either empty where it does not."""
-        top, *rest = path.parts
-        named = id_of(_stem(path.name))
+    def student(self, path: str) -> str:
+        """Whose a file is, empty where the path does not tell."""
+        return self._placed(PurePath(path), "")[0]
+
+    def _placed(self, path: PurePath, inner: str) -> tuple[str, str]:
+        """The student and the problem that a path tells, either empty where it does not.
+
+        `inner` is the name of what lies in the file itself.
+        """
+        top, *rest = path.parts[self.outer :] or path.parts
+        who, owner = self.owners.get(top, ("", None))
+        named = id_of(_stem(inner or (owner.file if owner and owner.file and not rest else path.name)))
         problem = named if named in self.known else ""
+        if owner is not None:
+            return who, problem
         if not rest:
             return "", problem
-        if legible(top) in self.students or id_of(top) not in self.known:
+        fits = self.roster.named(legible(top))
+        if len(fits) == 1:
+            return next(iter(fits)), problem
+        if id_of(top) not in self.known:
             return legible(top), problem
-        return legible(rest[0] if len(rest) > 1 else _stem(rest[0])), id_of(top)
+        own = legible(rest[0] if len(rest) > 1 else _stem(rest[0]))
+        fits = self.roster.named(own)
+        return next(iter(fits)) if len(fits) == 1 else own, id_of(top)
 
     def _told(self, source: bytes, path: str) -> str:
         """The problem that the text tells. Raises JudgeError where it tells none."""
@@ -157,7 +229,7 @@ class _Reader(Struct):
     def _read(self, path: str, student: str) -> bytes:
         """The bytes of a file of that student's, wherever links within their folder lead. Raises OSError."""
         source, real, found = read_below(self.root, path)
-        whose = self._placed(PurePath(real))[0]
+        whose = self.student(real)
         if real != path and whose != student:
             where = f"{whose}'s folder" if whose else "a file of nobody"
             raise RefusedError(errno.EXDEV, f"it is a link to {where}, {NOT_FOLLOWED}")

@@ -23,7 +23,7 @@ class Handin(Struct, frozen=True):
     """A file that a student has handed in; `file` is its path within the class's folder, with slashes.
 
     `problem` is the problem's id, empty where none is found. `why` says why it is not judged; then it is a
-    row of the table (JE), and `source` is empty.
+    row of the table (JE), and `source` is empty. `at` is when the file was written, in seconds of the epoch.
     """
 
     student: str
@@ -31,6 +31,7 @@ class Handin(Struct, frozen=True):
     file: str
     source: bytes = b""
     why: str = ""
+    at: float = 0.0
 
     @property
     def digest(self) -> str:

@@ -1,9 +1,10 @@
 """The list of a class's students: a CSV file, as spreadsheets write it.
 
-    id;name;group               the columns; without an `id`, the first is taken for it
+    id;name;group               the columns that have a meaning; so have `note` and `extra days`
     ada;Ada Lovelace;a
 
-Commas, semicolons or tabs part the columns; the text is UTF-8, with a byte order mark or without.
+Without an `id` it is the first column that tells all of them apart. Every column goes on to the gradebook.
+Commas, semicolons or tabs part the columns; the text is UTF-8, or UTF-16 with a byte order mark.
 """
 
 from __future__ import annotations
@@ -11,10 +12,11 @@ from __future__ import annotations
 import csv
 import io
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 
 from judge.batch.folder import legible
+from judge.batch.forms import Roster
 from judge.batch.model import Handin
 from judge.errors import UsageError
 from judge.files import read_ordinary, unreadable
@@ -24,11 +26,12 @@ _LARGEST = 2**24  # bytes
 _LONGEST = 500  # characters of an id
 _SIGNS = ",;\t"
 _SEPARATOR = re.compile(r'"?sep=([,;\t])"?', re.IGNORECASE)  # a first line that Excel writes and reads
+_NO_STUDENT = re.compile(r"\s*(Points Possible|points-per-question|Manual Posting.*)$")  # rows of platforms
 _REMEDY = "save it as CSV in UTF-8, with the columns id, name, group"
 
 
-def read_students(path: Path) -> list[Student]:
-    """The students in the order of the list.
+def read_students(path: Path) -> Roster:
+    """The students in the order of the list, which may be a platform's own gradebook.
 
     Raises:
         UsageError: it cannot be read, holds nobody, or a line of it is no row; that line is told.
@@ -38,29 +41,63 @@ def read_students(path: Path) -> list[Student]:
     if head is None:
         raise UsageError("this list of students is empty", where=str(path), remedy=_REMEDY)
     titles = [title.casefold() for title in head[1]]
+    kept = [(number, row) for number, row in rows if not _NO_STUDENT.match(next(filter(None, row)))]
+    own = _own_column(titles, [row for _, row in kept])
     students: dict[str, Student] = {}
     lines: dict[str, int] = {}
-    for number, row in rows:
+    for number, row in kept:
         cells = dict(zip(titles, row, strict=False))
-        found = cells.get("id", "") if "id" in titles else row[0]
+        found = row[own].removeprefix("#") if own < len(row) else ""
         if not found:
             raise _bad(path, number, "there is no id in this line", "write one, or take the line out")
         if len(found) > _LONGEST:
             raise _bad(path, number, f"an id of {len(found):,} characters", "write a shorter one")
-        student = Student(legible(found), cells.get("name", ""), cells.get("group", ""))
+        student = Student(
+            legible(found),
+            _name(cells),
+            cells.get("group", ""),
+            cells=tuple(row),
+            note=cells.get("note", ""),
+            extra_days=_days(cells.get("extra days", ""), path, number),
+        )
         if student.id in students:
             what = f"{found} is in line {lines[student.id]} already"
             raise _bad(path, number, what, "take one of the two lines out")
         students[student.id], lines[student.id] = student, number
     if not students:
         raise UsageError("there is nobody in this list of students", where=str(path), remedy=_REMEDY)
-    return list(students.values())
+    return Roster(list(students.values()), head[1])
 
 
-def everyone(listed: Sequence[Student], handins: Iterable[Handin]) -> list[Student]:
+def _own_column(titles: Sequence[str], rows: Sequence[Sequence[str]]) -> int:
+    """The column that tells students apart: `id`, or the first in which nothing is twice or missing."""
+    if "id" in titles:
+        return titles.index("id")
+    for at in range(len(titles)):
+        cells = [row[at] for row in rows if at < len(row) and row[at]]
+        if rows and len(rows) == len(cells) == len(set(cells)):
+            return at
+    return 0
+
+
+def _name(cells: Mapping[str, str]) -> str:
+    """What somebody is called, in the columns of a teacher or of a platform."""
+    whole = (cells.get(title, "") for title in ("name", "full name", "student"))
+    parts = (cells.get(title, "") for title in ("first name", "last name"))
+    return next(filter(None, whole), "") or " ".join(filter(None, parts))
+
+
+def _days(cell: str, path: Path, number: int) -> float:
+    try:
+        return float(cell.replace(",", ".") or 0)
+    except ValueError:
+        raise _bad(path, number, f"extra days are {cell!r}", "write a number of days") from None
+
+
+def everyone(roster: Roster, handins: Iterable[Handin]) -> list[Student]:
     """The students of the list, then those of the folder who are not in it; without a list all are known."""
-    known = {each.id for each in listed}
-    others = sorted({each.student for each in handins} - known)
+    listed = roster.students
+    others = sorted({each.student for each in handins} - {each.id for each in listed})
     return [*listed, *(Student(each, known=not listed) for each in others)]
 
 
@@ -72,7 +109,8 @@ def _text(path: Path) -> str:
     if len(content) > _LARGEST:
         raise UsageError(f"this file is larger than {_LARGEST // 2**20} MB", where=str(path), remedy=_REMEDY)
     try:
-        return content.decode("utf-8-sig")
+        wide = content.startswith((b"\xff\xfe", b"\xfe\xff"))
+        return content.decode("utf-16" if wide else "utf-8-sig")
     except UnicodeDecodeError as fault:
         number = content.count(b"\n", 0, fault.start) + 1
         raise _bad(path, number, f"this is not UTF-8: byte 0x{content[fault.start]:02x}") from fault

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Generator, Iterator, Sequence
+from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
 from contextlib import closing, suppress
+from datetime import datetime
 from functools import partial
-from pathlib import Path
+from math import ceil
+from pathlib import Path, PurePath
+from types import MappingProxyType
 
 import msgspec
 
@@ -14,6 +17,7 @@ from judge.batch.cohort import cohort_of, counting
 from judge.batch.elsewhere import Elsewhere
 from judge.batch.equal import equal_files
 from judge.batch.folder import ClassFolder, read_class
+from judge.batch.forms import Roster
 from judge.batch.model import Done, Row, Standard, Task
 from judge.batch.plan import Ground, Plan, current, planned, rows_of
 from judge.batch.representatives import representatives, smallest_cases
@@ -34,6 +38,7 @@ from judge.report.wait import Live, progress
 from judge.report.words import counted, shown_name
 from judge.run.result import Result
 
+_DAY = 86_400  # seconds
 _NAMES = 5  # files that one sentence names
 _NOTES = 5  # different notes of the workers that are said
 
@@ -55,23 +60,27 @@ class Classroom:
         folders: Sequence[Path] = (),
         isolation: str | None = None,
         level: str | None = None,
+        due: datetime | None = None,
+        weights: Mapping[str, float] = MappingProxyType({}),
         shard: Shard | None = None,
         say: Callable[[str], None],
     ) -> None:
         """`only` are ids of katas, `folders` folders of katas; each sentence goes to `say` once."""
         self._store, self._folders, self._tell = store, folders, say
         self._options = RunOptions(isolation=isolation, diagnosed=False, level=level)  # no smallest case
-        listed = read_students(students) if students else []
-        found = read_class(folder, only=only, folders=folders, students={each.id for each in listed})
+        self._roster = read_students(students) if students else Roster()
+        found = read_class(folder, only=only, folders=folders, roster=self._roster)
+        self._found, self._due, self._weights = found, due, weights
         self._handins = [each for each in found.handins if shard is None or shard.holds(each)]
-        self._students = {each.id: each for each in everyone(listed, found.handins)}
+        unread = [each for each in found.unplaced if each.student]
+        self._students = {each.id: each for each in everyone(self._roster, [*found.handins, *unread])}
         self._standards: dict[str, Standard] | None = None  # any, until it is known
         self._said: set[str] = set()
         self._noted: set[str] = set()
         self._live = Live()
         if shard is None or shard.number == 1:
             self._say(*_left_out(found))
-        if not found.handins and not listed:
+        if not found.handins and not self._roster.students:
             remedy = "it holds STUDENT/KATA.py or KATA/STUDENT.py; see 'judge help class'"
             raise UsageError("nothing is submitted here", where=str(folder), remedy=remedy)
 
@@ -118,7 +127,21 @@ class Classroom:
             history=every,
             equal=equal_files(rows, self.problems()),
             left=len(self._handins) - len(rows),
+            titles=self._roster.titles,
+            unread=_unread(self._found),
+            late=self._late(),
+            weights=self._weights,
         )
+
+    def _late(self) -> dict[str, int | None]:
+        """By how many days each file is late, less what the list grants; None where a platform says so."""
+        if self._due is None:
+            return {each.file: None for each in self._handins if each.student in self._found.late}
+        due = self._due.timestamp()
+        return {
+            each.file: max(0, ceil((each.at - due) / _DAY - self._students[each.student].extra_days))
+            for each in self._handins
+        }
 
     def problems(self) -> dict[str, Problem]:
         """The katas of the class that can be read, by id."""
@@ -256,12 +279,16 @@ def _learning(task: Task, done: int, total: int) -> str:
 
 def _pace(plan: Plan, done: int, texts: int, began: float, workers: int) -> str:
     """How far it is and how fast it goes, in one line: so many rows are there, and `texts` were judged."""
-    parts = [f"{done} of {plan.total}"]
+    equal = done - len(plan.kept) - texts
+    said = f"{done} of {counted(plan.total, 'file')}" + (
+        f", {equal} of them equal to others" if equal > 0 else ""
+    )
+    parts = [counted(workers, "worker")] if workers else []
     if texts:
         rate = texts / max(time.monotonic() - began, 1e-9)
         minutes, seconds = divmod(round((len(plan.work) - texts) / rate), 60)
-        parts += [f"{rate:.1f} a second", f"{minutes}:{seconds:02} left"]
-    return ", ".join([*parts, counted(workers, "worker")] if workers else parts)
+        parts = [f"{rate:.2g} a second", f"about {minutes}:{seconds:02} left", *parts]
+    return "; ".join(filter(None, [said, ", ".join(parts)]))
 
 
 def _left_out(found: ClassFolder) -> list[str]:
@@ -270,6 +297,15 @@ def _left_out(found: ClassFolder) -> list[str]:
     for each in found.unplaced:
         reasons.setdefault(each.why, []).append(each.file)
     return [f"not judged: {_some(files)}: {why}" for why, files in reasons.items()]
+
+
+def _unread(found: ClassFolder) -> dict[str, list[str]]:
+    """What of each student is not judged, with the reason, but for what is no program at all."""
+    told: dict[str, list[str]] = {}
+    for each in found.unplaced:
+        if each.student and each.why:
+            told.setdefault(each.student, []).append(f"{PurePath(each.file).name}: {each.why}")
+    return told
 
 
 def _some(names: Sequence[str]) -> str:

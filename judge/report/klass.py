@@ -30,11 +30,12 @@ from judge.sandbox.boundary import LEVELS
 _SHOWN, _NAMES, _FAULTS = 5, 8, 20  # mistakes and groups, names in a row, files, where not all are shown
 _GAP, _NAME = 2, 18  # columns between two, and of a student's name at most
 _NOTHING = "–"
-_COPY, _SEVERAL, _BUSY, _UNKNOWN = "=", "+", "~", "?"
+_COPY, _SEVERAL, _BUSY, _LATE, _UNKNOWN = "=", "+", "~", "l", "?"
 _MEANING = {
     _COPY: "the same text as in another file, judged once",
     _SEVERAL: "the best of several files",
     _BUSY: "timed while the machine was busy with other things",
+    _LATE: "late",
     _UNKNOWN: "not in the list of students",
 }
 
@@ -45,7 +46,8 @@ def cohort(found: Cohort, screen: Screen) -> RenderableType:
     Long lists are cut on a terminal; a pipe or a file gets them whole.
     """
     whole = screen.rows is None
-    unjudged = _some([f"{file}: {why}" for file, why in found.unjudged], _FAULTS, whole=whole)
+    unread = [f"{who}: {each}" for who, told in found.unread.items() for each in told]
+    unjudged = _some([f"{file}: {why}" for file, why in found.unjudged] + unread, _FAULTS, whole=whole)
     return blocks(
         *_tables(found, screen.width),
         Group(*map(faint, _footnotes(found)), *map(warning, unjudged), strong(_sum(found))),
@@ -105,7 +107,7 @@ def _cell(mark: Mark | None) -> Text:
 
 
 def _signs(mark: Mark) -> str:
-    return (_COPY * mark.copied) + (_SEVERAL * (mark.handins > 1)) + (_BUSY * mark.busy)
+    return (_COPY * mark.copied) + (_SEVERAL * (mark.handins > 1)) + (_BUSY * mark.busy) + (_LATE * mark.late)
 
 
 def _footnotes(found: Cohort) -> Iterator[str]:

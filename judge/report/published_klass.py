@@ -6,37 +6,48 @@ and Python's `utf-8-sig` skip it.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from pathlib import PurePath
 from typing import Any
 
-from msgspec import Struct
+from msgspec import Struct, field
+from msgspec.structs import replace
 
 from judge.errors import ExitCode
-from judge.problem.model import Verdict
+from judge.problem.model import FULL_SCORE, Verdict
 from judge.published import Published
 from judge.report.formats import csv_text
 
 BOM = "\ufeff"
 _HEAD = ("student", "name", "group")
+_OLD = [title.encode() for title in _HEAD]  # as an earlier gradebook begins, which has no last column
+_TOTAL, _LAST = "total", "unread"
+_HIDDEN = "a file"
 EQUAL_CAUTION = "Short solutions are often alike: equality proves nothing."
 
 
 class Student(Struct, frozen=True):
     """Somebody of the class: the name of their folder or files, and what the list of students says of them.
 
-    `known` is whether that list holds them; where there is none, everybody is.
+    `known` is whether that list holds them; where there is none, everybody is. `cells` are all of the list's
+    own in its order, `note` is what it has to say on the student's page, `extra_days` what it grants beyond
+    the date that is due.
     """
 
     id: str
     name: str = ""
     group: str = ""
     known: bool = True
+    cells: tuple[str, ...] = ()
+    note: str = ""
+    extra_days: float = 0.0
 
 
 class Mark(Struct, frozen=True):
     """What counts of one student on one kata: the best of so many `handins`.
 
     `copied` says whether an equal file was judged in its place, and `busy` whether the machine was busy when
-    it was timed.
+    it was timed. It is `late` where the platform says so or a date was due, by so many days.
     """
 
     file: str
@@ -46,6 +57,8 @@ class Mark(Struct, frozen=True):
     handins: int = 1
     copied: bool = False
     busy: bool = False
+    late: bool = False
+    late_days: int | None = None
 
     @property
     def accepted(self) -> bool:
@@ -90,7 +103,9 @@ class Cohort(Published, frozen=True):
     """The class, the last line of its JSON, in the order of the table; `marks` are by student and kata.
 
     Of those with `nothing_accepted` something was submitted. `unjudged` are files with the reason why they
-    could not be judged, `left` counts those without a result.
+    could not be judged, `left` counts those without a result. `titles` are the columns of the list of
+    students, and `unread` is what a student has submitted that is no program, with the reason. With `weights`
+    of katas the points of a student are out of 100.
     """
 
     students: tuple[Student, ...]
@@ -103,6 +118,9 @@ class Cohort(Published, frozen=True):
     machines: tuple[Machine, ...]
     unjudged: tuple[tuple[str, str], ...]
     left: int
+    titles: tuple[str, ...] = ()
+    unread: dict[str, tuple[str, ...]] = field(default_factory=dict)
+    weights: dict[str, float] = field(default_factory=dict)
 
     @property
     def every_mark(self) -> list[Mark]:
@@ -121,9 +139,24 @@ class Cohort(Published, frozen=True):
         """What counts of that student on that kata; None where nothing was submitted."""
         return self.marks.get(student, {}).get(problem)
 
-    def total(self, student: str) -> int:
+    def total(self, student: str) -> float:
         """The points of a student on all katas."""
-        return sum(mark.score for mark in self.marks.get(student, {}).values())
+        marks = self.marks.get(student, {})
+        if not self.weights:
+            return sum(mark.score for mark in marks.values())
+        every = sum(self.weights.get(each.problem, 1.0) for each in self.problems)
+        own = sum(mark.score * self.weights.get(kata, 1.0) for kata, mark in marks.items())
+        share = round(own / every, 1) if every else 0.0
+        return int(share) if share == int(share) else share
+
+    def days_late(self, student: str) -> int:
+        """By how many days the latest of a student's files that count is late."""
+        return max((mark.late_days or 0 for mark in self.marks.get(student, {}).values()), default=0)
+
+    @property
+    def full(self) -> int:
+        """The most points that a student can have."""
+        return FULL_SCORE * (1 if self.weights else len(self.problems))
 
 
 class ClassRow(Published, frozen=True):
@@ -148,20 +181,75 @@ class ClassRow(Published, frozen=True):
     result: dict[str, Any]
 
 
-def gradebook(cohort: Cohort) -> bytes:
-    """The file. Points, empty where nothing was submitted; the total; then verdict and mistake by kata."""
+def anonymous(cohort: Cohort) -> tuple[Cohort, dict[str, str]]:
+    """The class with numbers in place of names, and what each file is called then."""
+    numbers = {each.id: str(at) for at, each in enumerate(cohort.students, 1)}
+    files = {
+        mark.file: f"{numbers[who]}/{PurePath(mark.file).name}"
+        for who, marks in cohort.marks.items()
+        for mark in marks.values()
+    }
+
+    def named(who: Sequence[str]) -> tuple[str, ...]:
+        return tuple(numbers[each] for each in who)
+
+    def alike(found: Sequence[Alike]) -> tuple[Alike, ...]:
+        return tuple(
+            replace(
+                each,
+                students=named(each.students),
+                files=tuple(files.get(file, _HIDDEN) for file in each.files),
+            )
+            for each in found
+        )
+
+    hidden = replace(
+        cohort,
+        students=tuple(
+            Student(numbers[each.id], known=each.known, note=each.note) for each in cohort.students
+        ),
+        marks={
+            numbers[who]: {kata: replace(mark, file=files[mark.file]) for kata, mark in marks.items()}
+            for who, marks in cohort.marks.items()
+        },
+        problems=tuple(replace(each, mistakes=alike(each.mistakes)) for each in cohort.problems),
+        stuck=alike(cohort.stuck),
+        nothing_accepted=named(cohort.nothing_accepted),
+        nothing_handed_in=named(cohort.nothing_handed_in),
+        equal_files=alike(cohort.equal_files),
+        unjudged=tuple((files.get(file, _HIDDEN), why) for file, why in cohort.unjudged),
+        titles=(),
+        unread={numbers[who]: told for who, told in cohort.unread.items()},
+    )
+    return hidden, files
+
+
+def gradebook(cohort: Cohort, *, numbered: bool = False) -> bytes:
+    """The file: the columns of the list of students; the numbers that pages have for names, where that is
+    asked for; points, empty where nothing was submitted; the total;
+    then verdict and mistake by kata, and what could not be read.
+    """
     katas = [each.problem for each in cohort.problems]
     details = [f"{kata} {what}" for kata in katas for what in ("verdict", "mistake")]
-    rows: list[list[object]] = [[*_HEAD, *katas, "total", *details]]
-    for person in cohort.students:
+    titles = cohort.titles or _HEAD
+    late = ["late days"] if any(mark.late_days is not None for mark in cohort.every_mark) else []
+    number = ["number"] if numbered else []
+    rows: list[list[object]] = [[*titles, *number, *katas, _TOTAL, *late, *details, _LAST]]
+    for place, person in enumerate(cohort.students, 1):
         marks = [cohort.mark(person.id, kata) for kata in katas]
         points = [mark.score if mark else "" for mark in marks]
         told = [each for mark in marks for each in ((mark.verdict.value, mark.mistake) if mark else ("", ""))]
-        rows.append([person.id, person.name, person.group, *points, cohort.total(person.id), *told])
+        own = person.cells if cohort.titles else (person.id, person.name, person.group)
+        own = (*(own or (person.id,)), *[""] * len(titles))[: len(titles)]
+        unread = "; ".join(cohort.unread.get(person.id, ()))
+        days = [cohort.days_late(person.id)] if late else []
+        own = (*own, str(place)) if numbered else own
+        rows.append([*own, *points, cohort.total(person.id), *days, *told, unread])
     return (BOM + csv_text(rows)).encode("utf-8", "backslashreplace")
 
 
 def is_gradebook(start: bytes) -> bool:
     """Whether a file that begins like this is such a gradebook."""
-    plain = start.removeprefix(BOM.encode()).replace(b'"', b"")  # a spreadsheet quotes none of its titles
-    return plain.startswith(",".join(_HEAD).encode())
+    head = start.removeprefix(BOM.encode()).partition(b"\n")[0].replace(b'"', b"")  # as spreadsheets do
+    titles = head.strip().split(b",")
+    return titles[: len(_HEAD)] == _OLD or (_TOTAL.encode() in titles and titles[-1] == _LAST.encode())

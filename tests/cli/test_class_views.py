@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import csv
 import io
+import os
 import re
+from datetime import datetime
 from pathlib import Path
 
 import pytest
@@ -75,7 +77,7 @@ def test_everything_after_the_table(judge, homework, monkeypatch):
     assert "middle: 4 of 5 submitted, 1 accepted" in html
     assert not re.findall(r"<img|<script", html)
     pages = {path.name: path.read_text(encoding="utf-8") for path in Path("pages").iterdir()}
-    assert sorted(pages)[1:] == ["ada.html", "bob.html", "cy.html"]
+    assert sorted(pages)[1:] == ["ada.html", "bob.html", "cy.html", "zoe.html"]
     assert "bob/middle.py" in pages["bob.html"]
     assert "ada" not in pages["bob.html"]
     assert not re.findall(r"<img|<script", "".join(pages.values()))
@@ -85,3 +87,41 @@ def test_everything_after_the_table(judge, homework, monkeypatch):
     assert Path("pages/bob.html").read_text(encoding="utf-8") == "precious"
     assert judge("class", homework, "--students", "list.csv", *files[2:4]).status == 1
     assert Path("class.html").read_text(encoding="utf-8") == html
+
+
+def test_days_late_weights_and_numbers_for_names(judge, submit):
+    """A list of a platform's own: its columns go on, and a note stands on the student's page."""
+    submit(MEAN, "homework/Ada Lovelace_11_assignsubmission_file/middle.py")
+    submit(FLOOR, "homework/Bob Byron_12_assignsubmission_file/middle.py")
+    submit("x", "homework/Bob Byron_12_assignsubmission_file/essay.docx")
+    submit(
+        "Identifier,Full name,note,extra days\nParticipant 11,Ada Lovelace,Well done.,1\n"
+        "Participant 12,Bob Byron,,\nParticipant 13,Cy Doe,,\n",
+        "list.csv",
+    )
+    for path in Path("homework").rglob("middle.py"):
+        os.utime(path, (1_800_000_000 + 90_000,) * 2)  # 25 hours late
+    due = datetime.fromtimestamp(1_800_000_000).strftime("%Y-%m-%dT%H:%M:%S")[:16]
+    files = ("--csv", "grades.csv", "--html", "class.html", "--feedback", "pages")
+    words = ("--students", "list.csv", "--due", due, "--weight", "middle=3", "--anonymous", *files)
+    ended = judge("class", "homework", *words)
+    assert ended.status == 1
+    assert not re.findall("Ada|Bob|Byron", ended.out)
+    head, *grades = csv.reader(io.StringIO(Path("grades.csv").read_bytes().decode("utf-8-sig"), newline=""))
+    assert head == [
+        *("Identifier", "Full name", "note", "extra days", "number", "middle", "total", "late days"),
+        *("middle verdict", "middle mistake", "unread"),
+    ]
+    assert grades[0][:8] == ["Participant 11", "Ada Lovelace", "Well done.", "1", "1", "100", "100", "1"]
+    assert grades[1][4:10] == ["2", "40", "40", "2", "WA", "floor-division"]
+    assert grades[1][10] == "essay.docx: not a program, by its name"
+    assert grades[2][:8] == ["Participant 13", "Cy Doe", "", "", "3", "", "0", "0"]
+    pages = {path.name: path.read_text(encoding="utf-8") for path in Path("pages").iterdir()}
+    assert sorted(pages) == ["1.html", "2.html", "3.html"]
+    assert not re.findall("Ada|Bob|Byron", "".join(pages.values()) + Path("class.html").read_text())
+    assert "Well done." in pages["1.html"]
+    assert "1 day late" in pages["1.html"]
+    assert "essay.docx: not a program" in pages["2.html"]
+    assert "Nothing was submitted." in pages["3.html"]
+    assert "'middle=x' is no weight" in judge("class", "homework", "--weight", "middle=x").err
+    assert "--json has names" in judge("class", "homework", "--anonymous", "--json").err

@@ -118,11 +118,11 @@ def test_a_line_a_student():
     content = gradebook(small_class())
     assert content.startswith(b'\xef\xbb\xbf"student","name","group","segment","count","total",')
     head, *lines = read(content)
-    assert head[6:] == ["segment verdict", "segment mistake", "count verdict", "count mistake"]
-    assert lines[0] == ["ann", "Ann Lee", "A", "30", "90", "120", "WA", "tangent-twice", "AC", ""]
-    assert lines[2][3:] == ["0", "60", "60", "CE", "", "WA", "forgotten-abs"]
+    assert head[6:] == ["segment verdict", "segment mistake", "count verdict", "count mistake", "unread"]
+    assert lines[0] == ["ann", "Ann Lee", "A", "30", "90", "120", "WA", "tangent-twice", "AC", "", ""]
+    assert lines[2][3:] == ["0", "60", "60", "CE", "", "WA", "forgotten-abs", ""]
     assert lines[3][:6] == ["dee\\x1b[31m王", "王小明", "B", "60", "", "60"]
-    assert lines[4] == ["eve", "<script>alert(1)</script>", "B", "", "", "0", "", "", "", ""]
+    assert lines[4] == ["eve", "<script>alert(1)</script>", "B", "", "", "0", "", "", "", "", ""]
     assert [each[0] for each in lines] == ["ann", "bob", "cid", "dee\\x1b[31m王", "eve", "zoe"]
     assert content.count(b"\r\n") == 7
     assert is_gradebook(content[:100])

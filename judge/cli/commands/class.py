@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import AbstractContextManager, nullcontext
+from datetime import datetime
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -19,20 +20,23 @@ from judge.cli.options import Common, command, opt
 from judge.errors import UsageError
 from judge.problem.find import find_problem
 from judge.problem.model import LEVELS
-from judge.report.published_klass import ClassRow, Cohort, gradebook, is_gradebook
+from judge.report.published_klass import ClassRow, Cohort, anonymous, gradebook, is_gradebook
 from judge.report.screen import note
 from judge.report.words import counted
 
 if TYPE_CHECKING:
     from judge.judging.pool import Executor
+    from judge.problem import Problem
+    from judge.run.result import Result
+
+_TIMES = ["%Y-%m-%dT%H:%M", "%Y-%m-%d %H:%M", "%Y-%m-%d"]
+_HEAVIEST = 1e6
 
 
 class ClassAsk(Struct, frozen=True):
     """How to judge a class, and what to write of it."""
 
-    students: Path | None = opt(
-        "--students CSV", "The list of the class, with the columns id, name and group."
-    )
+    students: Path | None = opt("--students CSV", "The list of the class; or the gradebook of your platform.")
     jobs: int = opt("-j --jobs N", "Judge N files at once.", type=click.IntRange(1, 256), default=1)
     level: str | None = opt("--level", "Only this level of each kata.", choices=LEVELS)
     again: tuple[str, ...] = opt(
@@ -41,6 +45,13 @@ class ClassAsk(Struct, frozen=True):
     csv: Path | None = opt("--csv FILE", "Write the gradebook, one line for each student.")
     html: Path | None = opt("--html FILE", "Write one page of it all, with a picture of each mistake.")
     feedback: Path | None = opt("--feedback DIR", "Write a page for each student into this folder.")
+    due: datetime | None = opt(
+        "--due TIME", "Count days late from 2026-12-01T23:59.", type=click.DateTime(_TIMES)
+    )
+    weight: tuple[str, ...] = opt(
+        "--weight KATA=N", "Weigh a kata; the total is out of 100 then.", default=()
+    )
+    anonymous: bool = opt("--anonymous", "Numbers for names, but in the gradebook.")
     where: str | None = opt(
         "--on WHERE", "Judge with the workers of a dask scheduler: tls://HOST:PORT, or its file."
     )
@@ -59,13 +70,19 @@ def judge_class(
     the same command goes on, and judges only what is new. If a student has several files for one kata, the
     best counts. Equal files are judged once. A terminal shows the first names of long lists, a pipe all.
 
+    What Moodle, Canvas, Gradescope, Blackboard and Brightspace hand out is read as it is; zips and notebooks
+    are opened. --students says who is who, in any of its columns, and all of them go on to --csv.
+
     Exit status: 0 all accepted, 1 not, 2 usage, 3 something could not be judged.
     """
     if ask.where is not None and ask.jobs > 1:
         raise UsageError("--on and -j contradict each other", remedy="leave one out")
     root_of(folder)  # before a file is made beside it
+    if ask.anonymous and common.json:
+        raise UsageError("--json has names", remedy="leave out --anonymous")
     for each in katas:
         find_problem(each, common.problems)
+    weights = dict(_weight(each, common) for each in ask.weight)
     csv = OutFile(ask.csv, "--csv", "a gradebook", is_gradebook)
     html = OutFile(ask.html, "--html", "a page of a class", partial(_is_page, "CLASS"))
     if ask.html or ask.feedback:
@@ -82,6 +99,8 @@ def judge_class(
             folders=common.problems,
             isolation=common.isolation,
             level=ask.level,
+            due=ask.due,
+            weights=weights,
             say=note,
         )
         try:
@@ -92,14 +111,32 @@ def judge_class(
         except KeyboardInterrupt:
             found = classroom.cohort()
             if not common.json:
-                yield found
+                yield anonymous(found)[0] if ask.anonymous else found
             note(f"{counted(found.left, 'file')} left; the same command goes on")
             raise
         found = classroom.cohort()
-        yield found
-        csv.write(gradebook(found))
+        shown, files = anonymous(found) if ask.anonymous else (found, {})
+        yield shown
+        csv.write(gradebook(found, numbered=ask.anonymous))
         if ask.html or ask.feedback:
-            _write_pages(classroom, found, html, ask.feedback, folder.resolve().name or "class")
+            results = classroom.results(found, everybody=ask.feedback is not None)
+            results = {(kata, files.get(file, file)): each for (kata, file), each in results.items()}
+            title = folder.resolve().name or "class"
+            _write_pages(shown, results, classroom.problems(), html, ask.feedback, title)
+
+
+def _weight(said: str, common: Common) -> tuple[str, float]:
+    """A kata and its weight. Raises UsageError."""
+    kata, _, number = said.partition("=")
+    try:
+        weight = float(number)
+    except ValueError:
+        weight = -1.0
+    if not 0 <= weight < _HEAVIEST:
+        raise UsageError(
+            f"{said!r} is no weight", where="--weight", remedy="write a kata and a number: count=2"
+        )
+    return find_problem(kata, common.problems).id, weight
 
 
 def _executor(ask: ClassAsk, isolation: str | None) -> AbstractContextManager[Executor]:
@@ -114,14 +151,18 @@ def _executor(ask: ClassAsk, isolation: str | None) -> AbstractContextManager[Ex
 
 
 def _write_pages(
-    classroom: Classroom, cohort: Cohort, html: OutFile, feedback: Path | None, title: str
+    cohort: Cohort,
+    results: Mapping[tuple[str, str], Result],
+    problems: Mapping[str, Problem],
+    html: OutFile,
+    feedback: Path | None,
+    title: str,
 ) -> None:
     """Write the page of the class, and each student's. Raises UsageError."""
     from judge.report.html.case import Cases
     from judge.report.html.klass import ClassPages
 
-    results = classroom.results(cohort, everybody=feedback is not None)
-    pages = ClassPages(cohort, results, Cases(classroom.problems()), title, moment())
+    pages = ClassPages(cohort, results, Cases(problems), title, moment())
     if html.path:
         html.write(pages.whole())
     if feedback:

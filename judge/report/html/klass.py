@@ -14,7 +14,7 @@ from functools import cached_property
 
 from msgspec import Struct
 
-from judge.problem.model import FULL_SCORE
+from judge.problem.find import shipped_problems
 from judge.report.html import page
 from judge.report.html.case import Case, Cases
 from judge.report.published_klass import EQUAL_CAUTION, Cohort
@@ -61,6 +61,7 @@ class ClassPages(Struct, frozen=True, dict=True):
             [case for *_, made in katas for _, case in made],
             [mark.verdict for mark in cohort.every_mark],
             title=self.title,
+            topic=self._topic,
             generated=self.generated,
             cohort=cohort,
             katas=katas,
@@ -70,7 +71,7 @@ class ClassPages(Struct, frozen=True, dict=True):
         )
 
     def students(self) -> Iterator[tuple[str, bytes]]:
-        """For each student who submitted something, the name of a file and their page."""
+        """For each student, the name of a file and their page."""
         cohort, taken = self.cohort, set[str]()
         for person in cohort.students:
             name = _file(person.id, taken)
@@ -83,8 +84,6 @@ class ClassPages(Struct, frozen=True, dict=True):
                 for at, view in enumerate(cohort.problems, 1)
             ]
             given = [mark for _, mark, _ in marks if mark]
-            if not given:
-                continue
             content = page(
                 "feedback.html.j2",
                 FEEDBACK_MARK,
@@ -92,13 +91,22 @@ class ClassPages(Struct, frozen=True, dict=True):
                 [mark.verdict for mark in given],
                 title=self.names[person.id],
                 course=self.title,
+                topic=self._topic,
                 generated=self.generated,
                 marks=marks,
                 solved=sum(mark.accepted for mark in given),
                 points=cohort.total(person.id),
-                full=FULL_SCORE * len(marks),
+                full=cohort.full,
+                note=person.note,
+                unread=cohort.unread.get(person.id, ()),
             )
             yield name, content
+
+    @cached_property
+    def _topic(self) -> str:
+        """What the katas are about, where they are the judge's own."""
+        folders = {each.folder.parent for each in self.cases.problems.values()}
+        return "Circle and line geometry" if folders <= {shipped_problems()} else ""
 
     def _called(self, problem: str) -> str:
         return self.cases.problems[problem].title if problem in self.cases.problems else problem

@@ -1,0 +1,143 @@
+"""Whose a file is in what a learning platform hands out: the forms of its names, and who of a list is meant.
+
+Moodle            Ada Lovelace_4711_assignsubmission_file/count.py, or …_file_count.py
+Canvas            lovelaceada_LATE_101_555_count.py, anon_x7Kp2_555_count.py
+Brightspace       9001-42 - Ada Lovelace - Nov 20, 2026 612 PM/count.py
+Blackboard        HW 1_alove_attempt_2026-11-20-10-15-00_count.py
+Gradescope        submission_77/count.py, whose submission_metadata.yml tells the student
+
+A form counts where nearly all names beside it have it: else it is chance. The forms of Moodle and Canvas were
+read in their sources, the others in their documentation and in readers of their files.
+"""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import pairwise
+
+from msgspec import Struct
+
+from judge.report.published_klass import Student
+
+METADATA = "submission_metadata.yml"
+_FORMS = (
+    re.compile(r"(?P<name>.*)_(?P<key>\d+)_assign(?:submission|feedback)_[a-z]+(?:_|$)(?P<file>.*)"),
+    re.compile(r"(?P<late>LATE_)?anon_(?P<key>[^_]+)_\d+_(?P<file>.+)"),
+    re.compile(r"(?P<name>.*?)(?P<late>_LATE)?_(?P<key>\d+)_(?:\d+_|(?=(?:text|link)\.html$))(?P<file>.+)"),
+    re.compile(r"\d+-\d+ - (?P<name>.+?) - [^-]*\b\d{4}\b[^-]*?(?: - (?P<file>.+))?"),
+    re.compile(r"(?P<name>.+)_[^_\d]+_\d{4}(?:-\d\d){5}(?:_(?P<file>.+)|\.txt)"),
+)
+_SHARED = {"group", "groups", "section", "sections", "status", "note", "extra days"}  # columns of no one
+_MOST = 0.8  # of the names beside each other have the form
+_LEAST = 3  # letters of a cell that may be a part of a name
+_AGAIN = re.compile(r"-\d+(?=\.[^.]+$)")  # of a second upload: count-1.py
+_SUBMISSION = re.compile(r"(submission_\d+):\s*$")
+_SUBMITTER = re.compile(r"\s*-?\s*:(name|sid|email):\s*['\"]?(.*?)['\"]?\s*$")
+
+
+class Owner(Struct, frozen=True):
+    """Whose a name is: the number or user name in it, the person's and the file's own name, if it is late."""
+
+    key: str
+    name: str
+    file: str
+    late: bool = False
+
+
+def owners(names: Iterable[str]) -> dict[str, Owner]:
+    """Of names beside each other those that have the form of nearly all of them."""
+    every = [name for name in names if not name.startswith("index.")]
+    for form in _FORMS:
+        found = {name: form.fullmatch(name) for name in every}
+        told = {name: _owner(match.groupdict()) for name, match in found.items() if match}
+        if told and len(told) >= _MOST * len(every):
+            return told
+    return {}
+
+
+def _owner(parts: dict[str, str | None]) -> Owner:
+    key, name, file = (parts.get(part) or "" for part in ("key", "name", "file"))
+    return Owner(key, name, _AGAIN.sub("", file), bool(parts.get("late")))
+
+
+def submitters(metadata: str) -> dict[str, Owner]:
+    """Who submitted each folder of a Gradescope export, the first one of a group; read line by line."""
+    found: dict[str, dict[str, str]] = {}
+    here: dict[str, str] = {}
+    for line in metadata.splitlines():
+        if begins := _SUBMISSION.fullmatch(line):
+            here = found.setdefault(begins[1], {})
+        elif told := _SUBMITTER.fullmatch(line):
+            here.setdefault(told[1], told[2])
+    return {
+        folder: Owner(told.get("email") or told.get("sid", ""), told.get("name", ""), "")
+        for folder, told in found.items()
+    }
+
+
+class Roster:
+    """Who of a list is meant by a name; `titles` are the list's own."""
+
+    def __init__(self, students: Sequence[Student] = (), titles: Sequence[str] = ()) -> None:
+        self.students, self.titles = tuple(students), tuple(titles)
+        self._cells: dict[str, set[str]] = {}
+        self._names: dict[str, set[str]] = {}
+        tried = [at for at, title in enumerate(titles) if title.casefold() not in _SHARED]
+        for each in students:
+            cells = [each.cells[at].removeprefix("#") for at in tried if at < len(each.cells)]
+            for cell in filter(None, (each.id, *cells)):
+                self._cells.setdefault(cell.casefold(), set()).add(each.id)
+            for name in _names([each.name, *cells]):
+                self._names.setdefault(name, set()).add(each.id)
+
+    def whose(self, owner: Owner) -> set[str]:
+        """The ids of those who fit best: by the key as a cell, or the end of one, then by name or mail."""
+        key = owner.key.casefold()
+        for found in (self._cells.get(key), self._ending(key), *map(self._names.get, _plain(owner.name))):
+            if found:
+                return found
+        return self._within(owner.name)
+
+    def named(self, name: str) -> set[str]:
+        """The ids of those whom a folder or a file is called after."""
+        return self._cells.get(name.casefold()) or next(
+            filter(None, map(self._names.get, _plain(name))), set()
+        )
+
+    def _ending(self, key: str) -> set[str]:
+        """Who has a cell such as `Participant 4711`, or a mail address that begins so."""
+        if not key:
+            return set()
+        end = re.compile(rf"[^\d@]+{re.escape(key)}") if key.isdecimal() else None
+        fits = (cell for cell in self._cells if (end and end.fullmatch(cell)) or cell.startswith(f"{key}@"))
+        return {who for cell in fits for who in self._cells[cell]}
+
+    def _within(self, name: str) -> set[str]:
+        """Who has the longest cell that is the first or the last part of the name."""
+        folded = name.casefold()
+        parts = (
+            cell
+            for cell in self._cells
+            if len(cell) >= _LEAST and re.search(rf"(?:^|[_-]){re.escape(cell)}$|^{re.escape(cell)} ", folded)
+        )
+        return self._cells.get(max(parts, key=len, default=""), set())
+
+
+def _names(cells: Iterable[str]) -> Iterator[str]:
+    """What a student may be called in letters and digits alone: each cell, two beside each other, a mail."""
+    cells = [*filter(None, cells)]
+    for cell in cells:
+        last, comma, first = cell.partition(",")
+        yield from _plain(cell.partition("@")[0])
+        yield from _plain(first + last) if comma else ()
+    for one, other in pairwise(cells):
+        yield from (*_plain(one + other), *_plain(other + one))
+
+
+def _plain(name: str) -> list[str]:
+    """Letters and digits alone, of any language, and those without marks as Canvas writes them."""
+    folded = unicodedata.normalize("NFC", name).casefold()
+    found = ["".join(filter(str.isalnum, folded)), re.sub("[^a-z0-9]", "", folded)]
+    return [each for each in dict.fromkeys(found) if each]
