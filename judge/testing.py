@@ -20,17 +20,19 @@ from contextlib import nullcontext
 from functools import cached_property, partial
 from pathlib import Path
 from textwrap import wrap
+from time import monotonic
 from typing import Any
 
 from msgspec import Struct
 from msgspec.structs import replace
 
+from judge.data.build import target_of
 from judge.data.load import load_data
 from judge.data.model import ProblemData
 from judge.errors import UsageError
 from judge.judging.inprocess import InProcess, Routine
 from judge.mistakes.told import told_mistakes
-from judge.problem import Problem, Verdict
+from judge.problem import Group, Problem, Verdict
 from judge.problem.find import find_problem
 from judge.problem.model import chosen_groups
 from judge.repair.features import features
@@ -42,8 +44,11 @@ from judge.run.reference import Reference
 from judge.run.result import Result, earned
 from judge.run.settings import Settings
 from judge.sandbox.boundary import Usage
+from judge.sandbox.encode import encode
+from judge.values import show
+from judge.values.check import is_right
 
-__all__ = ["JudgeGroup", "JudgeProblem", "check_case", "judge_problem"]
+__all__ = ["Case", "JudgeGroup", "JudgeProblem", "check_case", "judge_problem"]
 
 _WIDTH = 100  # columns of a failure's text: numbers are shown in full, and pytest adds its own margin
 
@@ -80,6 +85,39 @@ def check_case(replay: str, file: str | os.PathLike[str]) -> None:
     if said.verdict is not Verdict.AC:
         lines = f"{said.verdict.value}  {said.message}", f"expected {tried.expected}, got {said.got}"
         raise AssertionError("\n".join(map(printable, lines)))
+
+
+class Case(tuple[Any, ...]):
+    """The arguments of a case, which are its attributes by their names too; `f(*case)` calls with them."""
+
+    _data: ProblemData
+    _group: Group
+    expected: str  # the answer in the nearest doubles
+
+    def accepts(self, answer: object) -> bool:
+        """Whether the judge accepts that answer to it. Raises ProblemError."""
+        data, group = self._data, self._group
+        exact, tolerance = data.exact(self, group)
+        target = target_of(data.problem, exact, tolerance)
+        return is_right(data.problem.answer, encode(answer), target, lambda: (exact, tolerance))
+
+    def __getattr__(self, name: str) -> Any:
+        named = {} if name.startswith("_") else self._data.problem.named(self)
+        if name not in named:
+            raise AttributeError(name)
+        return named[name]
+
+    def __repr__(self) -> str:
+        named = self._data.problem.named(self)
+        return f"Case({', '.join(f'{name}={value!r}' for name, value in named.items())})"
+
+
+def _case(data: ProblemData, group: Group, case: Sequence[Any]) -> Case:
+    made = Case(case)
+    made._data, made._group = data, group
+    exact, tolerance = data.exact(made, group)
+    made.expected = show.wanted(data.problem.answer, target_of(data.problem, exact, tolerance))
+    return made
 
 
 class JudgeProblem:
@@ -128,6 +166,64 @@ class JudgeProblem:
             text = "\n".join(part for row in rows for part in wrap(row, _WIDTH) or [""])
             raise AssertionError(text) from raised
 
+    def judge(self, routine: Routine, seconds: float | None = None) -> Result:
+        """What the judge says of the routine: groups, smallest case, mistake; nothing is asserted.
+
+        After so many seconds by the clock no further group begins: those that are left have not `run`.
+
+        Raises ProblemError if the problem is broken.
+        """
+        end = None if seconds is None else monotonic() + seconds
+        runs, _ = _called(self.data, routine, self.groups, end)
+        if any(run.failure for run in runs) and len(runs) == len(self.groups):
+            return _explained(self.data, routine)
+        whole = [*runs]
+        for each in self.data.groups[len(runs) :]:
+            whole.append(GroupRun(self.data, each, FunctionRunner(self.problem)))
+            whole[-1].give_up(Verdict.TLE, f"{seconds:g} s are over")
+        first = next((run for run in whole if run.failure), None)
+        return Result(
+            problem=self.problem.id,
+            submission=_name(routine),
+            verdict=first.verdict if first else Verdict.AC,
+            failure=first.failure if first else None,
+            **earned([run.result() for run in whole]),
+        )
+
+    def cases(self, group: str | None = None) -> list[Case]:
+        """The cases of the group, of all without a name. Raises UsageError if there is no such group."""
+        chosen = {each.name for each in chosen_groups(self.problem, [group] if group else self.groups)}
+        return [
+            _case(self.data, each.group, case)
+            for each in self.data.groups
+            if each.group.name in chosen
+            for case in each.cases
+        ]
+
+    def strategy(self, group: str) -> Any:
+        """A Hypothesis strategy for valid cases of the group, which shrinks along its draw's own choices.
+
+        Raises UsageError if there is no such group, or its cases are not drawn one by one.
+        """
+        from judge.data.build import validate  # only for who searches
+        from judge.diagnose.search import strategy
+        from judge.problem.declare import InvalidCase
+
+        (chosen,) = chosen_groups(self.problem, [group])
+        data = self.data
+        builder = data.module.draws.get(group)
+        if builder is None:
+            raise UsageError(f"the cases of {group} are not drawn", remedy="name another group")
+
+        def valid(case: Sequence[Any]) -> bool:
+            try:
+                validate(data.problem, data.module, tuple(case))
+            except InvalidCase:
+                return False
+            return True
+
+        return strategy(builder).filter(valid).map(lambda case: _case(data, chosen, case))
+
     def _explained(self, routine: Routine) -> Result | None:
         """The smallest case and the mistake's name, sought once for a routine; None where that went wrong."""
         key = _sameness(routine)
@@ -174,13 +270,18 @@ def _name(routine: Routine) -> str:
 
 
 def _called(
-    data: ProblemData, routine: Routine, groups: Sequence[str]
+    data: ProblemData, routine: Routine, groups: Sequence[str], end: float | None = None
 ) -> tuple[list[GroupRun], BaseException | None]:
-    """What the routine answers in these groups, and its exception where that is the first failure."""
+    """What the routine answers in these groups, and its exception where that is the first failure.
+
+    After `end` no further group begins.
+    """
     runs: list[GroupRun] = []
     raised = None
     runner = FunctionRunner(data.problem)
     for each in data.groups:
+        if runs and end is not None and monotonic() > end:
+            break
         if each.group.name in groups:
             box, run = InProcess(routine=routine), GroupRun(data, each, runner)
             run.take(runner.answers(box, each.cases, group_limits(data.problem, each.group, Usage())))
