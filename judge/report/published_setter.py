@@ -4,10 +4,8 @@ from __future__ import annotations
 
 from msgspec import Struct
 
-from judge.errors import ExitCode
 from judge.languages.find import Found
 from judge.published import Published
-from judge.sandbox.attacks import Attacked
 from judge.sandbox.available import Level
 
 
@@ -29,31 +27,17 @@ class FilesWritten(Published, frozen=True):
     files: tuple[str, ...]
 
 
-class Attacks(Struct, frozen=True):
-    """What came of the attacks at a level of isolation."""
-
-    isolation: str
-    attacks: tuple[Attacked, ...]
-
-
 class Doctor(Published, frozen=True):
     """What this machine gives; `isolation` is the best level, null where nothing can be run."""
 
     isolation: str | None
     levels: tuple[Level, ...]
     languages: tuple[Found, ...]
-    attacks: Attacks | None
     judge: str
     python: str
     system: str
     cores: int
     cache: str
-
-    @property
-    def exit_code(self) -> ExitCode:
-        """1 where an attack was not held."""
-        held = self.attacks is None or all(each.held for each in self.attacks.attacks)
-        return ExitCode.ACCEPTED if held else ExitCode.NOT_ACCEPTED
 
 
 class SiteBuilt(Published, frozen=True):

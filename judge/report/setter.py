@@ -166,9 +166,7 @@ def _packages(found: Exported) -> Iterator[tuple[str, str]]:
 
 
 def doctor(found: published.Doctor, _screen: Screen) -> RenderableType:
-    """The machine, the levels of isolation, the languages; or what came of the attacks."""
-    if found.attacks is not None:
-        return _attacked(found.attacks)
+    """The machine, the levels of isolation, the languages."""
     machine = [(name, str(getattr(found, name))) for name in ("judge", "python", "system", "cores", "cache")]
     best = strong(f"Isolation: {found.isolation}") if found.isolation else bad("Nothing can be run")
     return blocks(facts(machine), table(_levels(found)), table(_languages(found)), best)
@@ -196,16 +194,3 @@ def _languages(found: published.Doctor) -> Iterator[tuple[Text, Text]]:
         else:
             tried = f", works at {found.isolation}" if each.works else ""
             yield good(each.name), text(each.version + tried)
-
-
-def _attacked(found: published.Attacks) -> RenderableType:
-    rows = [
-        (strong(each.name), good("held"), each.tries)
-        if each.held
-        else (strong(each.name), bad("NOT HELD"), f"{each.tries}: {each.how}")
-        for each in found.attacks
-    ]
-    held = sum(each.held for each in found.attacks)
-    said = f"{held} of {counted(len(rows), 'attack')} held at isolation {found.isolation}"
-    result = (good if held == len(rows) else bad)(said)
-    return blocks(table(rows, "attack", "result", "a submission tries to"), result)

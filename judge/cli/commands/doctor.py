@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 import platform
 import sys
-from pathlib import Path
 
 from msgspec import Struct
 
@@ -15,9 +14,8 @@ from judge.files import cache_folder
 from judge.judging.containment import every_hidden_folder, keep_level
 from judge.languages.find import found as found_of
 from judge.languages.model import languages
-from judge.report.published_setter import Attacks, Doctor
+from judge.report.published_setter import Doctor
 from judge.report.screen import note
-from judge.report.wait import progress
 from judge.sandbox import Boxes, levels
 from judge.version import __version__
 
@@ -26,7 +24,6 @@ class DoctorAsk(Struct, frozen=True):
     """What to try on this machine."""
 
     languages: bool = opt("--languages", "Compile and run the empty program of each language.")
-    attack: bool = opt("--attack", "Run harmless attacks, and say which were held.")
 
 
 @command("doctor", Doctor, ask=DoctorAsk)
@@ -35,15 +32,9 @@ def doctor(ask: DoctorAsk, common: Common) -> Doctor:
 
     Each level of isolation is tried, and what a better one or another language would need is named. The best
     level is kept: the other commands refuse to judge below it, until judge doctor finds another.
-
-    With --attack, submissions try what none may: read your files, use the network, start and signal
-    processes, fill memory and disk, never end. They are harmless where they succeed. --isolation names the
-    level.
-
-    Exit status: 0, or 1 where an attack was not held.
     """
-    if common.isolation is not None and not ask.attack:
-        raise UsageError("--isolation goes with --attack", remedy="leave it out")
+    if common.isolation is not None:
+        raise UsageError("judge doctor tries every level", remedy="leave out --isolation")
     hidden = list(every_hidden_folder())
     found = levels(hidden)
     best = next((level.name for level in found if level.available), None)
@@ -62,20 +53,9 @@ def doctor(ask: DoctorAsk, common: Common) -> Doctor:
         best,
         levels=tuple(found),
         languages=tuple(programs),
-        attacks=_attacked(common.isolation or best, hidden) if ask.attack else None,
         judge=__version__,
         python=f"{platform.python_version()} at {sys.executable}",
         system=f"{platform.system()} {platform.release()}, {platform.machine()}",
         cores=os.cpu_count() or 1,
         cache=str(cache_folder()),
     )
-
-
-def _attacked(level: str | None, hidden: list[Path]) -> Attacks:
-    """Run the attacks. Raises UsageError where nothing can be run, or not at that level."""
-    from judge.sandbox.attacking import attacked
-
-    if level is None:
-        raise UsageError("Nothing can be run here", remedy="see judge doctor")
-    with progress("attacking") as seen:
-        return Attacks(level, tuple(attacked(Boxes(level, hidden), hidden, seen or (lambda *_: None))))

@@ -1,4 +1,4 @@
-"""Attacks that `judge doctor --attack` runs: what each tries, and how it is told that it was held.
+"""Harmless attacks of a submission: what each tries, and how it is told that it was held.
 
 They are harmless wherever they succeed: they change only what is made for them, signal with 0 or to go on,
 start eight processes that end at once, and take 256 MB, 8 MB of disk, 4 MB of output and 3 seconds at most.

@@ -1,4 +1,4 @@
-"""Runs the attacks of `judge doctor --attack` as whoever starts it: `doctors_attacks.py LEVEL`.
+"""Runs the attacks of attacks.py as whoever starts it: `harmless.py LEVEL`.
 
 LEVEL is an isolation level, or `none` for the positive control. Writes one JSON object for each.
 """
@@ -9,12 +9,12 @@ import json
 import sys
 from pathlib import Path
 
+from attacking import attacked, targets
+from attacks import ATTACKS
 from driver import bare
 
 import judge.sandbox
 from judge.sandbox import Boxes
-from judge.sandbox.attacking import attacked, targets
-from judge.sandbox.attacks import ATTACKS
 from judge.sandbox.boundary import Stop
 
 PACKS = [Path(judge.sandbox.__file__).parent]

@@ -1,8 +1,8 @@
-"""`judge doctor --attack`: each attack works without containment, and is held at the upper levels."""
+"""The harmless attacks: each works without containment, and is held at the upper levels."""
 
 from __future__ import annotations
 
-import json
+import re
 import socket
 import tempfile
 from pathlib import Path
@@ -10,14 +10,11 @@ from typing import Any
 
 import pytest
 from attackers import Attacker
-from jsonschema import Draft202012Validator
-from residents import Resident
+from attacking import targets
+from attacks import ATTACKS
 from sampling import nightly
 
-from judge.cli.app import app
-from judge.cli.emit import schema_of
-from judge.sandbox.attacking import targets
-from judge.sandbox.attacks import ATTACKS
+from judge.manual import page
 
 NAMES = [attack.name for attack in ATTACKS]
 MAYBE = {"namespace", "trace", "memory-of-others", "proc"}  # what some kernels let nobody do
@@ -28,7 +25,7 @@ FOUND: dict[tuple[str, str], dict[str, dict[str, Any]]] = {}
 def outcomes(attacker: Attacker, level: str) -> dict[str, dict[str, Any]]:
     """What came of all attacks; they are made together, once."""
     if (attacker.name, level) not in FOUND:
-        rows = attacker.run("doctors_attacks.py", level)
+        rows = attacker.run("harmless.py", level)
         FOUND[attacker.name, level] = {row["name"]: row for row in rows}
     return FOUND[attacker.name, level]
 
@@ -77,20 +74,26 @@ def test_what_limits_does_not_hold_is_said(attacker: Attacker) -> None:
     assert all("BREACH" in found[name]["how"] for name in broken), found
 
 
-@pytest.mark.nightly
-@pytest.mark.parametrize(("level", "status"), [(None, 0), ("limits", 1)])
-def test_the_command(resident: Resident, level: str | None, status: int) -> None:
-    if resident.run(["-c", "import rich, click, msgspec"]).returncode:
-        pytest.skip("this user's Python has not what the command line needs")
-    words = ["--isolation", level] if level else []
-    ended = resident.run(["-m", "judge", "doctor", "--attack", "--json", *words])
-    assert ended.returncode == status, ended.stderr
-    (told,) = map(json.loads, ended.stdout.splitlines())
-    Draft202012Validator(schema_of(app.get_command(None, "doctor"))).validate(told)
-    assert told["attacks"]["isolation"] == (level or told["isolation"])
-    assert [each["name"] for each in told["attacks"]["attacks"]] == NAMES
-    assert all(each["held"] for each in told["attacks"]["attacks"]) == (status == 0)
-    shown = resident.run(["-m", "judge", "doctor", "--attack", *words])
-    assert shown.returncode == status
-    held = sum(each["held"] for each in told["attacks"]["attacks"])
-    assert f"{held} of {len(NAMES)} attacks held at isolation {told['attacks']['isolation']}" in shown.stdout
+# -- what the manual promises -------------------------------------------------------------------------------
+
+ROWS = [
+    [cell.strip() for cell in line.split("|")[1:-1]]
+    for line in page("sandbox").text.splitlines()
+    if line.startswith("| ")
+]
+PROMISES = [row for row in ROWS if len(row) == 5 and row[1] in ("yes", "no")]
+
+
+def attacks_of(row: list[str]) -> list[str]:
+    return re.findall(r"`([\w-]+)`", row[4])
+
+
+def test_each_attack_is_named_once_beside_a_promise() -> None:
+    named = [name for row in PROMISES for name in attacks_of(row)]
+    assert sorted(named) == sorted(NAMES)
+
+
+def test_what_is_promised_at_limits_is_what_holds_there() -> None:
+    for row in PROMISES:
+        for name in attacks_of(row):
+            assert (row[3] == "yes") == (name in ALWAYS), name

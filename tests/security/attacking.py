@@ -1,4 +1,4 @@
-"""Running the attacks of `judge.sandbox.attacks` on this machine, and saying which of them was held."""
+"""Running the attacks of attacks.py on this machine, and saying which of them was held."""
 
 from __future__ import annotations
 
@@ -16,7 +16,9 @@ from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
-from judge.sandbox.attacks import ATTACKS, BREACH, HELD, Attack, Attacked
+from attacks import ATTACKS, BREACH, HELD, Attack, Attacked
+
+import judge.sandbox
 from judge.sandbox.boundary import BoxFactory, Limits, ProgramResult, Stop
 from judge.sandbox.inside import wire
 from judge.sandbox.launch import ENVIRONMENT
@@ -83,7 +85,7 @@ def targets(packs: Iterable[Path]) -> Iterator[dict[str, Any]]:
         victim = _sleeper()
         closing.callback(_ended, victim)
         yield {
-            "judge_file": __file__,
+            "judge_file": judge.sandbox.__file__,
             "packs": [str(path) for path in packs],
             "folder": str(folder),
             "private": str(folder / "private"),
