@@ -6,7 +6,6 @@ import re
 from html import escape
 from typing import Any
 
-from judge.errors import UsageError
 from judge.practice.solutions import approaches
 from judge.problem import Problem
 from judge.problem.texts import read_hints
@@ -27,12 +26,8 @@ def kata_page(problem: Problem) -> dict[str, Any]:
 
 def markdown(text: str) -> str:
     """Markdown as HTML; HTML in it is escaped, and addresses lead to no script."""
-    try:
-        from mistletoe.block_token import Document
-        from mistletoe.html_renderer import HtmlRenderer
-    except ImportError:
-        remedy = "pip install 'circle-line-judge[site]'"
-        raise UsageError("a site's texts need mistletoe", remedy=remedy) from None
+    from mistletoe.block_token import Document
+    from mistletoe.html_renderer import HtmlRenderer
 
     class Escaped(HtmlRenderer):  # its type says nothing of what it renders
         def render_link(self, token: Any) -> str:

@@ -105,14 +105,6 @@ def test_a_folder_that_cannot_be_made_is_told_in_one_line(judge, brought):
     assert "file/public: cannot be written" in refused.err
 
 
-def test_without_mistletoe_nothing_is_fetched(judge, monkeypatch):
-    monkeypatch.setitem(sys.modules, "mistletoe.block_token", None)
-    monkeypatch.setattr(site, "parts", lambda *_: pytest.fail("it fetches"))
-    ended = judge("site", "middle", "--out", "public")
-    remedy = "pip install 'circle-line-judge[site]'"
-    assert (ended.status, ended.err) == (2, f"judge: a site's texts need mistletoe; {remedy}\n")
-
-
 def test_what_cannot_be_fetched_is_told_in_one_line(judge, monkeypatch, tmp_path):
     def refused(*_, **__):
         raise URLError(OSError(101, "Network is unreachable"))

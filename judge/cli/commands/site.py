@@ -18,7 +18,6 @@ from judge.report.screen import note
 from judge.report.wait import stages
 from judge.site.build import build, check_folder
 from judge.site.fetch import parts
-from judge.site.texts import markdown
 
 
 class SiteAsk(Struct, frozen=True):
@@ -40,7 +39,6 @@ def site(names: tuple[str, ...], ask: SiteAsk, common: Common) -> Iterator[SiteB
     out = ask.out or cache_folder() / "site" / "out"
     with writing(out, "name another folder with --out"):
         check_folder(out)
-    markdown("")  # what it needs is missing at once, or not at all
     problems = [find_problem(name, common.problems) for name in dict.fromkeys(names)]
     if not names:
         problems, faults = sound_problems(common.problems)
