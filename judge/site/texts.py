@@ -1,8 +1,9 @@
-"""What a page shows of a kata, made once: its statement, hints and model solution as HTML."""
+"""What pages show of katas, made once: statement, hints, model solution; the index of explore pages."""
 
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from html import escape
 from typing import Any
 
@@ -11,17 +12,61 @@ from judge.problem import Problem
 from judge.problem.texts import read_hints
 
 _FIGURE = re.compile(r"!\[([^\]]*)\]\(figure\.svg\)")
+_REMARK = re.compile(r"(^|<code>)( *)(&gt;&gt;&gt; .*?  +)(# .*)\n", re.MULTILINE)
+_INDEX = """<!doctype html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta name="color-scheme" content="light dark">
+<meta http-equiv="Content-Security-Policy" content="default-src 'none'; style-src 'self'; img-src 'self'">
+<title>Explore · judge</title>
+<link rel="icon" href="../icon.svg" type="image/svg+xml">
+<link rel="stylesheet" href="../style.css">
+</head>
+<body>
+<header><a class="brand" href="../"><img src="../icon.svg" alt="" width="26" height="26">judge</a></header>
+<main>
+<section class="hero"><h1>Explore</h1>
+<p class="quiet">Drag the points of a case, and see how the exact answer changes.</p></section>
+<ul class="tiles">
+{}
+</ul>
+</main>
+</body>
+</html>
+"""
 
 
 def kata_page(problem: Problem) -> dict[str, Any]:
     """The texts of a kata; of a foreign one too, whose raw HTML is shown as text. Raises JudgeError."""
     statement = problem.statement.partition("\n## As a program")[0]
+    figure = rf"![\1](kata/{problem.id}.svg)" if has_figure(problem) else ""
     model = approaches(problem)[0]
     return {
-        "statement": markdown(_FIGURE.sub(rf"![\1](kata/{problem.id}.svg)", statement)),
+        "statement": markdown(_FIGURE.sub(figure, statement)),
         "hints": [{"title": each.title, "html": markdown(each.text)} for each in read_hints(problem)],
         "solution": {"html": markdown(model.explanation), "source": model.program},
     }
+
+
+def has_figure(problem: Problem) -> bool:
+    """Whether its statement has a figure."""
+    return (problem.folder / "figure.svg").is_file()
+
+
+def explore_index(problems: Iterable[Problem]) -> str:
+    """The page that lists where the cases of these katas are dragged."""
+    tiles = [
+        f'<li><a class="tile" href="{each.id}.html">{_picture(each)}<b>{escape(each.title)}</b></a></li>'
+        for each in problems
+    ]
+    return _INDEX.format("\n".join(tiles))
+
+
+def _picture(problem: Problem) -> str:
+    picture = f'<img src="../kata/{problem.id}.svg" alt="" loading="lazy">' if has_figure(problem) else "{ }"
+    return f'<span class="figure">{picture}</span>'
 
 
 def markdown(text: str) -> str:
@@ -36,5 +81,14 @@ def markdown(text: str) -> str:
                 return str(inner)
             return f'<a href="{escape(address)}" rel="noopener">{inner}</a>'
 
+        def render_block_code(self, token: Any) -> str:
+            return _REMARK.sub(_row, super().render_block_code(token))
+
     with Escaped(process_html_tokens=False) as renderer:  # type: ignore[no-untyped-call]
         return str(renderer.render(Document(text)))
+
+
+def _row(example: re.Match[str]) -> str:
+    """A call with its remark behind it, or above it where the row is too narrow for both."""
+    before, indent, call, remark = example.groups()
+    return f'{before}<span class="call"><span>{indent}{call}</span><span>{indent}{remark}</span></span>'
