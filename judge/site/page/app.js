@@ -320,8 +320,8 @@ function bar(done, all) {
   return made;
 }
 function showKatas() {
-  const all = path(), done = all.filter(solved).length;
-  const next = byId.get(kept.last) && !solved(byId.get(kept.last)) ? byId.get(kept.last) : following(byId.get(kept.last) || all.at(-1));
+  const all = path(), done = site.katas.filter(solved).length;
+  const last = byId.get(kept.last), next = last && !solved(last) ? last : (last && following(last)) || all.find(kata => !solved(kata));
   const tile = kata => {
     const mark = el("span", { className: `mark ${solved(kata) ? "done" : ""}` }, stars(kata));
     const picture = el("span", { className: "figure" }, kata.figure ? el("img", { src: `kata/${kata.id}.svg`, alt: "", loading: "lazy" }) : "{ }");
@@ -332,7 +332,7 @@ function showKatas() {
   main.replaceChildren(el("section", { className: "hero" },
     el("h1", {}, "Practise circle and line geometry"),
     el("p", { className: "quiet" }, "Write one Python function. It is tested on hundreds of cases, here in this tab. If it fails, you see the smallest case that fails, a picture, and the name of the mistake."),
-    el("div", { className: "row" }, bar(done, all.length), el("span", {}, `${done} of ${counted(all.length, "kata")}`)),
+    el("div", { className: "row" }, bar(done, site.katas.length), el("span", {}, `${done} of ${counted(site.katas.length, "kata")}`)),
     el("div", { className: "row" }, next && el("a", { className: "button main", href: `#${next.id}` }, standing(next).tries ? `Go on: ${next.title}` : `Start: ${next.title}`),
       el("a", { className: "button", href: "explore/" }, "Explore"))),
   ...site.sets.map(set => el("section", { className: "set" },
@@ -392,7 +392,7 @@ async function showQuiz(name) {
         });
         return made;
       });
-      parts.push(el("div", { className: "options" }, ...options));
+      parts.push(el("div", { className: card.options.every(({ text }) => text.length < 6) ? "options row" : "options" }, ...options));
     } else if (card.typed) {
       const field = el("input", { type: "text", autocomplete: "off" }), said = el("span", { className: "quiet small" }, card.typed);
       const form = el("form", { className: "row answer" }, el("label", {}, "Answer ", field, card.number?.unit && ` ${card.number.unit}`), button("Enter", () => form.requestSubmit(), "main"), said);
@@ -423,10 +423,10 @@ async function showQuiz(name) {
 function curve(done) {
   const days = done.map(kata => dayOf(standing(kata).solved)).sort(), number = day => Math.round(Date.parse(day) / 86_400_000);
   if (!days.length) return "";
-  const first = number(days[0]) - 1, last = number(dayOf(Date.now())), x = day => 30 + (540 * (number(day) - first)) / (last - first), y = n => 150 - (120 * n) / days.length;
+  const first = number(days[0]) - 1, last = number(dayOf(Date.now())), x = day => 10 + (380 * (number(day) - first)) / (last - first), y = n => 140 - (110 * n) / days.length;
   const steps = days.map((day, i) => `H${x(day).toFixed(1)}V${y(i + 1).toFixed(1)}`).join("");
   const words = `Katas solved by day: ${days.length} since ${days[0]}`;
-  return el("figure", { className: "curve" }, drawn(`<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 600 180"><style>text{font:13px system-ui,sans-serif;fill:#52525b}path{fill:none;stroke:#16a34a;stroke-width:3}.axis{stroke:#a1a1aa;stroke-width:1}@media(prefers-color-scheme:dark){text{fill:#a1a1aa}}</style><path class="axis" d="M30 150H570"/><path d="M30 150${steps}H570"/><text x="30" y="170">${days[0]}</text><text x="570" y="170" text-anchor="end">today</text><text x="570" y="${y(days.length) - 8}" text-anchor="end">${days.length}</text></svg>`, words), el("figcaption", {}, "Katas solved by day"));
+  return el("figure", { className: "curve" }, drawn(`<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 400 160"><style>text{font:13px system-ui,sans-serif;fill:#52525b}path{fill:none;stroke:#16a34a;stroke-width:3}.axis{stroke:#a1a1aa;stroke-width:1}@media(prefers-color-scheme:dark){text{fill:#a1a1aa}}</style><path class="axis" d="M10 140H390"/><path d="M10 140${steps}H390"/><text x="10" y="157">${days[0]}</text><text x="390" y="157" text-anchor="end">today</text><text x="390" y="${y(days.length) - 8}" text-anchor="end">${days.length}</text></svg>`, words), el("figcaption", {}, "Katas solved by day"));
 }
 function showProgress() {
   const tried = site.katas.filter(kata => standing(kata).tries), done = tried.filter(solved);
@@ -454,7 +454,7 @@ function showProgress() {
     }
   };
   main.replaceChildren(el("section", { className: "card" }, el("h1", {}, "Your progress"),
-    el("p", { className: "quiet" }, "What you do here is kept in this browser alone. Export it before you clear the browser's data or change the machine."), el("br"),
+    el("p", { className: "quiet" }, "What you do here is kept in this browser alone. Export it before you clear the browser's data or change the machine."),
     el("dl", { className: "figures" }, ...tiles.map(([figure, label]) => el("div", {}, el("dt", {}, label), el("dd", {}, figure)))), curve(done), el("br"),
     rows.length ? el("div", { className: "wide" }, el("table", {}, el("tbody", {}, ...rows))) : el("p", {}, "No kata was tried yet."), el("br"),
     el("div", { className: "row" }, button("Export", () => {
