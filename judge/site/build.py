@@ -102,9 +102,8 @@ class Site:
         self._here = {each.id: each for each in problems if not _elsewhere(each)}
         for name in ("kata", "explore"):
             (out / name).mkdir(parents=True, exist_ok=True)
-        shutil.copytree(
-            PAGE, out, dirs_exist_ok=True, ignore=shutil.ignore_patterns("sw.js")
-        )  # so it is ours
+        made_here = shutil.ignore_patterns("sw.js", "explore")
+        shutil.copytree(PAGE, out, dirs_exist_ok=True, ignore=made_here)  # first, so that it is ours
         self._keys, self._before = self._pieces(), _before(out)
         self.missing = [
             name

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 from html import escape
+from pathlib import Path
 from typing import Any
 
 from judge.practice.solutions import approaches
@@ -13,29 +14,7 @@ from judge.problem.texts import read_hints
 
 _FIGURE = re.compile(r"!\[([^\]]*)\]\(figure\.svg\)")
 _REMARK = re.compile(r"(^|<code>)( *)(&gt;&gt;&gt; .*?  +)(# .*)\n", re.MULTILINE)
-_INDEX = """<!doctype html>
-<html lang="en">
-<head>
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<meta name="color-scheme" content="light dark">
-<meta http-equiv="Content-Security-Policy" content="default-src 'none'; style-src 'self'; img-src 'self'">
-<title>Explore · judge</title>
-<link rel="icon" href="../icon.svg" type="image/svg+xml">
-<link rel="stylesheet" href="../style.css">
-</head>
-<body>
-<header><a class="brand" href="../"><img src="../icon.svg" alt="" width="26" height="26">judge</a></header>
-<main>
-<section class="hero"><h1>Explore</h1>
-<p class="quiet">Drag the points of a case, and see how the exact answer changes.</p></section>
-<ul class="tiles">
-{}
-</ul>
-</main>
-</body>
-</html>
-"""
+_INDEX = Path(__file__).parent / "page" / "explore" / "index.html"
 
 
 def kata_page(problem: Problem) -> dict[str, Any]:
@@ -61,7 +40,7 @@ def explore_index(problems: Iterable[Problem]) -> str:
         f'<li><a class="tile" href="{each.id}.html">{_picture(each)}<b>{escape(each.title)}</b></a></li>'
         for each in problems
     ]
-    return _INDEX.format("\n".join(tiles))
+    return _INDEX.read_text(encoding="utf-8").replace("{{tiles}}", "\n".join(tiles))
 
 
 def _picture(problem: Problem) -> str:
