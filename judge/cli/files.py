@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import os
 import stat
+import sys
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager, suppress
 from datetime import UTC, datetime
@@ -31,6 +32,7 @@ from judge.languages import PATTERN, is_program
 
 _SILENCE = 30.0  # seconds without a byte after which a pipe is given up
 _LOOKED_AT = 2000  # bytes of a file in which it says what it is
+_TO_FAIL = 1.0  # seconds that a browser has to say that there is none
 _EPOCH = "SOURCE_DATE_EPOCH"  # the usual way to ask for the same bytes every time
 _OWN_PIPES = ("/dev/", "/proc/")  # <(command) and /dev/stdin: a shell has started what writes there
 
@@ -209,3 +211,22 @@ def moment() -> datetime:
     except (ValueError, OverflowError, OSError):
         remedy = "set it to seconds since 1970, or unset it"
         raise UsageError(f"{given!r} is not a time", where=f"${_EPOCH}", remedy=remedy) from None
+
+
+def opened_in_browser(place: str) -> bool:
+    """Open an address or a file in the person's browser; False where there is none.
+
+    What the browser says goes nowhere, and it outlives the judge.
+    """
+    import subprocess  # only for who wants to look
+
+    command, silent = ("open" if sys.platform == "darwin" else "xdg-open"), subprocess.DEVNULL
+    try:
+        begun = subprocess.Popen(
+            [command, place], stdin=silent, stdout=silent, stderr=silent, start_new_session=True
+        )
+        return begun.wait(_TO_FAIL) == 0
+    except OSError:
+        return False
+    except subprocess.TimeoutExpired:  # it is the browser itself
+        return True

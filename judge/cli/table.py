@@ -30,7 +30,6 @@ Practise
     judge progress
     judge progress junior
     judge progress --due
-    judge progress --html --name Ada
 Look
   list       look       start      List the katas by set.
     judge list

@@ -19,6 +19,7 @@ from msgspec.structs import replace
 from rich.console import Group, RenderableType
 from rich.text import Text
 
+from judge.cli.files import opened_in_browser
 from judge.cli.hints import HintAsk, hints, note_seen
 from judge.cli.judging import Wish, with_standing
 from judge.cli.model import admit, model_beside, model_row
@@ -258,12 +259,11 @@ class _Loop:
             page = explore(problem, self._case())
         if page is None:
             return warning(f"There is no page for {problem.id} yet.")
-        import click
-
         with tempfile.NamedTemporaryFile("w", suffix=".html", delete=False, encoding="utf-8") as file:
             file.write(page)
-        click.launch(file.name)
-        return faint(f"Opened {file.name}")
+        if opened_in_browser(file.name):
+            return faint(f"Opened {file.name}")
+        return warning(f"No browser here. Open {file.name}")
 
     def _show(self, shown: str | Text | HintShown) -> None:
         self._shown, self._page = shown, 0

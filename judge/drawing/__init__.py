@@ -5,7 +5,7 @@ clip.py       cutting to a panel
 labels.py     placing labels
 lengths.py    lengths as a person reads them
 svg.py, braille.py      drawing.css has the colours
-chart.py      the one chart, as SVG and in braille
+chart.py      the one chart, in braille
 """
 
 from judge.drawing.shapes import Picture

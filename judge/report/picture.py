@@ -15,7 +15,6 @@ from judge.problem import Problem
 from judge.problem.declare import InvalidCase, Shown
 from judge.problem.model import EXAMPLES, case_of
 from judge.report.screen import Screen, drawn, is_terminal, note
-from judge.report.tell import grows
 from judge.report.words import seconds
 from judge.run.result import Failure, Growth
 from judge.values.answers import within
@@ -52,10 +51,8 @@ def growth_chart(growth: Growth) -> Chart | None:
         return None
     reference = tuple((float(each.size), each.reference_seconds) for each in points)
     own = tuple((float(each.size), each.cpu_seconds) for each in points)
-    stopped = frozenset(float(each.size) for each in points if not each.ended)
-    title = "How the time of a case grows"
-    series = (Series("reference", reference, Role.WANTED), Series("yours", own, Role.GOT, stopped))
-    return Chart(title, series, Axis("n", log=True), Axis("CPU time", seconds, log=True), f"{grows(growth)}.")
+    series = (Series("reference", reference, Role.WANTED), Series("yours", own, Role.GOT))
+    return Chart(series, Axis("n", log=True), Axis("CPU time", seconds, log=True))
 
 
 def picture_rows(

@@ -182,11 +182,6 @@ def _last(each: Review) -> Text:
     return styled(f"{day(each.last)}: {how}, so again after {counted(each.days, 'day')}")
 
 
-def progress_written(found: published.ProgressWritten, _screen: Screen) -> RenderableType:
-    """Where the page is."""
-    return joined(f"Wrote {shown_name(found.out)}", faint(f"  {counted(found.runs, 'run')}"))
-
-
 # -- runs ----------------------------------------------------------------------------------------------------
 
 

@@ -54,14 +54,6 @@ class QuestionShown(Published, frozen=True):
     question: Question
 
 
-class ProgressWritten(Published, frozen=True):
-    """A page that was written, of so many runs."""
-
-    out: str
-    bytes: int
-    runs: int
-
-
 class RunRow(Published, frozen=True):
     """A run, which judged the file at `path`, with that sha256, and came to that result."""
 

@@ -1,12 +1,19 @@
 """`judge site`: everything that the page needs, as files of one folder that any web server can hold.
 
 index.html style.css app.js python.js sw.js icon.svg    the page (judge/site/page)
-katas.json quiz.json                                    what there is, and the cards
-kata/<id>.json <id>.svg <id>.zip                        a kata: its texts, its figure, what judging it needs
-explore/<id>.html                                       the page on which its cases are dragged
+katas.json                                              what there is
+mine.json                                               a person's own history, where the judge serves it
+kata/<id>.svg                                           a statement's figure
 judge.zip                                               this package's modules that a tab needs
 pyodide/ wheels/ ace/                                   Python and the editor (judge.site.fetch)
-site.json                                               what each kata was made from, for the next build
+
+The rest are pieces, which are made one by one; site.json says what each was made from, for the next build:
+
+kata/<id>.json                                          its texts, and with it
+explore/<id>.html                                       the page on which its cases are dragged
+explore/index.html                                      all such pages
+kata/<id>.zip                                           what judging it needs
+quiz.json                                               the cards
 """
 
 from __future__ import annotations
@@ -21,26 +28,27 @@ from typing import Any, TypeVar
 
 import msgspec
 
-from judge.cache import DISK, code_key, digest
+from judge.cache import DISK, code_key, content_key, digest
 from judge.data.load import load_data
 from judge.drawing.svg import panel_svg
 from judge.errors import JudgeError, UsageError
 from judge.files import replace_file
 from judge.mistakes.namer import Namer
-from judge.practice.cards import Card, read_decks
+from judge.practice.cards import NONE, Card, Count, Drawn, Number, read_decks
 from judge.practice.questions import Question, Sources, ask
-from judge.practice.syllabus import USUAL, sound_sets
+from judge.practice.syllabus import USUAL, PracticeSet, read_checklist, sound_sets
 from judge.problem import Problem
 from judge.problem.module import load_module
 from judge.report.published_setter import SiteBuilt
 from judge.run.settings import Settings
-from judge.site.texts import kata_page
+from judge.site.texts import explore_index, has_figure, kata_page
 from judge.version import __version__
 
 T = TypeVar("T")
 Stage = Callable[[str, int, int], None]  # what is at work, katas done, katas in all
 PAGE = Path(__file__).parent / "page"
 MARK = b'name="generator" content="judge site"'
+EXPLORE, QUIZ = "explore/index.html", "quiz.json"
 _PACKAGE = Path(__file__).parent.parent
 _IN_A_TAB = (  # of this package; the rest is for processes, terminals and machines
     *("__init__.py", "cache.py", "errors.py", "files.py", "version.py"),
@@ -48,6 +56,8 @@ _IN_A_TAB = (  # of this package; the rest is for processes, terminals and machi
     *("repair", "mistakes", "judging", "report", "site"),
 )
 _LEFT_OUT = {"drivers", "html", "page", "__pycache__"}
+_BROUGHT = ("pyodide", "wheels", "ace")
+_COUNTS = ("0", "1", "2")  # of things, to choose from
 _SEED = 1  # of what is left to chance in cards
 
 
@@ -80,67 +90,132 @@ def check_folder(out: Path) -> None:
         raise UsageError(what, where=str(out), remedy="name a new one with --out")
 
 
-def build(
-    out: Path,
-    problems: Sequence[Problem],
-    folders: Sequence[Path],
-    parts: Path,
-    stage: Stage | None = None,
-    *,
-    opened: bool = False,
-) -> SiteBuilt:
-    """Write the site; `parts` holds what `judge.site.fetch` brought. What has not changed is left alone.
+class Site:
+    """A site in the folder `out`, whose page is written at once; `missing` pieces are not yet made.
 
-    `opened` says that it will be looked at now.
-
-    Raises JudgeError.
+    `parts` holds what `judge.site.fetch` brought. What has not changed is left alone.
     """
-    before = _before(out)
-    for name in ("kata", "explore"):
-        (out / name).mkdir(parents=True, exist_ok=True)
-    shutil.copytree(PAGE, out, dirs_exist_ok=True, ignore=shutil.ignore_patterns("sw.js"))  # so it is ours
-    katas, made, after = [], [], {}
-    for done, problem in enumerate(problems):
-        if stage:
-            stage(problem.id, done, len(problems))
-        elsewhere = _elsewhere(problem)
-        if not elsewhere:
-            after[problem.id] = key = digest(f"{__version__}/{problem.key}/{code_key()}".encode())
-            if before.get(problem.id) != key or not (out / "kata" / f"{problem.id}.zip").is_file():
-                _write_kata(out, problem)
-                made.append(problem.id)
-                _write(out / "site.json", before | after)  # whoever stops here goes on from here
-        explore = (out / "explore" / f"{problem.id}.html").is_file()
-        katas.append(_listed(problem, elsewhere) | {"explore": explore})
-    for path in (*(out / "kata").iterdir(), *(out / "explore").iterdir()):
-        if path.stem not in after:  # of an earlier build
-            path.unlink()
-    if stage:
-        stage("the page", len(problems), len(problems))
-    sets = [
-        {
-            "name": each.name,
-            "title": each.title,
-            "about": each.about,
-            "katas": [one.id for one in each.problems],
+
+    def __init__(self, out: Path, problems: Sequence[Problem], folders: Sequence[Path], parts: Path) -> None:
+        self.out, self.problems = out, problems
+        self._folders = folders
+        self._here = {each.id: each for each in problems if not _elsewhere(each)}
+        for name in ("kata", "explore"):
+            (out / name).mkdir(parents=True, exist_ok=True)
+        made_here = shutil.ignore_patterns("sw.js", "explore")
+        shutil.copytree(PAGE, out, dirs_exist_ok=True, ignore=made_here)  # first, so that it is ours
+        self._keys, self._before = self._pieces(), _before(out)
+        self.missing = [
+            name
+            for name, key in self._keys.items()
+            if self._before.get(name) != key or not (out / name).is_file()
+        ]
+        self._made = {Path(name).stem for name in self.missing if name.endswith(".zip")}
+        self.faults: list[JudgeError] = []
+        self._write_page(parts)
+
+    def _pieces(self) -> dict[str, str]:
+        """Each piece with the key of what it is made from: the texts first, then the katas by their path."""
+        code = f"{__version__}/{code_key()}/"
+        keys = {
+            name: digest(code.encode(), content_key(_files_of(each).values()).encode())
+            for name, each in self._here.items()
         }
-        for each in sound_sets(problems, folders)[0]
-        if each.problems and each.name != USUAL
-    ]
-    shutil.copytree(parts, out, dirs_exist_ok=True)
-    _zip(out / "judge.zip", {f"judge/{path.relative_to(_PACKAGE)}": path for path in _modules()})
-    _write(out / "katas.json", {"editor": (parts / "ace").is_dir(), "sets": sets, "katas": katas})
-    _write(out / "quiz.json", _cards(problems, folders))
-    _write(out / "site.json", after)
-    _write_worker(out)
-    return SiteBuilt(
-        str(out),
-        tuple(made),
-        tuple(name for name in after if name not in made),
-        tuple(problem.id for problem in problems if problem.id not in after),
-        sum(path.stat().st_size for path in out.rglob("*") if path.is_file()),
-        opened,
-    )
+        path = [each.id for part in self._sets() for each in part.problems if each.id in keys]
+        order = dict.fromkeys([*path, *keys])
+        every = digest(repr((keys, read_decks(self._folders)[0])).encode())
+        found = {f"kata/{name}.json": keys[name] for name in order} | {EXPLORE: every}
+        return found | {f"kata/{name}.zip": keys[name] for name in order} | {QUIZ: every}
+
+    def _sets(self) -> list[PracticeSet[Problem]]:
+        sets = sound_sets(self.problems, self._folders)[0]
+        return [each for each in sets if each.problems and each.name != USUAL]
+
+    def _write_page(self, parts: Path) -> None:
+        """All but the pieces; what an earlier build left is taken away."""
+        out = self.out
+        known = {self._page(each) for each in self.problems} | {out / name for name in self._keys}
+        for problem in filter(has_figure, self.problems):
+            known.add(place := out / "kata" / f"{problem.id}.svg")
+            shutil.copy(problem.folder / "figure.svg", place)
+        for path in (*(out / "kata").iterdir(), *(out / "explore").iterdir()):
+            if path not in known:
+                path.unlink()
+        shutil.copytree(parts, out, dirs_exist_ok=True)
+        _zip(out / "judge.zip", {f"judge/{path.relative_to(_PACKAGE)}": path for path in _modules()})
+        sets = [
+            {
+                "name": each.name,
+                "title": each.title,
+                "about": each.about,
+                "katas": [one.id for one in each.problems],
+            }
+            for each in self._sets()
+        ]
+        skills = {each.name for each in read_checklist(self._folders).skills}
+        katas = [
+            _listed(each) | {"skills": [one.name for one in each.skills if one.name in skills]}
+            for each in self.problems
+        ]
+        _write(out / "katas.json", {"editor": (parts / "ace").is_dir(), "sets": sets, "katas": katas})
+        _write(out / "mine.json", {})
+        _write_worker(out, repr(self._keys))
+
+    def build(self, stage: Stage | None = None, asked: Callable[[], str] = lambda: "") -> Iterator[str]:
+        """Make what is missing, first what is `asked` for; each piece once it is there or cannot be.
+
+        What could not be made is one of the `faults`. Raises OSError.
+        """
+        total = sum(map(_takes_long, self.missing))
+        while self.missing:
+            name = asked() or self.missing[0]
+            if stage:
+                stage(Path(name).stem, total - sum(map(_takes_long, self.missing)), total)
+            try:
+                self._make(name)
+                self._before[name] = self._keys[name]
+                _write(self.out / "site.json", self._before)  # whoever stops here goes on from here
+            except JudgeError as fault:
+                self.faults.append(fault)
+            self.missing.remove(name)
+            yield name
+        if stage:
+            stage("", total, total)
+
+    def _make(self, name: str) -> None:
+        problem = self._here.get(Path(name).stem)
+        if name == QUIZ:
+            _write(self.out / name, _cards(self.problems, self._folders))
+        elif problem is None:  # all pages are there, since they came first
+            there = [each for each in self._here.values() if self._page(each).is_file()]
+            replace_file(self.out / name, explore_index(there).encode())
+        elif name.endswith(".zip"):
+            _write_kata(self.out / name, problem)
+        else:
+            hooks = load_module(problem).hooks
+            page = hooks.explore(problem, None) if hooks.explore else None
+            self._page(problem).unlink(missing_ok=True)
+            if page:
+                replace_file(self._page(problem), page.encode())
+            _write(self.out / name, kata_page(problem) | {"explore": bool(page)})
+
+    def _page(self, problem: Problem) -> Path:
+        return self.out / "explore" / f"{problem.id}.html"
+
+    def built(self, *, opened: bool) -> SiteBuilt:
+        """What came of it; `opened` says that it is looked at now."""
+        return SiteBuilt(
+            str(self.out),
+            tuple(name for name in self._here if name in self._made),
+            tuple(name for name in self._here if name not in self._made),
+            tuple(each.id for each in self.problems if each.id not in self._here),
+            sum(path.stat().st_size for path in self.out.rglob("*") if path.is_file()),
+            opened,
+        )
+
+
+def _takes_long(piece: str) -> bool:
+    return piece == QUIZ or piece.endswith(".zip")
 
 
 def _before(out: Path) -> dict[str, str]:
@@ -160,8 +235,8 @@ def _elsewhere(problem: Problem) -> str:
     return ""
 
 
-def _listed(problem: Problem, elsewhere: str) -> dict[str, Any]:
-    """The kata as the page lists it; `elsewhere` says why it is not one for a tab."""
+def _listed(problem: Problem) -> dict[str, Any]:
+    """The kata as the page lists it."""
     names = ", ".join(parameter.name for parameter in problem.parameters)
     return {
         "id": problem.id,
@@ -169,33 +244,31 @@ def _listed(problem: Problem, elsewhere: str) -> dict[str, Any]:
         "summary": problem.summary,
         "stub": f"def {problem.entry}({names}):\n    raise NotImplementedError\n",
         "levels": bool(problem.levels),
-        "elsewhere": elsewhere,
+        "elsewhere": _elsewhere(problem),
+        "figure": has_figure(problem),
     }
 
 
-def _write_kata(out: Path, problem: Problem) -> None:
-    """The files of one kata. Raises JudgeError."""
-    store, name = _Keeping(), problem.id
-    for path in (out / "kata" / f"{name}.svg", out / "explore" / f"{name}.html"):
-        path.unlink(missing_ok=True)
+def _write_kata(place: Path, problem: Problem) -> None:
+    """What judging a kata needs. Raises JudgeError."""
+    store = _Keeping()
     data = load_data(problem, store=store)
     Namer(data, None, Settings(measured=False), nullcontext, store=store).learn()
+    found = {f"{kind}.json": content for kind, content in store.found.items()}
+    _zip(place, {**_files_of(problem), **found})
+
+
+def _files_of(problem: Problem) -> dict[str, Path]:
+    """The files of a kata that a tab needs, by their names there."""
     problems, solutions = problem.folder.parent, problem.solutions.parent
-    files: dict[str, Path | bytes] = {f"{kind}.json": content for kind, content in store.found.items()}
-    for root, folder in (("problems", problem.folder), ("solutions", problem.solutions)):
-        files |= {f"{root}/{name}/{path.relative_to(folder)}": path for path in _shipped(folder)}
+    files = {
+        f"{root}/{problem.id}/{path.relative_to(folder)}": path
+        for root, folder in (("problems", problem.folder), ("solutions", problem.solutions))
+        for path in _shipped(folder)
+    }
     for path in (*problems.glob("types/*.py"), *problems.glob("skills.toml")):
         files[f"problems/{path.relative_to(problems)}"] = path
-    files |= {f"solutions/{path.name}": path for path in solutions.glob("mistakes.toml")}
-    _zip(out / "kata" / f"{name}.zip", files)
-    _write(out / "kata" / f"{name}.json", kata_page(problem))
-    figure = problem.folder / "figure.svg"
-    if figure.is_file():
-        shutil.copy(figure, out / "kata" / f"{name}.svg")
-    hooks = load_module(problem).hooks
-    page = hooks.explore(problem, None) if hooks.explore else None
-    if page:
-        replace_file(out / "explore" / f"{name}.html", page.encode())
+    return files | {f"solutions/{path.name}": path for path in solutions.glob("mistakes.toml")}
 
 
 def _shipped(folder: Path) -> Iterator[Path]:
@@ -216,12 +289,14 @@ def _modules() -> Iterator[Path]:
                 yield path
 
 
-def _write_worker(out: Path) -> None:
-    """The service worker, whose version is the hash of all other files."""
-    own = out / "sw.js"
-    files = sorted(path for path in out.rglob("*") if path.is_file() and path != own)
-    version = digest(*(digest(path.read_bytes()).encode() for path in files))[:16]
-    replace_file(own, (PAGE / "sw.js").read_text(encoding="utf-8").replace("{{version}}", version).encode())
+def _write_worker(out: Path, pieces: str) -> None:
+    """The service worker, whose version is the hash of the page and of what the pieces are made from."""
+    files = [path for path in sorted(out.iterdir()) if path.is_file()]
+    files += sorted(path for name in _BROUGHT for path in (out / name).rglob("*") if path.is_file())
+    known = [digest(path.read_bytes()) for path in files if path.name not in ("sw.js", "site.json", QUIZ)]
+    version = digest(*(each.encode() for each in (*known, pieces)))[:16]
+    worker = (PAGE / "sw.js").read_text(encoding="utf-8").replace("{{version}}", version)
+    replace_file(out / "sw.js", worker.encode())
 
 
 def _cards(problems: Sequence[Problem], folders: Sequence[Path]) -> list[dict[str, Any]]:
@@ -238,8 +313,11 @@ def _cards(problems: Sequence[Problem], folders: Sequence[Path]) -> list[dict[st
 
 def _card(card: Card, asked: Question) -> dict[str, Any]:
     """A card with its answer; of `options` one is right, and the others say why they are not."""
-    replies = [(text, asked.check(letter) if asked.check else None) for letter, text in asked.options]
-    figure = asked.picture
+    options = asked.options
+    if isinstance(card.content, Count):
+        options = tuple((each, each) for each in dict.fromkeys([*_COUNTS, asked.answer, NONE]))
+    replies = [(text, asked.check(letter) if asked.check else None) for letter, text in options]
+    figure, number = asked.picture, card.content if isinstance(card.content, Number) else None
     return {
         "key": card.key,
         "sets": card.sets,
@@ -251,6 +329,8 @@ def _card(card: Card, asked: Question) -> dict[str, Any]:
             {"text": text, "right": bool(reply and reply.right), "why": reply.why if reply else ""}
             for text, reply in replies
         ],
+        "number": number and {"answer": number.answer, "within": number.within, "unit": number.unit},
+        "typed": asked.expects if isinstance(card.content, Number | Drawn) else "",
         "answer": asked.answer,
         "why": asked.why,
     }

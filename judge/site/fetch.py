@@ -5,6 +5,7 @@ They are fetched once, from the npm registry and from PyPI, and kept in the cach
 
 from __future__ import annotations
 
+import gzip
 import hashlib
 import io
 import shutil
@@ -47,7 +48,7 @@ class Part(Struct, frozen=True):
         """Of its bytes what a site takes, by name; a wheel is called by its package alone."""
         if not self.files:
             return {f"{self.name.partition('-')[0]}.whl": content}
-        with tarfile.open(fileobj=io.BytesIO(content)) as tar:
+        with tarfile.open(fileobj=io.BytesIO(gzip.decompress(content))) as tar:
             members = [(name, tar.extractfile(f"package/{name}")) for name in self.files]
             return {name.partition("/")[2] or name: file.read() for name, file in members if file}
 

@@ -117,12 +117,3 @@ def test_a_program_that_the_package_accepts_or_cannot_run_is_left_out(judge, pac
         "with-numpy": "it imports numpy",
     }
     assert {"file": "run_time_error/crash.py", "verdict": "RTE", "test": "01-examples"} in said["programs"]
-
-
-def test_without_mistletoe_it_says_how_to_have_it(judge, monkeypatch):
-    monkeypatch.setitem(sys.modules, "mistletoe.block_token", None)
-    refused = judge(*BARE)
-    assert refused.status == 2
-    assert refused.err == (
-        "judge: writing a statement as LaTeX needs mistletoe; pip install 'circle-line-judge[export]'\n"
-    )

@@ -43,7 +43,6 @@ COMMANDS = (
     ("progress",),
     ("progress", "--json"),
     ("progress", "--due"),
-    ("progress", "--html"),
     ("history", "--restore", "3"),
     ("start", "--json"),
 )

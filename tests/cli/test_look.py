@@ -68,7 +68,7 @@ def test_a_broken_kata_costs_itself_only(judge, broken_pack):
 
 def test_the_figure_is_opened(judge, monkeypatch):
     opened = []
-    monkeypatch.setattr("click.launch", opened.append)
-    assert judge("show", "count", "--open").status == 0
+    monkeypatch.setattr("judge.cli.commands.look.opened_in_browser", opened.append)
+    assert judge("show", "count", "--open").err.startswith("judge: No browser here. Open ")
     assert opened[0].endswith("/count/figure.svg")
     assert "middle has no figure" in judge("show", "middle", "--open").err

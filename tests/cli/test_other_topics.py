@@ -5,7 +5,6 @@ What commands say of them is in the transcripts of `topics/`.
 
 from __future__ import annotations
 
-import html
 import json
 import re
 import shutil
@@ -94,21 +93,6 @@ def test_data_are_what_programs_read_and_print(name, judge):
         lines = printed.stdout.decode("ascii").splitlines()
         assert len(lines) == len(wanted) == int(given.split(b"\n")[0])
         assert lines == wanted or not kata.exact
-
-
-def test_the_report_shows_what_went_wrong_and_draws_nothing(judge, submit):
-    kata = BY_ID["unit-vector"]
-    mine = submit(f"{kata.wrong.read_text(encoding='utf-8')}# mine\n", f"{kata.entry}.py")
-    (result,) = objects(judge("run", kata.id, mine, "--json"))
-    assert judge("progress", "--html", "--out", "page.html").status == 0
-    page = Path("page.html").read_text(encoding="utf-8").partition("<main")[2]
-    (part,) = re.findall(r'<section id="kata-\d+".*?</section>', page, re.DOTALL)
-    facts = {name: html.unescape(told) for name, told in FACT.findall(part)}
-    found = result["counterexample"]
-    assert (facts["expected"], facts["got"]) == (found["expected"], found["got"])
-    assert kata.mistake in part
-    assert "<figure" not in part
-    assert "picture" not in page
 
 
 # -- a setter's slips -------------------------------------------------------------------------------------

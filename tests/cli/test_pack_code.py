@@ -22,6 +22,7 @@ READ = {  # those that read what is kept of it, in the ways that could make a di
     "show": ["show middle", "show middle --groups"],
     "start": ["start middle new.py", "start middle other.py --reset", "start"],
     "hint": ["hint middle --all"],
+    "progress": ["progress", "progress --due"],
     "history": ["history middle", "history --json"],
     "new": ["new problems/fresh-kata"],
     "doctor": ["doctor"],
@@ -35,7 +36,6 @@ RUN_IT = {
     "solution": "solution middle --give-up --times --rounds 1",
     "export": "export middle --out made --format files",
     "verify": "verify middle",
-    "progress": "progress --html",
     "quiz": "quiz counts",
     "interview": "interview halves --kata middle --file mine.py",
 }

@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import shutil
 from datetime import UTC, datetime, timedelta
-from pathlib import Path
 
 import pytest
 from cli_support import ROOT
@@ -140,44 +139,3 @@ def test_a_kata_that_is_not_solved_stands_under_now_and_is_not_repeated(judge, m
         assert any(row.split()[:2] == ["now", "count"] for row in judge("progress").lines)
     passed("count", when=START + timedelta(days=2))
     assert due(judge) == {"now": [], "due": [], "later": ["count"]}
-
-
-# -- the page ---------------------------------------------------------------------------------------------
-
-
-PAGE = Path("judge-report.html")
-
-
-def test_it_writes_the_page_and_says_where(judge, monkeypatch):
-    passed("middle", without=("half",), mistake="floor-division", when=START)
-    passed("middle", when=START + timedelta(days=1))
-    monkeypatch.setenv("SOURCE_DATE_EPOCH", "1800000000")
-    ended = judge("progress", "--html", "--name", "Ada")
-    assert (ended.status, ended.out, ended.err) == (0, "Wrote judge-report.html  2 runs\n", "")
-    page = PAGE.read_text(encoding="utf-8")
-    assert all(text in page for text in ("1 of 38", "Ada", "floor-division", "overcome"))
-    assert PAGE.stat().st_mode & 0o777 == 0o644
-    assert [path.name for path in Path().iterdir() if path.suffix == ".tmp"] == []
-    assert judge("progress", "--html", "--name", "Ada").status == 0  # the same page once more
-    assert PAGE.read_text(encoding="utf-8") == page
-    monkeypatch.setenv("SOURCE_DATE_EPOCH", "soon")
-    assert "$SOURCE_DATE_EPOCH: 'soon' is not a time" in judge("progress", "--html").err
-
-
-def test_what_is_no_such_page_is_not_overwritten(judge):
-    passed("middle", when=START)
-    PAGE.write_text("<!doctype html><title>precious</title>")
-    ended = judge("progress", "--html")
-    assert (ended.status, ended.err.count("\n")) == (2, 1)
-    assert "name another file with --out" in ended.err
-    assert "precious" in PAGE.read_text()
-
-
-def test_a_kata_that_cannot_be_read_any_more_is_left_out_of_the_page(judge, tmp_path):
-    passed("middle", when=START)
-    (tmp_path / "pack" / "broken").mkdir(parents=True)
-    (tmp_path / "pack" / "broken" / "problem.toml").write_text("title = 1")
-    ended = judge("progress", "--html", "--problems", "pack")
-    assert ended.status == 0
-    assert "left out: broken/problem.toml:1: " in ended.err
-    assert PAGE.exists()

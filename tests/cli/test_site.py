@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+import shutil
 import sys
 import zipfile
 from pathlib import Path
@@ -12,6 +13,7 @@ from urllib.error import URLError
 import pytest
 from jsonschema import Draft202012Validator
 from mistaken import mistaken
+from msgspec.structs import replace
 
 from judge.cli.app import app
 from judge.cli.commands import site
@@ -22,9 +24,9 @@ from judge.problem.find import find_problem
 from judge.sandbox.boundary import Limits, Stop
 from judge.site import fetch
 from judge.site.box import TabBox
-from judge.site.build import PAGE, build
+from judge.site.build import PAGE, Site, _cards
 from judge.site.tab import Tab
-from judge.site.texts import markdown
+from judge.site.texts import kata_page, markdown
 
 KATAS = Path(__file__).parent.parent / "fixtures" / "katas" / "problems"
 LIMITS = Limits(0.2, 1.0, 256 << 20, 1 << 10)
@@ -84,10 +86,29 @@ def test_a_build_that_was_stopped_goes_on(judge, brought, monkeypatch):
 
     problems = [find_problem(name, [KATAS]) for name in ("by-size", "rises")]
     with pytest.raises(KeyboardInterrupt):
-        build(Path("public"), problems, [KATAS], brought, stop)
+        list(Site(Path("public"), problems, [KATAS], brought).build(stop))
     site.check_folder(Path("public"))
-    again = build(Path("public"), problems, [KATAS], brought)
-    assert (again.made, again.kept) == (("rises",), ("by-size",))
+    again = Site(Path("public"), problems, [KATAS], brought)
+    assert [*again.build()] == ["kata/rises.zip", "quiz.json"]
+    built = again.built(opened=False)
+    assert (built.made, built.kept) == (("rises",), ("by-size",))
+
+
+def test_a_change_of_a_mistake_alone_is_built_anew(tmp_path, brought):
+    folder = tmp_path / "own"
+    shutil.copytree(KATAS.parent, folder)
+    (folder / "solutions/rises/wrong").mkdir(exist_ok=True)
+
+    def missing():
+        made = Site(Path("public"), [find_problem("rises", [folder / "problems"])], [], brought)
+        found = [*made.missing]
+        list(made.build())
+        return found
+
+    assert "kata/rises.zip" in missing()
+    assert missing() == []
+    (folder / "solutions/rises/wrong/never.py").write_text('"""never"""\n\n\ndef rises(*_):\n    return 0\n')
+    assert "kata/rises.zip" in missing()
 
 
 def test_nothing_of_others_is_written_over(judge, brought):
@@ -103,14 +124,6 @@ def test_a_folder_that_cannot_be_made_is_told_in_one_line(judge, brought):
     refused = judge("site", "middle", "--out", "file/public")
     assert (refused.status, refused.err.count("\n")) == (2, 1)
     assert "file/public: cannot be written" in refused.err
-
-
-def test_without_mistletoe_nothing_is_fetched(judge, monkeypatch):
-    monkeypatch.setitem(sys.modules, "mistletoe.block_token", None)
-    monkeypatch.setattr(site, "parts", lambda *_: pytest.fail("it fetches"))
-    ended = judge("site", "middle", "--out", "public")
-    remedy = "pip install 'circle-line-judge[site]'"
-    assert (ended.status, ended.err) == (2, f"judge: a site's texts need mistletoe; {remedy}\n")
 
 
 def test_what_cannot_be_fetched_is_told_in_one_line(judge, monkeypatch, tmp_path):
@@ -136,7 +149,7 @@ def tab(tmp_path_factory):
     """The katas of a site, opened in this interpreter."""
     out, katas = tmp_path_factory.mktemp("site"), tmp_path_factory.mktemp("katas")
     names = ("count", "which-side")
-    build(out, [find_problem(name) for name in names], [], tmp_path_factory.mktemp("parts"))
+    list(Site(out, [find_problem(name) for name in names], [], tmp_path_factory.mktemp("parts")).build())
     made = Tab(Quiet(), str(katas))
     for name in names:
         zipfile.ZipFile(out / "kata" / f"{name}.zip").extractall(katas / name)
@@ -239,6 +252,30 @@ def test_a_loop_ends_with_its_line():
     assert len(found.replies) == 1
     assert found.replies[0].stop is Stop.CPU
     assert re.fullmatch(r"used more than 0\.6 s of CPU time \(line \d\)", found.replies[0].detail)
+
+
+def test_the_remark_of_an_example_may_stand_above_its_call():
+    found = markdown("    >>> f(1)   # one\n    1\n    >>> f(2)\n    2\n")
+    rows = '<span class="call"><span>&gt;&gt;&gt; f(1)   </span><span># one</span></span>1'
+    assert rows in found
+    assert found.count("call") == 1
+
+
+def test_a_statement_without_a_figure_asks_for_none(tmp_path):
+    count = find_problem("count")
+    assert "kata/count.svg" in kata_page(count)["statement"]
+    assert "<img" not in kata_page(replace(count, folder=tmp_path))["statement"]
+
+
+def test_a_card_that_counts_has_buttons_and_one_that_asks_for_a_number_a_field():
+    found = _cards([find_problem("crossings"), find_problem("count")], [])
+    counted = [each for each in found if [one["text"] for one in each["options"]][-1:] == ["none"]]
+    assert counted
+    assert all(sum(one["right"] for one in each["options"]) == 1 for each in counted)
+    numbers = [each for each in found if each["number"]]
+    assert numbers
+    assert all(each["typed"] and not each["options"] for each in numbers)
+    assert any(not each["options"] and not each["typed"] for each in found)  # said aloud
 
 
 def test_a_foreign_statement_brings_no_markup():

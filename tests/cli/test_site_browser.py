@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import json
 import re
+import shutil
 import threading
 import time
 from contextlib import ExitStack, contextmanager
+from datetime import datetime
 from functools import partial
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 
@@ -17,7 +19,7 @@ from marionette import FIREFOX, firefox
 
 from judge.errors import JudgeError
 from judge.problem.find import find_problem
-from judge.site.build import build
+from judge.site.build import Site
 from judge.site.fetch import parts
 
 pytestmark = [pytest.mark.slow, pytest.mark.timeout(400)]
@@ -118,7 +120,7 @@ def site(tmp_path_factory):
     except JudgeError as fault:
         pytest.skip(f"what a site needs cannot be fetched here: {fault}")
     problems = [find_problem("which-side"), find_problem("distance-squared")]
-    assert build(out, problems, [], brought).made == ("which-side", "distance-squared")
+    assert [*Site(out, problems, [], brought).build()][-1] == "quiz.json"
     return out
 
 
@@ -186,6 +188,48 @@ def test_by_plain_http_and_stopped_by_the_person(page, site, tmp_path):
         tab.until(READY)
         assert "Accepted" in judged(tab, RIGHT)
         assert not tab.faults
+
+
+CARDS = [
+    {"number": {"answer": "2/3", "within": 0.01, "unit": "m"}, "typed": "a number", "answer": "2/3 m"},
+    {"options": [{"text": each, "right": each == "1", "why": ""} for each in ("0", "1", "2", "none")]},
+]
+CARD = {"key": "a", "sets": ["first-steps"], "front": "?", "given": [], "program": "", "svg": "", "why": ""}
+CARD |= {"options": [], "number": None, "typed": "", "answer": ""}
+
+
+@pytest.mark.parametrize("page", [IN_CHROMIUM, IN_FIREFOX])
+def test_a_path_progress_and_cards_with_the_terminals_history(page, site, tmp_path):
+    out = shutil.copytree(site, tmp_path / "out")
+    (out / "quiz.json").write_text(json.dumps([CARD | each for each in CARDS]))
+    solved = {"stars": 0, "tries": 3, "hints": 1, "solved": "2026-03-02T09:00:00Z"}
+    mine = {"katas": {"which-side": solved}, "days": [f"{datetime.now():%Y-%m-%d}"], "skills": []}
+    (out / "mine.json").write_text(json.dumps(mine))
+    with served(out) as (here, address), page(tmp_path / "profile") as tab:
+        tab.go(address)
+        tab.until("document.querySelectorAll('.tile').length > 1")
+        assert tab.ask("document.querySelector('.tile.solved').hash") == "#which-side"
+        assert tab.ask("document.querySelector('.tile.here').hash") == "#distance-squared"
+        assert tab.until("[...document.querySelectorAll('.tile img')].every(each => each.naturalWidth > 0)")
+        tab.go(f"{address}/#progress")
+        tab.until("document.querySelector('.curve img')?.naturalWidth > 0")
+        told = tab.ask("[...document.querySelectorAll('.figures dd')].map(each => each.textContent).join()")
+        assert told.startswith("1 of 2,0 of 0,0 of ")
+        assert told.endswith(",1 of 7")
+        assert "3 runs1 hint2026-03-0" in tab.ask("document.querySelector('td').parentNode.textContent")
+        tab.go(f"{address}/#quiz")
+        tab.until("document.querySelector('.answer')")
+        for typed in ("two", "0.66 m"):
+            tab.ask(f"document.querySelector('.answer input').value = '{typed}'")
+            tab.ask("document.querySelector('.answer button').click()")
+        assert "Right." in tab.ask("document.querySelector('.quiz').textContent")
+        tab.ask("document.querySelector('.card > div:last-child .main').click()")
+        tab.until("document.querySelectorAll('.options button').length === 4")
+        tab.ask("document.querySelectorAll('.options button')[1].click()")
+        assert tab.ask("document.querySelectorAll('.options .wrong').length") == 0
+        assert tab.ask("fetch('explore/').then(found => found.text())").count('class="tile"') == 2
+        assert not tab.faults
+        assert all((out / each.lstrip("/").partition("?")[0]).exists() for each in here.asked)
 
 
 @pytest.mark.nightly

@@ -43,8 +43,7 @@ def test_no_line_of_the_output_begins_with_a_name_that_is_a_command(name, judge,
         ("30", "run", "middle", "--no-name", "--no-shrink", "--", name),
         ("30", "run", "middle", "--fresh", "1s", "--no-name", "--no-shrink", "--", name),
         ("", "history"),
-        ("", "init", "middle", "--", f"new{name}"),
-        ("", "progress", "--html", "--out", f"{name}.html"),
+        ("", "start", "middle", "--no-watch", "--", f"new{name}"),
         ("", "export", "middle", "--format", "files", "--out", f"{name}.d"),
     ):
         monkeypatch.setenv("COLUMNS", columns)

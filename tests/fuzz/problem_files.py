@@ -168,7 +168,7 @@ _CHEAP = (
 )
 _DEAR = (
     *("export {problem} --out data", "run {problem} {program}", "verify {problem} --matrix"),
-    *("run {problem} {program} --group {group} --seed 7", "verify {problem} --pin", "progress --html"),
+    *("run {problem} {program} --group {group} --seed 7", "verify {problem} --pin"),
     *("run {problem} {program} --fresh 0.05s --seed 7", "try {problem} '1 2' {program}"),
     "try {problem}:{group}:v1,2:000000 {program}",
 )

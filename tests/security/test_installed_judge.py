@@ -19,7 +19,7 @@ from attackers import HERE, LEVELS, SECONDS, USERS, Attacker, matrix
 from sampling import daily, nightly
 
 ROOT = HERE.parents[1]
-DEPENDENCIES = ("click", "hypothesis", "jinja2", "msgspec", "platformdirs", "rich")
+DEPENDENCIES = ("click", "hypothesis", "jinja2", "mistletoe", "msgspec", "platformdirs", "rich")
 
 
 class Installed(NamedTuple):

@@ -4,9 +4,7 @@ from __future__ import annotations
 
 import base64
 import hashlib
-import json
 import re
-import zlib
 from datetime import UTC, datetime, timedelta
 from html.parser import HTMLParser
 
@@ -21,7 +19,6 @@ from judge.problem.find import find_problem
 from judge.report.html import is_page
 from judge.report.html.case import Cases
 from judge.report.html.klass import CLASS_MARK, FEEDBACK_MARK, ClassPages
-from judge.report.html.learner import MARK, learner_page
 from judge.report.published_klass import Student
 from judge.run.result import Failure
 
@@ -50,12 +47,6 @@ def kept(path, results, source=b"print(1)\n"):
         for number, result in enumerate(results):
             keep(history, result, source, "/home/somebody/mine.py", START + timedelta(days=number))
         return history.runs()
-
-
-def learner(runs, source=b"", person=""):
-    problems = [find_problem("count"), find_problem("segment")]
-    sources = {"count": source}
-    return learner_page(runs, problems, [], sources, person=person, generated=NOW).decode()
 
 
 class Outline(HTMLParser):
@@ -115,57 +106,6 @@ def path(tmp_path):
     return tmp_path / "history.sqlite3"
 
 
-def test_the_page_of_a_learner(path):
-    wrong = outcome(mistake="absolute-epsilon")
-    small = {"input": INPUT, "expected": "1", "got": "2", "message": "", "replay": "count:x:1:abc"}
-    solved = outcome(solved=True, ratio=1.25)
-    runs = kept(path, [wrong, replace(wrong, counterexample=small), solved])
-    html = learner(runs, b"print(1)\n", "Ada")
-    assert html == learner(runs, b"print(1)\n", "Ada")
-    assert is_page(html.encode()[:2000], MARK)
-    text = " ".join(checked(html).text.split())
-    assert "Ada 1 Mar 2026 to 3 Mar 2026" in text
-    assert "katas solved 1 of 2" in text
-    assert "mistakes overcome 1 of 1" in text
-    assert "2 Mar 2026, the latest of 2 runs" in text
-    assert "Smallest failing case (tangent, case 3) input cx=0, cy=0, r=1, A=(-1, 1)," in text
-    assert "print(1)" in text
-    assert html.count("<figure") == 2  # the chart and the case
-
-
-def test_nothing_that_a_submission_says_gets_out_of_its_place(path):
-    evil = outcome(name=EVIL, mistake=EVIL, got=EVIL, expected=EVIL, message=EVIL, printed=EVIL)
-    outline = checked(learner(kept(path, [evil]), EVIL.encode(), EVIL))
-    assert outline.text.count("document.title='pwned'") >= 7
-    assert "\\x00\\u202e" in outline.text
-
-
-@pytest.mark.parametrize("result", [{}, {"failure": 3}, {"failure": {"input": 7}}, {"failure": None}])
-def test_a_result_of_another_form_is_shown_without_its_case(path, result):
-    runs = kept(path, [outcome(), outcome(solved=True, ratio=1.0)])
-    packed = zlib.compress(json.dumps(result).encode()) if result else b"rubbish"
-    html = learner([replace(runs[0], packed=packed), runs[1]])
-    checked(html)
-    assert "Wrong answer" in html
-    assert 'class="expected"' not in html.partition("<footer>")[0]
-
-
-def test_a_kata_that_is_gone_is_shown_by_its_runs(path):
-    outline = checked(learner(kept(path, [outcome("gone")])))
-    assert "This kata is not here any more." in outline.text
-
-
-def test_long_histories_are_cut_and_say_so(path):
-    (run,) = kept(path, [outcome(solved=True, ratio=2.0)])
-    html = learner([replace(run, id=place + 1) for place in range(340)], b"#" * 100_000)
-    text = checked(html).text
-    assert html.count('<abbr class="badge good"') == 300 + 1  # in the footer
-    assert "292 earlier runs" in text
-    assert "40 older runs are not shown." in text
-    assert "(the rest is left out)" in text
-    assert len(html) < 200_000
-
-
 # -- classes -----------------------------------------------------------------------------------------------
 
 
@@ -223,7 +163,7 @@ def test_no_other_page_is_written_over():
     html, pages = pages_of(small_class(), ROWS)
     assert not is_page(html.encode(), FEEDBACK_MARK)
     assert not is_page(pages["bob.html"].encode(), CLASS_MARK)
-    assert not is_page(b"<!doctype html><title>mine</title>", MARK)
-    assert not is_page(b"", MARK)
-    older = b'<!doctype html>\n<meta name="generator" content="circle-line-judge report, judge 0.1.0">'
-    assert is_page(older, MARK)
+    assert not is_page(b"<!doctype html><title>mine</title>", CLASS_MARK)
+    assert not is_page(b"", CLASS_MARK)
+    older = b'<!doctype html>\n<meta name="generator" content="judge class page, judge 0.1.0">'
+    assert is_page(older, CLASS_MARK)

@@ -9,6 +9,7 @@ from pathlib import Path
 import click
 from msgspec import Struct
 
+from judge.cli.files import opened_in_browser
 from judge.cli.options import Common, command, opt
 from judge.cli.resolve import current, history_at, this_folder
 from judge.errors import ExitCode, StoreError, UsageError
@@ -19,6 +20,7 @@ from judge.problem.model import Listed
 from judge.report.published_look import KataInFull, KataList, KataRow, KataShown
 from judge.report.screen import note
 from judge.report.views import copied
+from judge.report.words import shown_name
 
 _OTHERS = "others"  # the set of the katas that are in none
 
@@ -117,5 +119,6 @@ def show(name: str, ask: ShowAsk, common: Common) -> KataShown:
         if not figure.is_file():
             remedy = f"leave out --open: judge show {problem.id}"
             raise UsageError(f"{problem.id} has no figure", remedy=remedy)
-        click.launch(str(figure))
+        if not opened_in_browser(str(figure)):
+            note(f"No browser here. Open {shown_name(str(figure))}")
     return KataShown(problem, ask.groups)

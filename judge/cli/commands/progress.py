@@ -1,4 +1,4 @@
-"""`judge progress`: what your runs have shown, what is due, what comes next; on the screen or as a page.
+"""`judge progress`: what your runs have shown, what is due, what comes next.
 
 `judge history`: the runs so far, one of them in full, what changed between two, a source again.
 """
@@ -12,7 +12,7 @@ from pathlib import Path
 import click
 from msgspec import Struct
 
-from judge.cli.files import OutFile, check_place, moment, writing
+from judge.cli.files import check_place, writing
 from judge.cli.options import Common, command, opt
 from judge.cli.resolve import history_at, seen_cards, shown
 from judge.errors import UsageError
@@ -33,7 +33,6 @@ from judge.report.screen import note
 
 _ON_SCREEN = 18  # runs, unless it is said how many
 _DIGITS = 18  # of the number of a run; what is longer is the name of a kata
-_PAGE = Path("judge-report.html")
 
 
 class ProgressAsk(Struct, frozen=True):
@@ -41,20 +40,9 @@ class ProgressAsk(Struct, frozen=True):
 
     due: bool = opt("--due", "What to repeat today, and when the rest comes again.")
     question: str | None = opt("--question ID", "One interview question, and what ticks it.")
-    html: bool = opt("--html", "Write a page that you can send and print.")
-    out: Path = opt("--out FILE", f"Write that page here, not to {_PAGE}.", default=_PAGE)
-    person: str = opt("--name NAME", "Whose page it is, for its heading.", default="")
-    opened: bool = opt("--open", "Open the page in the browser.")
 
 
-@command(
-    "progress",
-    published.ProgressShown,
-    Due,
-    published.QuestionShown,
-    published.ProgressWritten,
-    ask=ProgressAsk,
-)
+@command("progress", published.ProgressShown, Due, published.QuestionShown, ask=ProgressAsk)
 @click.argument("name", metavar="[SET]", default=USUAL)
 def progress(name: str, ask: ProgressAsk, common: Common) -> Struct:
     """Show what you can do, what is due, and what comes next.
@@ -66,17 +54,11 @@ def progress(name: str, ask: ProgressAsk, common: Common) -> Struct:
     A kata that you solve at once comes again after 1, 3, 8, 21, 60, then 180 days, a step sooner if you
     needed failed runs or hints. Running an accepted file again changes nothing.
     """
-    asked_for = ask.due + ask.html + (ask.question is not None)
-    of_page = ask.out != _PAGE or ask.person or ask.opened
-    _refuse(
-        (asked_for > 1, "--due, --question and --html exclude each other; give one of them"),
-        (of_page and not ask.html, "--out, --name and --open go with --html; add --html"),
-    )
+    if ask.due and ask.question is not None:
+        raise UsageError("--due and --question exclude each other; give one of them")
     folders = common.problems
     with history_at(common.db, reading=True) as history:
         mine, hacks = read_learner(history, folders), history.events(Hack)
-        if ask.html:
-            return _page(ask, mine, history)
     due = mine.due(events.now().astimezone(), seen_cards(mine))
     if ask.due:
         return due
@@ -126,28 +108,6 @@ def _share(part: PracticeSet[Problem], mine: Learner, named: Sequence[Skill]) ->
         skills=len(shown),
         shown=sum(skill.state is State.SHOWN for skill in shown),
     )
-
-
-def _page(ask: ProgressAsk, mine: Learner, history: History) -> published.ProgressWritten:
-    """Write the page. Raises UsageError where there is nothing to write, or something else is there."""
-    from judge.report.html import is_page
-    from judge.report.html.learner import MARK, learner_page
-
-    target = OutFile(ask.out, "--out", "a page of judge progress", lambda start: is_page(start, MARK))
-    runs = [run for run in mine.runs if run.counts]
-    if not runs:
-        raise UsageError("You have no runs yet", remedy="judge a file first: judge run FILE")
-    last = {run.problem: run.id for run in runs if run.solved}
-    sources = {name: history.source(number) for name, number in last.items()}
-    for fault in mine.faults:  # its runs are shown all the same
-        note(f"left out: {fault}")
-    skills = learned.skills(mine.problems, mine.own, syllabus.read_checklist(mine.extra).skills)
-    when = moment().astimezone()
-    page = learner_page(runs, mine.problems, skills, sources, person=ask.person, generated=when)
-    target.write(page)
-    if ask.opened:
-        click.launch(str(ask.out))
-    return published.ProgressWritten(shown(ask.out), len(page), len(runs))
 
 
 class HistoryAsk(Struct, frozen=True):

@@ -4,21 +4,24 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from pathlib import Path
+from threading import Event
 
 import click
 from msgspec import Struct
 
-from judge.cli.files import writing
+from judge.cli.files import opened_in_browser, writing
 from judge.cli.options import Common, command, opt
-from judge.errors import UsageError
+from judge.cli.resolve import history_at
+from judge.errors import StoreError
 from judge.files import cache_folder
+from judge.practice.syllabus import read_checklist
 from judge.problem.find import find_problem, sound_problems
 from judge.report.published_setter import SiteBuilt
 from judge.report.screen import note
 from judge.report.wait import stages
-from judge.site.build import build, check_folder
+from judge.site.build import Site, check_folder
 from judge.site.fetch import parts
-from judge.site.texts import markdown
+from judge.site.serve import PORTS, SiteServer, own_history
 
 
 class SiteAsk(Struct, frozen=True):
@@ -40,38 +43,47 @@ def site(names: tuple[str, ...], ask: SiteAsk, common: Common) -> Iterator[SiteB
     out = ask.out or cache_folder() / "site" / "out"
     with writing(out, "name another folder with --out"):
         check_folder(out)
-    markdown("")  # what it needs is missing at once, or not at all
     problems = [find_problem(name, common.problems) for name in dict.fromkeys(names)]
     if not names:
         problems, faults = sound_problems(common.problems)
         for fault in faults:
             note(f"a kata is left out: {fault}")
-    with stages("fetching") as advance:
+    with stages("fetching Python and the editor for the browser, once") as advance:
         brought = parts(ask.pyodide, advance)
-    with stages("building") as advance, writing(out, "name another folder with --out"):
-        built = build(out, problems, common.problems, brought, advance, opened=ask.opened)
-    yield built
-    if ask.opened:
-        _serve(out)
+    with writing(out, "name another folder with --out"):
+        made = Site(out, problems, common.problems, brought)
+        if ask.opened:
+            yield from _served(made, common)
+            return
+        with stages("building") as advance:
+            for _ in made.build(advance):
+                pass
+    if made.faults:
+        raise made.faults[0]
+    yield made.built(opened=False)
 
 
-def _serve(folder: Path) -> None:
-    """Serve the folder on loopback until Ctrl-C, and open it."""
-    from functools import partial
-    from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+def _served(made: Site, common: Common) -> Iterator[SiteBuilt]:
+    """Serve the site on this machine until Ctrl-C; what it holds is told once all of it is made."""
+    skills = read_checklist(common.problems).skills
 
-    class Quiet(SimpleHTTPRequestHandler):
-        def log_message(self, *_: object) -> None:
-            """Nothing: a person watches the page."""
+    def mine() -> bytes:
+        try:
+            with history_at(common.db, reading=True) as history:
+                return own_history(history, made.problems, skills)
+        except StoreError as fault:
+            note(f"your runs in the terminal are not shown: {fault}")
+            return b"{}"
 
-    try:
-        server = ThreadingHTTPServer(("127.0.0.1", 0), partial(Quiet, directory=str(folder)))
-    except OSError as fault:
-        raise UsageError(
-            f"it cannot be served here: {fault.strerror}", remedy="put it on a web server"
-        ) from None
-    address = f"http://127.0.0.1:{server.server_address[1]}/"
-    note(f"{address} until you press Ctrl-C")
-    click.launch(address)
-    with server:
-        server.serve_forever()
+    with SiteServer(made, mine) as server:
+        note(f"{server.address}  open until Ctrl-C")
+        if server.server_port != PORTS[0]:
+            note(f"Your progress of port {PORTS[0]} is not seen here.")
+        if not opened_in_browser(server.address):
+            note("No browser here. Open the address above.")
+        with stages("building") as advance:
+            server.build(advance)
+        for fault in made.faults:
+            note(f"left out: {fault}", bad=True)
+        yield made.built(opened=True)
+        Event().wait()

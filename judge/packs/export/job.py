@@ -76,8 +76,6 @@ def check_order(problems: Sequence[Problem], order: Order) -> None:
             raise UsageError(what, remedy="export them into different folders")
     for problem in problems:
         _check_places(problem, order)
-    for problem in problems[:1]:
-        latex(problem)
 
 
 def _check_places(problem: Problem, order: Order) -> None:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 from typing import Any
 
-from judge.errors import UsageError
 from judge.problem import Parameter, Problem
 from judge.values.reading import meant
 
@@ -66,12 +65,9 @@ _TITLE = re.compile(r"\A\s*# .*\n")
 
 
 def latex(problem: Problem) -> str:
-    """The whole file problem.en.tex. Raises UsageError where mistletoe is not installed."""
-    try:
-        from mistletoe.block_token import Document
-    except ImportError:
-        remedy = "pip install 'circle-line-judge[export]'"
-        raise UsageError("writing a statement as LaTeX needs mistletoe", remedy=remedy) from None
+    """The whole file problem.en.tex."""
+    from mistletoe.block_token import Document
+
     with _renderer() as renderer:
         body = renderer.render(Document(_TITLE.sub("", problem.statement)))
     return f"\\problemname{{{escaped(problem.title)}}}\n\n{_as_a_program(problem)}\n{body}"

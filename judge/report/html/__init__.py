@@ -1,6 +1,5 @@
 """HTML pages: one file each, which loads nothing and runs nothing.
 
-    learner.py    what one person has done: runs, skills, mistakes
     klass.py      a class, and a page for each student
     case.py       a failing case: its facts, its drawing and its mistake; a result in a notebook
     templates/    a template a page or file, their common parts, and the one style sheet
@@ -22,7 +21,7 @@ from typing import TYPE_CHECKING, Any
 from judge.drawing.svg import style
 from judge.problem import Verdict
 from judge.report.tell import level_share
-from judge.report.words import counted, printable, times
+from judge.report.words import counted, printable
 from judge.version import __version__
 
 if TYPE_CHECKING:
@@ -93,7 +92,6 @@ def _environment() -> Environment:
         "date": _date,
         "drawing": Markup,
         "lines": _lines,
-        "times": times,
         "share": level_share,
     }
     return environment

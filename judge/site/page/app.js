@@ -26,7 +26,7 @@ const main = $("#main"), state = $("#state");
 
 /* -- what is kept in this browser ---------------------------------------------------------------------------- */
 
-const KEY = "judge.progress.1", EMPTY = { katas: {}, cards: {}, last: "" };
+const KEY = "judge.progress.1", EMPTY = { katas: {}, cards: {}, days: {}, last: "" };
 let kept = read(), refused = false;
 function read() {
   try {
@@ -40,7 +40,7 @@ function checked(found) {
   if (!table(found) || !table(found.katas) || !table(found.cards)) return null;
   const katas = Object.entries(found.katas).filter(([, each]) => table(each) && typeof each.source === "string");
   const cards = Object.entries(found.cards).filter(([, each]) => table(each));
-  return { katas: Object.fromEntries(katas), cards: Object.fromEntries(cards), last: String(found.last || "") };
+  return { katas: Object.fromEntries(katas), cards: Object.fromEntries(cards), days: table(found.days) ? found.days : {}, last: String(found.last || "") };
 }
 function keep() {
   try {
@@ -52,8 +52,15 @@ function keep() {
   }
 }
 const mine = kata => kept.katas[kata.id] ||= { source: kata.stub, tries: 0, hints: 0, stars: 0, solved: "" };
-const solved = kata => Boolean(kept.katas[kata.id]?.solved);
-const stars = kata => (kata.levels ? "★".repeat(kept.katas[kata.id]?.stars || 0) : "") || (solved(kata) ? "✓" : "");
+/* What is kept here, joined with the terminal's own history where `judge site --open` serves it. */
+let terminal = { katas: {}, days: [], skills: [] };
+function standing(kata) {
+  const both = [kept.katas[kata.id], terminal.katas[kata.id]].filter(Boolean), all = key => both.map(each => each[key] || 0);
+  return { tries: all("tries").reduce((a, b) => a + b, 0), hints: Math.max(0, ...all("hints")), stars: Math.max(0, ...all("stars")), solved: all("solved").filter(Boolean).sort()[0] || "" };
+}
+const solved = kata => Boolean(standing(kata).solved);
+const stars = kata => (kata.levels ? "★".repeat(standing(kata).stars) : "") || (solved(kata) ? "✓" : "");
+const dayOf = when => new Date(when).toLocaleDateString("sv"); // 2026-11-29, where the person is
 
 function say(text, kind = "") {
   state.textContent = text;
@@ -209,7 +216,8 @@ async function showKata(kata) {
   const doing = el("span", { className: "quiet small" });
   doing.setAttribute("role", "status");
   const work = el("div", { className: "work" },
-    el("section", { className: "card" }, code.box, el("div", { className: "row" }, run, stop, page.hints.length ? hint : "", reset, doing)), result, help);
+    el("section", { className: "card" }, code.box, el("div", { className: "row" }, run, stop, page.hints.length ? hint : "", reset,
+      page.explore ? el("a", { className: "button", href: `explore/${kata.id}.html`, target: "_blank", rel: "noopener" }, "Explore") : "", doing)), result, help);
   task.append(button("Write it", () => work.scrollIntoView(), "jump"));
   main.replaceChildren(el("div", { className: "kata" }, task, work));
   code.fit();
@@ -261,6 +269,8 @@ async function showKata(kata) {
     });
   }
   function noted(told) {
+    const today = dayOf(Date.now());
+    kept.days[today] = (kept.days[today] || 0) + 1;
     own.tries += 1;
     own.stars = Math.max(own.stars, told.stars?.length || 0);
     if (told.solved) own.solved ||= new Date().toISOString();
@@ -284,7 +294,7 @@ async function showKata(kata) {
     if (told.fails?.length) parts.push(el("p", { className: "quiet small" }, `Fails: ${told.fails.join(", ")}${told.more ? `, ${told.more} more` : ""}`));
     const next = following(kata), actions = el("div", { className: "row" });
     if (told.solved && next) actions.append(el("a", { className: "button main", href: `#${next.id}` }, `Next: ${next.title}`));
-    if (told.explore?.length > 2 && kata.explore) actions.append(el("a", { className: "button", href: `explore/${kata.id}.html#${encodeURIComponent(told.explore)}`, target: "_blank", rel: "noopener" }, "Drag this case"));
+    if (told.explore?.length > 2 && page.explore) actions.append(el("a", { className: "button", href: `explore/${kata.id}.html#${encodeURIComponent(told.explore)}`, target: "_blank", rel: "noopener" }, "Drag this case"));
     if (told.line) actions.append(button(`Go to line ${told.line}`, () => code.mark(told.line)));
     if (told.last) parts.push(el("p", {}, told.last));
     if (actions.childElementCount) parts.push(actions);
@@ -294,7 +304,7 @@ async function showKata(kata) {
   python.open(kata).then(() => ahead(following(kata)), () => say("This kata could not be fetched. Are you offline?", "failed"));
 }
 /* The files of the next kata, which the service worker keeps: it opens at once, and without a network. */
-const ahead = kata => kata && Promise.allSettled(["json", "svg", "zip"].map(end => fetch(`kata/${kata.id}.${end}`)));
+const ahead = kata => kata && Promise.allSettled(["json", "zip", ...(kata.figure ? ["svg"] : [])].map(end => fetch(`kata/${kata.id}.${end}`)));
 const path = () => [...new Set(site.sets.flatMap(set => set.katas))].map(id => byId.get(id)).filter(kata => kata && !kata.elsewhere);
 function following(kata) {
   const all = path(), at = all.indexOf(kata) + 1;
@@ -310,24 +320,39 @@ function bar(done, all) {
   return made;
 }
 function showKatas() {
-  const all = path(), done = all.filter(solved).length;
-  const next = byId.get(kept.last) && !solved(byId.get(kept.last)) ? byId.get(kept.last) : following(byId.get(kept.last) || all.at(-1));
+  const all = path(), done = site.katas.filter(solved).length;
+  const last = byId.get(kept.last), next = last && !solved(last) ? last : (last && following(last)) || all.find(kata => !solved(kata));
   const tile = kata => {
     const mark = el("span", { className: `mark ${solved(kata) ? "done" : ""}` }, stars(kata));
-    const inner = [el("b", {}, kata.title), mark, el("span", { className: "quiet small" }, kata.elsewhere || kata.summary)];
-    return el("li", {}, kata.elsewhere ? el("div", { className: "tile" }, ...inner)
-      : el("a", { className: `tile ${kata === next ? "here" : ""}`, href: `#${kata.id}` }, ...inner));
+    const picture = el("span", { className: "figure" }, kata.figure ? el("img", { src: `kata/${kata.id}.svg`, alt: "", loading: "lazy" }) : "{ }");
+    const inner = [picture, el("b", {}, kata.title), mark, el("span", { className: "quiet small" }, kata.elsewhere || kata.summary)];
+    const className = `tile ${solved(kata) ? "solved" : ""} ${kata === next ? "here" : ""}`;
+    return el("li", {}, kata.elsewhere ? el("div", { className }, ...inner) : el("a", { className, href: `#${kata.id}` }, ...inner));
   };
   main.replaceChildren(el("section", { className: "hero" },
     el("h1", {}, "Practise circle and line geometry"),
     el("p", { className: "quiet" }, "Write one Python function. It is tested on hundreds of cases, here in this tab. If it fails, you see the smallest case that fails, a picture, and the name of the mistake."),
-    el("div", { className: "row" }, bar(done, all.length), el("span", {}, `${done} of ${counted(all.length, "kata")}`)),
-    next ? el("div", { className: "row" }, el("a", { className: "button main", href: `#${next.id}` }, kept.katas[next.id] ? `Go on: ${next.title}` : `Start: ${next.title}`)) : ""),
+    el("div", { className: "row" }, bar(done, site.katas.length), el("span", {}, `${done} of ${counted(site.katas.length, "kata")}`)),
+    el("div", { className: "row" }, next && el("a", { className: "button main", href: `#${next.id}` }, standing(next).tries ? `Go on: ${next.title}` : `Start: ${next.title}`),
+      el("a", { className: "button", href: "explore/" }, "Explore"))),
   ...site.sets.map(set => el("section", { className: "set" },
     el("h2", {}, set.title), el("p", { className: "quiet" }, set.about),
-    el("ul", { className: "tiles" }, ...set.katas.map(id => tile(byId.get(id)))))));
+    el("ul", { className: "tiles path" }, ...set.katas.map(id => tile(byId.get(id)))))));
 }
 
+/* The number that a person types: 4, 0.5, 1e-9 or 2/3; NaN of anything else. */
+function numberOf(text) {
+  if (!/^[+-]?\d+(\.\d*)?(e[+-]?\d+)?$|^[+-]?\d+\/\d+$/i.test(text)) return NaN;
+  const [above, below = 1] = text.split("/").map(Number);
+  return above / below;
+}
+/* Whether what is typed is the card's answer; null where it can be none. */
+function isRight({ number, answer }, typed) {
+  const bare = text => text.toLowerCase().replace(/[\s,;>→]+/g, "");
+  if (!number) return bare(typed) ? bare(typed) === bare(answer) : null;
+  const found = numberOf(typed.trim().replace(number.unit, "").trim()), expected = numberOf(number.answer);
+  return Number.isNaN(found) ? null : Math.abs(found - expected) <= (number.within + 1e-12) * Math.abs(expected);
+}
 async function showQuiz(name) {
   const all = await json("quiz.json"), sets = site.sets.filter(set => all.some(card => card.sets.includes(set.name)));
   const set = sets.find(each => each.name === name) || sets.find(each => each.katas.includes(kept.last)) || sets[0];
@@ -367,7 +392,20 @@ async function showQuiz(name) {
         });
         return made;
       });
-      parts.push(el("div", { className: "options" }, ...options));
+      parts.push(el("div", { className: card.options.every(({ text }) => text.length < 6) ? "options row" : "options" }, ...options));
+    } else if (card.typed) {
+      const field = el("input", { type: "text", autocomplete: "off" }), said = el("span", { className: "quiet small" }, card.typed);
+      const form = el("form", { className: "row answer" }, el("label", {}, "Answer ", field, card.number?.unit && ` ${card.number.unit}`), button("Enter", () => form.requestSubmit(), "main"), said);
+      form.onsubmit = event => {
+        event.preventDefault();
+        const right = isRight(card, field.value);
+        if (right === null) return void said.replaceChildren(`Write ${card.typed}.`);
+        form.classList.add(right ? "right" : "wrong");
+        for (const each of form.querySelectorAll("input, button")) each.disabled = true;
+        rated(right);
+        answered(right ? "Right." : `It is ${card.answer}.`);
+      };
+      parts.push(form);
     } else {
       parts.push(button("Show the answer", event => {
         event.target.remove();
@@ -376,14 +414,33 @@ async function showQuiz(name) {
       }, "main"));
     }
     box.replaceChildren(...parts, over);
+    $("input", box)?.focus();
   };
   ask(0);
 }
 
+/* Katas solved by day, from the first day to today; nothing where all is of today. */
+function curve(done) {
+  const days = done.map(kata => dayOf(standing(kata).solved)).sort(), number = day => Math.round(Date.parse(day) / 86_400_000);
+  if (!days.length) return "";
+  const first = number(days[0]) - 1, last = number(dayOf(Date.now())), x = day => 10 + (380 * (number(day) - first)) / (last - first), y = n => 140 - (110 * n) / days.length;
+  const steps = days.map((day, i) => `H${x(day).toFixed(1)}V${y(i + 1).toFixed(1)}`).join("");
+  const words = `Katas solved by day: ${days.length} since ${days[0]}`;
+  return el("figure", { className: "curve" }, drawn(`<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 400 160"><style>text{font:13px system-ui,sans-serif;fill:#52525b}path{fill:none;stroke:#16a34a;stroke-width:3}.axis{stroke:#a1a1aa;stroke-width:1}@media(prefers-color-scheme:dark){text{fill:#a1a1aa}}</style><path class="axis" d="M10 140H390"/><path d="M10 140${steps}H390"/><text x="10" y="157">${days[0]}</text><text x="390" y="157" text-anchor="end">today</text><text x="390" y="${y(days.length) - 8}" text-anchor="end">${days.length}</text></svg>`, words), el("figcaption", {}, "Katas solved by day"));
+}
 function showProgress() {
-  const tried = site.katas.filter(kata => kept.katas[kata.id]?.tries);
-  const rows = tried.map(kata => el("tr", {}, el("td", {}, el("a", { href: `#${kata.id}` }, kata.title)), el("td", {}, stars(kata) || "open"),
-    el("td", {}, counted(kept.katas[kata.id].tries, "run")), el("td", {}, counted(kept.katas[kata.id].hints, "hint"))));
+  const tried = site.katas.filter(kata => standing(kata).tries), done = tried.filter(solved);
+  const rows = tried.map(kata => {
+    const { tries, hints, solved: when } = standing(kata);
+    return el("tr", {}, el("td", {}, kata.elsewhere ? kata.title : el("a", { href: `#${kata.id}` }, kata.title)), el("td", {}, stars(kata) || "open"),
+      el("td", {}, counted(tries, "run")), el("td", {}, counted(hints, "hint")), el("td", {}, when && dayOf(when)));
+  });
+  const skills = new Set(site.katas.flatMap(kata => kata.skills)), week = Array.from({ length: 7 }, (_, ago) => dayOf(Date.now() - ago * 86_400_000));
+  const shown = new Set([...terminal.skills, ...site.katas.filter(kata => kept.katas[kata.id]?.solved).flatMap(kata => kata.skills)].filter(each => skills.has(each)));
+  const days = week.filter(day => kept.days[day] || terminal.days.includes(day));
+  const levelled = site.katas.filter(kata => kata.levels);
+  const tiles = [[`${done.length} of ${site.katas.length}`, "katas solved"], [`${levelled.filter(kata => standing(kata).stars > 1).length} of ${levelled.length}`, "★★"],
+    [`${shown.size} of ${skills.size}`, "skills shown"], [`${days.length} of 7`, "days practised"]];
   const file = el("input", { type: "file", accept: ".json,application/json", hidden: true });
   file.onchange = async () => {
     try {
@@ -397,7 +454,8 @@ function showProgress() {
     }
   };
   main.replaceChildren(el("section", { className: "card" }, el("h1", {}, "Your progress"),
-    el("p", { className: "quiet" }, "It is kept in this browser alone. Export it before you clear the browser's data or change the machine."), el("br"),
+    el("p", { className: "quiet" }, "What you do here is kept in this browser alone. Export it before you clear the browser's data or change the machine."),
+    el("dl", { className: "figures" }, ...tiles.map(([figure, label]) => el("div", {}, el("dt", {}, label), el("dd", {}, figure)))), curve(done), el("br"),
     rows.length ? el("div", { className: "wide" }, el("table", {}, el("tbody", {}, ...rows))) : el("p", {}, "No kata was tried yet."), el("br"),
     el("div", { className: "row" }, button("Export", () => {
       const address = URL.createObjectURL(new Blob([JSON.stringify(kept, null, 1)], { type: "application/json" }));
@@ -412,6 +470,7 @@ let site, byId;
 async function show() {
   const [name, part] = decodeURIComponent(location.hash.slice(1)).split("/"), kata = byId.get(name);
   if (python.run) python.stop({ fault: "Stopped." });
+  terminal = { katas: {}, days: [], skills: [], ...(await json("mine.json").catch(() => ({}))) };
   const page = kata && !kata.elsewhere ? "katas" : name === "quiz" || name === "progress" ? name : "katas";
   for (const each of document.querySelectorAll("nav [data-page]")) each.toggleAttribute("aria-current", each.dataset.page === page);
   document.title = kata ? `${kata.title} · judge` : "judge: circle and line geometry";
@@ -429,6 +488,8 @@ async function show() {
 async function held() {
   const workers = navigator.serviceWorker;
   const there = workers && new Promise(resolve => workers.addEventListener("controllerchange", resolve, { once: true }));
+  const before = workers?.controller;
+  workers?.addEventListener("controllerchange", () => before && location.reload(), { once: true }); // the site is another
   await workers?.register("sw.js");
   if (!workers?.controller) await there;
 }
@@ -436,6 +497,6 @@ await Promise.race([held().catch(() => {}), new Promise(resolve => setTimeout(re
 site = await json("katas.json");
 byId = new Map(site.katas.map(kata => [kata.id, kata]));
 addEventListener("hashchange", show);
-if (typeof WebAssembly !== "object") say("This browser has no WebAssembly, which Python needs here. Use a newer one, or pip install circle-line-judge.", "failed");
+if (typeof WebAssembly !== "object") say("This browser has no WebAssembly, which Python needs here. Use a newer one, or the judge in a terminal.", "failed");
 else python.start();
 await show();

@@ -1,5 +1,5 @@
 /* Every file is kept as it is fetched, so a second visit needs no network; those of START were fetched before this
-   worker was there. VERSION is the hash of the site's files. */
+   worker was there. VERSION is the hash of the site's files. A person's own history is asked for anew. */
 const VERSION = "judge-{{version}}";
 const START = ["./", "app.js", "style.css", "icon.svg"];
 self.addEventListener("install", event => event.waitUntil((async () => {
@@ -13,7 +13,7 @@ self.addEventListener("activate", event => event.waitUntil((async () => {
 })()));
 self.addEventListener("fetch", event => {
   const { request } = event;
-  if (request.method !== "GET" || new URL(request.url).origin !== location.origin) return;
+  if (request.method !== "GET" || new URL(request.url).origin !== location.origin || request.url.endsWith("/mine.json")) return;
   event.respondWith((async () => {
     const store = await caches.open(VERSION), kept = await store.match(request, { ignoreSearch: true });
     if (kept) return kept;
