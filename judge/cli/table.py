@@ -54,7 +54,7 @@ Interview
   quiz       interview  interview  Ask short questions that need no code.
     judge quiz
     judge quiz middle --cards 5
-    judge quiz --question Q6
+    judge quiz clamp
   interview  interview  interview  Hold a mock interview.
     judge interview
     judge interview senior --minutes 45

@@ -4,32 +4,10 @@ from __future__ import annotations
 
 from datetime import datetime
 
-from msgspec import Struct
-
-from judge.practice.events import Answer, Rating
+from judge.practice.events import Answer
 from judge.practice.quiz import Practise
 from judge.problem import Verdict
 from judge.published import Published
-
-
-class CardRow(Published, frozen=True):
-    """A card without its answer; `last`, `rating` and `due` are null until it is answered."""
-
-    card: str
-    form: str
-    rows: tuple[str, ...]
-    sets: tuple[str, ...]
-    front: str
-    last: datetime | None = None
-    rating: Rating | None = None
-    due: datetime | None = None
-
-
-class CardList(Struct, frozen=True):
-    """The cards of a set, with what is known of each at the time of `now`."""
-
-    published: tuple[CardRow, ...]
-    now: datetime
 
 
 class Quizzed(Published, frozen=True):
@@ -39,7 +17,6 @@ class Quizzed(Published, frozen=True):
     known: int
     answers: tuple[Answer, ...]
     practise: tuple[Practise, ...]
-    seed: int
     next_due: datetime | None = None
 
 
@@ -62,4 +39,3 @@ class Interviewed(Published, frozen=True):
     mistake: str | None
     lacking: tuple[str, ...]
     practise: tuple[Practise, ...]
-    seed: int

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from rich.console import Group, RenderableType
 from rich.text import Text
 
+from judge.drawing import Picture
 from judge.practice.events import Rating
 from judge.practice.questions import Question, Reply
 from judge.practice.quiz import Practise
@@ -28,9 +29,9 @@ from judge.report.parts import (
     text,
     warning,
 )
-from judge.report.published_quiz import CardList, Interviewed, Quizzed
+from judge.report.published_quiz import Interviewed, Quizzed
 from judge.report.screen import Screen, drawn
-from judge.report.words import counted, due_words
+from judge.report.words import counted
 
 RATE = "How well? 1 again, 2 hard, 3 good, 4 easy: "
 SAVE = "Save the file. Enter judges it, q goes on: "
@@ -46,14 +47,19 @@ def question(asked: Question, place: str, screen: Screen) -> RenderableType:
         parts += [Text(), *rows, Text()]
     if asked.options:
         parts.append(indented(table([(strong(letter), said) for letter, said in asked.options])))
-    if asked.picture is not None:
-        from judge.drawing.braille import LEAST_ROWS
-        from judge.report.picture import has_room, picture_rows
+    return Group(*parts, *_figure(asked.picture, parts, screen, answered=False))
 
-        if has_room(screen):
-            room = screen.height - drawn(Group(*parts), screen).count("\n") - _AROUND
-            parts += map(indented, picture_rows(asked.picture, screen, max(room, LEAST_ROWS), answered=False))
-    return Group(*parts)
+
+def _figure(
+    picture: Picture | None, above: Sequence[RenderableType], screen: Screen, *, answered: bool
+) -> Iterator[RenderableType]:
+    """The figure, in the rows that are left, where the terminal has room for it."""
+    from judge.drawing.braille import LEAST_ROWS
+    from judge.report.picture import has_room, picture_rows
+
+    if picture is not None and has_room(screen):
+        room = screen.height - drawn(Group(*above), screen).count("\n") - _AROUND
+        yield from map(indented, picture_rows(picture, screen, max(room, LEAST_ROWS), answered=answered))
 
 
 def _prose(said: Cell) -> RenderableType:
@@ -65,8 +71,8 @@ def prompt(asks: str, screen: Screen) -> str:
     return drawn(indented(faint(asks.rstrip())), screen).removesuffix("\n") + " "
 
 
-def reply(asked: Question, found: Reply | None, rating: Rating) -> RenderableType:
-    """Whether the answer was right, what the right one is, and why; `found` is None where none was given."""
+def reply(asked: Question, found: Reply | None, rating: Rating, screen: Screen) -> RenderableType:
+    """Whether the answer was right, the right one, why, a figure; `found` is None where none was given."""
     if asked.check is None:
         return Group(indented(faint(f"noted: {rating.name.lower()}")), Text())
     right = found is not None and found.right
@@ -75,7 +81,8 @@ def reply(asked: Question, found: Reply | None, rating: Rating) -> RenderableTyp
     because = found.why if found and not right else ""
     pairs = [("because", because), ("answer", "" if right else asked.answer), ("why", asked.why)]
     said = [pair for pair in pairs if pair[1]]
-    return Group(indented(verdict), *([indented(facts(said))] if said else []), Text())
+    parts = [indented(verdict), *([indented(facts(said))] if said else [])]
+    return Group(*parts, *_figure(asked.drawn, parts, screen, answered=True), Text())
 
 
 def model(asked: Question) -> RenderableType:
@@ -104,24 +111,11 @@ def _practise(found: Sequence[Practise]) -> RenderableType | None:
     return heading("Practise", table(rows)) if rows else None
 
 
-def card_list(found: CardList, _screen: Screen) -> RenderableType:
-    """The cards, a row each, with when each is due."""
-    rows = [
-        (strong(row.card), row.form, faint(due_words(row.due, found.now) if row.due else ""), row.front)
-        for row in found.published
-    ]
-    new = sum(row.due is None for row in found.published)
-    return blocks(
-        table(rows, "card", "form", "due" if new < len(rows) else "", "question"),
-        faint(f"{counted(len(rows), 'card')}, {new} new"),
-    )
-
-
 def opening(minutes: int, before: int, kata: str, after: int) -> RenderableType:
     """What is to come in an interview: so many cards before the kata, and after it."""
     first, last = ([counted(count, "card")] if count else [] for count in (before, after))
     parts = ", then ".join([*first, f"the kata {kata}", *last])
-    return stage("Mock interview", minutes, f"{parts}. q leaves; your answers are kept.")
+    return stage("Mock interview", minutes, f"{parts}. q goes on to the next part, and a second q ends it.")
 
 
 def stage(title: str, minutes: int, *said: str) -> RenderableType:
