@@ -15,7 +15,7 @@ import io
 import re
 import tokenize
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 
 from msgspec import Struct
 
@@ -46,8 +46,8 @@ class Puzzle(Struct, frozen=True):
     trusted: bool = False
 
 
-def read_puzzles(problem: Problem) -> tuple[Puzzle, ...]:
-    """The puzzles of a problem, the easiest first; none where no mistakes of it are known. It runs nothing.
+def read_puzzles(problem: Problem, first: Collection[str] = ()) -> tuple[Puzzle, ...]:
+    """The puzzles of a problem, the mistakes `first` and then the easiest; none where none are known.
 
     Raises ProblemError where the files that tell of its mistakes are broken.
     """
@@ -58,7 +58,8 @@ def read_puzzles(problem: Problem) -> tuple[Puzzle, ...]:
     small = [group for group in problem.groups if group.size is None]
     small.sort(key=lambda group: LEVELS.index(group.level.value) if group.level else 0)
     found: list[Puzzle] = []
-    for name in dict.fromkeys(name for group in small for name in sorted(group.kills)):
+    names = dict.fromkeys(name for group in small for name in sorted(group.kills))
+    for name in sorted(names, key=lambda name: name not in first):
         makers = [maker for maker in read.all if maker.name == name and _one_case_tells(read, maker)]
         if not makers:
             continue

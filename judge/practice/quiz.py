@@ -32,14 +32,13 @@ class Topic(Struct, frozen=True):
     """Skills that are drilled together: all of them, those that are not known yet, and what practises those.
 
     A skill is known if the last run that tests it shows it, and its last card was right. `weak` are the keys
-    of its open skills' cards, `broken` mistakes as "problem/mistake".
+    of the open skills' cards.
     """
 
     name: str
     skills: tuple[str, ...]
     open: tuple[str, ...]
     weak: tuple[str, ...]
-    broken: tuple[str, ...]
 
 
 def topics(mine: Learner, cards: Sequence[Card], checklist: Checklist) -> list[Topic]:
@@ -58,9 +57,7 @@ def topics(mine: Learner, cards: Sequence[Card], checklist: Checklist) -> list[T
             if skill not in shown or (keys and not (latest and latest.known)):
                 open_.append(skill)
         weak = (card.key for card in cards if not {*open_}.isdisjoint(card.skills))
-        about = (row for row in checklist.rows if row.skills and {*own}.issuperset(row.skills))
-        broken = dict.fromkeys(mistake for row in about for mistake in row.broken)
-        found.append(Topic(name, tuple(own), tuple(open_), tuple(weak), tuple(broken)))
+        found.append(Topic(name, tuple(own), tuple(open_), tuple(weak)))
     return found
 
 

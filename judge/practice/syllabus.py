@@ -94,6 +94,15 @@ class Checklist(Table, frozen=True):
     sections: tuple[Section, ...] = ()
     rows: tuple[Row, ...] = ()
 
+    def drilled(self) -> dict[str, str]:
+        """The topic of each mistake that is broken by a question of that topic alone."""
+        topics, found = {each.name: each.topic for each in self.skills}, dict[str, str]()
+        for row in self.rows:
+            own = {topics.get(each, "") for each in row.skills}
+            if len(own) == 1 and (topic := own.pop()):
+                found |= {each.partition("/")[2]: topic for each in row.broken}
+        return found
+
     def topics(self, skills: Collection[str]) -> tuple[str, ...]:
         """The topics of those skills, in their order."""
         return tuple(dict.fromkeys(each.topic for each in self.skills if each.topic and each.name in skills))

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from datetime import datetime
 
+from judge.practice.drill import Step
 from judge.practice.events import Answer
-from judge.practice.quiz import Practise
+from judge.practice.quiz import Practise, Topic
 from judge.problem import Verdict
 from judge.published import Published
 
@@ -39,3 +40,12 @@ class Interviewed(Published, frozen=True):
     mistake: str | None
     lacking: tuple[str, ...]
     practise: tuple[Practise, ...]
+
+
+class Drill(Published, frozen=True):
+    """An evening of practice: how the topics stand, and the commands in their order."""
+
+    time: datetime
+    minutes: int
+    topics: tuple[Topic, ...]
+    steps: tuple[Step, ...]

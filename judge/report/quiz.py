@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from datetime import datetime
 
 from rich.console import Group, RenderableType
 from rich.text import Text
 
 from judge.drawing import Picture
+from judge.practice.drill import Step
 from judge.practice.events import Rating
 from judge.practice.questions import Question, Reply
-from judge.practice.quiz import Practise
+from judge.practice.quiz import Practise, Topic
 from judge.report.parts import (
     BAD,
     GOOD,
@@ -29,13 +31,14 @@ from judge.report.parts import (
     text,
     warning,
 )
-from judge.report.published_quiz import Interviewed, Quizzed
+from judge.report.published_quiz import Drill, Interviewed, Quizzed
 from judge.report.screen import Screen, drawn
-from judge.report.words import counted
+from judge.report.words import counted, due_words
 
 RATE = "How well? 1 again, 2 hard, 3 good, 4 easy: "
 SAVE = "Save the file. Enter judges it, q goes on: "
 _PANEL = 31  # columns of a picture of one panel
+_OPEN = 38  # columns of the skills that are named
 _AROUND = 2  # rows for the prompt and one above
 
 
@@ -140,3 +143,41 @@ def _kata(found: Interviewed) -> Text:
     mistake = f", {found.mistake}" if found.mistake else ""
     points = f"{found.verdict.value}, {found.score} of 100 points after {counted(found.runs, 'run')}"
     return text(f"{found.problem}: {points}{mistake}", GOOD if found.solved else BAD)
+
+
+def drill(found: Drill, _screen: Screen) -> RenderableType:
+    """How the topics stand, the commands with their minutes, and what comes after them."""
+    about = (
+        f"Tonight, about {counted(found.minutes, 'minute')}" if found.steps else "Nothing to drill tonight"
+    )
+    topics = indented(table(map(_topic, found.topics)), 2) if found.topics else None
+    rows = [
+        (str(at), f"{each.minutes} min", each.command, _step(each, found.time))
+        for at, each in enumerate(found.steps, 1)
+    ]
+    steps = indented(table(rows, "", "", "", "", right=[1])) if rows else None
+    skills = [skill for each in found.topics for skill in each.skills]
+    known = not any(each.open for each in found.topics)
+    said = f"All {len(skills)} {'are known.' if known else 'known?'} " if skills else ""
+    last = f"{said}judge interview holds a mock interview at your level."
+    return blocks(strong(about), topics, steps, indented(paragraph(faint(last))))
+
+
+def _topic(each: Topic) -> tuple[Cell, ...]:
+    known, named = len(each.skills) - len(each.open), each.open[:2]
+    named = named if len(", ".join(named)) <= _OPEN else named[:1]
+    more = [f"{len(each.open) - len(named)} more"] if len(named) < len(each.open) else []
+    share = f"[{'#' * known:.<{len(each.skills)}}]  {known} of {len(each.skills)}"
+    return each.name.capitalize(), share, f"open: {', '.join([*named, *more])}" if named else good("known")
+
+
+def _step(each: Step, now: datetime) -> str:
+    """What the command is about."""
+    if each.new or each.due:
+        new = [counted(each.new, "new card")] if each.new else []
+        return ", ".join([*new, *([f"{each.due} due"] if each.due else [])])
+    if each.topic:
+        return f"a wrong program about {each.topic}: find a case"
+    if each.title:
+        return f"{each.title}: {'not solved yet' if each.last else 'new'}"
+    return f"solved {due_words(each.last, now)}; from memory" if each.last else ""

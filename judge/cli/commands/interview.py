@@ -1,4 +1,4 @@
-"""`judge quiz` and `judge interview`: cards, asked again before they are forgotten; with a kata between them.
+"""`judge quiz` and `judge interview` ask cards, before they are forgotten; `judge drill` plans an evening.
 
 Answers come from a terminal or from a pipe, one on each line.
 """
@@ -28,7 +28,8 @@ from judge.errors import ProblemError
 from judge.languages import file_name
 from judge.practice import events
 from judge.practice.cards import Card, MistypedError, cards_of, option
-from judge.practice.events import Answer, Rating
+from judge.practice.drill import Evening
+from judge.practice.events import Answer, Hack, Rating
 from judge.practice.history import History
 from judge.practice.questions import Sources
 from judge.practice.questions import ask as asked_of
@@ -51,7 +52,7 @@ from judge.problem import Verdict
 from judge.problem.find import find_problem
 from judge.problem.model import FIRST
 from judge.report import quiz as texts
-from judge.report.published_quiz import Interviewed, Quizzed
+from judge.report.published_quiz import Drill, Interviewed, Quizzed
 from judge.report.screen import Screen, drawn, err, is_terminal, note, out, show
 from judge.report.views import copied
 from judge.report.wait import progress
@@ -122,6 +123,22 @@ class Wanted:
         return next_cards(
             self._cards, self.answered, today, count, near=self._near, weak=self.weak, ahead=ahead
         )
+
+
+@command("drill", Drill)
+def drill(common: Common) -> Drill:
+    """Plan an evening of practice, mostly of what you do not know yet.
+
+    It shows how you stand in each topic, such as clamp and near-tangent, and some commands to type, one after
+    the other. A skill is known if your last run that tests it passes, and its last card was right. Nothing is
+    written.
+    """
+    with history_at(common.db, reading=True) as history:
+        mine, hacks = read_learner(history, common.problems), history.events(Hack)
+    cards, checklist = cards_of(USUAL, common.problems), read_checklist(common.problems)
+    now, found = events.now().astimezone(), topics(mine, cards, checklist)
+    steps = tuple(Evening(mine, cards, found, checklist, now).steps(hacks))
+    return Drill(now, sum(each.minutes for each in steps), tuple(found), steps)
 
 
 class StoppedError(Exception):
