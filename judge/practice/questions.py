@@ -242,7 +242,7 @@ def _spot(card: Card, content: Spot, sources: Sources, draw: Draw) -> Question:
     from judge.problem.solutions import MISTAKES
 
     problem = sources.problem(content.problem)
-    puzzles = [each for each in read_puzzles(problem) if each.trusted and _readable(each.source)]
+    puzzles = [each for each in read_puzzles(problem) if each.trusted]
     if content.mistakes:
         puzzles = [each for each in puzzles if each.mistake in content.mistakes]
     if not puzzles:
@@ -251,6 +251,8 @@ def _spot(card: Card, content: Spot, sources: Sources, draw: Draw) -> Question:
     data = sources.data(content.problem)
     for _ in range(_PROGRAMS):
         puzzle = draw.choice(puzzles)
+        if not _readable(puzzle.source):
+            continue
         does = computed(data, Program(puzzle.source, puzzle.mistake, trusted=True))
         asked = [group for group in problem.groups if group.name in does]
         breaking = [each for each in asked if puzzle.mistake in each.kills and does[each.name].wrong]
