@@ -13,8 +13,8 @@ SHORTER = {
     "never read": ("a, b = x, max(x, 1)\n    return a", "return x"),
     "a comment and more": ('"doc"\n    pass  # why\n    return x\n    return 2', "return x"),
     "a chain": (
-        "w = 1 if x > 2 else 0 if x == 2 else -1\n    if w == 1:\n        return 7\n    if w == 0:\n        return 8",
-        "if x > 2:\n        return 7\n    if x == 2:\n        return 8",
+        "w = 1 if x > 2 else 0 if x else -1\n    if w == 1:\n        return 7\n    if w == 0:\n        x()",
+        "if x > 2:\n        return 7\n    if x:\n        x()",
     ),
     "what never is": (
         "w = 1 if x > 2 else -1\n    if w == 1:\n        return 7\n    if w == 0:\n        x()\n    return 9",
