@@ -50,6 +50,7 @@ class Kata(Struct, frozen=True):
         return shown(self.path)
 
 
+KATAS = "katas"  # the folder for them beside a person's own project
 Tasks = list[tuple[Problem, list[Submission]]]  # submissions by their kata
 
 
@@ -125,7 +126,7 @@ def keep(event: Event, db: Path | None) -> None:
 
 
 def current(folder: Path, history: History) -> Started | None:
-    """The file last started or judged in that folder, of those that are still there; None without one."""
+    """The file last started or judged in that folder or its katas/, of those that are there; or None."""
     return next(filter(is_there, _in(folder, history.places())), None)
 
 
@@ -169,7 +170,9 @@ def shown(path: str | Path) -> str:
 
 
 def _in(folder: Path, places: Sequence[Started]) -> list[Started]:
-    return [each for each in places if os.path.normpath(os.path.dirname(each.path)) == str(folder)]  # noqa: PTH120
+    """Those in the folder, or in its katas/."""
+    both = (str(folder), str(folder / KATAS))
+    return [each for each in places if os.path.normpath(os.path.dirname(each.path)) in both]  # noqa: PTH120
 
 
 def _found_here(places: Sequence[Started], gone: str, remedy: str) -> Started:
@@ -271,8 +274,9 @@ def usual_file(problem: str, db: Path | None) -> str:
         UsageError: there is none.
     """
     usual = file_name(problem.replace("-", "_"))
-    if os.path.lexists(usual):
-        return usual
+    for name in (usual, f"{KATAS}/{usual}"):
+        if os.path.lexists(name):
+            return name
     mine = [each for each in _places(db) if each.problem == problem]
     gone = f"{usual} is not in this folder"
     return shown(_found_here(mine, gone, f"Create it: judge start {problem}").path)

@@ -50,10 +50,13 @@ Look
     judge help tolerance zero
     judge help --schema run
 Interview
+  drill      interview  interview  Plan an evening of practice, mostly of what you do not know yet.
+    judge drill
+    judge drill --json
   quiz       interview  interview  Ask short questions that need no code.
     judge quiz
     judge quiz middle --cards 5
-    judge quiz --question Q6
+    judge quiz clamp
   interview  interview  interview  Hold a mock interview.
     judge interview
     judge interview senior --minutes 45

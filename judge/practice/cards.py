@@ -28,6 +28,7 @@ from judge.practice.events import Answer
 from judge.practice.review import Review, card_reviews
 from judge.practice.syllabus import (
     USUAL,
+    Checklist,
     Table,
     read_checklist,
     refuse_doubles,
@@ -133,11 +134,13 @@ AnyForm = Recall | Choice | Number | Count | FirstHit | Order | Tags | Spot
 
 
 class Card(Struct, frozen=True):
-    """One card of a deck, which is asked with these practice sets."""
+    """One card of a deck, which is asked with these practice sets; its questions need `skills`."""
 
     deck: str
     content: AnyForm
     sets: tuple[str, ...] = ()
+    skills: tuple[str, ...] = ()
+    topics: tuple[str, ...] = ()
 
     @property
     def key(self) -> str:
@@ -185,12 +188,12 @@ def read_decks(extra: Sequence[Path] = ()) -> tuple[list[Card], list[ProblemErro
     faults: list[ProblemError] = []
     sets = list(set_files(extra))
     try:
-        rows = [row.id for row in read_checklist(extra).rows]
+        checklist = read_checklist(extra)
     except ProblemError as fault:
         return [], [fault]
     for name, path in toml_files("quiz", sets, extra).items():
         try:
-            cards += _deck(TomlFile(path), name, rows, sets)
+            cards += _deck(TomlFile(path), name, checklist, sets)
         except ProblemError as fault:
             faults.append(fault)
     return cards, faults
@@ -205,30 +208,35 @@ def known_cards(answers: Sequence[Answer], extra: Sequence[Path] = ()) -> list[R
 
 
 def cards_of(name: str, extra: Sequence[Path] = ()) -> list[Card]:
-    """The cards of a practice set, or of a deck, whose problems are here.
+    """The cards of a practice set, of a deck or of a topic, whose problems are here.
 
     Raises UsageError where there are none, ProblemError where a deck is broken.
     """
     cards, faults = read_decks(extra)
     for fault in faults:
         raise fault
-    found = [card for card in cards if name in (USUAL, card.deck, *card.sets)]
+    found = [card for card in cards if name in (USUAL, card.deck, *card.sets, *card.topics)]
     if not found:
-        names = dict.fromkeys(each for card in cards for each in (*card.sets, card.deck))
+        names = dict.fromkeys(each for card in cards for each in (*card.sets, card.deck, *card.topics))
         raise UsageError(f"There is no set of cards {name!r}", remedy=meant(name, [USUAL, *names]))
     here = {folder.name for folder in problem_folders(extra)}
     return [card for card in found if not card.problem or card.problem in here]
 
 
-def _deck(file: TomlFile, name: str, rows: Sequence[str], sets: Sequence[str]) -> list[Card]:
+def _deck(file: TomlFile, name: str, checklist: Checklist, sets: Sequence[str]) -> list[Card]:
     table = file.read(_DeckTable)
+    skills = {row.id: row.skills for row in checklist.rows}
     refuse_unknown(file, table.sets, sets, "no practice set is called", "sets")
     if not table.cards:
         raise file.fault("the deck has no card", "add [[cards]]")
     refuse_doubles(file, [card.id for card in table.cards], "cards", "id")
     for place, card in enumerate(table.cards):
-        refuse_unknown(file, card.rows, rows, "the checklist has no row", "cards", place, "rows")
-    return [Card(name, card, table.sets) for card in table.cards]
+        refuse_unknown(file, card.rows, list(skills), "the checklist has no row", "cards", place, "rows")
+    needed = [tuple(dict.fromkeys(each for row in card.rows for each in skills[row])) for card in table.cards]
+    return [
+        Card(name, card, table.sets, needs, checklist.topics(needs))
+        for card, needs in zip(table.cards, needed, strict=True)
+    ]
 
 
 # -- what a person types -----------------------------------------------------------------------------------

@@ -209,9 +209,10 @@ def questions(
             needs = sorted(skill.needs, key=lambda need: need.since is not None and not need.failing)
             drill, lost = f"judge start {needs[0].problem}", skill.state is State.LOST
             yield Evidence(Kind.SKILL, skill.name, drill, skill.since, lost)
+        quiz = " ".join(("judge quiz", *checklist.topics(row.skills)[:1]))
         for key in (card.key for card in there if row.id in card.rows):
             lost = key in known and not last[key].known
-            yield Evidence(Kind.CARD, key, f"judge quiz --question {row.id}", known.get(key), lost)
+            yield Evidence(Kind.CARD, key, quiz, known.get(key), lost)
         for name in row.broken:
             kata, mistake = name.split("/")
             if name in won or kata in here:

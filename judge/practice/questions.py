@@ -11,7 +11,6 @@ spot                               which test group breaks a wrong program
 from __future__ import annotations
 
 import ast
-import dataclasses
 import re
 from collections.abc import Callable, Sequence
 from contextlib import AbstractContextManager
@@ -35,6 +34,7 @@ from judge.problem.declare import Shown
 from judge.problem.find import find_problem
 from judge.problem.model import EXAMPLES
 from judge.problem.module import Module, blaming, load_module
+from judge.values import show
 from judge.values.parameters import literal
 
 _FRESH = 1_000  # cases that are looked at for one of small numbers
@@ -68,6 +68,7 @@ class Question(Struct, frozen=True):
         options: what to choose from, each with its letter.
         program: the source that the question is about.
         picture: the figure, without the answer.
+        drawn: the figure with the answer, which is shown with that.
         why: what makes the answer right in this figure.
     """
 
@@ -79,6 +80,7 @@ class Question(Struct, frozen=True):
     options: tuple[tuple[str, str], ...] = ()
     program: str = ""
     picture: Picture | None = None
+    drawn: Picture | None = None
     why: str = ""
 
 
@@ -185,10 +187,8 @@ def _count(card: Card, content: Count, sources: Sources, draw: Draw) -> Question
             what = f"no case is in whole numbers up to {content.largest}"
             _refuse(card, what, "raise largest, or name other groups")
         values = problem.named(case)
-        shown = Shown(problem, values, None, None, None)  # else the answer would be drawn
+        shown = Shown(problem, values, exact, str(show.exact_text(exact)), None)
         drawn = module.hooks.picture(shown) if module.hooks.picture else None
-    if drawn:  # the figure at true scale alone, and no words but the names of its points
-        drawn = Picture("", "", "", dataclasses.replace(drawn.whole, title=""), None, ())
     found = len(exact) if isinstance(exact, list) else exact
     many = NONE if found is None else str(found)
     if not re.fullmatch(rf"{NONE}|\d+", many):
@@ -196,7 +196,7 @@ def _count(card: Card, content: Count, sources: Sources, draw: Draw) -> Question
         _refuse(card, what, "name a problem that answers a count or a list")
     told = ", ".join(f"{each.name}={literal(each.type, values[each.name])}" for each in problem.parameters)
     check = partial(_exactly, many, cards.count)
-    return Question(card, "a number, or none", many, check, given=(told,), picture=drawn, why=card.back)
+    return Question(card, "a number, or none", many, check, given=(told,), drawn=drawn, why=card.back)
 
 
 def _is_small(value: Any, largest: int) -> bool:
@@ -242,7 +242,7 @@ def _spot(card: Card, content: Spot, sources: Sources, draw: Draw) -> Question:
     from judge.problem.solutions import MISTAKES
 
     problem = sources.problem(content.problem)
-    puzzles = [each for each in read_puzzles(problem) if each.trusted and _readable(each.source)]
+    puzzles = [each for each in read_puzzles(problem) if each.trusted]
     if content.mistakes:
         puzzles = [each for each in puzzles if each.mistake in content.mistakes]
     if not puzzles:
@@ -251,6 +251,8 @@ def _spot(card: Card, content: Spot, sources: Sources, draw: Draw) -> Question:
     data = sources.data(content.problem)
     for _ in range(_PROGRAMS):
         puzzle = draw.choice(puzzles)
+        if not _readable(puzzle.source):
+            continue
         does = computed(data, Program(puzzle.source, puzzle.mistake, trusted=True))
         asked = [group for group in problem.groups if group.name in does]
         breaking = [each for each in asked if puzzle.mistake in each.kills and does[each.name].wrong]

@@ -2,23 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
-from contextlib import suppress
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from datetime import datetime
-from itertools import chain, zip_longest
+from itertools import zip_longest
 from pathlib import Path
 
 from msgspec import Struct
 
-from judge.errors import UsageError
 from judge.practice.cards import Card
-from judge.practice.events import Help, Run
-from judge.practice.progress import solved
-from judge.practice.review import Review, reviews
-from judge.practice.syllabus import USUAL, find_set, read_checklist
-from judge.problem import Problem, Tier, Verdict
-from judge.problem.find import problem_folders, sound_problems
-from judge.problem.model import FIRST
+from judge.practice.progress import State, skills
+from judge.practice.review import Learner, Review
+from judge.practice.syllabus import SETS, Checklist, Course, read_checklist
+from judge.problem import Problem, Verdict
+from judge.problem.find import problem_folders
 from judge.run.result import Result
 
 _BEFORE, _AFTER = 6, 15  # minutes of the interview for each card before the kata, and after it
@@ -32,23 +28,75 @@ class Practise(Struct, frozen=True):
     commands: tuple[str, ...]
 
 
-def next_cards(
-    cards: Sequence[Card], reviews: Sequence[Review], now: datetime, *, own: str = "", ahead: bool = False
-) -> list[Card]:
-    """The cards that are due, the longest overdue first, then new ones, those of the set `own` before others.
+class Topic(Struct, frozen=True):
+    """Skills that are drilled together: all of them, those that are not known yet, and what practises those.
 
-    With `ahead` all the others follow, the next due first.
+    A skill is known if the last run that tests it shows it, and its last card was right. `weak` are the keys
+    of the open skills' cards.
+    """
+
+    name: str
+    skills: tuple[str, ...]
+    open: tuple[str, ...]
+    weak: tuple[str, ...]
+
+
+def topics(mine: Learner, cards: Sequence[Card], checklist: Checklist) -> list[Topic]:
+    """How every topic stands."""
+    shown = {
+        each.name for each in skills(mine.problems, mine.own, checklist.skills) if each.state is State.SHOWN
+    }
+    last = {answer.card: answer for answer in mine.answers}
+    found = []
+    for name in sorted({each.topic for each in checklist.skills if each.topic}):
+        own = [each.name for each in checklist.skills if each.topic == name]
+        open_ = []
+        for skill in own:
+            keys = [card.key for card in cards if skill in card.skills]
+            latest = max((last[key] for key in keys if key in last), key=lambda each: each.when, default=None)
+            if skill not in shown or (keys and not (latest and latest.known)):
+                open_.append(skill)
+        weak = (card.key for card in cards if not {*open_}.isdisjoint(card.skills))
+        found.append(Topic(name, tuple(own), tuple(open_), tuple(weak)))
+    return found
+
+
+def next_cards(
+    cards: Sequence[Card],
+    reviews: Sequence[Review],
+    now: datetime,
+    count: int,
+    *,
+    near: Sequence[str] = (),
+    weak: Sequence[Collection[str]] = (),
+    ahead: bool = False,
+) -> list[Card]:
+    """The cards in their turn: due ones, the longest overdue first, then new ones.
+
+    If `count` are asked, half of their new ones are `weak`, which are the keys of cards by topic, one topic
+    after the other; half are of the first of the sets `near`. Both are of these sets while there are any.
+    With `ahead` those follow that are due later.
     """
     by_key = {card.key: card for card in cards}
     known = [(by_key[review.name], review.is_due(now)) for review in reviews if review.name in by_key]
     answered = {card.key for card, _ in known}
     new = [card for card in cards if card.key not in answered]
-    later = [card for card, is_due in known if not is_due]
-    return [
-        *(card for card, is_due in known if is_due),
-        *sorted(new, key=lambda card: own not in card.sets),
-        *(later if ahead else ()),
-    ]
+    due = [card for card, is_due in known if is_due]
+    close = [card for card in new if not {*near}.isdisjoint(card.sets)]
+    turns = zip_longest(*([card for card in close if card.key in keys] for keys in weak))
+    topical = list({card.key: card for turn in turns for card in turn if card}.values())
+    own = sorted(close, key=lambda card: near[0] not in card.sets)
+    later = [card for card, is_due in known if not is_due] if ahead else []
+    half = max(count - len(due) + 1, 0) // 2
+    return list({card.key: card for card in (*due, *topical[:half], *own, *new, *later)}.values())
+
+
+def near_sets(own: str) -> tuple[str, ...]:
+    """That set, the one below and the one above."""
+    if own not in SETS:
+        return (own,)
+    at = SETS.index(own)
+    return (own, *SETS[max(at - 1, 0) : at], *SETS[at + 1 : at + 2])
 
 
 def next_due(cards: Iterable[Card], reviews: Iterable[Review]) -> datetime | None:
@@ -60,51 +108,40 @@ def next_due(cards: Iterable[Card], reviews: Iterable[Review]) -> datetime | Non
 def to_practise(commands: Mapping[str, str], folders: Sequence[Path]) -> tuple[Practise, ...]:
     """The questions of the checklist that have a command, each with that and those of its katas.
 
-    Raises ProblemError where the checklist is broken.
+    Where that is empty, it is a topic, a kata or any cards. Raises ProblemError where the checklist fails.
     """
     here = {folder.name for folder in problem_folders(folders)}
+    checklist = read_checklist(folders)
     found = []
-    for row in read_checklist(folders).rows:
+    for row in checklist.rows:
         if row.id in commands:
             starts = [f"judge start {kata}" for kata in row.katas if kata in here]
-            found.append(Practise(row.id, row.ask, (commands[row.id], *starts)))
+            quizzes = [f"judge quiz {topic}" for topic in checklist.topics(row.skills)]
+            first = commands[row.id] or [*quizzes, *starts, "judge quiz"][0]
+            found.append(Practise(row.id, row.ask, tuple(dict.fromkeys([first, *starts]))))
     return tuple(found)
 
 
 # -- the interview -----------------------------------------------------------------------------------------
 
 
-def plan(
-    cards: Sequence[Card], minutes: int, answered: Sequence[Review], now: datetime
-) -> tuple[Sequence[Card], Sequence[Card]]:
-    """At least two cards before the kata and at least one after it, from easy to hard.
-
-    They are about equally many of each set, and within a set in their order; cards of no set come last.
-    """
-    before, after = max(2, minutes // _BEFORE), max(1, minutes // _AFTER)
-    sets = [FIRST, *(tier.value for tier in Tier), ""]
-    of_set: dict[str, list[Card]] = {name: [] for name in sets}
-    for card in next_cards(cards, answered, now, ahead=True):
-        of_set[next((name for name in sets if name in card.sets), "")].append(card)
-    in_turn = [card for turn in zip_longest(*of_set.values()) for card in turn if card][: before + after]
-    found = [card for card in chain(*of_set.values()) if card in in_turn]
-    return found[:before], found[before:]
+def interview_cards(minutes: int) -> tuple[int, int]:
+    """How many cards come before the kata, at least two, and after it, at least one."""
+    return max(2, minutes // _BEFORE), max(1, minutes // _AFTER)
 
 
-def usual_kata(
-    name: str, runs: Sequence[Run], helps: Sequence[Help], now: datetime, folders: Sequence[Path]
-) -> Problem:
-    """The kata of the set that is due; failing that, the first unsolved one past the first steps; or any."""
-    every, _ = sound_problems(folders)
-    problems = find_set(USUAL, every, folders).problems
-    with suppress(UsageError):  # the name of a deck
-        problems = find_set(name, every, folders).problems
-    named = {problem.id: problem for problem in problems}
-    due = [review.name for review in reviews(runs, helps) if review.is_due(now)]
-    done = solved(runs)
-    unsolved = [each for each in problems if each.id not in done]
-    later = [each for each in unsolved if FIRST not in each.sets]
-    return [*(named[name] for name in due if name in named), *later, *unsolved, *problems][0]
+def plan(wanted: Sequence[Card], count: int, weak: Sequence[Collection[str]]) -> list[Card]:
+    """So many cards, from easy to hard and then those of no set; at least one of each topic that is open."""
+    firsts = [next((card for card in wanted if card.key in keys), None) for keys in weak]
+    chosen = {card.key: card for card in (*firsts, *wanted) if card}
+    kept = [*chosen.values()][:count]
+    return sorted(kept, key=lambda card: next((at for at, each in enumerate(SETS) if each in card.sets), 9))
+
+
+def usual_kata(name: str, course: Course) -> Problem:
+    """The first unsolved kata of that set, or of the person's own; else of the next one; or any."""
+    katas = [kata for part in course.from_own(name) for kata in course.counted(part)] or [*course.problems]
+    return next((each for each in katas if each.id not in course.solved), katas[0])
 
 
 def lacking(problem: Problem, last: Result) -> tuple[str, ...]:

@@ -44,7 +44,7 @@ if TYPE_CHECKING:
 
 P = TypeVar("P", bound=Listed)
 USUAL = "path"  # the set that stands for all of them in order
-_ORDER = [FIRST, *(tier.value for tier in Tier)]  # sets of these names come first; others after them, by name
+SETS = [FIRST, *(tier.value for tier in Tier)]  # sets of these names come first; others after them, by name
 
 
 class PracticeSet(Struct, Generic[P], frozen=True):
@@ -61,10 +61,11 @@ class Table(Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class Skill(Table, frozen=True):
-    """Something to be able to do, as a person would tick it off."""
+    """Something to be able to do, as a person would tick it off; those of a `topic` are drilled together."""
 
     name: str
     about: str
+    topic: str = ""
 
 
 class Section(Table, frozen=True):
@@ -92,6 +93,19 @@ class Checklist(Table, frozen=True):
     skills: tuple[Skill, ...] = ()
     sections: tuple[Section, ...] = ()
     rows: tuple[Row, ...] = ()
+
+    def drilled(self) -> dict[str, str]:
+        """The topic of each mistake that is broken by a question of that topic alone."""
+        topics, found = {each.name: each.topic for each in self.skills}, dict[str, str]()
+        for row in self.rows:
+            own = {topics.get(each, "") for each in row.skills}
+            if len(own) == 1 and (topic := own.pop()):
+                found |= {each.partition("/")[2]: topic for each in row.broken}
+        return found
+
+    def topics(self, skills: Collection[str]) -> tuple[str, ...]:
+        """The topics of those skills, in their order."""
+        return tuple(dict.fromkeys(each.topic for each in self.skills if each.topic and each.name in skills))
 
 
 class _SetTable(Table, frozen=True):
@@ -163,9 +177,15 @@ def _set_of(name: str, table: _SetTable, problems: Sequence[P]) -> PracticeSet[P
     return PracticeSet(name, table.title, table.about, tuple(here[each] for each in names if each in here))
 
 
+def first_sets(sets: Sequence[PracticeSet[P]]) -> dict[str, str]:
+    """The first set of each kata, in which it counts; the whole path is none."""
+    rows = ((each.name, kata.id) for each in reversed(sets) if each.name != USUAL for kata in each.problems)
+    return {kata: name for name, kata in rows}
+
+
 def set_files(extra: Sequence[Path] = ()) -> dict[str, Path]:
     """The sets' files by name: the usual ones in their order, easiest first, then others by name."""
-    return toml_files("sets", _ORDER, extra)
+    return toml_files("sets", SETS, extra)
 
 
 def toml_files(folder: str, order: Sequence[str], extra: Sequence[Path]) -> dict[str, Path]:
@@ -186,8 +206,25 @@ class Course(Struct, frozen=True):
 
     def set_of(self, problem: str) -> PracticeSet[Problem] | None:
         """The first set that a kata belongs to; None where it is in none but the whole path."""
-        mine = (each for each in self.sets if each.name != USUAL)
-        return next((each for each in mine if problem in [own.id for own in each.problems]), None)
+        name = first_sets(self.sets).get(problem)
+        return next((each for each in self.sets if each.name == name), None)
+
+    def counted(self, part: PracticeSet[Problem]) -> list[Problem]:
+        """The katas that count in that set: those whose first one it is, and all of the whole path."""
+        firsts = first_sets(self.sets)
+        return [each for each in part.problems if part.name in (USUAL, firsts[each.id])]
+
+    def from_own(self, name: str = "") -> list[PracticeSet[Problem]]:
+        """The sets from the person's own on, then those before; `name` may name another one.
+
+        A person's set is the highest in which a kata is solved, or the first.
+        """
+        sets = [each for each in self.sets if each.name != USUAL and each.problems]
+        firsts = first_sets(sets)
+        won = {firsts[each] for each in self.solved if each in firsts}
+        own = max((at for at, each in enumerate(sets) if each.name in won), default=0)
+        at = next((at for at, each in enumerate(sets) if each.name == name), own)
+        return sets[at:] + sets[:at]
 
     def next(self, after: str) -> Problem | None:
         """The kata that comes after that one and is not solved; None where all others are.

@@ -156,7 +156,9 @@ def _program(found: HackTurn) -> RenderableType:
     rows = map(text, found.puzzle.source.decode().splitlines())
     asked = text("This program is wrong for at least one valid input. Find one:")
     command = text(f'  judge hack {name} {number} "{call_of(found.problem)}"')
-    return blocks(head(name, aside), Group(*rows), Group(asked, command))
+    more = f"All are broken. {found.more} more: judge hack {name} --all"
+    ended = text(more) if found.more and not found.following else None
+    return blocks(head(name, aside), Group(*rows), Group(asked, command), ended)
 
 
 def _ended(found: HackTurn) -> RenderableType:
@@ -173,4 +175,6 @@ def _ended(found: HackTurn) -> RenderableType:
     said = f"broken, {found.done} of {counted(len(found.puzzles), 'program')} of {name}"
     if found.following:
         said += f"; next: judge hack {name} {found.following.number}"
+    elif found.more:
+        said += f"; {found.more} more: judge hack {name} --all"
     return blocks(mistake, facts([(label(Verdict.AC, "WON"), said)]))

@@ -114,18 +114,19 @@ def kata_list(found: published.KataList, screen: Screen) -> RenderableType:
     done = solved_bar(_solved(found.katas), len(found.katas), (stars[1], stars[2]), screen.width)
     sets = {name: katas for name, katas in found.sets.items() if katas}
     if found.whole and not found.shown:
-        every = (Together(strong(name), *_katas(found, katas, None)) for name, katas in sets.items())
+        every = (Together(strong(name), *_katas(found, name, None)) for name in sets)
         return blocks(done, *every)
+    counting = {name: [row for row in rows if found.counts(row, name)] for name, rows in sets.items()}
     rows = [
         ((strong if name == found.shown else text)(name), f"{_solved(katas)} of {len(katas)}")
-        for name, katas in sets.items()
+        for name, katas in counting.items()
     ]
     about = [table([(faint(found.about),)], prose=None)] if found.shown else []
     room = None if screen.rows is None or found.whole else screen.rows - len(rows) - 8
     return blocks(
         done,
         table(rows, right=[1], prose=None) if len(rows) > 1 else None,
-        Together(*about, *_katas(found, found.sets.get(found.shown, ()), room)),
+        Together(*about, *_katas(found, found.shown, room)),
         commands([("judge list SET", "another set"), ("judge list --all", "all katas")]),
     )
 
@@ -134,23 +135,23 @@ def _solved(rows: Sequence[published.KataRow]) -> int:
     return sum(row.solved for row in rows)
 
 
-def _katas(
-    found: published.KataList, rows: Sequence[published.KataRow], room: int | None
-) -> Iterator[RenderableType]:
-    """Those katas with their marks, as many as there is room for."""
-    there = found.wanted(rows)
+def _katas(found: published.KataList, name: str, room: int | None) -> Iterator[RenderableType]:
+    """The katas of that set with their marks, as many as there is room for."""
+    there = found.wanted(found.sets.get(name, ()))
     kept = there if room is None or len(there) <= room else there[: max(room - 1, 1)]
     if not there:
         yield good("  All katas of this set are solved." if found.todo else "  There is no kata.")
-    marked = [_kata(row, current=row.problem == found.current) for row in kept]
+    marked = [
+        _kata(row, current=row.problem == found.current, counts=found.counts(row, name)) for row in kept
+    ]
     yield indented(table(marked, prose=None))
     if len(kept) < len(there):
         yield faint(f"  … and {len(there) - len(kept)} more: add --all")
 
 
-def _kata(row: published.KataRow, *, current: bool) -> tuple[Cell, ...]:
-    mark = "★" * row.stars or ("✓" if row.solved else "")
-    return ">" if current else "", good(mark), (strong if current else text)(row.problem), row.title
+def _kata(row: published.KataRow, *, current: bool, counts: bool) -> tuple[Cell, ...]:
+    mark, plain = "★" * row.stars or ("✓" if row.solved else ""), text if counts else faint
+    return ">" if current else "", good(mark), (strong if current else plain)(row.problem), plain(row.title)
 
 
 def kata_shown(found: published.KataShown, screen: Screen) -> RenderableType:

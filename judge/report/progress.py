@@ -9,7 +9,6 @@ from rich.console import Group, RenderableType
 from rich.text import Text
 
 from judge.errors import StoreError
-from judge.languages import file_name
 from judge.practice.events import Rating, Run
 from judge.practice.progress import Evidence, Kind, Question, SkillProgress, State
 from judge.practice.review import Due, Review
@@ -154,8 +153,7 @@ def due(found: Due, _screen: Screen) -> RenderableType:
     today = Group(text("Nothing is due today."), commands([("judge progress", "the next kata")]))
     if found.due:
         first = found.due[0].name
-        fresh = file_name(f"{first.replace('-', '_')}_{now:%m%d}")
-        again = commands([(f"judge start {first} {fresh}", "write it again, from an empty file")])
+        again = commands([(f"judge start {first} --reset", "write it again, from memory")])
         title = f"Due today: {counted(len(found.due), 'kata')}"
         today = Group(heading(title, _reviews(found.due, now)), again)
     told = f"Cards: {found.cards_due} due of {len(cards)} answered; "

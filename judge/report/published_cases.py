@@ -87,10 +87,10 @@ class CaseTried(Struct, frozen=True):
 
 
 class HackTurn(Struct, frozen=True, dict=True):
-    """A wrong program that is shown, attacked or given up, among all those of the kata.
+    """A wrong program that is shown, attacked or given up, among those of the kata that are asked.
 
     `hacks` are the attempts at them so far, oldest first. `why` says why a case does not break it. With
-    `goes_on` a terminal asks for more.
+    `goes_on` a terminal asks for more. So many `more` programs are asked with `--all`.
     """
 
     problem: Problem
@@ -101,6 +101,7 @@ class HackTurn(Struct, frozen=True, dict=True):
     why: str = ""
     tried: Tried | None = None
     goes_on: bool = False
+    more: int = 0
 
     @cached_property
     def states(self) -> dict[str, HackState]:

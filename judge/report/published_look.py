@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from msgspec import Struct
 
 from judge.errors import ExitCode
+from judge.practice.syllabus import USUAL
 from judge.problem.model import GroupLimits, GrowthRule, KataLevel, Source, Tier
 from judge.published import Published
 from judge.report.views import copied
@@ -40,7 +41,10 @@ class KataRow(Named, frozen=True):
 
 
 class KataList(Struct, frozen=True):
-    """All katas, the sets by name, of which one is shown, and the current kata."""
+    """All katas, the sets by name, of which one is shown, and the current kata.
+
+    `firsts` has the set in which each kata counts; in another it is only listed.
+    """
 
     katas: Sequence[KataRow]
     sets: Mapping[str, Sequence[KataRow]]
@@ -49,7 +53,12 @@ class KataList(Struct, frozen=True):
     current: str = ""
     todo: bool = False
     whole: bool = False
+    firsts: Mapping[str, str] = {}
     exit_code: ExitCode = ExitCode.ACCEPTED
+
+    def counts(self, row: KataRow, name: str) -> bool:
+        """Whether the kata counts in the set of that name."""
+        return self.firsts.get(row.problem, name) == name or name == USUAL
 
     def wanted(self, rows: Sequence[KataRow]) -> list[KataRow]:
         """Those of the katas that were asked for."""

@@ -4,32 +4,11 @@ from __future__ import annotations
 
 from datetime import datetime
 
-from msgspec import Struct
-
-from judge.practice.events import Answer, Rating
-from judge.practice.quiz import Practise
+from judge.practice.drill import Step
+from judge.practice.events import Answer
+from judge.practice.quiz import Practise, Topic
 from judge.problem import Verdict
 from judge.published import Published
-
-
-class CardRow(Published, frozen=True):
-    """A card without its answer; `last`, `rating` and `due` are null until it is answered."""
-
-    card: str
-    form: str
-    rows: tuple[str, ...]
-    sets: tuple[str, ...]
-    front: str
-    last: datetime | None = None
-    rating: Rating | None = None
-    due: datetime | None = None
-
-
-class CardList(Struct, frozen=True):
-    """The cards of a set, with what is known of each at the time of `now`."""
-
-    published: tuple[CardRow, ...]
-    now: datetime
 
 
 class Quizzed(Published, frozen=True):
@@ -39,7 +18,6 @@ class Quizzed(Published, frozen=True):
     known: int
     answers: tuple[Answer, ...]
     practise: tuple[Practise, ...]
-    seed: int
     next_due: datetime | None = None
 
 
@@ -62,4 +40,12 @@ class Interviewed(Published, frozen=True):
     mistake: str | None
     lacking: tuple[str, ...]
     practise: tuple[Practise, ...]
-    seed: int
+
+
+class Drill(Published, frozen=True):
+    """An evening of practice: how the topics stand, and the commands in their order."""
+
+    time: datetime
+    minutes: int
+    topics: tuple[Topic, ...]
+    steps: tuple[Step, ...]

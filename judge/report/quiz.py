@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from datetime import datetime
 
 from rich.console import Group, RenderableType
 from rich.text import Text
 
+from judge.drawing import Picture
+from judge.practice.drill import Step
 from judge.practice.events import Rating
 from judge.practice.questions import Question, Reply
-from judge.practice.quiz import Practise
+from judge.practice.quiz import Practise, Topic
 from judge.report.parts import (
     BAD,
     GOOD,
@@ -28,13 +31,14 @@ from judge.report.parts import (
     text,
     warning,
 )
-from judge.report.published_quiz import CardList, Interviewed, Quizzed
+from judge.report.published_quiz import Drill, Interviewed, Quizzed
 from judge.report.screen import Screen, drawn
 from judge.report.words import counted, due_words
 
 RATE = "How well? 1 again, 2 hard, 3 good, 4 easy: "
 SAVE = "Save the file. Enter judges it, q goes on: "
 _PANEL = 31  # columns of a picture of one panel
+_OPEN = 38  # columns of the skills that are named
 _AROUND = 2  # rows for the prompt and one above
 
 
@@ -46,14 +50,19 @@ def question(asked: Question, place: str, screen: Screen) -> RenderableType:
         parts += [Text(), *rows, Text()]
     if asked.options:
         parts.append(indented(table([(strong(letter), said) for letter, said in asked.options])))
-    if asked.picture is not None:
-        from judge.drawing.braille import LEAST_ROWS
-        from judge.report.picture import has_room, picture_rows
+    return Group(*parts, *_figure(asked.picture, parts, screen, answered=False))
 
-        if has_room(screen):
-            room = screen.height - drawn(Group(*parts), screen).count("\n") - _AROUND
-            parts += map(indented, picture_rows(asked.picture, screen, max(room, LEAST_ROWS), answered=False))
-    return Group(*parts)
+
+def _figure(
+    picture: Picture | None, above: Sequence[RenderableType], screen: Screen, *, answered: bool
+) -> Iterator[RenderableType]:
+    """The figure, in the rows that are left, where the terminal has room for it."""
+    from judge.drawing.braille import LEAST_ROWS
+    from judge.report.picture import has_room, picture_rows
+
+    if picture is not None and has_room(screen):
+        room = screen.height - drawn(Group(*above), screen).count("\n") - _AROUND
+        yield from map(indented, picture_rows(picture, screen, max(room, LEAST_ROWS), answered=answered))
 
 
 def _prose(said: Cell) -> RenderableType:
@@ -65,8 +74,8 @@ def prompt(asks: str, screen: Screen) -> str:
     return drawn(indented(faint(asks.rstrip())), screen).removesuffix("\n") + " "
 
 
-def reply(asked: Question, found: Reply | None, rating: Rating) -> RenderableType:
-    """Whether the answer was right, what the right one is, and why; `found` is None where none was given."""
+def reply(asked: Question, found: Reply | None, rating: Rating, screen: Screen) -> RenderableType:
+    """Whether the answer was right, the right one, why, a figure; `found` is None where none was given."""
     if asked.check is None:
         return Group(indented(faint(f"noted: {rating.name.lower()}")), Text())
     right = found is not None and found.right
@@ -75,7 +84,8 @@ def reply(asked: Question, found: Reply | None, rating: Rating) -> RenderableTyp
     because = found.why if found and not right else ""
     pairs = [("because", because), ("answer", "" if right else asked.answer), ("why", asked.why)]
     said = [pair for pair in pairs if pair[1]]
-    return Group(indented(verdict), *([indented(facts(said))] if said else []), Text())
+    parts = [indented(verdict), *([indented(facts(said))] if said else [])]
+    return Group(*parts, *_figure(asked.drawn, parts, screen, answered=True), Text())
 
 
 def model(asked: Question) -> RenderableType:
@@ -104,24 +114,11 @@ def _practise(found: Sequence[Practise]) -> RenderableType | None:
     return heading("Practise", table(rows)) if rows else None
 
 
-def card_list(found: CardList, _screen: Screen) -> RenderableType:
-    """The cards, a row each, with when each is due."""
-    rows = [
-        (strong(row.card), row.form, faint(due_words(row.due, found.now) if row.due else ""), row.front)
-        for row in found.published
-    ]
-    new = sum(row.due is None for row in found.published)
-    return blocks(
-        table(rows, "card", "form", "due" if new < len(rows) else "", "question"),
-        faint(f"{counted(len(rows), 'card')}, {new} new"),
-    )
-
-
 def opening(minutes: int, before: int, kata: str, after: int) -> RenderableType:
     """What is to come in an interview: so many cards before the kata, and after it."""
     first, last = ([counted(count, "card")] if count else [] for count in (before, after))
     parts = ", then ".join([*first, f"the kata {kata}", *last])
-    return stage("Mock interview", minutes, f"{parts}. q leaves; your answers are kept.")
+    return stage("Mock interview", minutes, f"{parts}. q goes on to the next part, and a second q ends it.")
 
 
 def stage(title: str, minutes: int, *said: str) -> RenderableType:
@@ -146,3 +143,41 @@ def _kata(found: Interviewed) -> Text:
     mistake = f", {found.mistake}" if found.mistake else ""
     points = f"{found.verdict.value}, {found.score} of 100 points after {counted(found.runs, 'run')}"
     return text(f"{found.problem}: {points}{mistake}", GOOD if found.solved else BAD)
+
+
+def drill(found: Drill, _screen: Screen) -> RenderableType:
+    """How the topics stand, the commands with their minutes, and what comes after them."""
+    about = (
+        f"Tonight, about {counted(found.minutes, 'minute')}" if found.steps else "Nothing to drill tonight"
+    )
+    topics = indented(table(map(_topic, found.topics)), 2) if found.topics else None
+    rows = [
+        (str(at), f"{each.minutes} min", each.command, _step(each, found.time))
+        for at, each in enumerate(found.steps, 1)
+    ]
+    steps = indented(table(rows, "", "", "", "", right=[1])) if rows else None
+    skills = [skill for each in found.topics for skill in each.skills]
+    known = not any(each.open for each in found.topics)
+    said = f"All {len(skills)} {'are known.' if known else 'known?'} " if skills else ""
+    last = f"{said}judge interview holds a mock interview at your level."
+    return blocks(strong(about), topics, steps, indented(paragraph(faint(last))))
+
+
+def _topic(each: Topic) -> tuple[Cell, ...]:
+    known, named = len(each.skills) - len(each.open), each.open[:2]
+    named = named if len(", ".join(named)) <= _OPEN else named[:1]
+    more = [f"{len(each.open) - len(named)} more"] if len(named) < len(each.open) else []
+    share = f"[{'#' * known:.<{len(each.skills)}}]  {known} of {len(each.skills)}"
+    return each.name.capitalize(), share, f"open: {', '.join([*named, *more])}" if named else good("known")
+
+
+def _step(each: Step, now: datetime) -> str:
+    """What the command is about."""
+    if each.new or each.due:
+        new = [counted(each.new, "new card")] if each.new else []
+        return ", ".join([*new, *([f"{each.due} due"] if each.due else [])])
+    if each.topic:
+        return f"a wrong program about {each.topic}: find a case"
+    if each.title:
+        return f"{each.title}: {'not solved yet' if each.last else 'new'}"
+    return f"solved {due_words(each.last, now)}; from memory" if each.last else ""

@@ -51,8 +51,8 @@ def place(problem: Problem, course: Course, screen: Screen) -> Group:
     """The kata's title, where it stands in its set, and how many are solved."""
     said = ""
     if found := course.set_of(problem.id):
-        at = [each.id for each in found.problems].index(problem.id) + 1
-        said = f"{found.title.lower()}, kata {at} of {len(found.problems)}"
+        names = [each.id for each in course.counted(found)]
+        said = f"{found.title.lower()}, kata {names.index(problem.id) + 1} of {len(names)}"
     title = apart(strong(f"{problem.id}  {problem.title}"), faint(said), screen)
     return Group(title, solved_bar(len(course.solved), len(course.problems), (), screen.width))
 

@@ -6,14 +6,20 @@ What it says is in the transcripts of `hack/`.
 from __future__ import annotations
 
 import ast
+import statistics
 
 import pytest
 from cli_support import ROOT
 from sampling import daily
 from terminals import on_a_terminal
 
+from judge.data.load import load_data
+from judge.mistakes.computed import Computer, Program
 from judge.mistakes.killing import Jury
-from judge.mistakes.puzzles import read_puzzles
+from judge.mistakes.puzzles import HACKED, read_puzzles
+from judge.practice.events import Hack, Outcome
+from judge.practice.history import History
+from judge.practice.syllabus import read_checklist
 from judge.problem.find import find_problem, problem_folders
 
 pytestmark = pytest.mark.slow
@@ -23,6 +29,39 @@ SHIPPED = sorted(
     for folder in problem_folders()
     if folder.parent.parent == ROOT and find_problem(folder.name).parameters
 )
+
+
+@pytest.mark.parametrize("name", daily(SHIPPED, ("diameter",)))
+def test_what_is_shown_is_the_wrong_program(name):
+    problem = find_problem(name)
+    computer = Computer(load_data(problem))
+    for puzzle in read_puzzles(problem, read_checklist().drilled())[:HACKED]:
+        if puzzle.trusted:
+            known = computer.behaviour(Program(puzzle.known.encode(), "known", trusted=True))
+            shown = computer.behaviour(Program(puzzle.source, "shown", trusted=True))
+            assert shown == known, puzzle.mistake
+            assert any(each.wrong for each in shown.values()), puzzle.mistake
+
+
+@pytest.mark.parametrize(("name", "lines"), [("count", 15), ("segment", 26), ("ray-nearest", 33)])
+def test_what_is_shown_is_short_and_of_the_topics_first(name, lines):
+    drilled = read_checklist().drilled()
+    puzzles = read_puzzles(find_problem(name), drilled)
+    topical = [each.mistake in drilled for each in puzzles]
+    assert topical[0]
+    assert topical == sorted(topical, reverse=True)
+    assert statistics.median(each.source.count(b"\n") for each in puzzles[:HACKED]) <= lines
+
+
+def test_twelve_are_asked_and_all_if_that_is_said(judge):
+    assert "wrong program 1 of 12, 0 broken" in judge("hack", "count").out
+    names = [each.mistake for each in read_puzzles(find_problem("count"), read_checklist().drilled())]
+    with History() as history:
+        for name in names[:HACKED]:
+            history.keep(Hack("count", name, "", Outcome.WON))
+    assert f"All are broken. {len(names) - HACKED} more: judge hack count --all" in judge("hack", "count").out
+    assert f"wrong program 13 of {len(names)}, 12 broken" in judge("hack", "count", "--all").out
+    assert judge("hack", "count", "14").out == judge("hack", "count", names[13]).out
 
 
 @pytest.mark.parametrize("name", daily(SHIPPED, ("diameter",)))

@@ -63,6 +63,42 @@ def test_the_current_kata_is_the_file_last_started_or_judged_in_this_folder(
     assert judge("start").out.startswith("Created circle_side.py.")
 
 
+@pytest.mark.parametrize("mark", [".git", "pyproject.toml", "setup.py", "package.json"])
+def test_a_project_has_its_katas_in_a_folder_of_their_own(mark, judge, tmp_path):
+    (tmp_path / mark).touch()
+    made = judge("start")
+    assert made.out == "Created katas/distance_squared.py. Write distance_squared, then: judge run\n"
+    assert {path.name for path in tmp_path.iterdir()} == {mark, "katas"}
+    assert (tmp_path / "katas" / ".gitignore").read_text() == "*\n"
+    assert judge("start", "middle").out.startswith("Created katas/middle.py.")
+    assert judge("start", "middle").out.startswith("katas/middle.py exists.")
+    assert judge("start").out.startswith("katas/middle.py exists.")
+
+
+def test_katas_in_the_folder_below_are_found_from_above(judge, tmp_path, monkeypatch):
+    (tmp_path / ".git").mkdir()
+    judge("start", "middle")
+    (tmp_path / "katas" / "middle.py").write_text(MEAN)
+    assert judge("run").lines[0].startswith("AC  Accepted  katas/middle.py")
+    assert judge("run", "middle").lines[0].startswith("AC  Accepted  katas/middle.py")
+    assert judge("try", "middle", "1, 2").lines[0] == "AC  Accepted  katas/middle.py"
+    assert judge("start", "which-side").out.startswith("Created katas/which_side.py.")
+    assert judge("hint").out.startswith("Start at A")
+    monkeypatch.chdir(tmp_path / "katas")
+    assert judge("run", "middle").lines[0].startswith("AC  Accepted  middle.py")
+    assert judge("start", "diameter").out.startswith("Created diameter.py.")
+
+
+def test_a_project_with_a_kata_of_its_own_gets_no_folder(judge, submit, tmp_path):
+    submit(MEAN, "middle.py")
+    judge("run", "-q", "middle.py")
+    (tmp_path / "setup.py").touch()
+    assert judge("start", "diameter").out.startswith("Created diameter.py.")
+    assert judge("start", "new.go").status == 2
+    assert judge("start", "crossings", "mine.py").out.startswith("Created mine.py.")
+    assert not (tmp_path / "katas").exists()
+
+
 def test_a_kata_in_another_folder_is_said_to_be_there(judge, tmp_path, monkeypatch):
     judge("start", "middle")
     (tmp_path / "deeper").mkdir()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 
 import pytest
 from cli_support import MEAN
@@ -57,6 +58,16 @@ def test_all_lists_every_set_or_the_whole_set(judge):
     assert [row.split()[0] for row in every if row].count("foot") == 1
     assert len(every) > 40
     assert len(on_a_terminal("list", "path", "--all")[1].splitlines()) > 40
+
+
+def test_a_kata_counts_in_its_first_set(judge):
+    counts = [int(line.split()[3]) for line in judge("list").lines if re.fullmatch(r"\S+ +\d+ of \d+", line)]
+    assert counts[:5] == [6, 6, 9, 9, 7]
+    assert sum(counts) == int(judge("list").lines[0].split()[-2])
+    told = json.loads(judge("progress", "--json").out)
+    shares = [len(each["katas"]) for each in told["sets"]]
+    assert shares[:5] == [6, 6, 9, 9, 7]
+    assert "count " in judge("list", "middle").out
 
 
 def test_a_broken_kata_costs_itself_only(judge, broken_pack):

@@ -122,7 +122,7 @@ def test_what_is_due(judge, monkeypatch):
     assert shown.lines[0] == "Due today: 1 kata"
     assert shown.lines[2].split()[:2] == ["middle", "today"]
     assert "2026-03-01: solved at once, so again after 3 days" in shown.lines[2]
-    assert shown.lines[3].startswith("judge start middle middle_0304.py")
+    assert shown.lines[3].startswith("judge start middle --reset")
     assert "again" in judge("progress").out
     assert due(judge) == {"now": [], "due": ["middle"], "later": []}
 

@@ -216,6 +216,7 @@ def _judged(step: Step, terminal: tuple[int, int] | None) -> str:
         patch.object(sys, "stdin", _Stream(step.typed)),
         patch.object(sys, "stdout", out),
         patch.object(sys, "stderr", err),
+        patch("secrets.randbits", return_value=1),  # of the figures of cards
     ):
         try:
             main()

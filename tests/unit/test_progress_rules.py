@@ -5,19 +5,20 @@ from __future__ import annotations
 import shutil
 from datetime import timedelta
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 from msgspec.structs import replace
 from past_runs import START, past_result
 
 from judge.errors import ProblemError
-from judge.practice.cards import AnyForm, Card
+from judge.practice.cards import AnyForm, Card, cards_of
 from judge.practice.events import Answer, Hack, Help, Outcome, Rating
 from judge.practice.history import run_of
 from judge.practice.progress import State, levels_passed, questions, skills, solved, tried
-from judge.practice.quiz import next_cards, next_due
-from judge.practice.review import LADDER, card_reviews, reviews
-from judge.practice.syllabus import Checklist, Row, Section, find_set, read_checklist
+from judge.practice.quiz import near_sets, next_cards, next_due, plan, topics, usual_kata
+from judge.practice.review import LADDER, Learner, card_reviews, reviews
+from judge.practice.syllabus import Checklist, Row, Section, find_set, read_checklist, sound_sets
 from judge.problem.find import find_problem, sound_problems
 from judge.problem.load import load_problem
 from judge.problem.model import KataLevel
@@ -306,8 +307,89 @@ def test_cards_that_are_due_come_first_then_those_that_are_new():
         answer("drawn", Rating.EASY, START + timedelta(minutes=2)),
     ]
     found, now = card_reviews(answers), START + timedelta(days=1, hours=1)
-    assert [each.content.id for each in next_cards(cards, found, now)] == ["bad", "new"]
-    ahead = [each.content.id for each in next_cards(cards, found, now, ahead=True)]
+    assert [each.content.id for each in next_cards(cards, found, now, 10)] == ["bad", "new"]
+    ahead = [each.content.id for each in next_cards(cards, found, now, 10, ahead=True)]
     assert ahead == ["bad", "new", "good", "drawn"]
     assert next_due(cards[1:2], found) == next(each.due for each in found if each.name == "deck/good")
     assert next_due(cards[:1], found) is None
+
+
+# -- topics ------------------------------------------------------------------------------------------------
+
+
+@pytest.fixture(scope="module")
+def learner_of():
+    """A person who has solved all katas of these sets and skills, and has given these answers."""
+    problems, _ = sound_problems()
+    sets, _ = sound_sets(problems)
+
+    def learner(*names, answers=()):
+        there = [kata for each in sets if each.name in names for kata in each.problems]
+        own = {
+            kata.id: [SimpleNamespace(passed=[g.name for g in kata.groups], failed=[], when=START)]
+            for kata in there
+        }
+        done = dict.fromkeys(own, START)
+        return Learner(problems, sets, done, [], own, [], answers, [], [])
+
+    return learner
+
+
+def drilled(mine, count):
+    """The topics of a person who has answered no card, and so many cards that are asked next."""
+    cards = cards_of("path")
+    found = topics(mine, cards, read_checklist())
+    near, weak = near_sets(mine.from_own()[0].name), [each.weak for each in found]
+    asked = next_cards(cards, [], START, count, near=near, weak=weak)
+    return found, asked, plan(asked, count, weak)
+
+
+def test_half_of_the_cards_are_of_what_is_open(learner_of):
+    beginner, senior = (learner_of("first-steps", "junior"), learner_of("junior", "middle", "senior"))
+    _, asked, planned = drilled(beginner, 8)
+    keys = [each.key for each in asked[:8]]
+    assert keys[:4] == [
+        "middle/segment-clamp",
+        "first-steps/one-point",
+        "middle/segment-drawn",
+        "junior/points-drawn",
+    ]
+    assert {each.deck for each in asked[4:8]} == {"junior"}
+    assert [each.deck for each in planned] == ["first-steps", *["junior"] * 5, "middle", "middle"]
+    _, asked, _ = drilled(senior, 8)
+    assert [each.content.id for each in asked[:8]] == [
+        *("segment-clamp", "units-of-delta", "segment-drawn", "fixed-epsilon"),
+        *("many-circles", "two-phases", "far-end", "simd"),
+    ]
+
+
+def test_an_interview_has_a_card_of_each_open_topic(learner_of):
+    cards = [each for each in cards_of("path") if each.deck == "senior"]
+    found, asked, _ = drilled(learner_of("senior"), 8)
+    weak = [each.weak for each in found]
+    chosen = plan([each for each in cards if not each.topics] + asked, 3, weak)
+    assert {topic for each in chosen for topic in each.topics} == {"clamp", "near-tangent"}
+
+
+def test_the_kata_of_an_interview_is_of_the_own_set(learner_of):
+    assert usual_kata("", learner_of()).id == "distance-squared"
+    assert usual_kata("", learner_of("first-steps", "junior")).id == "line-points"
+    assert usual_kata("senior", learner_of("first-steps")).id == "ray-nearest"
+
+
+def test_a_skill_is_known_if_its_run_shows_it_and_its_last_card_was_right(learner_of):
+    every = ("first-steps", "junior", "middle", "senior", "professional")
+    closed = [card for card in cards_of("path") if "closed ends" in card.skills]
+    right = [Answer(each.key, each.form, Rating.GOOD, judged=True, when=START) for each in closed]
+    wrong = Answer(closed[0].key, "recall", Rating.AGAIN, judged=True, when=START + timedelta(days=1))
+    later = Answer(closed[1].key, "spot", Rating.GOOD, judged=True, when=START + timedelta(days=2))
+
+    def open_(mine):
+        return next(each.open for each in drilled(mine, 8)[0] if each.name == "clamp")
+
+    assert "closed ends" in open_(learner_of(answers=right))
+    assert "closed ends" in open_(learner_of(*every))
+    assert "closed ends" not in open_(learner_of(*every, answers=right))
+    assert "closed ends" in open_(learner_of(*every, answers=[*right, wrong]))
+    assert "closed ends" not in open_(learner_of(*every, answers=[*right, wrong, later]))
+    assert "ends no wider than rounding" not in open_(learner_of(*every))  # which has no card

@@ -23,9 +23,10 @@ from judge.judging.cases import smallest, try_case
 from judge.judging.options import RunOptions
 from judge.judging.session import Session
 from judge.languages import is_program
-from judge.mistakes.puzzles import puzzle_called, read_puzzles
+from judge.mistakes.puzzles import HACKED, puzzle_called, read_puzzles
 from judge.practice.events import Hack, Outcome
 from judge.practice.progress import was_shown
+from judge.practice.syllabus import read_checklist
 from judge.problem import Problem, Verdict
 from judge.problem.find import find_problem
 from judge.problem.model import case_of
@@ -159,6 +160,7 @@ class HackAsk(Struct, frozen=True):
     """What to do about the wrong programs, other than break one."""
 
     give_up: bool = opt("--give-up", "Name the mistake, and show a smallest case.")
+    whole: bool = opt("--all", f"More programs than {HACKED}: one for each known mistake.")
 
 
 @command("hack", published.HackLine, numbers=True, ask=HackAsk)
@@ -168,23 +170,25 @@ def hack(name: str, words: tuple[str, ...], ask: HackAsk, common: Common) -> Ite
     """Find a case on which a wrong program fails.
 
     N is the program's number, or the name of its mistake. Without it you get the first one that you have not
-    broken; the easiest come first. Write CASE as for judge try; - reads it from standard input, and a
-    terminal asks for it. You learn the name of the mistake when you win or give up.
+    broken, of 12. Those of a topic that judge drill plans come first, then the easiest. Write CASE as for
+    judge try; - reads it from standard input, and a terminal asks for it. You learn the name of the mistake
+    when you win or give up.
 
     Exit status: 0 won, or no case given, 1 not won, 2 usage, or a case that cannot be read, 3 a fault of
     the judge.
     """
     problem = find_problem(name, common.problems)
-    puzzles = read_puzzles(problem) if problem.parameters else ()
+    drilled = read_checklist(common.problems).drilled()
+    puzzles = read_puzzles(problem, drilled) if problem.parameters else ()
     if not puzzles:
         raise UsageError(f"{problem.id} has no wrong programs to break", remedy="judge list shows all katas")
     with history_at(common.db, reading=True) as history:
         hacks = tuple(history.events(Hack, problem.id))
     number, text = _number_and_case(problem, _arguments(words))
-    turn = published.HackTurn(problem, puzzles, hacks, puzzles[0], "shown")
-    turn = replace(
-        turn, puzzle=puzzle_called(puzzles, number, problem.id) if number else turn.following or puzzles[0]
-    )
+    asked = puzzle_called(puzzles, number, problem.id) if number else puzzles[0]
+    shown = puzzles if ask.whole or asked.number > HACKED else puzzles[:HACKED]
+    turn = published.HackTurn(problem, shown, hacks, asked, "shown", more=len(puzzles) - len(shown))
+    turn = turn if number else replace(turn, puzzle=turn.following or asked)
     if ask.give_up:
         yield _given_up(turn, common)
     elif text is not None:

@@ -1,4 +1,4 @@
-"""`judge quiz` and `judge interview`: cards, asked again before they are forgotten; with a kata between them.
+"""`judge quiz` and `judge interview` ask cards, before they are forgotten; `judge drill` plans an evening.
 
 Answers come from a terminal or from a pipe, one on each line.
 """
@@ -24,23 +24,35 @@ from rich.console import RenderableType
 from judge.cli.files import OutFile, read_submissions
 from judge.cli.options import Common, command, opt
 from judge.cli.resolve import Kata, history_at
-from judge.errors import ProblemError, UsageError, nearest
+from judge.errors import ProblemError
 from judge.languages import file_name
 from judge.practice import events
 from judge.practice.cards import Card, MistypedError, cards_of, option
-from judge.practice.events import Answer, Help, Rating, Run
+from judge.practice.drill import Evening
+from judge.practice.events import Answer, Hack, Rating
 from judge.practice.history import History
 from judge.practice.questions import Sources
 from judge.practice.questions import ask as asked_of
-from judge.practice.quiz import lacking, left_open, next_cards, next_due, plan, to_practise, usual_kata
-from judge.practice.review import card_reviews
+from judge.practice.quiz import (
+    interview_cards,
+    lacking,
+    left_open,
+    near_sets,
+    next_cards,
+    next_due,
+    plan,
+    to_practise,
+    topics,
+    usual_kata,
+)
+from judge.practice.review import card_reviews, read_learner
 from judge.practice.stub import write_stub
-from judge.practice.syllabus import USUAL, find_row, read_checklist
+from judge.practice.syllabus import USUAL, read_checklist
 from judge.problem import Verdict
 from judge.problem.find import find_problem
 from judge.problem.model import FIRST
 from judge.report import quiz as texts
-from judge.report.published_quiz import CardList, CardRow, Interviewed, Quizzed
+from judge.report.published_quiz import Drill, Interviewed, Quizzed
 from judge.report.screen import Screen, drawn, err, is_terminal, note, out, show
 from judge.report.views import copied
 from judge.report.wait import progress
@@ -63,79 +75,85 @@ _TITLE, _PAGE_WIDTH = b"\nThe interview", 80
 
 
 class QuizAsk(Struct, frozen=True):
-    """Which cards to ask."""
+    """How many cards to ask."""
 
     cards: int = opt("--cards N", "How many cards; 10 without it.", type=click.IntRange(1, 1000), default=10)
-    question: str | None = opt(
-        "--question ID", "Only this question of the checklist, or this card; due or not."
-    )
-    listed: bool = opt("--list", "List the cards instead of asking them.")
-    seed: int | None = opt("--seed N", "Repeat the figures of this seed.", type=click.IntRange(0))
 
 
-@command("quiz", CardRow, Quizzed, ask=QuizAsk)
-@click.argument("name", metavar="[SET]", required=False)
+@command("quiz", Quizzed, ask=QuizAsk)
+@click.argument("name", metavar="[SET|TOPIC]", required=False)
 def quiz(name: str | None, ask: QuizAsk, common: Common) -> Iterator[Struct]:
     """Ask short questions that need no code.
 
-    First the cards of SET that are due, then new ones. Without a SET the new ones are of the set you are in.
+    First come the cards that are due. Half of the rest are of the topics that you do not know yet, clamp and
+    near-tangent, and half are of the highest set in which you have solved a kata.
     You type one line; ? means "I do not know". What you say in your own words you compare with a model
     answer, and rate. q, Ctrl-D and Ctrl-C stop. Your answers are kept, and decide when a card comes again.
 
     Answers may also come from a pipe, one on each line. With --json the questions go to standard error.
     """
-    cards = _narrowed(cards_of(name or USUAL, common.problems), ask.question, common.problems)
-    with history_at(common.db, reading=ask.listed) as history:
-        answered, today = card_reviews(history.events(Answer)), events.now().astimezone()
-        if ask.listed:
-            known = {
-                each.name: {"last": each.last, "rating": each.rating, "due": each.due} for each in answered
-            }
-            rows = [copied(CardRow, card, card=card.key, **known.get(card.key, {})) for card in cards]
-            yield CardList(tuple(rows), today)
-            return
-        own = name or _own_set(history.runs(), common.problems)
-        chosen = next_cards(cards, answered, today, own=own, ahead=ask.question is not None)[: ask.cards]
-        asking = Round(ask.seed, history, common)
+    cards = cards_of(name or USUAL, common.problems)
+    with history_at(common.db) as history:
+        wanted = Wanted(name or "", cards, history, common)
+        asking = Round(history, common)
+        chosen = wanted.cards(ask.cards)[: ask.cards]
         try:
             with suppress(StoppedError):
                 for card in chosen:
                     asking.ask(card, len(chosen))
         finally:  # after Ctrl-C too
-            yield asking.summary(next_due=None if chosen else next_due(cards, answered))
+            yield asking.summary(next_due=None if chosen else next_due(cards, wanted.answered))
 
 
-def _narrowed(cards: list[Card], question: str | None, folders: Sequence[Path]) -> list[Card]:
-    """The cards of that question, or the one card of that name. Raises UsageError."""
-    if question is None:
-        return cards
-    wanted = question if "/" in question else find_row(question, read_checklist(folders).rows).id
-    found = [card for card in cards if wanted in (card.key, *card.rows)]
-    if not found:
-        near = nearest(wanted, [card.key for card in cards])
-        remedy = f"did you mean {near!r}?" if near else "judge quiz --list lists the cards"
-        raise UsageError(f"There is no card for {wanted!r}", remedy=remedy)
-    return found
+class Wanted:
+    """Which of these cards a person is asked next; `name` is the set that was named."""
+
+    def __init__(self, name: str, cards: Sequence[Card], history: History, common: Common) -> None:
+        self._cards = cards
+        self.mine = read_learner(history, common.problems)
+        self.answered = card_reviews(self.mine.answers)
+        (own, *_) = [each.name for each in self.mine.from_own(name)] or [FIRST]
+        self._near = near_sets(own)
+        every = topics(self.mine, cards_of(USUAL, common.problems), read_checklist(common.problems))
+        self.weak = [each.weak for each in every]
+
+    def cards(self, count: int, *, ahead: bool = False) -> list[Card]:
+        """The cards in their turn, of which `count` are asked."""
+        today = events.now().astimezone()
+        return next_cards(
+            self._cards, self.answered, today, count, near=self._near, weak=self.weak, ahead=ahead
+        )
 
 
-def _own_set(runs: Sequence[Run], folders: Sequence[Path]) -> str:
-    """The set of the kata that was judged last; the first steps for a newcomer."""
-    with suppress(StopIteration, UsageError, ProblemError):
-        last = next(run.problem for run in reversed(runs) if run.counts)
-        return next(name for name in find_problem(last, folders).sets if name != USUAL)
-    return FIRST
+@command("drill", Drill)
+def drill(common: Common) -> Drill:
+    """Plan an evening of practice, mostly of what you do not know yet.
+
+    It shows how you stand in each topic, such as clamp and near-tangent, and some commands to type, one after
+    the other. A skill is known if your last run that tests it passes, and its last card was right. Nothing is
+    written.
+    """
+    with history_at(common.db, reading=True) as history:
+        mine, hacks = read_learner(history, common.problems), history.events(Hack)
+    cards, checklist = cards_of(USUAL, common.problems), read_checklist(common.problems)
+    now, found = events.now().astimezone(), topics(mine, cards, checklist)
+    steps = tuple(Evening(mine, cards, found, checklist, now).steps(hacks))
+    return Drill(now, sum(each.minutes for each in steps), tuple(found), steps)
 
 
 class StoppedError(Exception):
-    """The person has had enough: `q`, Ctrl-D, the end of a pipe."""
+    """The person has had enough of these questions, or of this kata: `q`."""
+
+
+class EndedError(StoppedError):
+    """All is over: Ctrl-D, the end of a pipe, the end of the time."""
 
 
 class Round:
     """Cards that are asked in turn on one screen; `missed` are the questions that were not known well."""
 
-    def __init__(self, seed: int | None, history: History, common: Common) -> None:
-        seed = secrets.randbits(32) if seed is None else seed
-        self.sources = Sources(common.problems, seed, progress)
+    def __init__(self, history: History, common: Common) -> None:
+        self.sources = Sources(common.problems, secrets.randbits(32), progress)
         self.screen = err() if common.json else out()
         self.answers: list[Answer] = []
         self.missed: list[str] = []
@@ -167,14 +185,14 @@ class Round:
         self.answers.append(answer)
         if rating in (Rating.AGAIN, Rating.HARD):
             self.missed += card.rows[:1]
-        self.show(texts.reply(asked, found, rating))
+        self.show(texts.reply(asked, found, rating, self.screen))
 
     def summary(self, more: Mapping[str, str] = {}, next_due: datetime | None = None) -> Quizzed:
         """How the cards went, and what to practise: what was not known well, and `more` with its commands."""
-        commands = {**more, **{row: f"judge quiz --question {row}" for row in self.missed}}
+        commands = {**more, **dict.fromkeys(self.missed, "")}
         practise = to_practise(commands, self.sources.folders)
         known = sum(each.known for each in self.answers)
-        return Quizzed(len(self.answers), known, tuple(self.answers), practise, self.sources.seed, next_due)
+        return Quizzed(len(self.answers), known, tuple(self.answers), practise, next_due)
 
     def show(self, what: RenderableType) -> None:
         """Draw something between the questions."""
@@ -204,7 +222,9 @@ class Round:
         finally:  # Ctrl-C and Ctrl-D leave the line of the prompt open, and a pipe is not seen at all
             if not (text and is_terminal(sys.stdin)):
                 self.screen.write("\n")
-        if not text or text.strip().lower() in _STOP:
+        if not text:
+            raise EndedError
+        if text.strip().lower() in _STOP:
             raise StoppedError
         return text.strip()
 
@@ -220,7 +240,6 @@ class InterviewAsk(Struct, frozen=True):
         "--file FILE", "Your file for it, instead of a new one.", type=click.Path(dir_okay=False)
     )
     out: Path | None = opt("--out FILE", "Write the last page there too.")
-    seed: int | None = opt("--seed N", "Repeat these figures.", type=click.IntRange(0), hidden=True)
 
 
 @command("interview", Interviewed, ask=InterviewAsk)
@@ -228,33 +247,29 @@ class InterviewAsk(Struct, frozen=True):
 def interview(name: str, ask: InterviewAsk, common: Common) -> Iterator[Interviewed]:
     """Hold a mock interview.
 
-    It has questions from easy to hard, a kata, more questions, and a page of what to practise. The kata is
-    the one that is due, or the first that is not solved. Its file is created here and judged on every save,
-    or when you press Enter. q goes on to the last questions, and a second q ends the interview. What you did
-    is kept.
+    It has questions from easy to hard, a kata, more questions, and a page of what to practise. At least one
+    question is of each topic that you do not know yet. The kata is the first that you have not solved in your
+    set, or in the next one. Its file is created here and judged on every save, or when you press Enter. q
+    goes on to the next part, and a second q ends the interview. What you did is kept.
 
     Answers may also come from a pipe, one on each line. With --json the questions go to standard error.
     """
     cards, folders = cards_of(name, common.problems), common.problems
     page = OutFile(ask.out, "--out", "a page of an interview", lambda start: start.startswith(_TITLE))
     with history_at(common.db) as history:
-        today = events.now().astimezone()
-        if ask.kata:
-            problem = find_problem(ask.kata, folders)
-        else:
-            problem = usual_kata(name, history.runs(), history.events(Help), today, folders)
+        wanted = Wanted(name, cards, history, common)
+        problem = find_problem(ask.kata, folders) if ask.kata else usual_kata(name, wanted.mine)
         if ask.file is not None:
             read_submissions([ask.file])  # whether it is there is said before the first card
         path = ask.file or file_name(f"{problem.id.replace('-', '_')}_interview")
         held = _Interview(ask, history, common, Kata(problem, Path(path).absolute()))
-        before, after = plan(cards, ask.minutes, card_reviews(history.events(Answer)), today)
-        count = len(before) + len(after)
+        first, last = interview_cards(ask.minutes)
+        count = first + last
+        chosen = plan(wanted.cards(count, ahead=True), count, wanted.weak)
+        before, after = chosen[:first], chosen[first:]
         held.show(texts.opening(ask.minutes, len(before), problem.id, len(after)))
         try:
-            with suppress(StoppedError):
-                held.ask_all(before, count)
-                held.solve()
-                held.ask_all(after, count)
+            held.go(before, after)
         finally:  # after Ctrl-C too
             found = held.page()
             if page.path:
@@ -267,7 +282,7 @@ class _Interview(Round):
     """An interview that is being held; `results` are those of the kata's file."""
 
     def __init__(self, ask: InterviewAsk, history: History, common: Common, kata: Kata) -> None:
-        super().__init__(ask.seed, history, common)
+        super().__init__(history, common)
         self._wanted, self._common, self._kata = ask, common, kata
         self._results: list[Result] = []
         self._begun = monotonic()
@@ -276,15 +291,33 @@ class _Interview(Round):
         """The seconds that are left, when a part of the whole is kept for later."""
         return self._begun + self._wanted.minutes * 60 * (1 - kept) - monotonic()
 
-    def ask_all(self, cards: Sequence[Card], count: int) -> None:
+    def go(self, before: Sequence[Card], after: Sequence[Card]) -> None:
+        """Hold its three parts; q ends one, and all of them if nothing was done since the last q."""
+        count, stopped_at = len(before) + len(after), -1
+        for part in (
+            partial(self._ask_all, before, count),
+            self._solve,
+            partial(self._ask_all, after, count),
+        ):
+            try:
+                part()
+            except EndedError:
+                return
+            except StoppedError:
+                done = len(self.answers) + len(self._results)
+                if done == stopped_at:
+                    return
+                stopped_at = done
+
+    def _ask_all(self, cards: Sequence[Card], count: int) -> None:
         """Ask the cards. Raises StoppedError, also once the time is over."""
         for card in cards:
             if self._left() <= 0:
-                raise StoppedError
+                raise EndedError
             self.ask(card, count)
 
-    def solve(self) -> None:
-        """Have the kata solved: its file judged on every save, and on each empty line.
+    def _solve(self) -> None:
+        """Have the kata solved: its file judged on every save, and on each empty line. Raises StoppedError.
 
         A file that was named is judged once without being asked for; from a pipe that is all.
         """
@@ -293,14 +326,14 @@ class _Interview(Round):
         from judge.judging.options import RunOptions
 
         if self._left() <= 0:
-            raise StoppedError
+            raise EndedError
         problem, name, minutes = self._kata.problem, self._kata.name, max(0, int(self._left(_LAST) // 60))
         where = f"Write it in {shown_name(name)}: the statement is in there. I judge it on every save."
         self.show(texts.stage(problem.title, minutes, problem.summary, where))
         if not self._kata.path.exists():
             write_stub(problem, self._kata.path)
         watched = WatchedFile(self._kata, Wish(RunOptions(), db=self._common.db))
-        with closing(watched), suppress(StoppedError):
+        with closing(watched):
             watched.saved()  # what is there now is not judged until it is saved
             if self._wanted.file is not None:
                 self._judge(watched)

@@ -14,7 +14,7 @@ from judge.cli.options import Common, command, opt
 from judge.cli.resolve import current, history_at, this_folder
 from judge.errors import ExitCode, StoreError, UsageError
 from judge.practice.progress import levels_passed, solved, tried
-from judge.practice.syllabus import USUAL, sound_sets
+from judge.practice.syllabus import USUAL, first_sets, sound_sets
 from judge.problem.find import find_problem, listed_problems
 from judge.problem.model import Listed
 from judge.report.published_look import KataInFull, KataList, KataRow, KataShown
@@ -67,7 +67,8 @@ def listed(name: str | None, ask: ListAsk, common: Common) -> KataList:
     shown = name or ("" if common.json or ask.whole else _opened(shelves, at))
     status = ExitCode.FAULT if faults else ExitCode.ACCEPTED
     every = [*rows.values()]
-    return KataList(every, shelves, shown, about.get(shown, ""), at, ask.todo, ask.whole, status)
+    firsts = first_sets(sets)
+    return KataList(every, shelves, shown, about.get(shown, ""), at, ask.todo, ask.whole, firsts, status)
 
 
 def _rows(problems: Sequence[Listed], db: Path | None) -> tuple[dict[str, KataRow], str]:

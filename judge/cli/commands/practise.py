@@ -11,11 +11,12 @@ import click
 from msgspec import Struct
 from msgspec.structs import replace
 
-from judge.cli.files import read_submissions
+from judge.cli.files import read_submissions, writing
 from judge.cli.hints import HintAsk, hints, note_seen
 from judge.cli.model import admit
 from judge.cli.options import Common, command, opt
 from judge.cli.resolve import (
+    KATAS,
     Kata,
     current,
     history_at,
@@ -41,6 +42,7 @@ from judge.report.screen import draws, is_terminal, out
 from judge.run.result import Taken
 
 _ROUNDS = 3
+_PROJECT = (".git", "pyproject.toml", "setup.py", "package.json")  # what a folder of one's own work has
 
 
 class StartAsk(Struct, frozen=True):
@@ -57,12 +59,14 @@ class StartAsk(Struct, frozen=True):
 def start(words: tuple[str, ...], ask: StartAsk, common: Common) -> Iterator[Begun]:
     """Start or resume a kata, and judge it on every save.
 
-    Its file is created where there is none. Without a KATA: the file of this folder that you worked on last
-    or, once that is solved, the next kata that you have not solved. The end of FILE says its language, or
-    --language does. In a pipe, and with --no-watch, the file is created and no more.
+    Its file is created where there is none, in a project of yours in its folder katas/. Without a KATA: the
+    file of this folder that you worked on last or, once that is solved, the next kata that you have not
+    solved. The end of FILE says its language, or --language does. In a pipe, and with --no-watch, the file is
+    created and no more.
     """
     kata = _meant(words, ask, common)
     created = ask.reset or not os.path.exists(kata.path)  # noqa: PTH110 - of any name
+    _make_folder(kata.path.parent)
     kept = write_stub(kata.problem, kata.path, over=ask.reset) if created else None
     take_up(kata, common.db)
     if ask.once or common.json or not (draws(out()) and is_terminal(sys.stdin)):
@@ -103,7 +107,20 @@ def _meant(words: Sequence[str], ask: StartAsk, common: Common) -> Kata:
         problem = read_course(done, common.problems).next(last.problem if last else "")
         if problem is None:
             raise UsageError("All katas are solved. judge progress shows what you can do")
-    return Kata(problem, _place(_named(problem, ask.language)))
+    name = _named(problem, ask.language)
+    if os.path.exists(name):  # noqa: PTH110 - of any name
+        return Kata(problem, _place(name))
+    mine = any((this_folder() / each).exists() for each in _PROJECT)
+    folder = Path(here.path).parent if here else this_folder() / KATAS if mine else this_folder()
+    return Kata(problem, _place(str(folder / name)))
+
+
+def _make_folder(folder: Path) -> None:
+    """Make the katas/ of a person's own project, which git does not see."""
+    if folder == this_folder() / KATAS and not folder.exists():
+        with writing(folder, "name another file"):
+            folder.mkdir()
+            (folder / ".gitignore").write_text("*\n")
 
 
 def _problem_of(file: str, common: Common) -> Problem:

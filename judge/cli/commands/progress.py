@@ -98,13 +98,14 @@ def _refuse(*rules: tuple[object, str]) -> None:
 
 
 def _share(part: PracticeSet[Problem], mine: Learner, named: Sequence[Skill]) -> published.SetShare:
-    names, shown = [each.id for each in part.problems], learned.skills(part.problems, mine.own, named)
+    counted, shown = mine.counted(part), learned.skills(part.problems, mine.own, named)
+    names = [each.id for each in counted]
     return published.SetShare(
         name=part.name,
         title=part.title,
         katas=tuple(names),
         solved=tuple(each for each in names if each in mine.solved),
-        stars=mine.stars(part.problems) if any(each.levels for each in part.problems) else (),
+        stars=mine.stars(counted) if any(each.levels for each in counted) else (),
         skills=len(shown),
         shown=sum(skill.state is State.SHOWN for skill in shown),
     )
