@@ -31,6 +31,7 @@ _BETTER = (  # than what click says
     ("a valid integer( range)?", "a whole number"),
     (r"in the range (\d+)<=x<=(\d+)", r"from \1 to \2"),
     (r"in the range x>=(\d+)", r"\1 or more"),
+    (".*'--format': 'json'.*", "--json writes JSON"),
 )
 _CLOSED_PIPE = 141  # what a shell reports of any filter whose reader has left: 128 + SIGPIPE
 
@@ -49,7 +50,7 @@ class Commands(click.Group):
         gc.enable()
         imported()
         examples = "\n".join(f"  {each}" for each in COMMANDS[cmd_name].examples)
-        more = f"More: judge help {COMMANDS[cmd_name].topic}"
+        more = f"More: judge help {COMMANDS[cmd_name].topic}; --json writes JSON"
         command.epilog = f"\b\nFor example:\n{examples}\n\n{more}"
         if ctx is not None and ctx.resilient_parsing:
             _offer_names(command)
@@ -118,7 +119,7 @@ class Commands(click.Group):
 
                 with suppress(OSError):  # standard error is full
                     traceback.print_exception(fault)
-            message, status = explain(fault)
+            message, status = explain(fault, kept)
             note(message, bad=True)
             if isinstance(fault, OSError):
                 hush(sys.stdout)
@@ -157,14 +158,14 @@ def _unknown(name: str) -> str:
     return f"There is no command {name if name.isprintable() else ascii(name)}. {meant}"
 
 
-def explain(fault: Exception) -> tuple[str, int]:
-    """The line and the exit status that `fault` comes to."""
+def explain(fault: Exception, words: Sequence[str] = ()) -> tuple[str, int]:
+    """The line and the exit status that `fault` comes to; `words` were typed."""
     if isinstance(fault, JudgeError):
         return str(fault), fault.exit_code
     if isinstance(fault, click.MissingParameter) and fault.param and "KATA" in (fault.param.metavar or ""):
         return "Which kata? judge list shows them", ExitCode.USAGE
     if isinstance(fault, click.UsageError):
-        message = _usage(fault)
+        message = _usage(fault, words)
         if fault.ctx and not message.endswith("?"):
             message += f"; see '{fault.ctx.command_path} --help'"
         return message, ExitCode.USAGE
@@ -183,7 +184,7 @@ def explain(fault: Exception) -> tuple[str, int]:
     return f"internal fault: {what}; run again with {_DEBUG} for the traceback", ExitCode.FAULT
 
 
-def _usage(fault: click.UsageError) -> str:
+def _usage(fault: click.UsageError, words: Sequence[str]) -> str:
     """click's message, in the form of the judge's own: no capital, no full stop, the nearest option named."""
     if not isinstance(fault, click.NoSuchOption):
         message = " ".join(fault.format_message().split()).rstrip(".")
@@ -193,6 +194,8 @@ def _usage(fault: click.UsageError) -> str:
     said = f"no such option '{fault.option_name}'"
     own = fault.ctx.command.get_params(fault.ctx) if fault.ctx else ()
     meant = nearest(fault.option_name, [word for each in own for word in each.opts if word[:1] == "-"])
+    if fault.option_name == "--level":
+        meant = " ".join(("judge", *(word.removeprefix("--level=") for word in words if word != "--level")))
     return f"{said}; did you mean '{meant}'?" if meant else said
 
 

@@ -11,6 +11,7 @@ from collections.abc import Iterator, Sequence
 from msgspec import Struct
 
 from judge.problem import Problem, Verdict
+from judge.problem.find import typed
 from judge.problem.model import FIRST, Mode
 from judge.report.entry import entry_text
 from judge.report.words import argument, counted, seconds, shown_name, times
@@ -254,9 +255,9 @@ def _commands(problem: Problem | None, result: Result, shown: Failure | None) ->
     if problem is None or result.verdict in (Verdict.AC, Verdict.CE, Verdict.JE):
         return
     if problem.has_hints:
-        yield f"judge hint {problem.id}", "one hint"
+        yield f"judge hint {typed(problem)}", "one hint"
     if shown and shown.replay:
-        yield f"judge try {problem.id}", "runs this case alone"
+        yield f"judge try {typed(problem)}", "runs this case alone"
 
 
 def _last(result: Result) -> str:

@@ -59,7 +59,7 @@ def try_(words: tuple[str, ...], ask: TryAsk, common: Common) -> Iterator[Struct
     problem, tried, file = _meant(_arguments(words), common)
     if tried is None and not ask.opened:
         raise UsageError(f'Give a case: judge try {problem.id} "{example_of(problem)}"')
-    if tried is not None and file is not None:
+    if tried is not None and file is not None and not tried.broken:
         tried = _answered(tried, file, common)
     page = _page(problem, tried) if ask.opened else None
     if tried is not None:
@@ -85,7 +85,7 @@ def _arguments(words: Sequence[str]) -> list[str]:
 
 def _is_case(word: str) -> bool:
     """Whether a word is a case, or a part of one, by its signs alone."""
-    return any(sign in word for sign in ",=([: ")
+    return any(sign in word for sign in ",=([{: ")
 
 
 def _meant(words: list[str], common: Common) -> tuple[Problem, Tried | None, str | None]:
@@ -94,7 +94,7 @@ def _meant(words: list[str], common: Common) -> tuple[Problem, Tried | None, str
     file = words.pop() if is_file else None
     named = words and words[0][:1].isalpha() and not _is_case(words[0])
     problem = find_problem(words.pop(0), common.problems) if named else None
-    if words and ":" in words[0]:
+    if words and ":" in words[0] and not words[0].startswith(("{", "[")):
         own = find_problem(problem_name(" ".join(words)), common.problems)
         if problem and problem.id != own.id:
             raise UsageError(f"this ID is a case of {own.id}, not of {problem.id}")
@@ -228,6 +228,8 @@ def _attempted(turn: published.HackTurn, text: str, common: Common) -> published
     case = read_case(problem, text)
     try:
         tried = try_case(problem, case, puzzle.group.name)
+        if tried.broken:
+            raise UsageError(tried.no_case)
     except UsageError as fault:  # an invalid case says nothing of the person
         return replace(turn, outcome=Outcome.LOST.value, why=fault.what, tried=None)
     with Session(problem, RunOptions(isolation=common.isolation)) as session:

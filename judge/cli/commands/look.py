@@ -14,7 +14,7 @@ from judge.cli.resolve import current, history_at, this_folder
 from judge.errors import ExitCode, StoreError, UsageError
 from judge.practice.progress import levels_passed, solved, tried
 from judge.practice.syllabus import USUAL, sound_sets
-from judge.problem.find import find_problem, listed_problems
+from judge.problem.find import find_problem, folders_within, listed_problems
 from judge.problem.model import Listed
 from judge.report.published_look import KataInFull, KataList, KataRow, KataShown
 from judge.report.screen import note
@@ -51,8 +51,14 @@ def listed(name: str | None, ask: ListAsk, common: Common) -> KataList:
     faults += broken
     for fault in faults:
         note(str(fault), bad=True)
-    about = {each.name: each.about for each in sets} | {_OTHERS: "Katas that are in no set."}
-    shelves = {each.name: [rows[problem.id] for problem in each.problems] for each in sets}
+    shelves: dict[str, list[KataRow]] = {}
+    for root in common.problems:  # what a person names comes first
+        name_of = (root.resolve().parent if root.name == "problems" else root.resolve()).name
+        own = {folder.name for folder in folders_within([root])}
+        shelves[name_of] = [row for row in rows.values() if row.problem in own]
+    packs = dict.fromkeys(shelves, "The katas that you name with --problems.")
+    about = packs | {each.name: each.about for each in sets} | {_OTHERS: "Katas that are in no set."}
+    shelves |= {each.name: [rows[problem.id] for problem in each.problems] for each in sets}
     inside = {row.problem for katas in shelves.values() for row in katas}
     if others := [row for row in rows.values() if row.problem not in inside]:
         shelves[_OTHERS] = others
@@ -62,7 +68,7 @@ def listed(name: str | None, ask: ListAsk, common: Common) -> KataList:
         raise UsageError(f"There is no set {name!r}", remedy=meant(name, list(shelves)))
     if name != USUAL:
         shelves.pop(USUAL, None)
-    shown = name or ("" if common.json or ask.whole else _opened(shelves, at))
+    shown = name or ("" if common.json or ask.whole else next(iter(packs), "") or _opened(shelves, at))
     status = ExitCode.FAULT if faults else ExitCode.ACCEPTED
     every = [*rows.values()]
     return KataList(every, shelves, shown, about.get(shown, ""), at, ask.todo, ask.whole, status)
