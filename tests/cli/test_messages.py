@@ -101,5 +101,5 @@ def test_the_commands_for_a_named_pack_name_it(judge, elsewhere, tmp_path):
     ended = judge("hint", "middle")
     assert (ended.status, ended.err) == (
         2,
-        f"judge: no kata is called 'middle'; add --problems {elsewhere}\n",
+        "judge: no kata is called 'middle'; add --problems mine/problems\n",
     )
