@@ -159,7 +159,7 @@ def _in_words(answer: Outline) -> str:
         return ", ".join(f"{number:g}" for number in numbers)
     if form.startswith("word "):
         return repr(form.removeprefix("word "))
-    return "The empty list" if form.endswith(" 0") else "One value"
+    return "None" if form == "none" else "The empty list" if form.endswith(" 0") else ""
 
 
 def _same(numbers: Sequence[float], wanted: Sequence[float]) -> bool:
