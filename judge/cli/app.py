@@ -119,7 +119,7 @@ class Commands(click.Group):
 
                 with suppress(OSError):  # standard error is full
                     traceback.print_exception(fault)
-            message, status = explain(fault, kept)
+            message, status = explain(fault)
             note(message, bad=True)
             if isinstance(fault, OSError):
                 hush(sys.stdout)
@@ -158,14 +158,14 @@ def _unknown(name: str) -> str:
     return f"There is no command {name if name.isprintable() else ascii(name)}. {meant}"
 
 
-def explain(fault: Exception, words: Sequence[str] = ()) -> tuple[str, int]:
-    """The line and the exit status that `fault` comes to; `words` were typed."""
+def explain(fault: Exception) -> tuple[str, int]:
+    """The line and the exit status that `fault` comes to."""
     if isinstance(fault, JudgeError):
         return str(fault), fault.exit_code
     if isinstance(fault, click.MissingParameter) and fault.param and "KATA" in (fault.param.metavar or ""):
         return "Which kata? judge list shows them", ExitCode.USAGE
     if isinstance(fault, click.UsageError):
-        message = _usage(fault, words)
+        message = _usage(fault)
         if fault.ctx and not message.endswith("?"):
             message += f"; see '{fault.ctx.command_path} --help'"
         return message, ExitCode.USAGE
@@ -184,7 +184,7 @@ def explain(fault: Exception, words: Sequence[str] = ()) -> tuple[str, int]:
     return f"internal fault: {what}; run again with {_DEBUG} for the traceback", ExitCode.FAULT
 
 
-def _usage(fault: click.UsageError, words: Sequence[str]) -> str:
+def _usage(fault: click.UsageError) -> str:
     """click's message, in the form of the judge's own: no capital, no full stop, the nearest option named."""
     if not isinstance(fault, click.NoSuchOption):
         message = " ".join(fault.format_message().split()).rstrip(".")
@@ -195,7 +195,7 @@ def _usage(fault: click.UsageError, words: Sequence[str]) -> str:
     own = fault.ctx.command.get_params(fault.ctx) if fault.ctx else ()
     meant = nearest(fault.option_name, [word for each in own for word in each.opts if word[:1] == "-"])
     if fault.option_name == "--level":
-        meant = " ".join(("judge", *(word.removeprefix("--level=") for word in words if word != "--level")))
+        meant = " ".join(["judge", *sys.argv[1:]]).replace("--level=", "").replace("--level ", "")
     return f"{said}; did you mean '{meant}'?" if meant else said
 
 

@@ -263,10 +263,10 @@ def _named(word: str, common: Common) -> Problem:
     try:
         return find_problem(word, common.problems)
     except UsageError as fault:
-        for each in _places(common.db):
-            if each.problem == word and each.problems:
-                raise UsageError(fault.what, remedy=f"add --problems {shown(each.problems)}") from None
-        raise
+        folders = [each.problems for each in _places(common.db) if each.problem == word and each.problems]
+        if not folders:
+            raise
+        raise UsageError(fault.what, remedy=f"add --problems {shown(folders[0])}") from None
 
 
 def is_problem(word: str, common: Common) -> bool:

@@ -15,9 +15,9 @@ from residents import Resident
 from sampling import nightly
 
 from judge.cli.app import app
-from judge.cli.emit import schema_of
 from judge.sandbox.attacking import targets
 from judge.sandbox.attacks import ATTACKS
+from judge.schema import schema_of
 
 NAMES = [attack.name for attack in ATTACKS]
 MAYBE = {"namespace", "trace", "memory-of-others", "proc"}  # what some kernels let nobody do

@@ -11,7 +11,7 @@ import click
 from msgspec import Struct
 from msgspec.structs import replace
 
-from judge.cli.files import OutFile, Submission, read_submissions
+from judge.cli.files import OutFile, read_submissions
 from judge.cli.options import Common, command, opt
 from judge.cli.resolve import history_at, kata_meant, keep, problem_of_file, shown, usual_file
 from judge.data.parse import example_of, line_of, read_case
@@ -59,12 +59,12 @@ def try_(words: tuple[str, ...], ask: TryAsk, common: Common) -> Iterator[Struct
     problem, tried, file = _meant(_arguments(words), common)
     if tried is None and not ask.opened:
         raise UsageError(f'Give a case: judge try {problem.id} "{example_of(problem)}"')
-    if tried is not None and file is not None and not tried.broken:
+    if tried and file and not tried.broken:
         tried = _answered(tried, file, common)
     page = _page(problem, tried) if ask.opened else None
-    if tried is not None:
+    if tried:
         yield published.CaseTried(tried)
-    if page is not None:
+    if page:
         OutFile(_PAGE, "--open", "a page of judge try", lambda start: _PAGE_MARK in start).write(
             page.encode()
         )
@@ -102,7 +102,7 @@ def _meant(words: list[str], common: Common) -> tuple[Problem, Tried | None, str
         tried = try_case(own, found.case, found.group.name)
     else:
         if problem is None and file is not None:
-            problem = problem_of_file(_submission(file), "try", common)
+            problem = problem_of_file(read_submissions([file])[0], "try", common)
         if not words:
             return _last_failed(problem, file, common)
         problem = problem or kata_meant(None, common)
@@ -131,16 +131,9 @@ def _last_failed(
     return problem, try_case(problem, case_of(failure.input), failure.group or ""), file
 
 
-def _submission(file: str) -> Submission:
-    submission, *more = read_submissions([file])
-    if more:
-        raise UsageError("this folder holds several submissions", where=file, remedy="name one file")
-    return submission
-
-
 def _answered(tried: Tried, file: str, common: Common) -> Tried:
     """The case with what the file says to it."""
-    submission = _submission(file)
+    submission = read_submissions([file])[0]
     with Session(tried.problem, RunOptions(isolation=common.isolation)) as session:
         said = ask_file(session, tried, submission.source, submission.name)
         Notes().say(session.notes(said.isolation))

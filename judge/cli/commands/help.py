@@ -11,13 +11,12 @@ from msgspec import Struct
 from msgspec.structs import fields
 
 from judge import manual
-from judge.cli.emit import schema_of
 from judge.cli.options import Common, Option, command, opt
 from judge.cli.table import COMMANDS
 from judge.errors import UsageError, nearest
 from judge.manual import Hit, Page
 from judge.report.published_look import Document, Mentions, Topics
-from judge.schema import files, schema_of_file
+from judge.schema import files, schema_of, schema_of_file
 
 _OPTIONS = "options"  # the page that is made of Common
 

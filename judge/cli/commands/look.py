@@ -53,9 +53,9 @@ def listed(name: str | None, ask: ListAsk, common: Common) -> KataList:
         note(str(fault), bad=True)
     shelves: dict[str, list[KataRow]] = {}
     for root in common.problems:  # what a person names comes first
-        name_of = (root.resolve().parent if root.name == "problems" else root.resolve()).name
-        own = {folder.name for folder in folders_within([root])}
-        shelves[name_of] = [row for row in rows.values() if row.problem in own]
+        pack, own = root.resolve(), [folder.name for folder in folders_within([root])]
+        name_of = pack.parent.name if pack.name == "problems" else pack.name
+        shelves[name_of] = [rows[each] for each in own if each in rows]
     packs = dict.fromkeys(shelves, "The katas that you name with --problems.")
     about = packs | {each.name: each.about for each in sets} | {_OTHERS: "Katas that are in no set."}
     shelves |= {each.name: [rows[problem.id] for problem in each.problems] for each in sets}
