@@ -145,6 +145,17 @@ def nearest(name: str, names: Iterable[str]) -> str | None:
     return max(difflib.get_close_matches(name, list(names)), key=likeness, default=None)
 
 
+def one_slip(typed: str, name: str) -> bool:
+    """Whether it is the name with a letter more, a letter less, another letter, or two of them exchanged."""
+    at = next(
+        (at for at, pair in enumerate(zip(typed, name, strict=False)) if pair[0] != pair[1]), len(typed)
+    )
+    rest, right = typed[at:], name[at:]
+    return min(len(typed), len(name)) > 3 and (
+        rest[1:] == right or rest == right[1:] or rest[1:] == right[1:] or rest == right[1::-1] + right[2:]
+    )
+
+
 def meant(name: str, names: Sequence[str], introduction: str = "there are") -> str:
     """What to do about a name that is none of `names`."""
     near = nearest(name, names)

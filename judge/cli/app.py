@@ -31,6 +31,7 @@ _BETTER = (  # than what click says
     ("a valid integer( range)?", "a whole number"),
     (r"in the range (\d+)<=x<=(\d+)", r"from \1 to \2"),
     (r"in the range x>=(\d+)", r"\1 or more"),
+    (".*'--format': 'json'.*", "--json writes JSON"),
 )
 _CLOSED_PIPE = 141  # what a shell reports of any filter whose reader has left: 128 + SIGPIPE
 
@@ -49,7 +50,7 @@ class Commands(click.Group):
         gc.enable()
         imported()
         examples = "\n".join(f"  {each}" for each in COMMANDS[cmd_name].examples)
-        more = f"More: judge help {COMMANDS[cmd_name].topic}"
+        more = f"More: judge help {COMMANDS[cmd_name].topic}; --json writes JSON"
         command.epilog = f"\b\nFor example:\n{examples}\n\n{more}"
         if ctx is not None and ctx.resilient_parsing:
             _offer_names(command)
@@ -193,6 +194,8 @@ def _usage(fault: click.UsageError) -> str:
     said = f"no such option '{fault.option_name}'"
     own = fault.ctx.command.get_params(fault.ctx) if fault.ctx else ()
     meant = nearest(fault.option_name, [word for each in own for word in each.opts if word[:1] == "-"])
+    if fault.option_name == "--level":
+        meant = " ".join(["judge", *sys.argv[1:]]).replace("--level=", "").replace("--level ", "")
     return f"{said}; did you mean '{meant}'?" if meant else said
 
 

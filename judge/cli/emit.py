@@ -11,10 +11,8 @@ from __future__ import annotations
 import sys
 from collections.abc import Generator, Iterable
 from contextlib import suppress
-from inspect import cleandoc
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-import click
 import msgspec
 from msgspec import Struct
 
@@ -63,25 +61,6 @@ def _written(value: Struct, common: Common) -> ExitCode:
 
             show(view(value, screen), screen, paged=getattr(value, "paged", False))
     return getattr(value, "exit_code", ExitCode.ACCEPTED)
-
-
-def schema_of(command: click.Command) -> dict[str, Any]:
-    """The JSON Schema (draft 2020-12) of one line that the command writes, from the type of its value.
-
-    Raises KeyError where it writes none.
-    """
-    writes = getattr(command, "writes", None)
-    if writes is None:
-        raise KeyError(command.name)
-    kinds, parts = msgspec.json.schema_components(
-        writes, schema_hook=lambda _type: {"type": "string"}, ref_template="#/$defs/{name}"
-    )
-    for part in parts.values():
-        part["description"] = cleandoc(part.get("description", ""))
-        if "properties" in part:  # every key is always there, and no other one
-            part |= {"required": [*part["properties"]], "additionalProperties": False}
-    dialect = "https://json-schema.org/draft/2020-12/schema"
-    return {"$schema": dialect, **(kinds[0] if len(kinds) == 1 else {"anyOf": [*kinds]}), "$defs": parts}
 
 
 def _json(value: Struct) -> str:

@@ -82,7 +82,7 @@ def kata_meant(word: str | None, common: Common) -> Problem:
     if word is None:
         return problem_of(here(common.db), common.problems)
     if is_problem(word, common) or not (is_program(word) or _is_file(word)):
-        return find_problem(word, common.problems)
+        return _named(word, common)
     return problem_of_file(read_submissions([word])[0], "hint", common)
 
 
@@ -207,7 +207,7 @@ def _meant(words: Sequence[str], common: Common) -> tuple[Problem | None, Sequen
     if not words:
         found = here(common.db)
         return problem_of(found, common.problems), (shown(found.path),)
-    first, *rest = words
+    first, *rest = words = ["/dev/stdin" if word == "-" else word for word in words]
     own = is_problem(first, common)
     for word in rest if own else words:
         if _is_file(f"{word}/problem.yaml") or (word.endswith((".zip", ".kpp")) and _is_file(word)):
@@ -222,7 +222,7 @@ def _meant(words: Sequence[str], common: Common) -> tuple[Problem | None, Sequen
         else:
             return find_problem(first, common.problems), files
     elif not (is_program(first) or _is_file(first)):
-        find_problem(first, common.problems)  # which says what is near
+        _named(first, common)  # which says what is near
     for word in rest:
         if not os.path.lexists(word) and is_problem(word, common):
             raise UsageError(f"The kata comes first: judge run {word} FILE")
@@ -259,6 +259,17 @@ def problem_of_file(submission: Submission, command: str, common: Common) -> Pro
             "rename it, or write '{}'",
         )
     raise UsageError(what, where=file, remedy=how.format(shown_command("judge", command, name, file=file)))
+
+
+def _named(word: str, common: Common) -> Problem:
+    """The kata of that name. Raises JudgeError; of one that was started elsewhere it says where."""
+    try:
+        return find_problem(word, common.problems)
+    except UsageError as fault:
+        folders = [each.problems for each in _places(common.db) if each.problem == word and each.problems]
+        if not folders:
+            raise
+        raise UsageError(fault.what, remedy=f"add --problems {shown(folders[0])}") from None
 
 
 def is_problem(word: str, common: Common) -> bool:

@@ -13,6 +13,7 @@ from __future__ import annotations
 import ast
 import math
 import operator
+import re
 import warnings
 from collections.abc import Callable, Mapping
 from typing import Any
@@ -25,6 +26,10 @@ _LONGEST = 20_000  # characters of a case
 _SHORT = 80  # characters of an example
 _MOST_BITS = 4_000  # of an int that a power makes
 _DEEPEST = 20  # of brackets in brackets
+_NOT_FINITE = re.compile(r"[-+]?(nan|inf(inity)?)")
+_BASED = re.compile(r"[-+]?0([xX][0-9a-fA-F]+|[oO][0-7]+|[bB][01]+)")
+_COMMA = re.compile(r"[-+]?\d+,\d+")
+_ROOT = re.compile(r"\b(?:math\.)?sqrt\(([^()]*)\)")
 _OPERATORS: Mapping[type[ast.AST], Callable[..., Any]] = {
     ast.UAdd: operator.pos,
     ast.USub: operator.neg,
@@ -49,7 +54,8 @@ def read_case(problem: Problem, text: str) -> Case:
         raise UsageError(f'Give a case: judge try {problem.id} "{example_of(problem)}"')
     if len(text) > _LONGEST:
         raise _unreadable(problem, f"a case of {len(text):,} characters is too long")
-    return _python(problem, text) if any(sign in text for sign in ",=([") else _line(problem, text.split())
+    _refuse_odd_numbers(text)
+    return _python(problem, text) if any(sign in text for sign in ",=([{") else _line(problem, text.split())
 
 
 def line_of(problem: Problem, case: Case) -> str:
@@ -70,10 +76,27 @@ def example_of(problem: Problem) -> str:
     return text if 0 < len(text) <= _SHORT else call_of(problem)
 
 
+def _refuse_odd_numbers(text: str) -> None:
+    """UsageError for a number as other languages write it, with what to write instead."""
+    words, numbers = text.split(), re.findall(r"[^\s,()\[\]]+", text)
+    for place, number in enumerate(numbers, 1):
+        if _NOT_FINITE.fullmatch(number.lower()):
+            raise UsageError(f"{number}, number {place} of {len(numbers)}: not a finite number")
+    for word in words:
+        if _COMMA.fullmatch(word) and words[1:]:
+            raise UsageError(f"{word}: write {word.replace(',', '.')}")
+        if _BASED.fullmatch(word):
+            raise UsageError(f"{word}: write {int(word, 0)}")
+    if root := _ROOT.search(text):
+        inner = root[1] if root[1].strip().isalnum() else f"({root[1]})"
+        raise UsageError(f"{root[0]}: write {inner.strip()}**0.5")
+
+
 # -- the line of a program ----------------------------------------------------------------------------------
 
 
 def _line(problem: Problem, words: list[str]) -> Case:
+    _count_numbers(problem, len(words))
     left = iter(words)
     case = []
     for each in problem.parameters:
@@ -90,6 +113,19 @@ def _line(problem: Problem, words: list[str]) -> Case:
     return tuple(case)
 
 
+def _count_numbers(problem: Problem, given: int) -> None:
+    """UsageError where a case's numbers are so many, and it has others; it names them."""
+    widths = [parameter.type.width for parameter in problem.parameters]
+    if not set(widths) <= {1, 2}:
+        return
+    pairs = zip(problem.parameters, widths, strict=True)
+    names = [each.name if width == 1 else "{0}x {0}y".format(each.name.lower()) for each, width in pairs]
+    needed = len(" ".join(names).split())
+    if given != needed:
+        numbers = f"{given} number{'s' * (given > 1)}, {needed} {'are' if needed > 1 else 'is'} needed"
+        raise _unreadable(problem, f"{numbers}: {' '.join(names)}")
+
+
 # -- Python -------------------------------------------------------------------------------------------------
 
 
@@ -97,6 +133,10 @@ def _python(problem: Problem, text: str) -> Case:
     call = _call(problem, text)
     names = [parameter.name for parameter in problem.parameters]
     given = len(call.args)
+    if given == 1 < len(names) and isinstance(call.args[0], ast.List | ast.Dict | ast.Set):
+        raise UsageError(f"A case is not JSON. Write: {example_of(problem)}")
+    if given < len(names) and not call.keywords and all(isinstance(each, ast.Constant) for each in call.args):
+        _count_numbers(problem, given)
     if given > len(names) or (given < len(names) and not call.keywords):
         what = f"{len(names)} argument{'s' * (len(names) > 1)} expected ({call_of(problem)}), {given} given"
         raise _unreadable(problem, what)

@@ -12,7 +12,7 @@ from math import isqrt
 from typing import NamedTuple
 
 from judge.exact.signs import root_sign, two_root_sign
-from judge.problem.declare import InvalidCase, decided
+from judge.problem.declare import InvalidCase, decided, refuse
 
 CLEAR = 10_000_000  # a length that decides is 0, or at least size/CLEAR
 BITS = 64  # below the figure's unit: how exactly a root's length is taken
@@ -125,7 +125,7 @@ class Sure:
         if square * share * share < self.size * self.size if square else not zero:
             part = short(isqrt(square << _UNIT) / ((self.size or 1) << BITS))
             wanted = f"{'0, or ' if zero else ''}at least {short(1 / share)}·e"
-            raise InvalidCase(f"{what} is {part}·e. It must be {wanted}.")
+            refuse(f"{what} is {part}·e. It must be {wanted}.")
 
     def _exactly(self, zero: bool, what: Words) -> int:
         if not zero:
@@ -137,7 +137,7 @@ class Sure:
         """Record length/size as a decision; InvalidCase where it is less than 1/share."""
         gap = length / (size or 1)
         if abs(length) * share < size or not length:
-            raise InvalidCase(what.sentence(gap))
+            refuse(what.sentence(gap))
         decided(what.name, gap)
 
 

@@ -15,7 +15,7 @@ from judge.judging.session import NAMED, Bars, Session
 from judge.languages import file_name
 from judge.mistakes.puzzles import Puzzle, usual_group
 from judge.problem import Case, Group, Problem, Verdict
-from judge.problem.declare import InvalidCase
+from judge.problem.declare import InvalidCase, lenient
 from judge.problem.model import case_of
 from judge.problem.module import load_module
 from judge.problem.solutions import accepted_source
@@ -41,17 +41,19 @@ def try_case(problem: Problem, case: Case, group: str = "") -> Tried:
     """Prove and solve the case; the tolerance is the group's, or that of most where there is no such group.
 
     Raises:
-        UsageError: the case breaks the bounds or the promise.
+        UsageError: the case breaks the bounds, or has no answer.
         ProblemError: the problem's own code fails on it.
     """
     module = load_module(problem)
     try:
-        exact = validate(problem, module, case)
+        with lenient() as broken:
+            exact = validate(problem, module, case)
     except InvalidCase as fault:
         what = re.sub("^The ", "the ", str(fault))
         raise UsageError(f"Not a valid input: {what}", remedy=f"see judge show {problem.id}") from None
     judged_by = problem.group(group) or usual_group(problem)
-    return Tried(problem, case, judged_by, exact, target_of(problem, exact, judged_by.tolerance), module)
+    target = target_of(problem, exact, judged_by.tolerance)
+    return Tried(problem, case, judged_by, exact, target, module, broken=broken[0] if broken else "")
 
 
 def ask(session: Session, tried: Tried, source: bytes, name: str) -> Said:

@@ -1,8 +1,9 @@
 """What is said of each mistake: solutions/mistakes.toml, one file for all problems of a pack.
 
 [floor-division]
-why = "The quotient is taken with //, which drops everything behind the point."
-advice = "Divide with /."
+seen = "The answers snap to whole numbers."  # in the answers, without a sign of code
+example = "`//` drops everything behind the point"  # what the code may do, told after "For example,"
+advice = "Divide with `/`."
 state = true               # it is one only if a case passes when it is called alone
 form = true                # the answer's form is wrong, and that is the mistake itself
 needs = ["//", "whole"]    # a program has one of these, or does not make it (judge.repair.features)
@@ -10,10 +11,10 @@ edits = { "b = 2 * b" = "…" }  # lines that make it before the call of a right
                            # assign `answer`, in each problem with these parameters; what is said of each
 
 [floor-division.in.middle] # in one problem other words, or other of the keys above
-why = "…"
+seen = "…"
 
 [kind.room]                # what is said of a repair of that kind (judge.repair); {which} is what coincides
-why = "…"                  # in place of the words of seen.toml
+seen = "…"                 # in place of the words of seen.toml
 names = ["…"]              # the mistakes that it may be, the likeliest first
 """
 
@@ -34,13 +35,15 @@ from judge.problem.toml import parse_toml, read_text
 from judge.repair.features import FEATURES
 
 FILE = "mistakes.toml"
+EXAMPLE = "For example,"  # what begins so speaks of code, and may be otherwise in a program
 _KIND = "kind"  # the table of what is said of repairs
 
 
 class Words(Struct, frozen=True):
-    """One mistake: what is wrong, what to do instead, and how it shows."""
+    """One mistake: what is seen in the answers, an example in code, what to do instead, and how it shows."""
 
-    why: str = ""
+    seen: str = ""
+    example: str = ""
     advice: str = ""
     state: bool = False
     form: bool = False
@@ -49,14 +52,15 @@ class Words(Struct, frozen=True):
 
     @property
     def told(self) -> str:
-        """Both texts in one."""
-        return f"{self.why} {self.advice}".strip()
+        """All texts in one."""
+        example = f"{EXAMPLE} {self.example}." if self.example else ""
+        return " ".join(filter(None, (self.seen, example, self.advice)))
 
 
 class KindWords(Struct, frozen=True):
     """What is said of a kind of repair, and the names that it may have."""
 
-    why: str = ""
+    seen: str = ""
     names: tuple[str, ...] = ()
 
 
@@ -88,7 +92,7 @@ def _read(problem: Problem) -> tuple[Catalogue, Kinds]:
     try:
         told = msgspec.convert(tables.get(_KIND, {}), dict[str, KindWords])
     except msgspec.ValidationError as fault:
-        remedy = "why is a text, names is a list"
+        remedy = "seen is a text, names is a list"
         raise ProblemError(f"in [{_KIND}]: {fault}", where=where, remedy=remedy) from None
     names = [name for name in tables if name != _KIND]
     found = {name: _words(name, tables[name], problem.id, where) for name in names}
@@ -107,7 +111,8 @@ def _words(name: str, table: Any, problem: str, where: str) -> Words:
     if not isinstance(special, dict):
         remedy = f"write [{name}.in.{problem}]"
         raise ProblemError(f"{name}.in is not a table of katas", where=where, remedy=remedy)
-    merged = {**table, **special}
+    other = {"example": ""} if "seen" in special else {}  # the example is one of what is seen
+    merged = {**table, **other, **special}
     merged.pop("in", None)
     unknown = set(merged) - set(Words.__struct_fields__)
     if unknown:
@@ -117,7 +122,7 @@ def _words(name: str, table: Any, problem: str, where: str) -> Words:
     try:
         words = msgspec.convert(merged, Words)
     except msgspec.ValidationError as why:
-        remedy = "why and advice are texts, needs is a list, edits is a table, the others are true or false"
+        remedy = "the first three keys are texts, needs is a list, edits a table, the others true or false"
         raise ProblemError(f"in [{name}]: {why}", where=where, remedy=remedy) from None
     for feature in words.needs:
         if feature not in FEATURES:

@@ -12,7 +12,7 @@ from functools import cached_property
 
 from msgspec import Struct
 
-from judge.mistakes.catalogue import Catalogue, Words, read_catalogue
+from judge.mistakes.catalogue import EXAMPLE, Catalogue, Words, read_catalogue
 from judge.mistakes.routes import Change, Route, Routes, read_routes
 from judge.mistakes.transforms import HELPERS, KEPT_BETWEEN_CALLS, transforms
 from judge.problem import Problem
@@ -101,13 +101,11 @@ class Family:
 
     def told(self, choice: Choice) -> str:
         """What is wrong and what to do instead, as it fits this very change."""
-        texts = [change.text for change in self.changes(choice) if change.text]
-        texts += [
-            self._transforms[i].text
-            for i in (choice.before, choice.after)
-            if i >= 0 and self._transforms[i].text
-        ]
-        return texts[0] if texts else self.routes[choice.route].text or self.words(self.names(choice)[0]).told
+        texts = [change.text for change in self.changes(choice)]
+        texts += [self._transforms[i].text for i in (choice.before, choice.after) if i >= 0]
+        own = next(filter(None, (*texts, self.routes[choice.route].text)), "")
+        words = self.words(self.names(choice)[0])
+        return f"{words.seen} {own}" if own.startswith(EXAMPLE) else own or words.told
 
     def place(self, choice: Choice) -> str:
         """Where it stands, as `count/mistakes.py:12`, or what it does to input and answer."""

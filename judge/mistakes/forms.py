@@ -61,39 +61,40 @@ def of_form(
 
     `has` are the features of its syntax tree, `rights` the outlines of all right answers by group.
     """
-    problem = data.problem
+    problem, item = data.problem, data.problem.answer.one
     given = [outline for answers in does.values() for outline in answers.wrong.values()]
     forms = Counter(outline[0] for outline in given)
     if forms[UNREADABLE] >= _MOST * len(given):
         return Form(unreadable=True)
     if _prints(result, does, forms, has, rights):
         advice = "The function prints its answer and returns None. Return it; printing is for programs."
-        return Form(Pitfall(("print-for-return",), 1.0, (advice,)))
+        return _named("print-for-return", advice)
     if forms["type str"] >= _ALL * len(given) and _empty_ones(does, rights):
-        item = problem.answer.one
         advice = f"Where there is no {item}, a text is returned. Return []."
-        return Form(Pitfall(("none-for-empty",), 1.0, (advice,)))
+        return _named("none-for-empty", advice)
     for form, (name, advice) in _OF_TYPE.items():
         if forms[form] >= _ALL * len(given):
-            return Form(Pitfall((name,), 1.0, (advice,)))
+            return _named(name, advice)
     bare = _bare(does, data)
     if bare.total() >= _ALL * len(given):
-        item, several = getattr(problem.answer, "one", "item"), max(bare)
+        several = max(bare)
         name = f"{item.replace(' ', '-')}-not-in-a-list"
         advice = f"A single {item} is returned as it is. Return a list, even if it has only one {item}."
         if several > 1:
             name = f"{item.replace(' ', '-')}s-in-one-list"
-            advice = (
-                f"The numbers of {several} {problem.answer.several} are returned in one list. Group them."
-            )
-        return Form(Pitfall((name,), 1.0, (advice,)))
-    constant = _constant(does, rights, forms)
-    if constant:
+            what, each = ("coordinates", ": [(x, y), (x, y)]") if item == "point" else ("numbers", ".")
+            advice = f"The {what} of {several} {problem.answer.several} in one list. Group them{each}"
+        return _named(name, advice)
+    if constant := _constant(does, rights, forms):
         advice = f"{constant} is the answer to every case, whatever the input is."
-        return Form(Pitfall(("one-answer",), 1.0, (advice,)))
+        return _named("one-answer", advice)
     right = {_kind(form) for outlines in rights.values() for form, _ in outlines}
     odd = sum(count for form, count in forms.items() if _is_odd(form) and _kind(form) not in right)
     return Form(faulty=odd >= _MOST * len(given))
+
+
+def _named(name: str, advice: str) -> Form:
+    return Form(Pitfall((name,), 1.0, (advice,)))
 
 
 def _prints(
@@ -158,7 +159,7 @@ def _in_words(answer: Outline) -> str:
         return ", ".join(f"{number:g}" for number in numbers)
     if form.startswith("word "):
         return repr(form.removeprefix("word "))
-    return "The empty list" if form.endswith(" 0") else "One value"
+    return "None" if form == "none" else "The empty list" if form.endswith(" 0") else ""
 
 
 def _same(numbers: Sequence[float], wanted: Sequence[float]) -> bool:

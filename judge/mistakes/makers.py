@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 
 from msgspec import Struct
 
 from judge.errors import ProblemError
-from judge.mistakes.catalogue import Words, read_catalogue
+from judge.mistakes.catalogue import EXAMPLE, Words, read_catalogue
 from judge.mistakes.computed import Program
 from judge.mistakes.family import Choice, Family, Line
 from judge.problem import Problem
@@ -29,6 +30,18 @@ class Maker(Struct, frozen=True):
     program: Program
     lines: tuple[Line, ...] = ()
     choice: Choice | None = None
+
+    @property
+    def seen(self) -> str:
+        """What is seen in the answers."""
+        seen = self.words.seen
+        return seen if seen and self.text.startswith(seen) else _first(self.text)
+
+    @property
+    def wrong(self) -> str:
+        """What is seen, and an example of it, without what to do instead: that is for the hints."""
+        rest = self.text.removeprefix(self.seen)
+        return self.seen + (_first(rest) if rest.startswith(f" {EXAMPLE}") else "")
 
 
 class Makers(Struct, frozen=True):
@@ -69,6 +82,11 @@ def _of_choice(family: Family, choice: Choice, name: str) -> Maker:
 def _of_file(solution: Solution, words: Words) -> Maker:
     program = Program(solution.source, solution.path.name)
     return Maker(solution.name, solution.file, solution.advice or words.told, words, program)
+
+
+def _first(text: str) -> str:
+    """Its first sentence."""
+    return re.split(r"(?<=[.!?])\s", text, maxsplit=1)[0]
 
 
 def distinct(makers: Sequence[Maker], answers: Sequence[Behaviour]) -> list[list[int]]:

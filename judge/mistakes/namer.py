@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import gc
-import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, contextmanager
 from functools import cached_property, partial
@@ -21,17 +20,13 @@ from judge.mistakes.forms import of_form
 from judge.mistakes.known import KnownAnswers, Progress
 from judge.mistakes.likeness import Known, Likeness
 from judge.mistakes.makers import Maker, distinct, read_makers
-from judge.mistakes.repaired import Repaired, with_steps
+from judge.mistakes.repaired import LIKELY, Repaired, seen_in, with_steps
 from judge.mistakes.rights import right_outlines
 from judge.problem.model import case_of
 from judge.repair.search import Repair
 from judge.run.result import Behaviour, Pitfall, Result
 from judge.run.settings import Settings
 from judge.values.outline import Outline
-
-_SENTENCE = re.compile(r".*?(?:[.!?](?=\s)|$)", re.DOTALL)  # the first one of a text
-
-_EXAMPLE = " For example,"  # and what may be otherwise in a program of which no line is proved
 
 _FEW = 8  # different right answers, up to which many mistakes have the same wrong ones
 
@@ -126,7 +121,7 @@ class Namer:
         state = self._maker(nearest).words.state and self._steady(does, alone)
         if state or (share < _CLEAR and not self._fails(result, nearest)):
             return result, likeness
-        text = nearest.text.partition(_EXAMPLE)[0]
+        text = nearest.text if share >= LIKELY else seen_in(nearest.text)
         return replace(result, pitfall=Pitfall((name,), round(share, 3), (text,))), likeness
 
     def _maker(self, known: Known) -> Maker:
@@ -163,7 +158,7 @@ class Namer:
                 maker = read.all[places[0]]
                 choice, family = maker.choice, read.family
                 own = choice is None or family is None or not family.general(choice)
-                known = Known(maker.name, behaviours[places[0]], _what_is_wrong(maker), own)
+                known = Known(maker.name, behaviours[places[0]], maker.wrong, own)
                 self._made.append(_Made(maker, known))
         return self._made
 
@@ -185,10 +180,3 @@ def _collecting_later() -> Iterator[None]:
 def _may_be(words: Words, has: frozenset[str], *, faulty: bool) -> bool:
     """Whether the name may be said of a program that has this; of `faulty` forms only what is one."""
     return (not words.needs or bool(has.intersection(words.needs))) and (words.form or not faulty)
-
-
-def _what_is_wrong(maker: Maker) -> str:
-    """What is said of the mistake, without what to do instead: that is for the hints."""
-    if maker.text == maker.words.told and maker.words.why:
-        return maker.words.why
-    return _SENTENCE.match(maker.text)[0] if maker.text else ""  # type: ignore[index]  # it always matches

@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 from msgspec.structs import replace
 
-from judge.mistakes.catalogue import Kinds
+from judge.mistakes.catalogue import EXAMPLE, Kinds
 from judge.mistakes.likeness import Known, Likeness, Place
 from judge.problem.toml import parse_toml
 from judge.repair.search import Repair, Step, Steps
@@ -25,7 +25,7 @@ _AHEAD = 0.15  # by so much more than the next one
 _BEHIND = 0.05  # … and no more than so much less than one that the kind does not propose
 _SAME = 0.9  # … and one of what is proved without a name
 _ALL = 0.98  # from here on all answers are those of the known program
-_LIKELY = 0.9  # the score of a name that is very likely
+LIKELY = 0.9  # the score of a name that is very likely
 _LAST = "rounding"  # what is left after all other steps
 _STRONG = 0.87  # a kind that says what it is even where it explains a part
 _MANY = 3  # steps, of which each may only fit what is left
@@ -143,7 +143,9 @@ class Repaired:
         """What is said of the program of that name that is most alike; where it is not, what is proved."""
         if not one.step.line and self.share(one.name, one.step.gone) < _SAME:
             return self.why(one.step)
-        return self.nearest(one).text
+        text = self.nearest(one).text
+        proved = one.name in self.names(_plain(one.step.kind)) or self.share(one.name, one.step.gone) >= _SAME
+        return text if proved else seen_in(text)
 
     def nearest(self, one: _Named) -> Known:
         """The program of that name that is most alike."""
@@ -158,7 +160,7 @@ class Repaired:
         """What is said of a repair of that kind; only that the line is wrong where the kind is not proved."""
         kind, _, which = step.kind.partition(":")
         words = self._kinds.get(kind)
-        seen = (words.why if words else "") or SEEN[kind]
+        seen = (words.seen if words else "") or SEEN[kind]
         return seen.replace("{which}", which.replace("=", " = ")) if self._proves(step) else SEEN[_LINE]
 
     def _proves(self, step: Step) -> bool:
@@ -173,6 +175,11 @@ class Repaired:
             return repair.rounding or repair.tolerance
         here = {_plain(each.kind) for each, *more in repair.whole if not more and each.line == step.line}
         return len(here) == 1 or _STRENGTH.get(kind, 0.0) >= _STRONG
+
+
+def seen_in(text: str) -> str:
+    """What is said of answers, without the example of code, which may be otherwise in a program."""
+    return text.partition(f" {EXAMPLE}")[0]
 
 
 def _untold(one: _Named) -> float:
@@ -202,7 +209,7 @@ def with_steps(result: Result, repaired: Repaired, fails: Callable[[Known], bool
         bearing = [one for one in found if one.name in today.names]
         if not bearing:
             return result
-        if today.score >= _LIKELY:  # the other steps would say less
+        if today.score >= LIKELY:  # the other steps would say less
             found = bearing
     sure = {*(today.names if today else ())}  # looked at already
     sure |= {one.name for one in found if one.step.kind in _SURE or one.step.kind.startswith(_WIDTHS)}

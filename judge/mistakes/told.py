@@ -34,5 +34,5 @@ def told_mistakes(problem: Problem) -> Mapping[str, Told]:
         return found
     for name, words in catalogue.items():
         if name in aimed and words.told:
-            found[name] = Told(words.why, words.told)
+            found[name] = Told(words.seen, words.told)
     return found

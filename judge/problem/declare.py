@@ -36,6 +36,7 @@ class Decided(NamedTuple):
 
 
 _told: list[list[Decided]] = []  # of those who ask, the innermost last
+_broken: list[list[str]] = []  # promises, of those who are lenient
 
 
 @contextmanager
@@ -52,6 +53,23 @@ def decided(what: str, gap: float) -> None:
     """Tell of a decision those who ask for them."""
     if _told:
         _told[-1].append(Decided(what, gap))
+
+
+@contextmanager
+def lenient() -> Iterator[list[str]]:
+    """Inside, what is nearer than the promise allows is kept, and solved all the same: no InvalidCase."""
+    _broken.append([])
+    try:
+        yield _broken[-1]
+    finally:
+        _broken.pop()
+
+
+def refuse(sentence: str) -> None:
+    """Raise InvalidCase for a case that is solved like any other; keep it for those who are lenient."""
+    if not _broken:
+        raise InvalidCase(sentence)
+    _broken[-1].append(sentence)
 
 
 class InvalidCase(Exception):  # noqa: N818 - of the case, not of the program

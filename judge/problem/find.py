@@ -26,6 +26,7 @@ from __future__ import annotations
 
 import os
 import re
+import shlex
 import sys
 from collections.abc import Callable, Iterable, Sequence
 from contextlib import suppress
@@ -89,6 +90,16 @@ def listed_problems(extra: Sequence[Path], kind: type[P]) -> tuple[list[P], list
         shelf.keep()
     tiers = list(Tier)
     return sorted(problems, key=lambda each: (tiers.index(each.tier), each.place, each.id)), faults
+
+
+def typed(problem: Problem) -> str:
+    """The problem as words of a command: with its folder, unless it is found without."""
+    if problem.folder in problem_folders(installed=False):
+        return problem.id
+    folder = problem.folder.parent
+    with suppress(ValueError, OSError):
+        folder = folder.relative_to(Path.cwd())
+    return f"{problem.id} --problems {shlex.quote(str(folder))}"
 
 
 # -- folders -----------------------------------------------------------------------------------------------

@@ -13,6 +13,7 @@ from judge.data.parse import call_of, line_of
 from judge.drawing import Picture
 from judge.drawing.braille import LEAST_ROWS
 from judge.problem import Verdict
+from judge.problem.find import typed
 from judge.report.entry import entry_text
 from judge.report.parts import (
     Cell,
@@ -92,6 +93,7 @@ def _facts(tried: Tried, why: str, brief: bool) -> Iterator[tuple[Cell, Cell]]:
         more = ["and so on for the other numbers"] if len(ends) > _MOST else []
         yield from under("accepted", ends[:_MOST] + more)
     if said is None:
+        why = tried.no_case or why
         yield from [("why", why)] if why else []
         return
     yield "got", (bad if tried.failed else text)(said.got)
@@ -155,8 +157,8 @@ def _program(found: HackTurn) -> RenderableType:
     aside = f"wrong program {number} of {len(found.puzzles)}, {found.done} broken"
     rows = map(text, found.puzzle.source.decode().splitlines())
     asked = text("This program is wrong for at least one valid input. Find one:")
-    command = text(f'  judge hack {name} {number} "{call_of(found.problem)}"')
-    more = f"All are broken. {found.more} more: judge hack {name} --all"
+    command = text(f'  judge hack {typed(found.problem)} {number} "{call_of(found.problem)}"')
+    more = f"All are broken. {found.more} more: judge hack {typed(found.problem)} --all"
     ended = text(more) if found.more and not found.following else None
     return blocks(head(name, aside), Group(*rows), Group(asked, command), ended)
 
@@ -166,7 +168,7 @@ def _ended(found: HackTurn) -> RenderableType:
     name, puzzle = found.problem.id, found.puzzle
     if found.outcome == "lost":
         lost = facts([(label(Verdict.WA, "LOST"), found.why)])
-        again = f"judge hack {name} {puzzle.number}"
+        again = f"judge hack {typed(found.problem)} {puzzle.number}"
         more = [(again, "shows the program again"), (f"{again} --give-up", "names the mistake")]
         return lost if found.goes_on else blocks(lost, indented(commands(more)))
     mistake = Group(indented(bad(puzzle.mistake)), indented(text(puzzle.advice), 4))
@@ -174,7 +176,7 @@ def _ended(found: HackTurn) -> RenderableType:
         return mistake
     said = f"broken, {found.done} of {counted(len(found.puzzles), 'program')} of {name}"
     if found.following:
-        said += f"; next: judge hack {name} {found.following.number}"
+        said += f"; next: judge hack {typed(found.problem)} {found.following.number}"
     elif found.more:
-        said += f"; {found.more} more: judge hack {name} --all"
+        said += f"; {found.more} more: judge hack {typed(found.problem)} --all"
     return blocks(mistake, facts([(label(Verdict.AC, "WON"), said)]))

@@ -7,6 +7,7 @@ import shlex
 import sys
 from pathlib import Path
 
+from judge.errors import one_slip
 from judge.languages import file_name
 from judge.problem import Problem, Verdict
 from judge.run.result import EntryError, Obstacle
@@ -41,7 +42,8 @@ def entry_text(error: EntryError, problem: Problem, submission: str, verdict: Ve
             more = ", or use 'judge run --mode program'" if ended.startswith("EOFError") else ""
             return f"{ended} ends the import; put what only you need below if __name__ == '__main__':{more}"
         case Obstacle.NESTED if error.name:
-            text = f"Is {error.name} in {error.within}{line} meant to be {entry}? Rename it, and move it out."
+            text = f"Is {error.name} in {error.within}{line} meant? "
+            text += f"Rename it {entry} and move it to the left margin."
         case Obstacle.NESTED:
             text = f"{entry} stands in {error.within}{line}: move it out, to the left margin"
         case Obstacle.TEXT | Obstacle.COMMENT:
@@ -66,19 +68,8 @@ def _missing_module(submission: str, name: str) -> str:
     beside = Path(submission).parent / top
     if any(os.path.lexists(path) for path in (beside, beside.with_name(file_name(top)))):
         return f"{top} cannot be imported: {_ONE_FILE}; move what it needs of {top} into it"
-    meant = next((each for each in (*_KNOWN, *sorted(sys.stdlib_module_names)) if _one_slip(top, each)), None)
+    meant = next((each for each in (*_KNOWN, *sorted(sys.stdlib_module_names)) if one_slip(top, each)), None)
     if meant and top not in _PACKAGES:
-        return f"there is no module {top}; did you mean {meant}? {_ONE_FILE.capitalize()}"
+        return f"There is no module {top}; did you mean {meant}? {_ONE_FILE.capitalize()}"
     install = shlex.join([sys.executable, "-m", "pip", "install", _PACKAGES.get(top, top)])
-    return f"there is no module {top} where the judge runs, and {_ONE_FILE}. To add it: {install}"
-
-
-def _one_slip(typed: str, name: str) -> bool:
-    """Whether it is the name with a letter more, a letter less, another letter, or two of them exchanged."""
-    at = next(
-        (at for at, pair in enumerate(zip(typed, name, strict=False)) if pair[0] != pair[1]), len(typed)
-    )
-    rest, right = typed[at:], name[at:]
-    return min(len(typed), len(name)) > 3 and (
-        rest[1:] == right or rest == right[1:] or rest[1:] == right[1:] or rest == right[1::-1] + right[2:]
-    )
+    return f"There is no module {top} here. To add it: {install}"

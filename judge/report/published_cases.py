@@ -35,12 +35,13 @@ class CaseRow(Struct, frozen=True):
 
 
 class CaseLine(Published, frozen=True, kw_only=True):
-    """A case that was tried; `said` is null where no file was."""
+    """A case that was tried; `said` is null where no file was, `broken` says which promise it breaks."""
 
     schema: int = 2
     problem: str
     case: CaseRow
     said: Said | None
+    broken: str
 
 
 class PageWritten(Published, frozen=True):
@@ -83,7 +84,7 @@ class CaseTried(Struct, frozen=True):
     def published(self) -> tuple[CaseLine]:
         """The line of JSON."""
         tried = self.tried
-        return (CaseLine(problem=tried.problem.id, case=_row(tried), said=tried.said),)
+        return (CaseLine(problem=tried.problem.id, case=_row(tried), said=tried.said, broken=tried.broken),)
 
 
 class HackTurn(Struct, frozen=True, dict=True):

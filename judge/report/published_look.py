@@ -132,11 +132,12 @@ def _in_words(value: Struct) -> Words:
 
 
 class Document(Struct, frozen=True):
-    """A text that is shown as it is, or `paged` as a page of the manual; and what goes out with --json."""
+    """A text that is shown line by line, `plain` as it is, or `paged` as a page; and what --json writes."""
 
     text: str
     published: tuple[Any, ...]
     paged: bool = False
+    plain: str = ""
 
 
 class Topics(Struct, frozen=True):

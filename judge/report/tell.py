@@ -11,10 +11,12 @@ from collections.abc import Iterator, Sequence
 from msgspec import Struct
 
 from judge.problem import Problem, Verdict
+from judge.problem.find import typed
 from judge.problem.model import FIRST, Mode
 from judge.report.entry import entry_text
 from judge.report.words import argument, counted, seconds, shown_name, times
 from judge.run.result import Failure, GroupResult, Growth, LevelResult, Obstacle, Pitfall, Result
+from judge.run.unreadable import other_order, why_ended
 
 _PLACE = re.compile(r" \(line (\d{1,9})\)")
 # As judge.run.execute writes a compiler's complaint, whose quotation of the line follows it.
@@ -82,20 +84,22 @@ def tell(
     failing = [] if hurdle else _failing(result)
     stub = hurdle is not None and hurdle.kind is Obstacle.STUB
     values = shown.input if shown and shown.input else {}
+    text = source.decode("utf-8", "replace")
+    order = other_order(problem, text) if problem is not None and failing else ""
     return Told(
         verdict=result.verdict,
         meaning="Not written yet" if stub else result.verdict.meaning.capitalize(),
         how="run as a program" if result.mode is Mode.PROGRAM and result.groups else "",
         stars="★" * sum(level.passed for level in result.levels),
-        happened=_happened(problem, result),
-        source=() if hurdle else _source(result, source),
+        happened=_happened(problem, result, text),
+        source=() if hurdle else _source(result, text),
         case=_case(result, shown),
         input=tuple(f"{name} = {argument(value)}" for name, value in values.items()),
         facts=tuple(_facts(result, shown, why)),
-        mistake=mistake_text(pitfall, result.submission) if pitfall else "",
-        advice=_advice(pitfall) if pitfall else (),
+        mistake=order or (mistake_text(pitfall, result.submission) if pitfall else ""),
+        advice=_advice(pitfall) if pitfall and not order else (),
         time=_time(problem, result, whole=whole),
-        fails=tuple(f"{each.name} {each.passed}/{each.cases}" for each in failing[:_MOST_FAILS]),
+        fails=tuple(_share(each) for each in failing[:_MOST_FAILS]),
         more=max(0, len(failing) - _MOST_FAILS),
         commands=tuple(_commands(problem, result, shown)),
         last=_last(result),
@@ -152,17 +156,20 @@ def _step(pitfall: Pitfall, at: int) -> str:
     return f"{place}: {seen}{share}" if place else f"{seen}{share}"
 
 
-def _happened(problem: Problem | None, result: Result) -> str:
+def _happened(problem: Problem | None, result: Result, text: str) -> str:
     """What ended the program, or keeps it from running; nothing for a wrong answer."""
     failure, verdict = result.failure, result.verdict
     if failure is None or verdict is Verdict.AC:
         return ""
-    message, unplaced = failure.message, failure.input is None
+    message, unplaced, place = failure.message, failure.input is None, fault_place(result)
+    line = place.line if place else result.hurdle.line if result.hurdle else 0
+    row = text.split("\n")[line - 1 : line] if line else ()
+    if verdict is Verdict.RTE and (ended := why_ended(message, "".join(row))):
+        return f"line {line}: {ended}" if line else ended
     if result.hurdle is not None and problem is not None:
         return entry_text(result.hurdle, problem, result.submission, verdict, message)
     if verdict is Verdict.JE or (verdict is Verdict.WA and not unplaced):
         return ""
-    place = fault_place(result)
     if verdict is Verdict.CE:
         return f"line {place.line}: {_COMPILED.sub('', message)}" if place else message
     if verdict is Verdict.TLE and (spent := _SPENT.search(message)):
@@ -200,10 +207,10 @@ def grows(growth: Growth) -> str:
     return f"Your time grows {growth.law}, the reference's like n^{growth.reference:.1f}"
 
 
-def _source(result: Result, source: bytes) -> tuple[str, ...]:
+def _source(result: Result, text: str) -> tuple[str, ...]:
     """The line of the submission where it was stopped or does not compile."""
     place = fault_place(result)
-    rows = source.decode("utf-8", "replace").splitlines() if place else []
+    rows = text.splitlines()
     if place is None or not 0 < place.line <= len(rows):
         return ()
     row = rows[place.line - 1].expandtabs(4)[:200].rstrip()
@@ -250,13 +257,17 @@ def _failing(result: Result) -> list[GroupResult]:
     return [group for group in result.groups if group.verdict is not Verdict.AC and group.run]
 
 
+def _share(group: GroupResult) -> str:
+    return f"{group.name} {group.cases - group.passed} of {group.cases}"
+
+
 def _commands(problem: Problem | None, result: Result, shown: Failure | None) -> Iterator[tuple[str, str]]:
     if problem is None or result.verdict in (Verdict.AC, Verdict.CE, Verdict.JE):
         return
     if problem.has_hints:
-        yield f"judge hint {problem.id}", "one hint"
+        yield f"judge hint {typed(problem)}", "one hint"
     if shown and shown.replay:
-        yield f"judge try {problem.id}", "runs this case alone"
+        yield f"judge try {typed(problem)}", "runs this case alone"
 
 
 def _last(result: Result) -> str:

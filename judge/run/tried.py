@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
 from msgspec import Struct
@@ -12,6 +13,8 @@ from judge.problem.module import Module
 from judge.run.result import EntryError
 from judge.values import show
 from judge.values.answers import Exact, Target
+
+_GAP = re.compile(r"(.*) \(gap (.*)\)\..*")  # as judge.geometry.sure writes it
 
 
 class Said(Struct, frozen=True):
@@ -33,9 +36,9 @@ class Said(Struct, frozen=True):
 
 
 class Tried(Struct, frozen=True):
-    """A valid case with its exact answer, and what a submission said to it, if one was asked.
+    """A case with its exact answer, and what a submission said to it, if one was asked.
 
-    `group` is the test group whose tolerance holds.
+    `group` is the test group whose tolerance holds, `broken` says which promise the case breaks.
     """
 
     problem: Problem
@@ -45,6 +48,14 @@ class Tried(Struct, frozen=True):
     target: Target
     module: Module
     said: Said | None = None
+    broken: str = ""
+
+    @property
+    def no_case(self) -> str:
+        """Why it is no case of the kata; nothing for one that is."""
+        if found := _GAP.fullmatch(self.broken):
+            return f"{found[1]}. No case of this kata: the gap is {found[2]}."
+        return f"No case of this kata: {self.broken[:1].lower()}{self.broken[1:]}" if self.broken else ""
 
     @property
     def expected(self) -> str:

@@ -4,7 +4,11 @@ from __future__ import annotations
 
 import codecs
 import re
+import sys
+from keyword import kwlist
 
+from judge.errors import one_slip
+from judge.problem import Problem
 from judge.sandbox.boundary import SourceFault
 
 _KINDS = {  # by how they begin
@@ -31,6 +35,49 @@ _LINES = {  # what a line that is not of the program begins with
     r">>> |\.\.\. ": "is a dialog with Python: take the '>>> ' out",
     r"```|~~~": "is a fence of Markdown: take it out",
 }
+
+
+_NEWER = re.compile(r"type \w+.* = |(def|class) \w+\[")  # what Python 3.12 brought
+_UNDEFINED = re.compile(r"NameError: name '(\w+)' is not defined")
+_NO_MODULE = re.compile(r".*Error: Cannot find module '(\.*/*)([^']*)'", re.DOTALL)  # as node says it
+_STARTS = re.compile(r"\b(Lock|Pool|Popen|Process|Queue|fork|spawn\w*|subprocess|system|popen)\b")
+_NO_FILE = ("No usable temporary directory", "Read-only file system", "writable cache directory")
+
+
+def why_ended(message: str, line: str) -> str:
+    """What ended a program, where the `message` of its language does not say it; `line` is where it stood."""
+    if (unknown := _UNDEFINED.match(message)) and (said := _slipped(line.strip(), unknown[1])):
+        return said
+    error = message.partition(" (line ")[0]
+    if error.startswith(("FileNotFoundError", "PermissionError", "OSError")):
+        if _STARTS.search(line):
+            return f"{error}. A submission may start no process."
+        if any(each in error for each in _NO_FILE):
+            wants = "; matplotlib wants a folder at its import" if "Matplotlib" in error else ""
+            return f"{error}. A submission may write no file{wants}."
+    if absent := _NO_MODULE.match(message):
+        what, bundle = "another file" if absent[1] else "a package", "npx esbuild --platform=node --bundle"
+        return f"{absent[2]} is {what}, and a submission is one file. Bundle it: {bundle} a.js"
+    return ""
+
+
+def _slipped(line: str, word: str = "") -> str:
+    """Of a statement that begins one slip beside a keyword, which was meant."""
+    first = re.match(r"\w*", line)[0]  # type: ignore[index]  # it always matches
+    meant = next((each for each in kwlist if one_slip(first, each)), "")
+    if meant and word in ("", first) and first not in kwlist:
+        return f"{first} is not a word of Python. {meant}?"
+    return ""
+
+
+def other_order(problem: Problem, text: str) -> str:
+    """That the parameters are those of the kata in another order; nothing where they are not."""
+    names = [each.name for each in problem.parameters]
+    defined = re.search(rf"^def {problem.entry}\(([\w, ]*)\)", text, re.M)
+    own = re.findall(r"\w+", defined[1]) if defined else names
+    if own == names or sorted(own) != sorted(names):
+        return ""
+    return f"The parameters are ({', '.join(own)}); they are handed over as ({', '.join(names)})."
 
 
 def why_unreadable(source: bytes, fault: SourceFault | None) -> str:
@@ -64,7 +111,10 @@ def _text(fault: SourceFault, source: bytes) -> str:
     told = next((told for start, told in _LINES.items() if re.match(start, text)), "")
     if told:
         return f"Line {fault.line} {told}."
+    message = _slipped(text) or fault.message
+    if _NEWER.match(text) and sys.version_info < (3, 12):
+        message = "this is Python 3.12; the judge runs {}.{}".format(*sys.version_info)
     place = f"line {fault.line}" if fault.line else ""
     place += f", column {fault.column}" if fault.line and fault.column else ""
     quoted = f": {text[:120]}" if text else ""
-    return f"{fault.message} ({place}){quoted}" if place else fault.message
+    return f"{message} ({place}){quoted}" if place else message

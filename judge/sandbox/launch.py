@@ -22,6 +22,7 @@ ENVIRONMENT = {
     "PATH": "/usr/bin:/bin",
     "LANG": "C.UTF-8",
     "TZ": "UTC",
+    "ONLINE_JUDGE": "1",  # as other judges set it: templates ask
     "PYTHONHASHSEED": "0",  # a verdict must not depend on the order of a set
     "OPENBLAS_NUM_THREADS": "1",
     "OMP_NUM_THREADS": "1",

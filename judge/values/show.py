@@ -61,8 +61,11 @@ def is_one_item(type_: Composite, found: Sequence[Raw]) -> bool:
     """Whether one item is given where a list of them is expected: (x, y) for [(x, y)]."""
     if not isinstance(type_, ListType) or not isinstance(type_.item, TupleType):
         return False
-    return len(type_.item.made_of) == len(found) and all(
-        type(each) in (int, float) or (type(each) is dict and items(each) is None) for each in found
+    given = [type(each) for each in found]
+    return (
+        len(type_.item.made_of) == len(found)
+        and {*given} != {dict}
+        and all(type(each) in (int, float) or (type(each) is dict and items(each) is None) for each in found)
     )
 
 

@@ -11,6 +11,7 @@ before `## Examples`, should have a mistake that ignores it and names its words:
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
 
 from msgspec import Struct
@@ -19,7 +20,7 @@ from msgspec.structs import replace
 from judge.data.model import ProblemData
 from judge.data.pins import Kills
 from judge.errors import ProblemError
-from judge.mistakes.catalogue import FILE
+from judge.mistakes.catalogue import EXAMPLE, FILE
 from judge.mistakes.computed import Computer, Program
 from judge.mistakes.family import Family
 from judge.mistakes.makers import Maker, read_makers
@@ -30,6 +31,8 @@ from judge.run.settings import Settings
 from judge.sandbox import BoxFactory
 from judge.verify.model import ENOUGH, Fault, MistakeReport, Progress, fault_of
 
+_CODE = re.compile(r"`|[=!<>]=|\*\*|//")  # signs of code in what is to be seen in the answers
+_WITHOUT_CODE = f"say what is seen in the answers; what the code does begins with '{EXAMPLE}'"
 _SHOWN = 60  # characters of a rule in a message
 
 
@@ -78,6 +81,11 @@ def verify_choices(
     except ProblemError as fault:
         faults.append(fault_of(fault, where))
     kept = {name: _told_apart(each, read.family) for name, each in counts.items()}
+    faults += [
+        Fault(f"{maker.seen!r} of {maker.name} has signs of code", maker.file, _WITHOUT_CODE)
+        for maker in choices
+        if _CODE.search(maker.seen)
+    ]
     untagged, unruled = _rule_faults(read.family)
     faults += untagged
     if not partial:

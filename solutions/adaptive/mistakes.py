@@ -28,9 +28,9 @@ def filtered(cx, cy, r, ax, ay, bx, by):
     dx, dy, fx, fy = bx - ax, by - ay, ax - cx, ay - cy
     # ? from-world-origin: dx, dy, fx, fy = bx - ax, by - ay, ax, ay
     # + no-degenerate: if dx == dy == 0: return -1
-    # : A == B is answered with −1, as a miss. Δ is 0 then.
+    # : A = B is answered with −1, as a miss. Δ is 0 then.
     # + no-degenerate: if dx == dy == 0: return None
-    # : A == B is answered with None. Δ is 0 then, and so is the answer.
+    # : A = B is answered with None. Δ is 0 then, and so is the answer.
     p, q = dx * fy, dy * fx
     k, m = p - q, abs(p) + abs(q)
     reach = r * r * (dx * dx + dy * dy)

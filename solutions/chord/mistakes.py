@@ -33,7 +33,7 @@ def half_chord(cx, cy, r, A, B):
         # ? no-degenerate: return 0
         # @ If A and B are equal
         # ? no-degenerate: return 0 if abs(hypot(ax, ay) - r) <= near else None
-        # : A == B is answered as a point that is on the circle, or not. There is no line then: None.
+        # : A = B is answered as a point that is on the circle, or not. There is no line then: None.
     k = dx * ay - dy * ax
     # ? swapped-coordinates: k = dx * ax + dy * ay
     # : The dot product is taken instead of the cross product, which is dx·fy − dy·fx.
@@ -68,8 +68,9 @@ def half_chord(cx, cy, r, A, B):
     # ? sqrt-of-negative@raised: if abs(d - r) <= near: return 0
     # : Nothing keeps a line that misses the circle from the root: the program ends there. Return None first.
     # ? equality-tangency: if d == r: return 0
-    # : The distance is compared with the radius by ==. After a division and a root it is hardly ever the same
-    # : double, and the root of what is left is 1e-8. Compare within a small part of the size.
+    # : For example, the distance is compared with the radius by ==. After a division and a root it is
+    # : hardly ever the same double, and the root of what is left is 1e-8. Compare within a small part of
+    # : the size.
     half = sqrt((r - d) * (r + d))
     # = half = sqrt(r * r - d * d)
     # = half = (r * r - d * d) ** 0.5

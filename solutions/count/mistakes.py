@@ -68,14 +68,14 @@ def distance(cx, cy, r, A, B):
         return None
         # ? no-degenerate: return 0
         # @ If A and B are equal
-        # : A == B is answered with 0: no line, no points. The contract asks for None there, which is not
-        # : the same as a line that misses.
+        # : A = B is answered with 0: no line, no points. The contract asks for None there, which is not the
+        # : same as a line that misses.
         # ? no-degenerate: return 2
-        # : A == B is answered with 2, as a point inside the circle. There is no line then; return None
+        # : A = B is answered with 2, as a point inside the circle. There is no line then; return None
         # : before anything else.
         # ? sentinel-degenerate: return -1
         # ? sentinel-degenerate: return 3
-        # : A == B is answered with 3, for "infinitely many". The contract says None where there is no line.
+        # : A = B is answered with 3, for "infinitely many". The contract says None where there is no line.
     # ? shifted-direction@cross: if dx == 0 == dy: return None
     # + degenerate-epsilon: if length <= 1e-4: return None
     # + degenerate-epsilon: if length <= 1e-8 * size: return None
@@ -93,12 +93,12 @@ def distance(cx, cy, r, A, B):
     # ? forgotten-abs: d = k / length
     # ? forgotten-abs: d = -k / length
     # ? equality-tangency@f: d = (lambda t: hypot(ax + t * dx, ay + t * dy))(-(ax * dx + ay * dy) / length ** 2)
-    # : The foot of the perpendicular is computed, and its distance from the centre compared with the radius
-    # : by ==. After so many roundings it is hardly ever the same double. Compare within a small fraction of
-    # : the size.
+    # : For example, the foot of the perpendicular is computed, and its distance from the centre compared
+    # : with the radius by ==. After so many roundings it is hardly ever the same double. Compare within a
+    # : small fraction of the size.
     # ? equality-tangency@u: d = abs(dx / length * ay - dy / length * ax)
-    # : The direction is normalised first, and the cross product with the unit vector is compared with the
-    # : radius by ==. Compare within a small fraction of the size.
+    # : For example, the direction is normalised first, and the cross product with the unit vector is
+    # : compared with the radius by ==. Compare within a small fraction of the size.
     # ? global-frame: d = abs(dy / length * cx - dx / length * cy - (dy / length * A[0] - dx / length * A[1]))
     # : The line is written p·x + q·y = s with p² + q² = 1, and s is as large as the distance from the
     # : origin; far away the difference to the centre's own p·x + q·y has lost the digits that decide.
@@ -121,8 +121,8 @@ def distance(cx, cy, r, A, B):
     # : The question is about the infinite line: do not clamp.
     # ? whole-numbers: d = int(abs(k) / length)
     # ? whole-numbers: return (lambda d, r: 1 if d == r else 2 if d < r else 0)(int(abs(k) / length), int(r))
-    # : The distance and the radius are both cut down to whole numbers before they are compared. Compare
-    # : them as they are.
+    # : For example, the distance and the radius are both cut down to whole numbers before they are
+    # : compared. Compare them as they are.
     # ? foot-sign: d = (lambda t: hypot(ax + t * dx, ay + t * dy))((ax * dx + ay * dy) / length ** 2)
     # + rounded-distance: d = round(d, 6)
     # + rounded-distance: return (lambda d: 1 if d == r else 2 if d < r else 0)(round(d, 6))
@@ -133,21 +133,22 @@ def distance(cx, cy, r, A, B):
     # ? equality-tangency@f: return 1 if d == r else 2 if d < r else 0
     # ? equality-tangency@u: return 1 if d == r else 2 if d < r else 0
     # ? unnormalised-distance: return 1 if abs(k) == r else 2 if abs(k) < r else 0
-    # : k² is compared with r² without the a that belongs to it. The line meets the circle where k² <= r²·a.
+    # : For example, k² is compared with r² without the a that belongs to it. The line meets the circle
+    # : where k² <= r²·a.
     # ? tangent-missed: return 2 if d < r else 0
     # ? tangent-twice: return 2 if d <= r else 0
     # @ one point in common
     # ? absolute-epsilon: return 1 if abs(d * d - r * r) <= 1e-6 else 2 if d < r else 0
     # ? mixed-units: return 1 if abs(d * d - r * r) <= near else 2 if d < r else 0
     # ? mixed-units: return 1 if abs(abs(k) - r * length) <= near else 2 if d < r else 0
-    # : The cross product and r·|D| are areas, but the threshold they are compared with is a length, 1e-9
-    # : of the size. Divide by |D| first, or multiply the threshold by it.
+    # : For example, the cross product and r·|D| are areas, but the threshold they are compared with is a
+    # : length, 1e-9 of the size. Divide by |D| first, or multiply the threshold by it.
     # ? sqrt-of-negative: h = sqrt(r * r - d * d); return 1 if abs(d - r) <= near else 2
-    # : The half-chord √(r² − d²) is taken before anybody has asked whether the line comes that close: every
-    # : miss ends in a ValueError. Compare the distance with the radius first.
+    # : Every miss ends in a ValueError. For example, the half-chord √(r² − d²) is taken before it is known
+    # : whether the line comes that close. Compare the distance with the radius first.
     # ? sqrt-of-negative: return 1 if abs(d - r) <= near else 2
-    # : The root is taken with ** 0.5, which of a negative number is a complex one, and two different
-    # : complex numbers count as two points. Decide on the sign of the discriminant first.
+    # : Lines that miss the circle get 2. For example, a root is taken with ** 0.5, which of a negative
+    # : number is complex: two different numbers. Decide on the sign of the discriminant first.
     # ? segment-for-line: m, h = -(ax * dx + ay * dy) / length, sqrt(max(0.0, (r - d) * (r + d))); return sum(-near <= s <= length + near for s in ({m} if abs(d - r) <= near else {m - h, m + h} if d < r else ()))
     return 1 if d >= r - near else 2
     # ? boolean-answer: return d <= r
@@ -183,13 +184,13 @@ def quadratic(cx, cy, r, A, B):
     limit = a * near * (2 * r + near)
     # ? cancellation@e: limit = 1e-10 * b * b
     # ? equality-tangency: limit = 0
-    # : The distance is compared with the radius by ==. After a division and a root it is hardly ever the
-    # : same double. Compare within a small fraction of the size.
+    # : For example, the distance is compared with the radius by ==. After a division and a root it is
+    # : hardly ever the same double. Compare within a small fraction of the size.
     # ? equality-tangency@q: limit = 0
     # ? absolute-epsilon: limit = 1e-9
     # ? absolute-epsilon@t: limit = 1e-9
-    # : Everything is compared with one fixed number, whatever the size of the figure: lengths, and the
-    # : discriminant, a fourth power of one. Compare lengths, within a small part of the size.
+    # : For example, lengths are compared with one fixed number, and so is the discriminant, a fourth power
+    # : of one. Compare lengths, within a small part of the size.
     # ? loose-epsilon: limit = 1e-5 * r * r * a
     if disc < -limit:
         return 0

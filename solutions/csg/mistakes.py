@@ -170,8 +170,8 @@ def lists(circles, O, D, program):
 def textbook(circles, O, D, program):
     """absolute-epsilon
 
-    Lengths and parameters are compared with a fixed number, whatever the size of the figure. Measure all of them by
-    the size, as lengths.
+    For example, lengths and parameters are compared with a fixed number. Measure all of them by the size, as
+    lengths.
     """
     eps = 1e-9
     # = eps = 1e-12

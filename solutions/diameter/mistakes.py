@@ -60,7 +60,7 @@ def doubled(A, B, P):
     # ? rounded-root: across = isqrt(ux * ux + uy * uy) ** 2
     # : The diameter is rounded down to a whole number and squared again. |B - A|² is whole as it is.
     # ? forgotten-square: across = hypot(ux, uy)
-    # : The distance squared is compared with the diameter itself. Square both.
+    # : For example, the distance squared is compared with the diameter itself. Square both.
     # ? diameter-for-radius: across = (ux * ux + uy * uy) // 4
     # : A quarter of |B - A|² is r², but the rest of the figure is doubled. Compare with |B - A|² as it is.
     # ? nearly-on-is-on: across = away if abs(away - ux * ux - uy * uy) <= 4 else ux * ux + uy * uy
@@ -115,7 +115,7 @@ def centred(A, B, P):
     mx, my = (A[0] + B[0]) / 2, (A[1] + B[1]) / 2
     r2 = square(B[0] - A[0], B[1] - A[1])
     # ? floor-division: r2 = square(B[0] - A[0], B[1] - A[1]) // 4 * 4
-    # : A quarter of |B - A|² is taken with //, which drops what is left over. Double the rest instead.
+    # : A quarter of |B - A|² is cut down to a whole number. Double the rest instead.
     # ? floor-division: r2 = square(isqrt(square(B[0] - A[0], B[1] - A[1])) // 2, 0) * 4
     # : The radius is rounded down to a whole number. Compare squares, with nothing halved.
     return sign(square(int(2 * P[0] - 2 * mx), int(2 * P[1] - 2 * my)) - r2)

@@ -27,7 +27,7 @@ def product(A, B, P):
         # ? no-degenerate: return 0
         # @ If A and B are equal
         # ? no-degenerate: return -1
-        # : A == B is answered with -1. The contract asks for None, and no number.
+        # : A = B is answered with -1. The contract asks for None, and no number.
     # + absolute-epsilon: if length < 1e-8: return None
     # + loose-epsilon: if length <= {1e-8..1e-6/2} * max(abs(fx), abs(fy)): return None
     k = dx * fy - dy * fx

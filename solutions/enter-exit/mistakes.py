@@ -144,8 +144,8 @@ def quadratic(circles, O, D):
 def textbook(circles, O, D):
     """absolute-epsilon
 
-    The discriminant, which is an area times |D|², and t are compared with a fixed number. Measure both by the
-    size, as lengths.
+    For example, the discriminant, which is an area times |D|², and t are compared with a fixed number. Measure
+    both by the size, as lengths.
     """
     eps = 1e-9
     # = eps = 1e-12

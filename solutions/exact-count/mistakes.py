@@ -56,12 +56,12 @@ def exact(cx, cy, r, A, B):
         return None
         # ? no-degenerate: return 0
         # @ If A and B are equal
-        # : A == B is answered with 0: no line, no points. The contract asks for None there, which is not
-        # : the same as a line that misses.
+        # : A = B is answered with 0: no line, no points. The contract asks for None there, which is not the
+        # : same as a line that misses.
         # ? no-degenerate: return 1
         # ? sentinel-degenerate: return -1
         # ? sentinel-degenerate: return 3
-        # : A == B is answered with 3, for "infinitely many". The contract says None where there is no line.
+        # : A = B is answered with 3, for "infinitely many". The contract says None where there is no line.
     a = dx * dx + dy * dy
     b = fx * dx + fy * dy
     c = fx * fx + fy * fy - r * r
@@ -72,7 +72,7 @@ def exact(cx, cy, r, A, B):
     disc = r * r * a - k * k
     # ? unnormalised-distance: disc = r * r - k * k
     # ? radius-not-squared: disc = r * a - k * k
-    # : r·a is compared with k², with the radius as it is. Square the radius.
+    # : For example, r·a is compared with k², with the radius as it is. Square the radius.
     # ? float-arithmetic: disc = (lambda F, G, X, Y, R: R * R * (X * X + Y * Y) - (X * G - Y * F) ** 2)(*map(float, (fx, fy, dx, dy, r)))
     # : The differences are exact, but they are made floats before they are multiplied, and k² and r²·a are
     # : rounded. Compare r²·a with k² in ints.
@@ -87,11 +87,11 @@ def exact(cx, cy, r, A, B):
     # ? overflow-32: disc = wrap(r * r * a - k * k, 32)
     # ? overflow-128: disc = wrap(r * r * a - k * k, 128)
     # ? floor-division: disc = r * r - k * k // a
-    # : The squared distance is k² // a, which drops the fraction: a miss by less than one is a tangent.
-    # : Compare k² with r²·a instead, and divide by nothing.
+    # : For example, the squared distance is k² // a, which drops the fraction: a miss by less than one is a
+    # : tangent. Compare k² with r²·a instead, and divide by nothing.
     # ? floor-division: disc = (lambda t: r * r - (fx + t * dx) ** 2 - (fy + t * dy) ** 2)(-b // a)
-    # : The parameter of the foot is found with //, so that it is always a whole number, and the foot with
-    # : it a corner of the grid. Keep the denominator, or multiply through.
+    # : For example, the parameter of the foot is found with //, so that it is always a whole number, and
+    # : the foot with it a corner of the grid. Keep the denominator, or multiply through.
     # ? loose-epsilon: disc = (lambda p, q: 0 if abs(p - q) <= 1e-3 * max(p, q) else p - q)(r * r * a, k * k)
     # ? rounded-root: disc = r * isqrt(a) - abs(k)
     # : |D| is rounded down to a whole number with isqrt, and r·|D| with it. Compare the squares: k² with

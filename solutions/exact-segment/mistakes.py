@@ -42,11 +42,12 @@ def signs(cx, cy, r, A, B):
     start = fx * fx + fy * fy - r * r
     # ? overflow-64@all: start = wrap(fx * fx + fy * fy - r * r, 64)
     # ? float-arithmetic@ends: start = hypot(fx, fy) - r
-    # : |A − C| is found with hypot, a double of 53 bits, and compared with r. Compare the squares, in ints.
+    # : For example, |A − C| is found with hypot, a double of 53 bits, and compared with r. Compare the
+    # : squares, in ints.
     # ? loose-epsilon@tiny: start = 0 if abs(fx * fx + fy * fy - r * r) <= 1 else fx * fx + fy * fy - r * r
     # : |A − C|² and r² may differ by 1 and pass for equal. There is no tolerance here: compare with ==.
     # ? radius-not-squared: start = fx * fx + fy * fy - r
-    # : |A − C|² is compared with r. Compare it with r².
+    # : For example, |A − C|² is compared with r. Compare it with r².
     # ? rounded-root@ends: start = isqrt(fx * fx + fy * fy) - r
     # : |A − C| is rounded down to a whole number, and an end just outside the circle is on it. Compare the
     # : squares.
@@ -57,26 +58,27 @@ def signs(cx, cy, r, A, B):
     # ? rounded-root@ends: end = isqrt(gx * gx + gy * gy) - r
     # + zero-radius: if r == 0: return 0
     # + zero-radius: if r == 0: return int(dx * fy == dy * fx and 0 <= -b <= a)
-    # : A radius of 0 is looked at before A == B, and there every point is on the line through itself. Look at
-    # : A == B first.
+    # : A radius of 0 is looked at before A = B, and there every point is on the line through itself. Look
+    # : at A = B first.
     if a == 0:
         return int(start == 0)
         # ? no-degenerate: return 0
         # @ the segment is that point
-        # : A == B is answered with 0. The segment is that point then: it is on the circle or not.
+        # : A = B is answered with 0. The segment is that point then: it is on the circle or not.
         # ? no-degenerate: return 1
-        # : A == B is answered with 1, whether the point is on the circle or not. Ask.
+        # : A = B is answered with 1, whether the point is on the circle or not. Ask.
     k = dx * fy - dy * fx
     # ? swapped-coordinates: k = dx * fx - dy * fy
     # : x and y are exchanged in the cross product: it is dx·fy − dy·fx.
     delta = r * r * a - k * k
     # ? unnormalised-distance: delta = r * r - k * k
     # ? float-arithmetic: delta = r - abs(k) / hypot(dx, dy)
-    # : The distance of the line is a quotient of doubles, compared with r. Compare r²·a with k², in ints.
+    # : For example, the distance of the line is a quotient of doubles, compared with r. Compare r²·a with
+    # : k², in ints.
     # ? loose-epsilon: delta = 0 if abs(r * r * a - k * k) <= 1e-6 * r * r * a else r * r * a - k * k
     # ? floor-division: delta = r * r - k * k // a
-    # : The squared distance is k² // a, which drops the fraction: a miss by less than one is a touch. Compare
-    # : r²·a with k².
+    # : For example, the squared distance is k² // a, which drops the fraction: a miss by less than one is a
+    # : touch. Compare r²·a with k².
     # ? rounded-root: delta = isqrt(r * r * a) - abs(k)
     # : √(r²·a) is rounded down to a whole number. Compare the squares.
     # ? overflow-64@all: delta = wrap(r * r * a - k * k, 64)

@@ -21,11 +21,11 @@ def projection(A, B, C):
         # ? no-degenerate: return 0, A
         # @ If A and B are equal
         # ? no-degenerate: return None, A
-        # : A == B is answered with None for t and with the point itself for F. There is no line then: the whole
-        # : answer is None.
+        # : A = B is answered with None for t and with the point itself for F. There is no line then: the
+        # : whole answer is None.
     # + absolute-epsilon: if square < {1e-15..1e-9/6}: return None
-    # : A and B are taken for one point where the square of their distance is below a fixed number. Only A == B
-    # : is no line: compare with ==.
+    # : A and B are taken for one point where the square of their distance is below a fixed number. Only A =
+    # : B is no line: compare with ==.
     # + loose-epsilon: if hypot(dx, dy) <= {1e-8..1e-6/2} * max(abs(fx), abs(fy)): return None
     t = (fx * dx + fy * dy) / square
     # ? not-divided: t = fx * dx + fy * dy

@@ -49,7 +49,7 @@ def foot(cx, cy, r, A, B):
         # ? no-degenerate: return []
         # @ If A and B are equal
     # ? no-degenerate: pass
-    # : The direction is divided by its length without asking whether it has one: for A == B that is a
+    # : The direction is divided by its length without asking whether it has one: for A = B that is a
     # : division by zero. Return None before anything else.
     ux, uy = dx / length, dy / length
     side = ux * ay - uy * ax
@@ -68,8 +68,8 @@ def foot(cx, cy, r, A, B):
     # + snapped-to-centre: if where == -1 and d <= 1e-6 * size and r > 1e-3 * size: return [(ox - r * ux, oy - r * uy), (ox + r * ux, oy + r * uy)]
     # ? equality: where = 1 if d * d > r * r else 0 if d * d == r * r else -1
     # ? absolute-epsilon: where = 1 if d > r else 0 if r * r - d * d <= 1e-6 else -1
-    # : What stands under the root is compared with a fixed number, whatever the size of the figure. Compare
-    # : lengths, within a small part of the size.
+    # : For example, what stands under the root is compared with a fixed number, whatever the size of the
+    # : figure. Compare lengths, within a small part of the size.
     # ? tangent-missed: where = 1 if d > r - near else -1
     # ? tangent-twice: where = 1 if d > r + near else -1
     # @ not two equal ones

@@ -22,8 +22,8 @@ def turned(A, B):
         # ? no-degenerate: return 0, 0, 0
         # @ If A and B are equal
         # ? no-degenerate: return 0.0, 1.0, -A[1]
-        # : A == B is answered with the level line through that point. There is no line then: the contract asks
-        # : for None.
+        # : A = B is answered with the level line through that point. There is no line then: the contract
+        # : asks for None.
     # + absolute-epsilon: if length < 1e-8: return None
     # + loose-epsilon: if length <= 1e-8 * max(abs(A[0]), abs(A[1])): return None
     a, b = -dy / length, dx / length

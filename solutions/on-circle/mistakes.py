@@ -44,16 +44,16 @@ def lengths(cx, cy, r, P):
         # @ if P is inside
     # = if d == r: return 0
     # ? equality: if fx * fx + fy * fy == r * r: return 0
-    # : |f|² is compared with r² by ==. Both are rounded: compare lengths, within a small
-    # : part of the size.
+    # : For example, |f|² is compared with r² by ==. Both are rounded: compare lengths, within a small part
+    # : of the size.
     # = if (Fraction(P[0]) - Fraction(cx)) ** 2 + (Fraction(P[1]) - Fraction(cy)) ** 2 == Fraction(r) ** 2: return 0
     # ? strict-less: if d == r: return 1
     # ? strict-less: if abs(d - r) <= near: return -1
     # : A point on the circle is called inside. It is on it: 0.
     # ? area-units: if abs(fx * fx + fy * fy - r * r) <= {1e-15..1e-6/9}: return 0
     # ? loose-epsilon: if abs(d - r) <= 1e-8 + 1e-5 * r: return 0
-    # : The lengths are compared as np.isclose does, within 1e-5 of the radius. Compare within 1e-9 of
-    # : the size.
+    # : For example, the lengths are compared as np.isclose does, within 1e-5 of the radius. Compare within
+    # : 1e-9 of the size.
     return 1 if d > r else -1
     # ? boolean@both: return False
     # ? only-on-or-off: return -1

@@ -141,8 +141,8 @@ def quadratic(cx, cy, r, V):
         # ? unhalved: disc = b * b - 4 * a * c
         where = 1 if gap > near else 0 if gap >= -near else -1
         # ? equality: where = 1 if disc < 0 else 0 if disc == 0 else -1
-        # : A touch is where the discriminant == 0, which of rounded numbers hardly any is. Compare lengths, d with r,
-        # : within 1e-10 of the size.
+        # : For example, a touch is where the discriminant == 0, which of rounded numbers hardly any is.
+        # : Compare lengths, d with r, within 1e-10 of the size.
         # ? absolute-epsilon: where = 1 if disc < -1e-6 else 0 if disc <= 1e-6 else -1
         # ? unhalved: where = 1 if b * b - 4 * a * c < -near * near else where
         if where > 0:

@@ -82,8 +82,8 @@ def quadratic(cx, cy, r, O, D):
     # ? direction-not-normalised@b: where = 1 if disc < 0 else 0 if disc == 0 else -1
     # ? radius-not-squared@k: where = 1 if disc < 0 else 0 if disc == 0 else -1
     # ? equality-tangency: where = 1 if gap > 0 else 0 if gap == 0 else -1
-    # : A tangency is where the distance == r, which floats almost never are. Call it a tangency when the
-    # : two differ by less than 1e-10 of the size.
+    # : For example, a tangency is where the distance == r, which floats almost never are. Call it a
+    # : tangency when the two differ by less than 1e-10 of the size.
     # ? equality-tangency@p2: where = 1 if disc < 0 else 0 if disc == 0 else -1
     # ? wrong-sign@w: where = 1 if disc < 0 else 0 if disc == 0 else -1
     # ? cancellation@c0: where = 1 if disc < -near * size * a else 0 if disc <= near * size * a else -1
@@ -129,8 +129,8 @@ def quadratic(cx, cy, r, O, D):
         # ? floor-division: ts = [(-b - root) // a, (-b + root) // a]
         # ? sqrt-of-negative@a: ts = [(-b - root) / a, (-b + root) / a]
         # ? no-snap@n: ts = [(-b - root) / a, (-b + root) / a]
-        # : Tangencies have their epsilon, but t >= 0 is taken to the letter, and −m ± h is less exact
-        # : still. Let the origin have the same slack, as a length.
+        # : For example, tangencies have their epsilon, but t >= 0 is taken to the letter, and −m ± h is
+        # : less exact still. Let the origin have the same slack, as a length.
         # ? direction-not-normalised@b: ts = [-b - root, -b + root]
         # ? direction-not-normalised: ts = [-b / a - root / length, -b / a + root / length]
         # : t is found by (m ± h), with the half-chord as a length and the foot as a parameter. Divide both
@@ -199,7 +199,7 @@ def quadratic(cx, cy, r, O, D):
     # ? point-for-parameter: return O[0] + first * dx
     # : The x of the point is returned instead of t. Return the parameter.
     # ? floor-division: return (first * length) // length
-    # : The distance is divided by |D| with //, and t is a whole number. Divide with /.
+    # : For example, the distance is divided by |D| with //, and t is a whole number. Divide with /.
 
 
 def slope(cx, cy, r, O, D):

@@ -170,8 +170,8 @@ def quadratic(cx, cy, r, O, D):
     # : The formula for |D| = 1 is used with a D of any length: b² − c lacks its a. Use b² − a·c, or make D a unit.
     where = 1 if gap > near else 0 if gap >= -near else -1
     # ? equality: where = 1 if disc < 0 else 0 if disc == 0 else -1
-    # : A touch is where the discriminant == 0, which of rounded numbers hardly any is. Compare lengths, d with r,
-    # : within 1e-10 of the size.
+    # : For example, a touch is where the discriminant == 0, which of rounded numbers hardly any is. Compare
+    # : lengths, d with r, within 1e-10 of the size.
     # ? absolute-epsilon: where = 1 if disc < -1e-9 else 0 if disc <= 1e-9 else -1
     if where > 0:
         return None

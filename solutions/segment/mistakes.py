@@ -57,10 +57,10 @@ def geometric(cx, cy, r, A, B):
         return [A] if abs(hypot(ax, ay) - r) <= point else []
         # ? no-degenerate: return []
         # @ the segment is that point
-        # : A == B is called no segment, and nothing is returned even if the point lies on the circle.
-        # : Return the point if its distance from the centre is the radius.
+        # : A = B is called no segment, and nothing is returned even if the point lies on the circle. Return
+        # : the point if its distance from the centre is the radius.
         # ? no-degenerate: return [A]
-        # : A == B is answered with that point, whether it is on the circle or not. Return it only if its
+        # : A = B is answered with that point, whether it is on the circle or not. Return it only if its
         # : distance from the centre is the radius.
         # ? inside-ends@disc: return [A] if hypot(ax, ay) <= r + point else []
         # @ not the disc
@@ -71,9 +71,9 @@ def geometric(cx, cy, r, A, B):
     # ? swapped-coordinates: side = ux * ax - uy * ay
     d = abs(side)
     # ? equality-tangency@f: d = hypot(ax - (ux * ax + uy * ay) * ux, ay - (ux * ax + uy * ay) * uy)
-    # : The foot of the perpendicular is computed, and its distance from the centre compared with the radius
-    # : by ==. After so many roundings it is hardly ever the same double. Compare within 1e-10 of the
-    # : size.
+    # : For example, the foot of the perpendicular is computed, and its distance from the centre compared
+    # : with the radius by ==. After so many roundings it is hardly ever the same double. Compare within
+    # : 1e-10 of the size.
     # ? cancellation: d = sqrt(max(0.0, (ax * ax + ay * ay) * (bx * bx + by * by) - (ax * bx + ay * by) ** 2)) / length
     # : The distance of the line is the root of |a|²·|b|² − (a·b)², by |D|: two numbers that are nearly
     # : equal when C is near the line. The cross product gives it without a difference of large squares.
@@ -91,8 +91,8 @@ def geometric(cx, cy, r, A, B):
     # ? foot-sign: m = ux * ax + uy * ay
     where = 1 if d > r + touch else 0 if d >= r - touch else -1
     # ? equality-tangency: where = 1 if d > r else 0 if d == r else -1
-    # : A tangency is where the distance == r, which floats almost never are. Call it a tangency when the
-    # : two differ by less than 1e-10 of the size.
+    # : For example, a tangency is where the distance == r, which floats almost never are. Call it a
+    # : tangency when the two differ by less than 1e-10 of the size.
     # ? equality-tangency@f: where = 1 if d > r else 0 if d == r else -1
     # ? absolute-epsilon: where = 1 if d * d > r * r + 1e-13 else 0 if d * d >= r * r - 1e-13 else -1
     # ? tangent-missed: where = 1 if d > r - touch else -1
@@ -134,8 +134,8 @@ def geometric(cx, cy, r, A, B):
     kept = [s for s in roots if -slack <= s <= length + slack]
     # ? no-clamp: kept = roots
     # ? no-clamp: kept = [s for s in roots if -slack <= s]
-    # : Only s >= 0 is asked for, as if the segment were a ray: points beyond B are returned as well. Keep a
-    # : root only if it is on the segment, at both ends.
+    # : Points beyond B are returned as well, as if the segment were a ray. Keep a root only if it is on the
+    # : segment, at both ends.
     # ? clamp-to-ends: kept = [min(max(s, 0.0), length) for s in roots]
     # : The roots are clamped to the segment and both returned, although neither end need be on the circle,
     # : and they may be the same point. Drop a root that is not on the segment.
@@ -143,8 +143,8 @@ def geometric(cx, cy, r, A, B):
     # ? open-interval: kept = [s for s in roots if slack < s < length - slack]
     # @ includes both
     # ? open-interval: kept = [s for s in roots if -slack <= s < length - slack]
-    # : A root counts if it is at A or after it, but not at B: a half-open interval, as of range(). The
-    # : segment is closed, at both ends.
+    # : For example, a root counts if it is at A or after it, but not at B: a half-open interval, as of
+    # : range(). The segment is closed, at both ends.
     # ? x-range-only: kept = [s for s in roots if min(ax, bx) - slack <= ax + s * ux <= max(ax, bx) + slack]
     # ? x-range-only: kept = [s for s in roots if min(ay, by) - slack <= ay + s * uy <= max(ay, by) + slack]
     # : Only the y of a point is held against the segment's ends, which says nothing where the segment is
@@ -210,8 +210,8 @@ def quadratic(cx, cy, r, A, B):
     gap = abs(k) / length - r
     where = 1 if gap > near else 0 if gap >= -near else -1
     # ? equality-tangency: where = 1 if disc < 0 else 0 if disc == 0 else -1
-    # : The discriminant is compared with 0 by ==. Its terms are rounded, and a touch is hardly ever exactly
-    # : 0. Compare lengths, within a small part of the size.
+    # : For example, the discriminant is compared with 0 by ==. Its terms are rounded, and a touch is hardly
+    # : ever exactly 0. Compare lengths, within a small part of the size.
     # ? equality-tangency@p2: where = 1 if disc < 0 else 0 if disc == 0 else -1
     # ? wrong-sign@w: where = 1 if disc < 0 else 0 if disc == 0 else -1
     # ? cancellation@c0: where = 1 if disc < -near * size * a else 0 if disc <= near * size * a else -1
@@ -246,8 +246,8 @@ def quadratic(cx, cy, r, A, B):
     # ? absolute-epsilon@all: slack = 1e-4
     # ? loose-clamp: slack = 1e-4
     # ? no-snap: slack = 0
-    # : The roots are rounded, and 0 <= t <= 1 has no room for that: where an end is on the circle its t is
-    # : 1e-17 or -1e-17. Give t the slack of 1e-9 of the size, divided by |D|.
+    # : For example, the roots are rounded, and 0 <= t <= 1 has no room for that: where an end is on the
+    # : circle its t is 1e-17 or -1e-17. Give t the slack of 1e-9 of the size, divided by |D|.
     kept = [t for t in ts if -slack <= t <= 1 + slack]
     # ? no-clamp: kept = [t for t in ts if t <= 1 + slack]
     # ? open-interval: kept = [t for t in ts if slack < t <= 1 + slack]

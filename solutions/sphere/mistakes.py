@@ -64,8 +64,8 @@ def foot(C, r, O, D):
     where = 1 if gap < -near else 0 if gap <= near else -1
     # ? equality: where = 1 if gap < 0 else 0 if gap == 0 else -1
     # ? absolute-epsilon: where = 1 if gap < 0 else 0 if r * r - d * d <= 1e-9 else -1
-    # : What stands under the root is compared with a fixed number, whatever the size of the figure. Compare
-    # : lengths, within a small part of the size.
+    # : For example, what stands under the root is compared with a fixed number, whatever the size of the
+    # : figure. Compare lengths, within a small part of the size.
     # ? tangent-missed: where = 1 if gap <= near else -1
     # ? sqrt-of-negative@a: where = 0 if abs(gap) <= near else -1
     # ? sqrt-of-negative@b: where = 0 if abs(gap) <= near else -1

@@ -46,7 +46,8 @@ def stable(a, b, c):
     delta = Fraction(b) ** 2 - Fraction(a) * Fraction(c)
     # ? unhalved@four: delta = Fraction(b) ** 2 - 4 * Fraction(a) * Fraction(c)
     # @ Mind the 2
-    # : The discriminant is b² − 4·a·c, which belongs to a·t² + b·t + c. Here the middle coefficient is 2·b.
+    # : For example, the discriminant is b² − 4·a·c, which belongs to a·t² + b·t + c. Here the middle
+    # : coefficient is 2·b.
     # ? rounded-discriminant: delta = Fraction(float(b) * float(b) - float(a) * float(c))
     # ? overflow: delta = limited(b, b) - limited(a, c)
     # + absolute-epsilon: delta = Fraction(0) if abs(delta) < 1e-12 else delta

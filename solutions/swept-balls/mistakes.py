@@ -52,8 +52,8 @@ def relative(P0, P1, r, Q0, Q1, s):
     # ? equality: near = 0
     # ? loose-epsilon: near = 1e-4 * size
     # ? loose-epsilon: near = 1e-8 + 1e-5 * reach
-    # : The lengths are compared as np.isclose does, within 1e-5 of the radii. Choose a threshold that is between rounding
-    # : and what the statement promises: 1e-9 of the size.
+    # : For example, the lengths are compared as np.isclose does, within 1e-5 of the radii. Choose a
+    # : threshold that is between rounding and what the statement promises: 1e-9 of the size.
     away = hypot(fx, fy)
     # = away = sqrt(fx * fx + fy * fy)
     # ? global-frame: away = sqrt(abs(P0[0] * P0[0] + P0[1] * P0[1] - 2 * (P0[0] * Q0[0] + P0[1] * Q0[1]) + Q0[0] * Q0[0] + Q0[1] * Q0[1]))
@@ -135,7 +135,7 @@ def quadratic(P0, P1, r, Q0, Q1, s):
     touch = 1e-10 * size * (2 * reach + 1e-10 * size)
     # ? absolute-epsilon: touch = {1e-15..1e-3/12}
     # ? area-units: touch = 1e-10 * size
-    # : An area is compared with a length, 1e-10 of the size. Multiply the threshold by r + s.
+    # : For example, an area is compared with a length, 1e-10 of the size. Multiply the threshold by r + s.
     if c <= touch:
         return 0.0
     # ? exit-for-entry@inside: if abs(c) <= touch: return 0.0

@@ -42,8 +42,8 @@ def polar(cx, cy, r, P):
         # @ P on the circle
     # = if d == r: return [P]
     # ? equality: if fx * fx + fy * fy == r * r: return [P]
-    # : |f|² is compared with r² by ==. Both are rounded: compare lengths, within a small
-    # : part of the size.
+    # : For example, |f|² is compared with r² by ==. Both are rounded: compare lengths, within a small part
+    # : of the size.
     # = if (Fraction(P[0]) - Fraction(cx)) ** 2 + (Fraction(P[1]) - Fraction(cy)) ** 2 == Fraction(r) ** 2: return [P]
     # ? area-units: if abs(fx * fx + fy * fy - r * r) <= {1e-15..1e-3/12}: return [P]
     if d < r:
@@ -52,8 +52,8 @@ def polar(cx, cy, r, P):
         # @ P inside the circle
     # ? sqrt-of-negative: pass
     # ? sqrt-of-negative@power: pass
-    # : The root of a negative number is taken by ** 0.5, which makes it a complex one. Inside there is no
-    # : tangent: return [].
+    # : Inside the circle the answer has complex numbers. For example, the root of a negative number is
+    # : taken by ** 0.5. Inside there is no tangent: return [].
     h = sqrt((d - r) * (d + r))
     # = h = sqrt(d * d - r * r)
     # ? sqrt-of-negative@power: h = ((d - r) * (d + r)) ** 0.5

@@ -42,7 +42,8 @@ def counted(cx, cy, r, A, B):
         # ? absolute-epsilon: near = {1e-10..1e-6/4}
         # ? loose-epsilon: near = {1e-4..1e-2/2} * size
         # ? equality-tangency: near = 0.0
-        # : The distance is compared with the radius by ==. After a division and a root it is hardly ever the same.
+        # : For example, the distance is compared with the radius by ==. After a division and a root it is
+        # : hardly ever the same.
         # + segment-for-line: t = -(fx * dx + fy * dy) / length**2
         # | if not 0 <= t <= 1: d = min(hypot(fx, fy), hypot(bx - x, by - y))
         # @ The line has no ends

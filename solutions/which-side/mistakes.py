@@ -24,7 +24,7 @@ def product(A, B, P):
     # : Neither B nor P is seen from A: the line is taken to begin at (0, 0). Subtract A from both.
     # ? sides-exchanged: fx, fy = A[0] - P[0], A[1] - P[1]
     # @ y grows upwards
-    # : The way from P to A is taken, and left and right change places. Take P - A.
+    # : For example, the cross product is taken from P to A. Take P - A.
     # ? sum-for-difference: fx, fy = P[0] + A[0], P[1] + A[1]
     # ? forgotten-start: fx, fy = P[0] - A[0], P[1]
     # : A is subtracted from P in x only. Subtract it in y as well.

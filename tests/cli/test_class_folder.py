@@ -15,7 +15,7 @@ from cli_support import FLOOR, MEAN, ROOT
 from jsonschema import Draft202012Validator
 
 from judge.cli.app import app
-from judge.cli.emit import schema_of
+from judge.schema import schema_of
 
 pytestmark = pytest.mark.slow
 

@@ -13,8 +13,8 @@ import pytest
 from jsonschema import Draft202012Validator
 
 from judge.cli.app import app
-from judge.cli.emit import schema_of
 from judge.packs.export.metadata import Version, uuid_of
+from judge.schema import schema_of
 
 pytestmark = pytest.mark.slow
 

@@ -12,9 +12,9 @@ from jsonschema import Draft202012Validator
 from sampling import daily
 
 from judge.cli.app import app
-from judge.cli.emit import schema_of
 from judge.languages import find
 from judge.languages.model import language_called
+from judge.schema import schema_of
 
 pytestmark = pytest.mark.slow
 

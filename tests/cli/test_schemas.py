@@ -15,7 +15,6 @@ from cli_support import FLOOR, ROOT
 from jsonschema import Draft202012Validator
 
 from judge.cli.app import app
-from judge.cli.emit import schema_of
 from judge.cli.table import COMMANDS
 from judge.problem import Verdict
 from judge.problem.model import KataLevel
@@ -30,6 +29,7 @@ from judge.run.result import (
     earned,
     judge_fault,
 )
+from judge.schema import schema_of
 
 pytestmark = pytest.mark.slow
 

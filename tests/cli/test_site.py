@@ -17,11 +17,11 @@ from msgspec.structs import replace
 
 from judge.cli.app import app
 from judge.cli.commands import site
-from judge.cli.emit import schema_of
 from judge.judging.options import RunOptions
 from judge.judging.session import Session
 from judge.problem.find import find_problem
 from judge.sandbox.boundary import Limits, Stop
+from judge.schema import schema_of
 from judge.site import fetch
 from judge.site.box import TabBox
 from judge.site.build import PAGE, Site, _cards

@@ -12,7 +12,7 @@ from runs import Ended, Run
 from worker import CLOSED, FULL, KEPT
 
 from judge.cli.app import app
-from judge.cli.emit import schema_of
+from judge.schema import schema_of
 
 STATUSES = (0, 1, 2, 3, 130, 141)
 _LINES = 100  # that any command line says on standard error

@@ -37,9 +37,9 @@ from jsonschema.exceptions import best_match
 
 from judge.cli import main
 from judge.cli.app import app
-from judge.cli.emit import schema_of
 from judge.judging.containment import keep_level
 from judge.sandbox import levels
+from judge.schema import schema_of
 from judge.version import __version__
 from transcripts.steady import steadied
 

@@ -14,7 +14,6 @@ from sandboxed import call, limits
 
 from judge.cache import CacheFolder
 from judge.cli.app import app
-from judge.cli.emit import schema_of
 from judge.data.load import kept_place, load_data
 from judge.data.model import ProblemData
 from judge.errors import ProblemError
@@ -23,6 +22,7 @@ from judge.problem.load import load_problem
 from judge.problem.model import MOST_INPUT_MB
 from judge.run import judge_submission
 from judge.sandbox.inside import wire
+from judge.schema import schema_of
 
 pytestmark = pytest.mark.slow
 

@@ -13,7 +13,7 @@ from click.testing import CliRunner
 from msgspec import Struct
 from rich.text import Text
 
-from judge.cli.emit import emit, schema_of
+from judge.cli.emit import emit
 from judge.cli.options import Common, command, opt
 from judge.errors import ExitCode
 from judge.problem import Verdict
@@ -21,6 +21,7 @@ from judge.report.parts import bar, commands, facts, indented, label, table
 from judge.report.published_look import Document
 from judge.report.screen import Screen, drawn, show
 from judge.report.views import view_of
+from judge.schema import schema_of
 
 
 class Ask(Struct, frozen=True):

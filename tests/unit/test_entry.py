@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import sys
+
 import pytest
 
 import judge
@@ -10,16 +12,28 @@ from judge.report.tell import tell
 
 KATA = "which-side"
 ENTRY = find_problem(KATA).entry
+ANSWER = b"def ENTRY(A, B, P):\n    return 1\n"
 FAULTS = [
     (b"print(undefined_name)\n", "NameError: name 'undefined_name' is not defined (line 1)"),
-    (b"import subprocess\nsubprocess.run(['echo'])\n", "(line 2), after 0 lines"),
+    (
+        b"import subprocess\nsubprocess.run(['echo'])\n",
+        "line 2: PermissionError: [Errno 1] Operation not permitted.",
+    ),
+    (b"from multiprocessing import Lock\nLock()\n" + ANSWER, ". A submission may start no process."),
+    (
+        b"import os\n" + ANSWER.replace(b"1", b"os.fork()"),
+        "line 3: PermissionError: [Errno 1] Operation not permitted",
+    ),
+    (b"import tempfile\ntempfile.TemporaryFile()\n" + ANSWER, ". A submission may write no file."),
+    (ANSWER.replace(b"return", b"retrun"), "line 2: retrun is not a word of Python. return?"),
+    (ANSWER.replace(b"return 1", b"retrun (1)"), "line 2: retrun is not a word of Python. return?"),
     (b'NOTES = """\ndef ENTRY(A, B, P):\n    return 1\n"""\n', "stands in a text (line 2)"),
     (b"x = 1  # def ENTRY(A, B, P):\n", "stands in a comment (line 1)"),
     (b"class Solution:\n    def ENTRY(self, A, B, P):\n        return 1\n", "in class Solution (line 2)"),
     (b"def main():\n    def ENTRY(A, B, P):\n        return 1\n", "in function main (line 2)"),
     (
         b"class Solution:\n    def NEARLY(self, A, B, P):\n        return 1\n",
-        "Is NEARLY in class Solution (line 2) meant to be ENTRY?",
+        "Is NEARLY in class Solution (line 2) meant? Rename it ENTRY and move it to the left margin.",
     ),
     (b"def ENTR\xd0\x83(A, B, P):\n    return 1\n", "has 'Ѓ' (U+0403)"),
     (b"def NEARLY(A, B, P):\n    return 1\n", "is NEARLY (line 1) meant?"),
@@ -53,6 +67,27 @@ def test_the_obstacle_is_told(source, said):
     expected = said.replace("ENTRY", ENTRY).replace("NEARLY", f"{first}{rest.title()}")
     told = tell(find_problem(KATA), shown, source)
     assert expected in told.happened
+    assert shown.pitfall is None
+
+
+@pytest.mark.skipif(sys.version_info >= (3, 12), reason="this Python knows it")
+@pytest.mark.parametrize("line", [b"type P = tuple[int, int]\n", b"def first[T](x: T): return x\n"])
+def test_what_a_newer_python_brought_is_told(line):
+    shown = judge.judge(KATA, line + ANSWER, name="mine.py")
+    assert "this is Python 3.12; the judge runs 3.11" in tell(None, shown).happened
+
+
+def test_another_order_of_the_parameters_comes_before_any_name():
+    source = ANSWER.replace(b"ENTRY(A, B, P)", b"which_side(P, B, A)")
+    told = tell(find_problem(KATA), judge.judge(KATA, source, name="mine.py"), source)
+    assert told.mistake == "The parameters are (P, B, A); they are handed over as (A, B, P)."
+    assert told.advice == ()
+
+
+def test_objects_are_no_points_and_no_single_answer():
+    source = b"class P: pass\ndef circle_segment(cx, cy, r, A, B):\n    return [P(), P()]\n"
+    shown = judge.judge("segment", source, name="mine.py")
+    assert "a value of type P where point 1 is expected" in shown.counterexample.message
     assert shown.pitfall is None
 
 

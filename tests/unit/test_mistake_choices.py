@@ -31,12 +31,12 @@ def mean(a, b):
 """
 WORDS = """
 [floor-division]
-why = "It rounds the middle down."
+seen = "It rounds the middle down."
 advice = "Divide with /."
 needs = ["//"]
 
 [minus-for-plus]
-why = "The difference is halved."
+seen = "The difference is halved."
 advice = "Halve the sum."
 """
 
@@ -82,6 +82,11 @@ EQUAL = ROUTES.replace("total // 2", "total / 2.0")
         (EQUAL, WORDS, "no case rejects floor-division: return total / 2.0"),
         (ROUTES.replace("b + a", "b - a"), WORDS, "a right way is rejected by examples, whole, half"),
         (ROUTES, WORDS.replace("[minus-for-plus]", "[other]"), "nothing is said of 'minus-for-plus'"),
+        (
+            ROUTES,
+            WORDS.replace("The difference", "`a - b`"),
+            "'`a - b` is halved.' of minus-for-plus has signs of code",
+        ),
     ],
 )
 def test_a_broken_promise_is_a_fault(pack, routes, words, what):
@@ -109,6 +114,24 @@ def test_the_line_and_the_variants_own_words_are_shown(pack):
     assert result.pitfall.advice == (
         "Whole division drops the half; such a program is right for whole middles only.",
     )
+
+
+DIVIDED = b"def middle(a, b):\n    c = a + b\n    return c // 2\n"
+
+
+@pytest.mark.parametrize(
+    ("routes", "words"),
+    [
+        (ROUTES.replace("Whole division", "For example, whole division"), WORDS),
+        (
+            re.sub("    # : .*\n", "", ROUTES),
+            WORDS.replace("advice", 'example = "whole division drops the half"\nadvice', 1),
+        ),
+    ],
+)
+def test_an_example_of_code_follows_what_is_seen(pack, routes, words):
+    (advice,) = judged(pack(routes, words), DIVIDED).pitfall.advice
+    assert advice.startswith("It rounds the middle down. For example, whole division drops the half")
 
 
 @pytest.fixture(autouse=True)

@@ -118,7 +118,7 @@ def catalogue(tmp_path):
 @pytest.mark.parametrize(
     ("text", "what"),
     [
-        ("[a]\nwhy = 3\n", "in [a]"),
+        ("[a]\nseen = 3\n", "in [a]"),
         ("[a]\nneeds = ['slope']\n", "[a] needs 'slope'"),
     ],
 )

@@ -78,7 +78,7 @@ def kata(tmp_path):
         (folder / name).write_text(text)
     (solutions / "plain.py").write_text('"""plain"""\n\n\ndef sign(x):\n    return (x > 0) - (x < 0) + 1\n')
     (solutions.parent / "mistakes.py").write_text(MISTAKES)
-    (tmp_path / "solutions" / "mistakes.toml").write_text('[wrong-sign]\nwhy = "Signs."\nadvice = "Ask."\n')
+    (tmp_path / "solutions" / "mistakes.toml").write_text('[wrong-sign]\nseen = "Signs."\nadvice = "Ask."\n')
     return folder
 
 

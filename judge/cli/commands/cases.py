@@ -11,7 +11,7 @@ import click
 from msgspec import Struct
 from msgspec.structs import replace
 
-from judge.cli.files import OutFile, Submission, read_submissions
+from judge.cli.files import OutFile, read_submissions
 from judge.cli.options import Common, command, opt
 from judge.cli.resolve import history_at, kata_meant, keep, problem_of_file, shown, usual_file
 from judge.data.parse import example_of, line_of, read_case
@@ -60,12 +60,12 @@ def try_(words: tuple[str, ...], ask: TryAsk, common: Common) -> Iterator[Struct
     problem, tried, file = _meant(_arguments(words), common)
     if tried is None and not ask.opened:
         raise UsageError(f'Give a case: judge try {problem.id} "{example_of(problem)}"')
-    if tried is not None and file is not None:
+    if tried and file and not tried.broken:
         tried = _answered(tried, file, common)
     page = _page(problem, tried) if ask.opened else None
-    if tried is not None:
+    if tried:
         yield published.CaseTried(tried)
-    if page is not None:
+    if page:
         OutFile(_PAGE, "--open", "a page of judge try", lambda start: _PAGE_MARK in start).write(
             page.encode()
         )
@@ -86,7 +86,7 @@ def _arguments(words: Sequence[str]) -> list[str]:
 
 def _is_case(word: str) -> bool:
     """Whether a word is a case, or a part of one, by its signs alone."""
-    return any(sign in word for sign in ",=([: ")
+    return any(sign in word for sign in ",=([{: ")
 
 
 def _meant(words: list[str], common: Common) -> tuple[Problem, Tried | None, str | None]:
@@ -95,7 +95,7 @@ def _meant(words: list[str], common: Common) -> tuple[Problem, Tried | None, str
     file = words.pop() if is_file else None
     named = words and words[0][:1].isalpha() and not _is_case(words[0])
     problem = find_problem(words.pop(0), common.problems) if named else None
-    if words and ":" in words[0]:
+    if words and ":" in words[0] and not words[0].startswith(("{", "[")):
         own = find_problem(problem_name(" ".join(words)), common.problems)
         if problem and problem.id != own.id:
             raise UsageError(f"this ID is a case of {own.id}, not of {problem.id}")
@@ -103,7 +103,7 @@ def _meant(words: list[str], common: Common) -> tuple[Problem, Tried | None, str
         tried = try_case(own, found.case, found.group.name)
     else:
         if problem is None and file is not None:
-            problem = problem_of_file(_submission(file), "try", common)
+            problem = problem_of_file(read_submissions([file])[0], "try", common)
         if not words:
             return _last_failed(problem, file, common)
         problem = problem or kata_meant(None, common)
@@ -132,16 +132,9 @@ def _last_failed(
     return problem, try_case(problem, case_of(failure.input), failure.group or ""), file
 
 
-def _submission(file: str) -> Submission:
-    submission, *more = read_submissions([file])
-    if more:
-        raise UsageError("this folder holds several submissions", where=file, remedy="name one file")
-    return submission
-
-
 def _answered(tried: Tried, file: str, common: Common) -> Tried:
     """The case with what the file says to it."""
-    submission = _submission(file)
+    submission = read_submissions([file])[0]
     with Session(tried.problem, RunOptions(isolation=common.isolation)) as session:
         said = ask_file(session, tried, submission.source, submission.name)
         Notes().say(session.notes(said.isolation))
@@ -232,6 +225,8 @@ def _attempted(turn: published.HackTurn, text: str, common: Common) -> published
     case = read_case(problem, text)
     try:
         tried = try_case(problem, case, puzzle.group.name)
+        if tried.broken:
+            raise UsageError(tried.no_case)
     except UsageError as fault:  # an invalid case says nothing of the person
         return replace(turn, outcome=Outcome.LOST.value, why=fault.what, tried=None)
     with Session(problem, RunOptions(isolation=common.isolation)) as session:

@@ -11,13 +11,12 @@ from msgspec import Struct
 from msgspec.structs import fields
 
 from judge import manual
-from judge.cli.emit import schema_of
 from judge.cli.options import Common, Option, command, opt
 from judge.cli.table import COMMANDS
 from judge.errors import UsageError, nearest
 from judge.manual import Hit, Page
 from judge.report.published_look import Document, Mentions, Topics
-from judge.schema import files, schema_of_file
+from judge.schema import files, schema_of, schema_of_file
 
 _OPTIONS = "options"  # the page that is made of Common
 
@@ -53,7 +52,7 @@ def read(context: click.Context, words: tuple[str, ...], ask: HelpAsk, common: C
         complete = get_completion_class(ask.completion)
         assert complete is not None
         script = complete(app, {}, "judge", "_JUDGE_COMPLETE").source()
-        return Document(script, (Page(topic="completion", title=ask.completion, text=script),))
+        return Document("", (Page(topic="completion", title=ask.completion, text=script),), plain=script)
     if not words:
         return Topics([*manual.pages(), _options_page()])
     name = "-".join(words).lower()
@@ -83,7 +82,7 @@ def _schema(app: Any, name: str) -> Document:
         near = nearest(name, [*COMMANDS, *files()])
         remedy = f"did you mean {near}?" if near else f"name a command, or {' or '.join(files())}"
         raise UsageError(f"There is no schema of {name!r}", remedy=remedy)
-    return Document(json.dumps(schema, indent=2), (schema,))
+    return Document("", (schema,), plain=json.dumps(schema, indent=2) + "\n")
 
 
 def _options_page() -> Page:

@@ -15,7 +15,7 @@ from judge.cli.resolve import current, history_at, this_folder
 from judge.errors import ExitCode, StoreError, UsageError
 from judge.practice.progress import levels_passed, solved, tried
 from judge.practice.syllabus import USUAL, first_sets, sound_sets
-from judge.problem.find import find_problem, listed_problems
+from judge.problem.find import find_problem, folders_within, listed_problems
 from judge.problem.model import Listed
 from judge.report.published_look import KataInFull, KataList, KataRow, KataShown
 from judge.report.screen import note
@@ -53,8 +53,14 @@ def listed(name: str | None, ask: ListAsk, common: Common) -> KataList:
     faults += broken
     for fault in faults:
         note(str(fault), bad=True)
-    about = {each.name: each.about for each in sets} | {_OTHERS: "Katas that are in no set."}
-    shelves = {each.name: [rows[problem.id] for problem in each.problems] for each in sets}
+    shelves: dict[str, list[KataRow]] = {}
+    for root in common.problems:  # what a person names comes first
+        pack, own = root.resolve(), [folder.name for folder in folders_within([root])]
+        name_of = pack.parent.name if pack.name == "problems" else pack.name
+        shelves[name_of] = [rows[each] for each in own if each in rows]
+    packs = dict.fromkeys(shelves, "The katas that you name with --problems.")
+    about = packs | {each.name: each.about for each in sets} | {_OTHERS: "Katas that are in no set."}
+    shelves |= {each.name: [rows[problem.id] for problem in each.problems] for each in sets}
     inside = {row.problem for katas in shelves.values() for row in katas}
     if others := [row for row in rows.values() if row.problem not in inside]:
         shelves[_OTHERS] = others
@@ -64,7 +70,7 @@ def listed(name: str | None, ask: ListAsk, common: Common) -> KataList:
         raise UsageError(f"There is no set {name!r}", remedy=meant(name, list(shelves)))
     if name != USUAL:
         shelves.pop(USUAL, None)
-    shown = name or ("" if common.json or ask.whole else _opened(shelves, at))
+    shown = name or ("" if common.json or ask.whole else next(iter(packs), "") or _opened(shelves, at))
     status = ExitCode.FAULT if faults else ExitCode.ACCEPTED
     every = [*rows.values()]
     firsts = first_sets(sets)

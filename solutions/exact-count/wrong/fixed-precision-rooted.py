@@ -1,7 +1,6 @@
 """fixed-precision
 
-The distance is computed in decimals of 60 digits, with a division and a root, and compared with the radius
-by ==. Tangents need not come out even. Compare r²·a with k² in ints.
+The distance is computed in decimals of 60 digits, with a division and a root. Tangents need not come out even. Compare r²·a with k² in ints.
 """
 
 from decimal import Decimal, localcontext

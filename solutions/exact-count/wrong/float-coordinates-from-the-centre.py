@@ -1,6 +1,6 @@
 """float-coordinates
 
-The points seen from the centre go through floats and become ints again: from 2**53 on they are other
+The points seen from the centre go through floats and become ints again: from 2⁵³ on they are other
 points. Leave them ints.
 """
 

@@ -1,7 +1,7 @@
 """sqrt-of-negative
 
-The root is taken with ** 0.5, which of a negative number is a complex one: a line that misses the circle is
-given complex points, or an error where they are compared. Compare the distance with the radius first.
+A line that misses the circle is given complex points, or an error where they are compared. The root of a
+negative number is complex with ** 0.5. Compare the distance with the radius first.
 """
 
 from math import hypot, sqrt

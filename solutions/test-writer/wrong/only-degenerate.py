@@ -1,6 +1,6 @@
 """only-degenerate
 
-The cases are all points: A == B or r = 0. These are two decisions of many; the formula itself is never asked for. Keep two
+The cases are all points: A = B or r = 0. These are two decisions of many; the formula itself is never asked for. Keep two
 or three of them, and give the rest to segments that meet the circle, touch it and miss it.
 """
 
