@@ -44,12 +44,18 @@ def late(draw):
     return draw.reject()
 
 
+def late_way(draw, shift):
+    """A way whose square over itself, twice, is above 1 in floats."""
+    ways = (ldexp(draw.integer(1 << 52, 1 << 53), shift) for _ in range(99))
+    return next((x for x in ways if x * x / x / x > 1), None) or draw.reject()
+
+
 def head_on(draw):
-    """A point that comes to an end of the wall in line with it, along an axis: its square over the way's is above 1 in floats."""
-    ways = (ldexp(draw.integer(1 << 52, 1 << 53), -27) for _ in range(99))
-    x = next((x for x in ways if x * x / x / x > 1), None) or draw.reject()
-    w = ldexp(draw.integer(1 << 52, 1 << 53), -27)
-    return mirrored(draw, 0, (-x, 0.0), (0.0, 0.0), (0.0, 0.0), (w, 0.0))
+    """A point that comes to an end of the wall in line with it, along an axis or any way."""
+    if draw.integer(0, 2) == 0:
+        return mirrored(draw, 0, (-late_way(draw, -27), 0.0), (0.0, 0.0), (0.0, 0.0), (ldexp(draw.integer(1 << 52, 1 << 53), -27), 0.0))
+    p, q, m, n = (draw.integer(99, 1 << 15) for _ in range(4))
+    return mirrored(draw, 0, (-m * p, -m * q), (0, 0), (0, 0), (n * p, n * q))
 
 
 def slipping(draw):
@@ -75,7 +81,8 @@ def beside(drawn):
         P0, *rest = drawn(draw)
         P1, _, A, B = rest
         for _ in range(20):
-            other, n = draw.choice((P1, A, B)), draw.integer(-64, 64) / 64
+            n = draw.choice((0, draw.integer(-64, 64) / 64))
+            other = draw.choice((P1, A, B) if n else (A, B))
             x, y = (q + n * (p - q) for p, q in zip(P0, P1, strict=True))
             begin = (other[0], y) if draw.boolean() else (x, other[1])
             if plain.wall_meet(begin, *rest) is None:
@@ -107,14 +114,22 @@ def parallel(draw):
 def upright(draw, stops=False):
     """A graze along an axis, at which the height times the way through the way is not the height in floats."""
     bits, seems = draw.integer(-28, -12), draw.sign()
-    x, end = (ldexp(draw.integer(1 << 28, 1 << 31), bits) for _ in range(2))
-    end = 0.0 if stops else draw.choice((0.0, end))  # where it grazes, or later
+    x, end = (ldexp(draw.integer(1 << 27, 1 << 30), bits) for _ in range(2))
+    x, end = (late_way(draw, bits - 23), 0.0) if stops else (x, draw.choice((0.0, end)))  # to the graze, or on
     heights = (ldexp(draw.integer(1 << 28, 1 << 31), bits) for _ in range(99))
     height = next((r for r in heights if (r * (x + end) / (x + end) - r) * seems > 0), None) or draw.reject()
     k = ldexp(1.0, draw.integer(-6, 6))
-    over, level = (-x, -height * k), (-x * k, -height)
-    other = draw.choice((over, over, over, level, level, (x * k, -height * k), (-height * k, -x * k), (0.0, 0.0)))
+    over, level, down, post = (-x, -height * k), (-x * k, -height), (0.0, -height * k), (0.0, 0.0)
+    other = draw.choice((over, over, over, level, level, (x * k, -height * k), (-height * k, -x * k), post, post, *[down] * (4 if stops else 1)))
     return mirrored(draw, height, (-x, height), (end, height), (0.0, 0.0), other)
+
+
+def abreast(draw):
+    """A disc that touches an end of the wall from level with it at the start, and seems apart in the wall's frame."""
+    r, x, y = (ldexp(draw.integer(1 << 52, 1 << 53), -24) for _ in range(3))
+    walls = ([ldexp(draw.integer(1 << 52, 1 << 53), -24) for _ in range(2)] for _ in range(40))
+    u, v = next((w for w in walls if hypot(w[0] / hypot(*w) * r, w[1] / hypot(*w) * r) > r), None) or draw.reject()
+    return mirrored(draw, r, (r, 0.0), (r + x, y), (0.0, 0.0), (-u, v))
 
 
 def tangent(draw):
@@ -156,16 +171,16 @@ INTERVIEW = [
 PRODUCTION = [  # the same, where rounding bites
     group("decimals", "Touches in short decimals, which == does not see.", either(telling(walls("slide side", "end side", "start side", "start side", **DECIMALS), *TELLING), *2 * (walls("end post dot level", "end cap dot level", "end cap dot level", **DECIMALS),)), cases=110, skills="a graze is a touch"),
     group("turned", "Grazes that squares cannot see.", walls(*GRAZES, "graze cap dot", "graze cap dot", "graze cap dot", "slide side", **BIGGER), cases=110, skills="a tangent has a width"),
-    group("upright", "Grazes along an axis that seem to be apart or to overlap, from level with an end of the wall, from its line, or right beside it.", either(*3 * [upright], *2 * [telling(partial(upright, stops=True), *TELLING)], telling(tangent, *TELLING)), cases=160, skills="a tangent has a width"),
+    group("upright", "Grazes along an axis that seem to be apart or to overlap, from level with an end of the wall, from its line, or right beside it.", either(*3 * [upright], *2 * [telling(partial(upright, stops=True), *TELLING)], telling(tangent, *TELLING)), cases=150, skills="a tangent has a width"),
     group("graze-full", "Grazes that no formula in floats can see, or that seem to overlap.", telling(walls(*GRAZES, **FULL), *TELLING), cases=54, skills="a tangent has a width"),
-    group("slide-full", "The disc slides along the wall, or stops where it would, and rounding puts it beside.", telling(walls("slide side", "stop side", **FULL), *TELLING), cases=75, skills="a tangent has a width"),
-    group("start-full", "The disc touches at the start, and rounding puts it apart.", either(*2 * [telling(walls("rest side", **FULL), *TELLING)], telling(walls("start side", **{**FULL, "turn": "axis"}), *TELLING), walls("start cap", **FULL), walls("start side dot", **FULL), walls("start side dot", **FULL)), cases=80, skills="touching from the start"),
+    group("slide-full", "The disc slides along the wall, or stops where it would, and rounding puts it beside.", telling(walls("slide side", "stop side", **FULL), *TELLING), cases=70, skills="a tangent has a width"),
+    group("start-full", "The disc touches at the start, and rounding puts it apart.", either(*2 * [telling(walls("rest side", **FULL), *TELLING)], telling(walls("start side", **{**FULL, "turn": "axis"}), *TELLING), walls("start cap", **FULL), walls("start side dot", **FULL), walls("start side dot", **FULL), *4 * [abreast]), cases=90, skills="touching from the start"),
     group("end-full", "The disc touches at the very end, and rounding makes it later.", telling(either(walls("end side", "end cap", **FULL), walls("end cap level", "end cap dot level", "end side level", "end post level", **{**FULL, "turn": "axis"}), walls("end cap afar", "end post afar", **AFAR), walls("end side dot", "end cap dot", "end post dot", **FULL), walls("end cap", "end side", **{**STEEP, "size": 2**7}), walls("end cap home", "end side home", "end post home", "stop cap home", "stop post home", **{**FULL, "move": 0})), *TELLING), cases=72, skills="first in time"),
     group("beside", "The disc touches at the very end, and its way begins level with an end of the wall.", beside(walls("end side", "end side", "end side", "end side dot", "end cap dot", "end post dot", **FULL)), cases=80, skills="first in time"),
-    group("at-an-end", "A point that begins or ends its way at an end of the wall.", either(ending, late, slipping, head_on), cases=85, skills="first in time"),
-    group("near-graze", "Nearly a graze: 1e-7 of the figure away.", walls("graze~ cap", "graze~ cap dot", "graze~ cap dot", "graze~ cap dot", "graze~ post", "slide~ side", **CLEAR), cases=80, skills="nearly is not touching"),
+    group("at-an-end", "A point that begins or ends its way at an end of the wall.", either(ending, late, slipping, head_on), cases=90, skills="first in time"),
+    group("near-graze", "Nearly a graze: 1e-7 of the figure away.", walls("graze~ cap", "graze~ cap dot", "graze~ cap dot", "graze~ cap dot", "graze~ post", "slide~ side", **CLEAR), cases=90, skills="nearly is not touching"),
     group("near-start", "The disc nearly touches at the start, and leaves.", walls("start~ side", "start~ cap", **CLEAR), skills="touching from the start"),
-    group("near-end", "The disc touches just before the end, or does not quite.", either(walls("end~ side", "end~ cap", "end~ side dot level", "end~ post dot level", **CLEAR), walls("shy cap", "shy post", **{**FULL, "shift": 0}), walls("end~ side grain", "end~ side", **{**PLAIN, "shift": -20})), cases=110, skills="first in time"),
+    group("near-end", "The disc touches just before the end, or does not quite.", either(walls("end~ side", "end~ cap", "end~ side dot level", "end~ post dot level", **CLEAR), walls("shy cap", "shy post", **{**FULL, "shift": 0}), walls("shy post afar", **AFAR), walls("end~ side grain", "end~ side", **{**PLAIN, "shift": -20})), cases=115, skills="first in time"),
     group("flat", "Onto the side nearly along the wall: it still is the side.", either(walls("flat side", "flat side grain", **{**PLAIN, "shift": -20}), walls("flat side", **{**PLAIN, "size": 100}), walls("flat side", **{**PLAIN, "size": 100})), cases=120, skills="fatten the wall"),
     group("rim", "Onto the side, close to an end: it still is the side.", walls("hit side rim", "end side rim", **{**BIG, "size": 2**16}), skills="a wall has round ends"),
     group("broad", "A wall that is less than a hundredth of the disc: it is no post.", walls("broad side", **PLAIN), skills="a wall has round ends"),
