@@ -11,7 +11,6 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Callable, Sequence
-from functools import partial
 from random import Random
 from typing import Never, TypeVar
 
@@ -78,28 +77,33 @@ def seeded(text: str) -> Pick:
     start = hashlib.sha512(text.encode())
     block = bits = left = 0
 
-    def take(width: int) -> int:
+    def picked(low: int, high: int) -> int:
         nonlocal block, bits, left
-        while left < width:
-            digest = start.copy()
-            digest.update(b"/%d" % block)
-            bits |= int.from_bytes(digest.digest(), "big") << left
-            block, left = block + 1, left + _BLOCK_BITS
-        taken = bits & ((1 << width) - 1)
-        bits, left = bits >> width, left - width
-        return taken
+        span = high - low
+        width = span.bit_length()
+        while True:  # each round succeeds with a chance above one half
+            while left < width:
+                digest = start.copy()
+                digest.update(b"/%d" % block)
+                bits |= int.from_bytes(digest.digest(), "big") << left
+                block, left = block + 1, left + _BLOCK_BITS
+            offset = bits & ((1 << width) - 1)
+            bits, left = bits >> width, left - width
+            if offset <= span:
+                return low + offset
 
-    return partial(_picked, take)
+    return picked
 
 
 def quick(text: str) -> Pick:
-    """The same from a `random.Random`, several times as quick: for data that nobody pins."""
-    return partial(_picked, Random(text).getrandbits)
+    """Others of a `random.Random`, several times as quick: for data that nobody pins."""
+    take = Random(text).getrandbits
 
+    def picked(low: int, high: int) -> int:
+        span = high - low
+        width = span.bit_length()
+        while (offset := take(width)) > span:
+            pass
+        return low + offset
 
-def _picked(take: Callable[[int], int], low: int, high: int) -> int:
-    span = high - low
-    width = span.bit_length()
-    while (offset := take(width)) > span:  # each round succeeds with a chance above one half
-        pass
-    return low + offset
+    return picked

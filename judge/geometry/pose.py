@@ -126,13 +126,14 @@ def posed(
     ]
     if decimals:
         return _named(atoms, _decimals(draw, atoms, turned))
-    if any(_significant(x) > _DOUBLE for row in whole for x in row):
+    if max([_significant(x) for row in whole for x in row]) > _DOUBLE:
         draw.reject()
     size = _one(draw, shift)
     exponent = _LEAST - _bits(whole) if size == "least" else min(size - finer, _BOUND - _bits(whole))
-    own = [row for row, each in zip(whole, atoms, strict=True) if not isinstance(each, Vector)]
-    if exponent < _UNIT and any(0 < abs(x) * 2.0**exponent < _TINIEST for row in own for x in row):
-        draw.reject()
+    if exponent < _UNIT:
+        own = [row for row, each in zip(whole, atoms, strict=True) if not isinstance(each, Vector)]
+        if any(0 < abs(x) * 2.0**exponent < _TINIEST for row in own for x in row):
+            draw.reject()
     kind = draw.choice(("int", "float", "mixed")) if numbers == "any" else numbers
     number = _binary(draw, kind, exponent)
     vectors = [row for row, each in zip(whole, atoms, strict=True) if isinstance(each, Vector)]
@@ -199,11 +200,11 @@ def _centre(draw: Draw, points: Sequence[Sequence[int]], move: int | str) -> lis
 
 
 def _binary(draw: Draw, kind: str, shift: int) -> Callable[[int], int | float]:
+    up, down = 1 << max(0, shift), 1 << max(0, -shift)
+
     def number(x: int) -> int | float:
-        whole = shift >= 0 or x % (1 << -shift) == 0
-        if whole and (kind == "int" or (kind == "mixed" and draw.boolean())):
-            return x << shift if shift >= 0 else x >> -shift
-        return float(x << shift) if shift >= 0 else x / (1 << -shift)  # exact: the bits were counted
+        whole = x % down == 0 and (kind == "int" or (kind == "mixed" and draw.boolean()))
+        return x * up // down if whole else x * up / down  # exact: the bits were counted
 
     return number
 
@@ -234,7 +235,7 @@ def _significant(x: int) -> int:
 
 
 def _bits(rows: Sequence[Sequence[int]]) -> int:
-    return max((abs(x).bit_length() for row in rows for x in row), default=0)
+    return max([x.bit_length() for row in rows for x in row], default=0)
 
 
 def _dot(u: Sequence[int], v: Sequence[int]) -> int:

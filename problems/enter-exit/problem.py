@@ -2,10 +2,11 @@
 
 from functools import partial
 from itertools import chain, permutations, product
-from math import factorial, prod
+from math import factorial, ldexp, prod
 
 from judge.geometry import Crowd, plain
 from judge.geometry.hooks import HITS, hooks
+from judge.geometry.pose import triple
 from judge.geometry.scenes import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, aligned, anywhere, crowd_of, crowds, either, telling
 from judge.problem.declare import AnyOf, InvalidCase, group
 
@@ -35,6 +36,17 @@ def leaning(draw):
     return circles, O, D if circles[0][1] == O[1] else D[::-1]
 
 
+def grazing(draw):
+    """A ray that touches a circle whose centre is level with its origin, or upright."""
+    p, q, c = triple(draw, 65)
+    k, m = draw.integer(1, 1 << 40), draw.integer(1, 1 << 24)
+    x, y, far = draw.integer(-(1 << 40), 1 << 40), draw.integer(-(1 << 40), 1 << 40), c * k * draw.sign()
+    C, O, D = (x + far, y), (x, y), (m * q * (1 if far > 0 else -1), m * p * draw.sign())
+    turn = draw.choice((1, -1))
+    unit = ldexp(1.0, draw.integer(-40, -18))
+    return ((*[n * unit for n in C[::turn]], p * k * unit),), tuple([n * unit for n in O[::turn]]), D[::turn]
+
+
 INTERVIEW = [
     group("grid", "Small whole numbers: everything that can happen.", anywhere(3, (1, 4)), cases=120, skills="the small grid"),
     group("two", "Two circles ahead of the origin, and one behind it or beside the ray.", either(crowds("cut cut behind", "cut enter beside", "enter cut", **PLAIN), crowds("cut cut beside", **AXIS)), skills=("hits in order", "enter, touch, exit")),
@@ -54,7 +66,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("ties-full", "Hits at one place that floats put in order, and touches that they miss.", crowds("exit2 enter2 touch", "cut1 mirror copy", "enter3 touch3 exit3", "dot cut", "dot2 dot", "dot0 enter dot", "enter2 dot2", "dot0 touch", "dot0 touch", "dot0 touch touch", "dot0 exit0 touch", **FULL), cases=160, skills=("hits at one place", "a tangent has a width")),
     group("origin-full", "The origin on a circle, and rounding puts it beside.", telling(crowds(*ORIGIN, "exit0", "touch0", "touch0 behind", **FULL), *TELLING), skills="origin on the circle"),
     group("origin-touch", "The ray touches a circle at its origin, and rounding puts that behind.", crowds("touch0", "touch0 behind", "touch0 exit0", **BIG), cases=90, skills="origin on the circle"),
-    group("origin-level", "The origin on circles, level with their centres or upright, and the ray any way or nearly along them.", either(telling(either(aligned(20, (1, 3)), aligned(2**28, (1, 3))), *TELLING), leaning), cases=90, skills="origin on the circle"),
+    group("origin-level", "The origin on circles, level with their centres or upright, and the ray any way or nearly along them, or it touches a circle further on.", either(telling(either(aligned(20, (1, 3)), aligned(2**28, (1, 3))), *TELLING), *2 * [telling(grazing, *TELLING)], leaning), cases=150, skills="origin on the circle"),
     group("near", "Nearly a touch: 1e-7 of the figure away.", either(crowds("touch~ cut", "touch~ touch~", "around touch~", "dot~ cut", **{**NEAR, "least": 7}), crowds("touch9~", "touch9~ cut", **{**NEAR, "least": 7})), cases=100, skills="nearly is not touching"),
     group("ties-near", "Two hits nearly at one place: their order counts.", crowds("exit2~ enter2", "enter2 enter2~", "exit2~ exit2", "touch2 enter2~", **NEAR), skills="hits in order"),
     group("origin-near", "The origin is just off a circle, inside or outside.", crowds("exit0~ enter", "enter0~ cut", "exit0~", "enter0~ exit0~", **NEAR), skills="origin on the circle"),

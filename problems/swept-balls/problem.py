@@ -24,15 +24,18 @@ def solve(P0, P1, r, Q0, Q1, s):
 
 
 def late(draw):
-    """Two points that run to one place, level with each other or on an axis or not, and rounding makes it later."""
+    """Two points that run to one place, level with each other or on an axis or not, and rounding makes it later, or puts them beside each other."""
     P, X, r, Q, *_ = meeting(28)(draw)
-    level = draw.choice((P, (0, 0)))
-    Q = draw.choice((Q, (level[0], Q[1]), (Q[0], level[1])))
-    small = draw.choice((-20, -20, -45))
+    small, beside = draw.choice((-20, -20, -45)), draw.boolean()
+    if beside:
+        P, Q = (tuple([x / draw.integer(3, 999) for x in each]) for each in (P, Q))
+    level = draw.choice((P, (0, 0), (0, 0)))
+    Q = draw.choice((Q, *2 * ((level[0], Q[1]), (Q[0], level[1]))))
     P, Q = draw.choice(((P, Q), (Q, P)))
     for _ in range(12):
         Y = tuple([p + ldexp(x - p, small) * draw.integer(1, 1 << 20) for p, x in zip(P, X, strict=True)])
-        if plain.balls_meet(P, Y, r, Q, Y, r) is None:
+        (fx, dx), (fy, dy) = ((p - q, y - p - y + q) for p, y, q in zip(P, Y, Q, strict=True))
+        if dx * fy != dy * fx if beside else plain.balls_meet(P, Y, r, Q, Y, r) is None:
             return P, Y, r, Q, Y, r
     return draw.reject()
 
@@ -47,7 +50,7 @@ INTERVIEW = [
     group("parallel", "Both move alike, or rest: what is apart stays so.", balls("cut in =", "miss foot =", "cut before =", "miss foot = rest", "chord first =", **PLAIN), skills="sit on one of them"),
     group("radii", "Radii of very different size, or one of 0.", balls("cut before after dot", "cut before after tiny", "cut in after dot", "miss before after dot", "cut before in tiny", **PLAIN), cases=80, skills="radii add"),
     group("points", "Both radii are 0: two points, which meet or do not.", either(balls(*POINTS, **PLAIN), balls(*POINTS, "dot~ before after", "dot before foot~", "dot foot~ after", **NEAR), balls(*POINTS, **FULL), balls("dot before foot home", "dot before after home", "dot foot after home", **{**FULL, "move": 0})), cases=100, skills="radii add"),
-    group("meeting", "Both radii are 0, and both points run to one place.", either(meeting(29), meeting(29), late, late, late), cases=210, skills="first in time"),
+    group("meeting", "Both radii are 0, and both points run to one place.", either(meeting(29), meeting(29), *4 * [late]), cases=240, skills="first in time"),
     group("fast", "A way of many radii: at no moment of a coarse clock the discs touch.", balls("cut far after", "through far after", "cut far -far", **PLAIN), skills="never step through"),
     group("repeated", "Neighbouring calls differ in one argument.", grid("pprppr", 4), turns=True, skills="nothing kept between calls"),
 ]

@@ -167,7 +167,7 @@ def _crossed(draw: Draw, numbers: Sequence[int]) -> tuple[Any, ...]:
     r = float(Fraction(isqrt(int(k * k / square * _FINE)), isqrt(_FINE)))
     while Fraction(r) ** 2 * square > k * k:
         r = nextafter(r, -inf)
-    scale = 2.0 ** draw.choice((0, -40, 20))
+    scale = 2.0 ** draw.choice((0, -40, 20, 52, 76))
     return tuple(scale * x for x in (-fx, -fy, r, off, -off, dx, dy))
 
 

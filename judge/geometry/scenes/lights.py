@@ -243,11 +243,11 @@ def home(reach: int) -> Scene:
     """Rays in whole numbers or steep ones from inside a circle; C, O and L are level or upright, or one."""
 
     def draw_case(draw: Draw) -> tuple[Any, ...]:
-        r, O = draw.integer(2, reach), (draw.integer(-reach, reach), draw.integer(-reach, reach))
-        axis = draw.integer(0, 1)
+        r, axis, far = draw.integer(2, reach), draw.integer(0, 1), draw.choice((0, 0, reach))
+        O = draw.integer(-far, far), draw.integer(-far, far)
 
         def beside(most: int) -> Spot:
-            by = draw.choice((0, 0, draw.integer(-most, most)))
+            by = draw.choice((0, 0, draw.integer(-most, most), draw.integer(-1, 1)))
             return (O[0] + by, O[1]) if axis else (O[0], O[1] + by)
 
         D = draw.choice((0, draw.integer(-9, 9))), draw.integer(1, 9) * draw.sign()

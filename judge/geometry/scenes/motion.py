@@ -120,9 +120,12 @@ def _level_wall(draw: Draw, words: Sequence[str], size: int = 30) -> tuple[list[
         a, b = a * draw.integer(100, 1000), b * draw.integer(100, 1000)
     if "afar" in words:
         a *= 10 ** draw.integer(3, 7)
-    if what == "shy":  # by 1 or the least part of R that is clear
-        stride, a = 1, a * stride
-        b = max(1, R // max(map(abs, away)) * draw.integer(5, 300) // 10_000)
+    if what == "shy":  # by 1 or the least part of R that is clear; from afar, by R and more
+        k, stride, a = R // max(map(abs, away)), 1, a * stride
+        b = max(1, k * draw.integer(5, 300) // 10_000)
+        if "afar" in words:
+            b = k * draw.integer(1, 3)
+            a = b * draw.integer(10**6, 8 * 10**6)
     rests = draw.choice((0, -3))
     d, first, last = {
         "graze": (across, -a, b),
@@ -200,7 +203,7 @@ def meeting(bits: int) -> Scene:
         P, Q, X = point(), point(), point()
         axis = draw.integer(0, 2)
         if axis < 2:  # close together along it
-            P[axis], Q[axis] = draw.integer(-9, 9), draw.integer(-9, 9)
+            P[axis], Q[axis] = draw.choice((0, draw.integer(-9, 9))), draw.integer(-9, 9)
         return tuple(P), tuple(X), 0, tuple(Q), tuple(X), 0
 
     return draw_case
