@@ -91,7 +91,7 @@ SHOWN = {
     "klass": "Cohort",
     "look": "Document Home KataList KataShown Mentions Topics",
     "practise": "Begun HintShown SolutionShown",
-    "progress": "ProgressPage ProgressWritten QuestionShown Restored RunList RunRow RunsCompared",
+    "progress": "ProgressPage QuestionShown Restored RunList RunRow RunsCompared",
     "quiz": "Interviewed Quizzed",
     "result": "Judged Several",
     "setter": "Doctor Exported FilesWritten NewKata Verified VerifySummary",
