@@ -30,6 +30,7 @@ import msgspec
 
 from judge.cache import DISK, code_key, content_key, digest
 from judge.data.load import load_data
+from judge.drawing import Picture
 from judge.drawing.svg import panel_svg
 from judge.errors import JudgeError, UsageError
 from judge.files import replace_file
@@ -152,12 +153,15 @@ class Site:
             }
             for each in self._sets()
         ]
-        skills = {each.name for each in read_checklist(self._folders).skills}
+        named = read_checklist(self._folders).skills
+        topics = list(dict.fromkeys(filter(None, (getattr(each, "topic", "") for each in named))))
+        skills = {each.name for each in named if getattr(each, "topic", "") or not topics}
         katas = [
             _listed(each) | {"skills": [one.name for one in each.skills if one.name in skills]}
             for each in self.problems
         ]
-        _write(out / "katas.json", {"editor": (parts / "ace").is_dir(), "sets": sets, "katas": katas})
+        found = {"editor": (parts / "ace").is_dir(), "sets": sets, "katas": katas, "topics": topics}
+        _write(out / "katas.json", found)
         _write(out / "mine.json", {})
         _write_worker(out, repr(self._keys))
 
@@ -183,15 +187,15 @@ class Site:
             stage("", total, total)
 
     def _make(self, name: str) -> None:
-        problem = self._here.get(Path(name).stem)
         if name == QUIZ:
             _write(self.out / name, _cards(self.problems, self._folders))
-        elif problem is None:  # all pages are there, since they came first
+        elif name == EXPLORE:  # all pages are there, since they came first
             there = [each for each in self._here.values() if self._page(each).is_file()]
             replace_file(self.out / name, explore_index(there).encode())
         elif name.endswith(".zip"):
-            _write_kata(self.out / name, problem)
+            _write_kata(self.out / name, self._here[Path(name).stem])
         else:
+            problem = self._here[Path(name).stem]
             hooks = load_module(problem).hooks
             page = hooks.explore(problem, None) if hooks.explore else None
             self._page(problem).unlink(missing_ok=True)
@@ -317,14 +321,15 @@ def _card(card: Card, asked: Question) -> dict[str, Any]:
     if isinstance(card.content, Count):
         options = tuple((each, each) for each in dict.fromkeys([*_COUNTS, asked.answer, NONE]))
     replies = [(text, asked.check(letter) if asked.check else None) for letter, text in options]
-    figure, number = asked.picture, card.content if isinstance(card.content, Number) else None
+    number = card.content if isinstance(card.content, Number) else None
     return {
         "key": card.key,
         "sets": card.sets,
         "front": card.front,
         "given": asked.given,
         "program": asked.program,
-        "svg": panel_svg(figure.whole, "figure", figure.description, alone=True) if figure else "",
+        "svg": _figure(asked.picture),
+        "drawn": _figure(getattr(asked, "drawn", None)),
         "options": [
             {"text": text, "right": bool(reply and reply.right), "why": reply.why if reply else ""}
             for text, reply in replies
@@ -334,6 +339,10 @@ def _card(card: Card, asked: Question) -> dict[str, Any]:
         "answer": asked.answer,
         "why": asked.why,
     }
+
+
+def _figure(picture: Picture | None) -> str:
+    return panel_svg(picture.whole, "figure", picture.description, alone=True) if picture else ""
 
 
 def _write(path: Path, value: Any) -> None:

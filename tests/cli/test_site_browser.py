@@ -194,7 +194,16 @@ CARDS = [
     {"number": {"answer": "2/3", "within": 0.01, "unit": "m"}, "typed": "a number", "answer": "2/3 m"},
     {"options": [{"text": each, "right": each == "1", "why": ""} for each in ("0", "1", "2", "none")]},
 ]
-CARD = {"key": "a", "sets": ["first-steps"], "front": "?", "given": [], "program": "", "svg": "", "why": ""}
+CARD = {
+    "key": "a",
+    "sets": ["first-steps"],
+    "front": "?",
+    "given": [],
+    "program": "",
+    "svg": "",
+    "drawn": "",
+    "why": "",
+}
 CARD |= {"options": [], "number": None, "typed": "", "answer": ""}
 
 

@@ -38,7 +38,8 @@ def site(names: tuple[str, ...], ask: SiteAsk, common: Common) -> Iterator[SiteB
     """Write a site on which the katas are practised in a browser tab.
 
     Without a KATA: all of them. Any web server can hold the folder. Python runs in the page, and nothing that
-    is typed there is sent anywhere. A second build makes only what has changed.
+    is typed there is sent anywhere. A second build makes only what has changed. With --open the page is there
+    at once; katas are built when you open them, and the rest meanwhile.
     """
     out = ask.out or cache_folder() / "site" / "out"
     with writing(out, "name another folder with --out"):
@@ -48,8 +49,9 @@ def site(names: tuple[str, ...], ask: SiteAsk, common: Common) -> Iterator[SiteB
         problems, faults = sound_problems(common.problems)
         for fault in faults:
             note(f"a kata is left out: {fault}")
-    with stages("fetching Python and the editor for the browser, once") as advance:
-        brought = parts(ask.pyodide, advance)
+    with stages("MB: fetching Python and the editor for the browser, once") as advance:
+        in_megabytes = (lambda _, done, size: advance("", done >> 20, size >> 20)) if advance else None
+        brought = parts(ask.pyodide, in_megabytes)
     with writing(out, "name another folder with --out"):
         made = Site(out, problems, common.problems, brought)
         if ask.opened:

@@ -375,7 +375,7 @@ async function showQuiz(name) {
       keep();
     };
     const onward = () => button(at + 1 < round.length ? "Next card" : "Finish", () => ask(at + 1), "main");
-    const answered = why => over.replaceChildren(...[why, card.why].filter(Boolean).map(each => el("p", {}, each)), el("br"), el("div", { className: "row" }, onward()));
+    const answered = why => over.replaceChildren(card.drawn ? drawn(card.drawn, "The figure with the answer") : "", ...[why, card.why].filter(Boolean).map(each => el("p", {}, each)), el("br"), el("div", { className: "row" }, onward()));
     const parts = [el("p", { className: "quiet small" }, `Question ${at + 1} of ${round.length}`), el("p", { className: "front" }, card.front), ...card.given.map(each => el("p", {}, each))];
     if (card.program) parts.push(el("pre", {}, card.program));
     if (card.svg) parts.push(drawn(card.svg, "The figure of the question"));
@@ -440,7 +440,7 @@ function showProgress() {
   const days = week.filter(day => kept.days[day] || terminal.days.includes(day));
   const levelled = site.katas.filter(kata => kata.levels);
   const tiles = [[`${done.length} of ${site.katas.length}`, "katas solved"], [`${levelled.filter(kata => standing(kata).stars > 1).length} of ${levelled.length}`, "★★"],
-    [`${shown.size} of ${skills.size}`, "skills shown"], [`${days.length} of 7`, "days practised"]];
+    [`${shown.size} of ${skills.size}`, site.topics.length ? `skills of ${site.topics.join(" and ")}` : "skills shown"], [`${days.length} of 7`, "days practised"]];
   const file = el("input", { type: "file", accept: ".json,application/json", hidden: true });
   file.onchange = async () => {
     try {
