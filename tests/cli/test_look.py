@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import re
 
 import pytest
@@ -83,3 +84,11 @@ def test_the_figure_is_opened(judge, monkeypatch):
     assert judge("show", "count", "--open").err.startswith("judge: No browser here. Open ")
     assert opened[0].endswith("/count/figure.svg")
     assert "middle has no figure" in judge("show", "middle", "--open").err
+
+
+def test_what_the_browser_says_goes_nowhere(process, submit, tmp_path):
+    for name in ("xdg-open", "open"):
+        (tmp_path / submit("#!/bin/sh\necho noise\necho noise >&2\n", name)).chmod(0o755)
+    ended = process("show", "count", "--open", PATH=f"{tmp_path}:{os.environ['PATH']}")
+    assert (ended.status, ended.err) == (0, "")
+    assert "noise" not in ended.out
