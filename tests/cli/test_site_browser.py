@@ -241,6 +241,23 @@ def test_a_path_progress_and_cards_with_the_terminals_history(page, site, tmp_pa
         assert all((out / each.lstrip("/").partition("?")[0]).exists() for each in here.asked)
 
 
+@pytest.mark.parametrize("page", [IN_CHROMIUM, IN_FIREFOX])
+def test_another_site_at_the_same_address_is_shown_at_once(page, site, tmp_path):
+    out = shutil.copytree(site, tmp_path / "out")
+    with served(out) as (_, address), page(tmp_path / "profile") as tab:
+        tab.go(address)
+        tab.until("navigator.serviceWorker.controller !== null")
+        for name, old, new in (
+            ("index.html", "Nothing you type", "Another site"),
+            ("sw.js", "judge-", "judge-2"),
+        ):
+            text = (out / name).read_text(encoding="utf-8")
+            (out / name).write_text(text.replace(old, new, 1), encoding="utf-8")
+        tab.go(f"{address}/?again")
+        tab.until("document.body.textContent.includes('Another site')")
+        assert not tab.faults
+
+
 @pytest.mark.nightly
 @pytest.mark.parametrize("page", [IN_CHROMIUM, IN_FIREFOX])
 def test_what_is_stuck_inside_one_call_costs_the_worker_and_no_more(page, site, tmp_path):

@@ -3,7 +3,7 @@
 const VERSION = "judge-{{version}}";
 const START = ["./", "app.js", "style.css", "icon.svg"];
 self.addEventListener("install", event => event.waitUntil((async () => {
-  await (await caches.open(VERSION)).addAll(START);
+  await (await caches.open(VERSION)).addAll(START.map(path => new Request(path, { cache: "reload" })));
   await self.skipWaiting();
 })()));
 self.addEventListener("activate", event => event.waitUntil((async () => {
@@ -17,7 +17,7 @@ self.addEventListener("fetch", event => {
   event.respondWith((async () => {
     const store = await caches.open(VERSION), kept = await store.match(request, { ignoreSearch: true });
     if (kept) return kept;
-    const found = await fetch(request);
+    const found = await fetch(request.mode === "navigate" ? request : new Request(request, { cache: "no-cache" }));
     if (found.ok) store.put(request, found.clone()).catch(() => {});
     return found;
   })());
