@@ -327,14 +327,15 @@ def learner_of():
 
     def learner(*names, answers=()):
         there = [kata for each in sets if each.name in names for kata in each.problems]
-        own = {
-            kata.id: [SimpleNamespace(passed=[g.name for g in kata.groups], failed=[], when=START)]
-            for kata in there
-        }
-        done = dict.fromkeys(own, START)
-        return Learner(problems, sets, done, [], own, [], answers, [], [])
+        own = {kata.id: [passed(kata)] for kata in there}
+        return Learner(problems, sets, dict.fromkeys(own, START), [], own, [], answers, [], [])
 
     return learner
+
+
+def passed(kata):
+    """What is looked at of a run that passed all groups."""
+    return SimpleNamespace(passed=[each.name for each in kata.groups], failed=[], when=START, solved=True)
 
 
 def drilled(mine, count):
