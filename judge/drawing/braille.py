@@ -220,7 +220,7 @@ def _near(row: int, column: int, length: int, *, outside: bool) -> Iterator[tupl
 def _label(marks: Sequence[Mark]) -> list[Cell]:
     """The letters of what meets in one place, the sign of answers behind them, and an arrow."""
     signs = [*dict.fromkeys(mark.sign for mark in marks if mark.sign and mark.role not in LETTERS)]
-    comma = "," if max(map(len, signs), default=0) > 1 else ""
+    comma = "," if any(len(sign) > 1 and not sign.isalpha() for sign in signs) else ""
     text = comma.join(signs[:_SIGNS]) + ("…" if len(signs) > _SIGNS else "")
     label: list[Cell] = [(letter, Role.CASE) for letter in text]
     roles = {mark.role for mark in marks} & {*LETTERS}

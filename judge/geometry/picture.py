@@ -214,16 +214,12 @@ def _leaving(view: View, frame: Frame, spot: Spot) -> tuple[Dot, Dot]:
             ends = [dot for stroke in frame.way(whole) for dot in (stroke.dots[0], stroke.dots[-1])]
             if ends:
                 forth = dot(minus(spot.at, frame.middle), way.along) > 0
-                right, up = map(float, frame.turned(way.along))
-                return ends[-1 if forth else 0], _unit(right, up, 1 if forth else -1)
-    x, y = frame.place(spot.at)
-    far = max(abs(x), abs(y))
-    return (x / far, y / far), _unit(x, y)
-
-
-def _unit(x: float, y: float, times: int = 1) -> Dot:
-    size = hypot(x, y) or 1.0
-    return times * x / size, times * y / size
+                x, y = frame.turned(way.along)
+                size = length((x, y)) * (1 if forth else -1)
+                return ends[-1 if forth else 0], (float(x / size), float(y / size))
+    u, v = frame.place(spot.at)
+    far, away = max(abs(u), abs(v)), hypot(u, v)
+    return (u / far, v / far), (u / away, v / away)
 
 
 def _sign(name: str) -> str:

@@ -89,7 +89,7 @@ def test_the_first_wrong_frame_row_and_ray_are_drawn():
     found = drawn("nearest", *rays, given=[[0, 4.0], [0, 4.0]])
     assert geometry(found).startswith("ray 1 of 2")
     assert {mark.text for mark in found.whole.marks if mark.role is Role.WANTED} == {
-        "wanted circle 1, got circle 0"
+        "expected circle 1, got circle 0"
     }
 
 
