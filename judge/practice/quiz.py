@@ -9,9 +9,9 @@ from pathlib import Path
 
 from msgspec import Struct
 
-from judge.practice.cards import Card
+from judge.practice.cards import Card, read_decks
 from judge.practice.progress import State, skills
-from judge.practice.review import Learner, Review
+from judge.practice.review import Learner, Review, card_reviews
 from judge.practice.syllabus import SETS, Checklist, Course, read_checklist
 from judge.problem import Problem, Verdict
 from judge.problem.find import problem_folders
@@ -97,6 +97,20 @@ def near_sets(own: str) -> tuple[str, ...]:
         return (own,)
     at = SETS.index(own)
     return (own, *SETS[max(at - 1, 0) : at], *SETS[at + 1 : at + 2])
+
+
+class Wanted:
+    """Which cards a person is asked next; `name` is the set that was named."""
+
+    def __init__(self, name: str, mine: Learner) -> None:
+        self.mine, self.answered = mine, card_reviews(mine.answers)
+        self._near = near_sets(next((each.name for each in mine.from_own(name)), ""))
+        checklist = read_checklist(mine.extra)
+        self.weak = [each.weak for each in topics(mine, read_decks(mine.extra)[0], checklist)]
+
+    def of(self, cards: Sequence[Card], now: datetime, count: int, *, ahead: bool = False) -> list[Card]:
+        """These cards in their turn, of which so many are asked."""
+        return next_cards(cards, self.answered, now, count, near=self._near, weak=self.weak, ahead=ahead)
 
 
 def next_due(cards: Iterable[Card], reviews: Iterable[Review]) -> datetime | None:

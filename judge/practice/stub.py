@@ -44,8 +44,10 @@ def usual_name(problem: str) -> str:
     return file_name(problem.replace("-", "_"))
 
 
-def write_stub(problem: Problem, path: Path, *, over: bool = False) -> Path | None:
+def write_stub(problem: Problem, path: Path, *, over: bool = False, hidden: bool = False) -> Path | None:
     """Write the problem's stub, in the language that the file's name says; in Python where it says none.
+
+    With `hidden` its folder is made where there is none, and git does not see that.
 
     Where there is a file, that is written over only with `over`: its text is kept beside it as FILE.bak, and
     that path is returned.
@@ -56,6 +58,9 @@ def write_stub(problem: Problem, path: Path, *, over: bool = False) -> Path | No
     """
     text = make_stub(problem, language_of(path)).encode()
     try:
+        if hidden and not path.parent.exists():
+            path.parent.mkdir()
+            new_file(path.parent / ".gitignore", b"*\n")
         if over and path.exists():
             return write_over(path, text)
         new_file(path, text)

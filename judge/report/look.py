@@ -44,7 +44,7 @@ _WHAT = (
 )
 _LOOK = (
     ("Look", "judge list", "all katas, from first steps to professional"),
-    ("Interview", "judge quiz", "short questions that need no code"),
+    ("Interview", "judge drill", "an evening: questions, a wrong program, a kata"),
     ("", "judge interview", "a mock interview of 30 minutes"),
     ("More", "judge help", "the manual"),
     ("", "judge --help", "all commands"),

@@ -39,6 +39,7 @@ RATE = "How well? 1 again, 2 hard, 3 good, 4 easy: "
 SAVE = "Save the file. Enter judges it, q goes on: "
 _PANEL = 31  # columns of a picture of one panel
 _OPEN = 38  # columns of the skills that are named
+_NARROW = 60  # columns that the steps need
 _AROUND = 2  # rows for the prompt and one above
 
 
@@ -145,22 +146,29 @@ def _kata(found: Interviewed) -> Text:
     return text(f"{found.problem}: {points}{mistake}", GOOD if found.solved else BAD)
 
 
-def drill(found: Drill, _screen: Screen) -> RenderableType:
+def drill(found: Drill, screen: Screen) -> RenderableType:
     """How the topics stand, the commands with their minutes, and what comes after them."""
-    about = (
-        f"Tonight, about {counted(found.minutes, 'minute')}" if found.steps else "Nothing to drill tonight"
+    about = f"Tonight, about {found.minutes} minutes" if found.steps else "Nothing to drill tonight"
+    narrow = screen.width is not None and screen.width < _NARROW
+    rows: list[tuple[Cell, ...]] = []
+    for at, each in enumerate(found.steps, 1):
+        minutes, said = f"{each.minutes} min", _step(each, found.time)
+        rows += (
+            [(f"{at} {each.command}", f"{minutes}, {said}")]
+            if narrow
+            else [(str(at), minutes, each.command, said)]
+        )
+    skills = sum(len(each.skills) for each in found.topics)
+    known = "known?" if any(each.open for each in found.topics) else "are known."
+    last = (
+        f"{f'All {skills} {known} ' if skills else ''}judge interview holds a mock interview at your level."
     )
-    topics = indented(table(map(_topic, found.topics)), 2) if found.topics else None
-    rows = [
-        (str(at), f"{each.minutes} min", each.command, _step(each, found.time))
-        for at, each in enumerate(found.steps, 1)
-    ]
-    steps = indented(table(rows, "", "", "", "", right=[1])) if rows else None
-    skills = [skill for each in found.topics for skill in each.skills]
-    known = not any(each.open for each in found.topics)
-    said = f"All {len(skills)} {'are known.' if known else 'known?'} " if skills else ""
-    last = f"{said}judge interview holds a mock interview at your level."
-    return blocks(strong(about), topics, steps, indented(paragraph(faint(last))))
+    return blocks(
+        strong(about),
+        indented(table(map(_topic, found.topics))) if found.topics else None,
+        indented(table(rows, right=() if narrow else [1])) if rows else None,
+        indented(paragraph(faint(last))),
+    )
 
 
 def _topic(each: Topic) -> tuple[Cell, ...]:

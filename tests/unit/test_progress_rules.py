@@ -12,7 +12,9 @@ from msgspec.structs import replace
 from past_runs import START, past_result
 
 from judge.errors import ProblemError
+from judge.mistakes.puzzles import read_puzzles
 from judge.practice.cards import AnyForm, Card, cards_of
+from judge.practice.drill import Evening
 from judge.practice.events import Answer, Hack, Help, Outcome, Rating
 from judge.practice.history import run_of
 from judge.practice.progress import State, levels_passed, questions, skills, solved, tried
@@ -325,14 +327,15 @@ def learner_of():
 
     def learner(*names, answers=()):
         there = [kata for each in sets if each.name in names for kata in each.problems]
-        own = {
-            kata.id: [SimpleNamespace(passed=[g.name for g in kata.groups], failed=[], when=START)]
-            for kata in there
-        }
-        done = dict.fromkeys(own, START)
-        return Learner(problems, sets, done, [], own, [], answers, [], [])
+        own = {kata.id: [passed(kata)] for kata in there}
+        return Learner(problems, sets, dict.fromkeys(own, START), [], own, [], answers, [], [])
 
     return learner
+
+
+def passed(kata):
+    """What is looked at of a run that passed all groups."""
+    return SimpleNamespace(passed=[each.name for each in kata.groups], failed=[], when=START, solved=True)
 
 
 def drilled(mine, count):
@@ -393,3 +396,59 @@ def test_a_skill_is_known_if_its_run_shows_it_and_its_last_card_was_right(learne
     assert "closed ends" in open_(learner_of(*every, answers=[*right, wrong]))
     assert "closed ends" not in open_(learner_of(*every, answers=[*right, wrong, later]))
     assert "ends no wider than rounding" not in open_(learner_of(*every))  # which has no card
+
+
+# -- an evening --------------------------------------------------------------------------------------------
+
+
+def evening(mine, cards, checklist, hacks=(), now=START):
+    """The commands of an evening."""
+    stand = topics(mine, cards, checklist)
+    return list(Evening(mine, cards, stand, checklist, now).steps(hacks))
+
+
+def test_an_evening_is_cards_a_wrong_program_and_a_kata(learner_of):
+    cards, checklist = cards_of("path"), read_checklist()
+    steps = evening(learner_of("first-steps", "junior"), cards, checklist)
+    assert [each.command for each in steps] == [
+        "judge quiz clamp",
+        "judge hack segment 2",
+        "judge start line-points",
+    ]
+    (first, *_) = read_puzzles(find_problem("segment"), checklist.drilled())[1:]
+    broken = [Hack("segment", first.mistake, "", Outcome.WON)]
+    steps = evening(learner_of("first-steps", "junior"), cards, checklist, broken)
+    assert steps[1].command == "judge hack segment 3"
+    missed = Answer("junior/equality-test", "choice", Rating.AGAIN, judged=True, when=START)
+    tomorrow = START + timedelta(days=1)
+    steps = evening(learner_of("junior", answers=[missed]), cards, checklist, now=tomorrow)
+    asked = [(each.command, each.due) for each in steps if each.command.startswith("judge quiz")]
+    assert asked == [("judge quiz clamp", 0), ("judge quiz near-tangent", 1)]
+
+
+def test_a_newcomer_writes_a_program_before_breaking_one(learner_of):
+    steps = evening(learner_of(), cards_of("path"), read_checklist())
+    assert [each.command for each in steps] == [
+        "judge quiz near-tangent",  # the other topic has no card for beginners
+        "judge start distance-squared",
+    ]
+
+
+def test_an_evening_of_whom_nothing_is_open(learner_of):
+    every = ("first-steps", "junior", "middle", "senior", "professional")
+    cards = cards_of("path")
+    right = [Answer(each.key, each.form, Rating.GOOD, judged=True, when=START) for each in cards]
+    mine = learner_of(*every, answers=right)
+    assert not any(each.open for each in topics(mine, cards, read_checklist()))
+    left = [each.id for each in mine.problems if each.id not in mine.solved]
+    assert [each.command for each in evening(mine, cards, read_checklist())] == [
+        f"judge start {each}" for each in left
+    ]
+
+
+def test_a_pack_without_topics_has_an_evening_too(learner_of):
+    plain = Checklist(rows=(Row("A", "s", "?"),))
+    cards = [card("one"), card("two")]
+    assert evening(learner_of("junior"), cards, plain)[0].command == "judge quiz"
+    assert evening(learner_of("junior"), cards, plain)[0].new == 2
+    assert [each.command for each in evening(learner_of("junior"), [], plain)] == ["judge start line-points"]

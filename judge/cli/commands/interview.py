@@ -34,23 +34,21 @@ from judge.practice.history import History
 from judge.practice.questions import Sources
 from judge.practice.questions import ask as asked_of
 from judge.practice.quiz import (
+    Wanted,
     interview_cards,
     lacking,
     left_open,
-    near_sets,
-    next_cards,
     next_due,
     plan,
     to_practise,
     topics,
     usual_kata,
 )
-from judge.practice.review import card_reviews, read_learner
+from judge.practice.review import read_learner
 from judge.practice.stub import write_stub
 from judge.practice.syllabus import USUAL, read_checklist
 from judge.problem import Verdict
 from judge.problem.find import find_problem
-from judge.problem.model import FIRST
 from judge.report import quiz as texts
 from judge.report.published_quiz import Drill, Interviewed, Quizzed
 from judge.report.screen import Screen, drawn, err, is_terminal, note, out, show
@@ -94,35 +92,15 @@ def quiz(name: str | None, ask: QuizAsk, common: Common) -> Iterator[Struct]:
     """
     cards = cards_of(name or USUAL, common.problems)
     with history_at(common.db) as history:
-        wanted = Wanted(name or "", cards, history, common)
+        wanted = Wanted(name or "", read_learner(history, common.problems))
         asking = Round(history, common)
-        chosen = wanted.cards(ask.cards)[: ask.cards]
+        chosen = wanted.of(cards, events.now().astimezone(), ask.cards)[: ask.cards]
         try:
             with suppress(StoppedError):
                 for card in chosen:
                     asking.ask(card, len(chosen))
         finally:  # after Ctrl-C too
             yield asking.summary(next_due=None if chosen else next_due(cards, wanted.answered))
-
-
-class Wanted:
-    """Which of these cards a person is asked next; `name` is the set that was named."""
-
-    def __init__(self, name: str, cards: Sequence[Card], history: History, common: Common) -> None:
-        self._cards = cards
-        self.mine = read_learner(history, common.problems)
-        self.answered = card_reviews(self.mine.answers)
-        (own, *_) = [each.name for each in self.mine.from_own(name)] or [FIRST]
-        self._near = near_sets(own)
-        every = topics(self.mine, cards_of(USUAL, common.problems), read_checklist(common.problems))
-        self.weak = [each.weak for each in every]
-
-    def cards(self, count: int, *, ahead: bool = False) -> list[Card]:
-        """The cards in their turn, of which `count` are asked."""
-        today = events.now().astimezone()
-        return next_cards(
-            self._cards, self.answered, today, count, near=self._near, weak=self.weak, ahead=ahead
-        )
 
 
 @command("drill", Drill)
@@ -257,7 +235,7 @@ def interview(name: str, ask: InterviewAsk, common: Common) -> Iterator[Intervie
     cards, folders = cards_of(name, common.problems), common.problems
     page = OutFile(ask.out, "--out", "a page of an interview", lambda start: start.startswith(_TITLE))
     with history_at(common.db) as history:
-        wanted = Wanted(name, cards, history, common)
+        wanted = Wanted(name, read_learner(history, folders))
         problem = find_problem(ask.kata, folders) if ask.kata else usual_kata(name, wanted.mine)
         if ask.file is not None:
             read_submissions([ask.file])  # whether it is there is said before the first card
@@ -265,7 +243,8 @@ def interview(name: str, ask: InterviewAsk, common: Common) -> Iterator[Intervie
         held = _Interview(ask, history, common, Kata(problem, Path(path).absolute()))
         first, last = interview_cards(ask.minutes)
         count = first + last
-        chosen = plan(wanted.cards(count, ahead=True), count, wanted.weak)
+        now = events.now().astimezone()
+        chosen = plan(wanted.of(cards, now, count, ahead=True), count, wanted.weak)
         before, after = chosen[:first], chosen[first:]
         held.show(texts.opening(ask.minutes, len(before), problem.id, len(after)))
         try:

@@ -11,7 +11,7 @@ import click
 from msgspec import Struct
 from msgspec.structs import replace
 
-from judge.cli.files import read_submissions, writing
+from judge.cli.files import read_submissions
 from judge.cli.hints import HintAsk, hints, note_seen
 from judge.cli.model import admit
 from judge.cli.options import Common, command, opt
@@ -66,8 +66,8 @@ def start(words: tuple[str, ...], ask: StartAsk, common: Common) -> Iterator[Beg
     """
     kata = _meant(words, ask, common)
     created = ask.reset or not os.path.exists(kata.path)  # noqa: PTH110 - of any name
-    _make_folder(kata.path.parent)
-    kept = write_stub(kata.problem, kata.path, over=ask.reset) if created else None
+    hidden = kata.path.parent.name == KATAS
+    kept = write_stub(kata.problem, kata.path, over=ask.reset, hidden=hidden) if created else None
     take_up(kata, common.db)
     if ask.once or common.json or not (draws(out()) and is_terminal(sys.stdin)):
         problem, beside = kata.problem, shown(kept) if kept else ""
@@ -113,14 +113,6 @@ def _meant(words: Sequence[str], ask: StartAsk, common: Common) -> Kata:
     mine = any((this_folder() / each).exists() for each in _PROJECT)
     folder = Path(here.path).parent if here else this_folder() / KATAS if mine else this_folder()
     return Kata(problem, _place(str(folder / name)))
-
-
-def _make_folder(folder: Path) -> None:
-    """Make the katas/ of a person's own project, which git does not see."""
-    if folder == this_folder() / KATAS and not folder.exists():
-        with writing(folder, "name another file"):
-            folder.mkdir()
-            (folder / ".gitignore").write_text("*\n")
 
 
 def _problem_of(file: str, common: Common) -> Problem:
