@@ -103,3 +103,26 @@ def test_the_commands_for_a_named_pack_name_it(judge, elsewhere, tmp_path):
         2,
         "judge: no kata is called 'middle'; add --problems mine/problems\n",
     )
+
+
+POINTS = "def line_count(cx, cy, r, A, B):\n    return 2\n"
+
+
+def test_the_history_writes_a_case_as_the_run_did(judge, submit):
+    submit(POINTS, "count.py")
+    ran = judge("run", "count", "--no-name", "--group", "examples").lines
+    (case,) = (line for line in ran if "cx = " in line)
+    assert "A = (" in case
+    assert case in judge("history", "1").lines
+
+
+def test_a_file_with_a_byte_order_mark_is_told_so(judge, elsewhere):
+    file = elsewhere / "middle" / "problem.toml"
+    file.write_bytes(b"\xef\xbb\xbf" + file.read_bytes())
+    said = judge("show", "middle", "--problems", elsewhere).err
+    assert "it begins with a byte order mark; save it without a byte order mark" in said
+
+
+def test_a_new_kata_is_in_no_set(judge, tmp_path):
+    judge("new", ".", "two-points")
+    assert "path" not in (tmp_path / "problems" / "two-points" / "problem.toml").read_text()
