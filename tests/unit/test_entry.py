@@ -143,8 +143,10 @@ SEEN = [
         "count",
         FIXED,
         "absolute-epsilon",
-        "The answer changes with the size of the figure. "
-        "For example, something is compared with a fixed 1e-9.",
+        (
+            "The answer changes with the size of the figure. "
+            "For example, something is compared with a fixed 1e-9."
+        ),
     ),
 ]
 
