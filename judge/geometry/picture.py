@@ -138,8 +138,10 @@ def _said(view: View, found: list[Contact], window: Frame) -> tuple[str, str]:
         return list(dict.fromkeys(each.words.said(each.gap / e) for each in contacts))[:3]
 
     parts += words(exact + close or near)
-    said = "; ".join([*([", ".join(parts)] if parts else []), f"e = {figures(Fraction(view.size), 3)}"])
-    return said, ", ".join(words([each for each in exact + near if abs(each.gap) < _CLOSE * e]))
+    size = f"e = {figures(Fraction(view.size), 3)}"
+    said = "; ".join([*([", ".join(parts)] if parts else []), size])
+    why = ", ".join(words([each for each in exact + near if abs(each.gap) < _CLOSE * e]))
+    return said, f"{why} ({size})" if "·e" in why else why
 
 
 # -- the panels --------------------------------------------------------------------------------------------

@@ -121,7 +121,8 @@ class Namer:
         state = self._maker(nearest).words.state and self._steady(does, alone)
         if state or (share < _CLEAR and not self._fails(result, nearest)):
             return result, likeness
-        text = nearest.text if share >= LIKELY else seen_in(nearest.text)
+        read = result.submission.endswith(".py")  # of others the answers alone are known
+        text = nearest.text if read and share >= LIKELY else seen_in(nearest.text)
         return replace(result, pitfall=Pitfall((name,), round(share, 3), (text,))), likeness
 
     def _maker(self, known: Known) -> Maker:

@@ -66,6 +66,8 @@ def parse_toml(text: str, name: str, *, exact: bool = False) -> dict[str, Any]:
         found = re.match(r"line (\d+)", at)
         line = found[1] if found else text.count("\n") + 1
         what, where, remedy = what[:1].lower() + what[1:], f"{name}:{line}", "repair this line"
+        if text.startswith("\ufeff"):
+            what, remedy = "it begins with a byte order mark", "save it without a byte order mark"
     except ValueError:  # longer than Python reads
         what = "an integer has too many digits"
     except RecursionError:

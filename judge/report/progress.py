@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from datetime import datetime
 
 from rich.console import Group, RenderableType
 from rich.text import Text
 
-from judge.errors import StoreError
+from judge.errors import JudgeError, StoreError
 from judge.practice.events import Rating, Run
 from judge.practice.progress import Evidence, Kind, Question, SkillProgress, State
 from judge.practice.review import Due, Review
 from judge.practice.stub import usual_name
+from judge.problem.find import find_problem
 from judge.problem.model import FULL_SCORE, Verdict
 from judge.report import published_progress as published
 from judge.report.parts import (
@@ -223,9 +225,12 @@ def _remark(run: Run) -> str:
 
 def run_row(run: published.RunRow, screen: Screen) -> RenderableType:
     """When it was, what it came to, and how to get its source back."""
+    result = run.result
+    with suppress(JudgeError, ValueError):  # the kata is gone, or another one
+        result = result.typed(find_problem(result.problem))
     return blocks(
         head(f"run {run.run}", faint(moment(run.time))),
-        judged(Judged(run.result, whole=True, commands=False), screen),
+        judged(Judged(result, whole=True, commands=False), screen),
         commands([(f"judge history {run.run} --restore", "write its source again")]),
     )
 

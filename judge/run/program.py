@@ -146,7 +146,7 @@ def answer_lines(stdout: bytes, *, complete: bool) -> list[str]:
     What is no ASCII stays, and no answer holds it. Where the output is not `complete`, an
     unfinished last line is left out: it may be half a number.
     """
-    text = stdout.decode(errors="replace").replace("\r\n", "\n")
+    text = stdout.decode(errors="backslashreplace").replace("\r\n", "\n")
     *lines, rest = text.split("\n")
     if complete:
         lines.append(rest)

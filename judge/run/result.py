@@ -14,8 +14,8 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from judge.errors import ExitCode
-from judge.problem import Verdict
-from judge.problem.model import KataLevel, Mode
+from judge.problem import Problem, Verdict
+from judge.problem.model import KataLevel, Mode, case_of
 
 if TYPE_CHECKING:
     from judge.values.outline import Outline
@@ -306,6 +306,15 @@ class Result(Struct, frozen=True, kw_only=True):
     def noting(self, *notes: str) -> Result:
         """The same with more notes; none stands twice."""
         return replace(self, notes=tuple(dict.fromkeys((*self.notes, *notes)))) if notes else self
+
+    def typed(self, problem: Problem) -> Result:
+        """The same with its cases as the problem has them, where JSON has made lists of points."""
+        cases = (self.failure, self.counterexample)
+        first, small = (
+            replace(each, input=problem.named(case_of(each.input))) if each and each.input else each
+            for each in cases
+        )
+        return replace(self, failure=first, counterexample=small)
 
     @property
     def exit_code(self) -> ExitCode:

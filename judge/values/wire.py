@@ -255,11 +255,7 @@ class Tokens:
         line = line.removesuffix("\r")
         foreign = _FOREIGN.search(line)
         if foreign:
-            name = (
-                f"{foreign[0]!r} (U+{ord(foreign[0]):04X})"
-                if foreign[0] != "\ufffd"
-                else "a byte of no UTF-8"
-            )
+            name = f"{foreign[0]!r} (U+{ord(foreign[0]):04X})"
             raise Unreadable(f"{name} in the output: answers are plain ASCII text")
         self.words = line.split()[::-1]
         self.meant = meant

@@ -75,7 +75,7 @@ def test_help_begins_as_the_table_says_and_ends_with_examples_and_a_page(name, j
     start = ended.lines.index("  For example:") + 1
     shown = [line.strip() for line in ended.lines[start : start + len(entry.examples)]]
     assert shown == entry.examples
-    assert ended.lines[-1] == f"  More: judge help {entry.topic}"
+    assert ended.lines[-1] == f"  More: judge help {entry.topic}; --json writes JSON"
     assert max(map(len, ended.lines)) < 80
     assert f"judge {name}" in page(entry.topic).text
     assert f"`judge {name}" in page("start").text

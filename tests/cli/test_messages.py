@@ -8,7 +8,12 @@ import subprocess
 import sys
 
 import pytest
-from cli_support import FLOOR, PACK
+from cli_support import FLOOR, PACK, ROOT
+
+from judge.packs.export.programs import _misfit, _Trial
+from judge.problem import Verdict
+from judge.problem.find import find_problem, problem_folders
+from judge.problem.solutions import Kind
 
 NO_JSON = "A case is not JSON. Write: 0, 0, 5, (-6, 3), (-5, 3)"
 CASES = [
@@ -103,3 +108,66 @@ def test_the_commands_for_a_named_pack_name_it(judge, elsewhere, tmp_path):
         2,
         "judge: no kata is called 'middle'; add --problems mine/problems\n",
     )
+
+
+POINTS = "def line_count(cx, cy, r, A, B):\n    return 2\n"
+
+
+def test_the_history_writes_a_case_as_the_run_did(judge, submit):
+    submit(POINTS, "count.py")
+    ran = judge("run", "count", "--no-name", "--group", "examples").lines
+    (case,) = (line for line in ran if "cx = " in line)
+    assert "A = (" in case
+    assert case in judge("history", "1").lines
+
+
+def test_a_file_with_a_byte_order_mark_is_told_so(judge, elsewhere):
+    file = elsewhere / "middle" / "problem.toml"
+    file.write_bytes(b"\xef\xbb\xbf" + file.read_bytes())
+    said = judge("show", "middle", "--problems", elsewhere).err
+    assert "it begins with a byte order mark; save it without a byte order mark" in said
+
+
+def test_a_new_kata_is_in_no_set(judge, tmp_path):
+    judge("new", ".", "two-points")
+    assert "path" not in (tmp_path / "problems" / "two-points" / "problem.toml").read_text()
+
+
+def test_a_gap_has_its_unit(judge):
+    said = judge("try", "count", "0, 0, 6e-5, (-1e-4, 6.1e-5), (1e-4, 6.1e-5)").out
+    assert "the line misses the circle by 1e-2·e (e = 0.0001)" in said
+
+
+def test_the_cases_that_fail_are_counted(judge, submit):
+    assert "fails  examples 1 of 2, half 30 of 30" in judge("run", "middle", submit(FLOOR), "--no-name").out
+
+
+@pytest.mark.parametrize(
+    ("folder", "said"), [("", "three is a package, and"), ("./", "three is another file, and")]
+)
+@pytest.mark.skipif(not shutil.which("node"), reason="no Node.js here")
+def test_a_package_of_javascript_is_told(judge, submit, folder, said):
+    program = submit(f"require('{folder}three');\nfunction middle(a, b) {{ return 0; }}\n", "mine.js")
+    shown = judge("run", "middle", program, "--no-name").out
+    assert f"{said} a submission is one file. Bundle it: npx esbuild --platform=node" in shown
+
+
+def test_a_slow_program_that_is_too_fast_is_left_out_with_its_margin():
+    told = _misfit(Kind.SLOW, _Trial(Verdict.AC, 2.61, ""), 1)
+    assert told == "too near the package's time limit of 1 s: it takes 2.61 s and must take more than 6 s"
+
+
+@pytest.mark.parametrize(
+    ("printed", "said"), [("b'\\xb2'", '"\\xb2" where'), ("b'\\xef\\xbc\\x92'", "'２' (U+FF12)")]
+)
+def test_what_is_no_digit_is_named(judge, submit, printed, said):
+    program = f"import sys\nfor _ in range(int(input())):\n    sys.stdout.buffer.write({printed} + b'\\n')\n"
+    assert said in judge("run", "middle", submit(program), "--no-name").out
+
+
+@pytest.mark.parametrize("kata", [each.name for each in problem_folders() if each.parent.parent == ROOT])
+def test_a_statement_says_its_bounds_and_what_e_0_asks(kata):
+    statement = " ".join(find_problem(kata).statement.split())
+    assert "2**30 in size" not in statement
+    assert "e may be 0" not in statement
+    assert ("then `<` is never true, so ask `<=`" in statement) or "e is 0 where" not in statement

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import re
 import sys
 
 import pytest
 
 import judge
-from judge.problem.find import find_problem
+from judge.mistakes.makers import read_makers
+from judge.problem.find import find_problem, problem_folders
 from judge.report.tell import tell
 
 KATA = "which-side"
@@ -112,3 +114,51 @@ def test_a_fault_of_form_is_named(ending, name):
     source = right.read_text().replace("def circle_segment(", "def right(")
     source += f"\n\ndef circle_segment(*case):\n    found = right(*case)\n    {ending}\n"
     assert judge.judge("segment", source, name="mine.py").pitfall.names == (name,)
+
+
+SIDE = """
+def which_side(A, B, P):
+    c = (B[0] - A[0]) * (P[1] - A[1]) - (B[1] - A[1]) * (P[0] - A[0])
+    return 0 if c == 0 else -1 if c > 0 else 1
+"""
+FIXED = """
+def line_count(cx, cy, r, A, B):
+    if A == B:
+        return None
+    dx, dy = B[0] - A[0], B[1] - A[1]
+    k = dx * (A[1] - cy) - dy * (A[0] - cx)
+    disc = r * r * (dx * dx + dy * dy) - k * k
+    if abs(disc) < 1e-9:
+        return 1
+    return 2 if disc > 0 else 0
+"""
+SEEN = [
+    (
+        "which-side",
+        SIDE,
+        "sides-exchanged",
+        "Left and right are exchanged. For example, the cross product is taken from P to A.",
+    ),
+    (
+        "count",
+        FIXED,
+        "absolute-epsilon",
+        (
+            "The answer changes with the size of the figure. "
+            "For example, something is compared with a fixed 1e-9."
+        ),
+    ),
+]
+
+
+@pytest.mark.parametrize(("kata", "source", "name", "said"), SEEN)
+def test_what_was_seen_comes_before_an_example(kata, source, name, said):
+    shown = judge.judge(kata, source.encode(), name="mine.py")
+    assert shown.pitfall.names == (name,)
+    assert shown.pitfall.advice == (said,)
+
+
+def test_nothing_seen_speaks_in_code():
+    for folder in problem_folders():
+        for maker in read_makers(find_problem(folder.name)).all:
+            assert not re.search(r"`|[=!<>]=|\*\*|//", maker.seen), (folder.name, maker.file, maker.seen)

@@ -203,7 +203,7 @@ const Drawing = (start, state) => {
       board.append(svg("path", { d: `M${x(each.part)},26 l-6,-13 h12 z`, class: each === found ? "mark" : "mark other" }));
     }
     by("gap-title").textContent = "Every gap in parts of e, by powers of ten: 0 is exact"
-      + (clear ? ", orange is almost and not a valid input, beyond it all is clear." : ".");
+      + (clear ? ", pink is almost and not a valid input, beyond it all is clear." : ".");
   }
 
   const resized = () => {

@@ -208,11 +208,13 @@ def _misfit(kind: Kind, trial: _Trial, seconds: int) -> str:
     if kind is Kind.ACCEPTED and verdict is not Verdict.AC:
         return f"as a program it is no longer accepted: {verdict.value} on {trial.test or 'every file'}"
     if verdict is Verdict.AC and kind is Kind.SLOW:
-        return f"the package's time limit of {seconds} s does not reject it: it takes {trial.seconds:.2f} s"
+        took = f"it takes {trial.seconds:.2f} s and must take more than {SURELY * seconds} s"
+        return f"too near the package's time limit of {seconds} s: {took}"
     if verdict is Verdict.AC and kind is Kind.WRONG:
         return "as a program it is accepted"
     if verdict not in FOLDERS:
         return f"a package has no folder for {verdict.value}"
     if verdict is not Verdict.TLE and kind is not Kind.ACCEPTED and trial.seconds > seconds / 2:
-        return f"it is too near the package's time limit of {seconds} s: {trial.seconds:.2f} s"
+        took = f"it takes {trial.seconds:.2f} s and must take at most {seconds / 2} s"
+        return f"too near the package's time limit of {seconds} s: {took}"
     return ""
