@@ -23,7 +23,7 @@ INTERVIEW = [
 PRODUCTION = [
     group("touch", "Beams that touch a circle or miss that by 1, and a circle behind it; one beam alone, too.", either(touches((3, 8), 24), *2 * (touches((1, 1), 24),)), cases=120, skills="collapse the tangent"),
     group("near", "Beams that nearly touch a circle, or meet two at nearly one place.", narrow((2, 4), 4_000), skills="nearly is not touching"),
-    group("wrap", "Circles across the direction of π, where the angles begin anew, and beams on both sides of it.", wraps((1, 5), (6, 10), 90, (10, 40)), skills="angles wrap around"),
+    group("wrap", "Circles across the direction of π, where the angles begin anew, and beams on both sides of it.", either(wraps((1, 5), (6, 10), 90, (10, 40)), wraps((0, 0), (1, 4), 90, (10, 40))), skills="angles wrap around"),
     group("hidden", "Large circles that small ones hide in part, and circles behind them that cannot be seen at all.", scans((1, 5), (14, 24), 90, (8, 30), hidden=True), skills="the nearest of several"),
     group("beside", "A crowd of large circles beside a beam: they reach nearer to O than the small one that the beam meets first.", besides((20, 40), (2, 6), 500), cases=20, skills="the nearest of several"),
     group("short", "Directions of −2 to 2, (1, 0) and (2, −1) among them, through a crowd on all sides of O.", scans((30, 60), (12, 20), 400, (3, 20), fastest=2), cases=20, skills="the nearest of several"),

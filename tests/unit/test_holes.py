@@ -64,6 +64,7 @@ ZERO = 'group("zero", "b is 0.", lambda draw: (draw.integer(-20, 20), 0), cases=
 SIGNS = (
     'group("signs", "Of any sign.", lambda draw: (draw.integer(-999, 999), draw.integer(-9, 9)), cases=200),'
 )
+LARGE = 'group("large", "Large.", lambda draw: (draw.integer(1, 999), 7), cases=2, size=500),'
 RIGHT = '''"""remainder
 
 Nothing is left.
@@ -332,8 +333,11 @@ class TestSearch:
         assert judge(*look).returncode == 0
         for words in (("--for", "1s"), ("--seed", "1"), ("--holes", "--pin"), ("--holes", "--for", "soon")):
             assert judge("verify", "divides", *words).returncode == 2
-        limits = judge(*look, "--isolation", "limits")
-        assert (limits.returncode, len(limits.stderr.splitlines())) == (2, 1)
+        with_groups(pack, LARGE)
+        for words in (("--isolation", "limits"), ("--group", "large")):
+            refused = judge(*look, *words)
+            assert (refused.returncode, len(refused.stderr.splitlines())) == (2, 1)
+            assert "fault" not in refused.stderr
 
     def test_each_way_alone_finds_something(self, pack, monkeypatch):
         from judge.holes.cases import Stream

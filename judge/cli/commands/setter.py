@@ -171,6 +171,8 @@ def _holes(ask: VerifyAsk, common: Common, name: str) -> Holes | Verified:
     try:
         problem = find_problem(name, common.problems)
         groups = tuple([each for each in chosen_groups(problem, ask.groups) if each.size is None])
+        if not groups:
+            raise UsageError(f"{name} has only large cases in these groups", remedy="name another group")
         problem = replace(problem, groups=groups)  # large cases are neither asked nor changed
         with stages(name) as advance:
             sets = [fresh_data(problem, advance, seed) for seed in (None, *range(1, ask.seeds))]

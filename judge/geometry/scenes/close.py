@@ -95,14 +95,14 @@ def _anyhow(draw: Draw, way: IntPoint, rows: list[IntCircle]) -> tuple[IntPoint,
 
 
 def narrow(beams: Bounds, reach: int) -> Scene:
-    """Beams that nearly touch a circle, or meet two at nearly one place; one far away makes the size."""
+    """Beams that nearly touch a circle, or meet two at nearly one place; often one far away makes the size."""
 
     def draw_case(draw: Draw) -> tuple[Any, ...]:
-        far = draw.integer(900_000, WIDE) * draw.sign()
-        scene: list[IntCircle] = [(far, draw.integer(9, 99) * reach, 1)]
+        far = draw.choice((0, draw.integer(900_000, WIDE) * draw.sign()))
+        scene: list[IntCircle] = [(far, draw.integer(9, 99) * reach, 1)] if far else []
         ways: list[IntPoint] = []
         for _ in range(draw.integer(*beams)):
-            way, rows = draw.choice((_just_off, _just_off, _just_behind))(draw, reach, abs(far))
+            way, rows = draw.choice((_just_off, _just_off, _just_behind))(draw, reach, abs(far) or 2 * reach)
             scene += rows
             ways.append(way)
         return scanned(scene, any_point(draw, reach), ways)
