@@ -36,12 +36,10 @@ _HEAVIEST = 1e6
 class ClassAsk(Struct, frozen=True):
     """How to judge a class, and what to write of it."""
 
-    students: Path | None = opt("--students CSV", "The list of the class; or the gradebook of your platform.")
+    students: Path | None = opt("--students CSV", "The list of the class, or your platform's gradebook.")
     jobs: int = opt("-j --jobs N", "Judge N files at once.", type=click.IntRange(1, 256), default=1)
     level: str | None = opt("--level", "Only this level of each kata.", choices=LEVELS)
-    again: tuple[str, ...] = opt(
-        "--again NAME", "Judge a student, a kata or a file again (repeatable).", default=()
-    )
+    again: tuple[str, ...] = opt("--again NAME", "Judge that student, kata or file again.", default=())
     csv: Path | None = opt("--csv FILE", "Write the gradebook, one line for each student.")
     html: Path | None = opt("--html FILE", "Write one page of it all, with a picture of each mistake.")
     feedback: Path | None = opt("--feedback DIR", "Write a page for each student into this folder.")
@@ -51,7 +49,7 @@ class ClassAsk(Struct, frozen=True):
     weight: tuple[str, ...] = opt(
         "--weight KATA=N", "Weigh a kata; the total is out of 100 then.", default=()
     )
-    anonymous: bool = opt("--anonymous", "Numbers for names, but in the gradebook.")
+    anonymous: bool = opt("--anonymous", "Numbers for names.")
     where: str | None = opt(
         "--on WHERE", "Judge with the workers of a dask scheduler: tls://HOST:PORT, or its file."
     )
@@ -68,10 +66,8 @@ def judge_class(
     FOLDER holds STUDENT/KATA.py or KATA/STUDENT.py, in any language. A file of another name is for the kata
     whose function it defines. Each result is kept at once in FOLDER.judge.sqlite3: after Ctrl-C or a crash
     the same command goes on, and judges only what is new. If a student has several files for one kata, the
-    best counts. Equal files are judged once. A terminal shows the first names of long lists, a pipe all.
-
-    What Moodle, Canvas, Gradescope, Blackboard and Brightspace hand out is read as it is; zips and notebooks
-    are opened. --students says who is who, in any of its columns, and all of them go on to --csv.
+    best counts. Equal files are judged once. What Moodle, Canvas, Gradescope, Blackboard and Brightspace hand
+    out is read as it is; zips and notebooks are opened.
 
     Exit status: 0 all accepted, 1 not, 2 usage, 3 something could not be judged.
     """
