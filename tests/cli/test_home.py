@@ -73,6 +73,8 @@ def test_a_project_has_its_katas_in_a_folder_of_their_own(mark, judge, tmp_path)
     assert judge("start", "middle").out.startswith("Created katas/middle.py.")
     assert judge("start", "middle").out.startswith("katas/middle.py exists.")
     assert judge("start").out.startswith("katas/middle.py exists.")
+    assert "goes on with katas/middle.py in this folder" in judge().out
+    assert judge("start", "middle", "--language", "go").out.startswith("Created katas/middle.go.")
 
 
 def test_katas_in_the_folder_below_are_found_from_above(judge, tmp_path, monkeypatch):
