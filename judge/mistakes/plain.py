@@ -16,6 +16,8 @@ from contextlib import suppress
 from copy import deepcopy
 from itertools import pairwise
 
+from judge.mistakes.transforms import ANSWER
+
 _HARMLESS = ("abs", "copysign", "hypot", "len", "map", "max", "min")  # calls that cannot fail on valid input
 _DEFERRED = (ast.Lambda, ast.FunctionDef, ast.While, ast.For)  # what is inside is worked out later, or often
 _NUMBER = re.compile(r"-?\d")
@@ -119,7 +121,7 @@ def _take_identities_out(tree: ast.Module) -> None:
         def visit_Call(self, node: ast.Call) -> ast.AST:
             self.generic_visit(node)
             plain = isinstance(node.func, ast.Name) and node.func.id in same
-            return node.args[0] if plain else node
+            return node.args[0] if plain and len(node.args) == 1 else node
 
     Out().visit(tree)
 
@@ -160,6 +162,7 @@ def _move_wrapper(tree: ast.Module, entry: str) -> None:
             (at, functions[each.value.func.id])
             for at, each in enumerate(outer.body)
             if isinstance(each, ast.Assign)
+            and ast.unparse(each.targets[0]) == ANSWER
             and isinstance(each.value, ast.Call)
             and isinstance(each.value.func, ast.Name)
             and each.value.func.id in functions
@@ -168,16 +171,16 @@ def _move_wrapper(tree: ast.Module, entry: str) -> None:
         (0, outer),
     )
     names = [[each.arg for each in function.args.args] for function in (outer, inner)]
-    returns = [each for each in ast.walk(inner) if isinstance(each, ast.Return) and each.value]
-    after = outer.body[at + 1 : -1]
-    if inner is outer or names[0] != names[1] or not isinstance(outer.body[-1], ast.Return):
+    returns = [each for each in ast.walk(inner) if isinstance(each, ast.Return)]
+    after = [each for each in outer.body[at + 1 : -1] if isinstance(each, ast.Assign)]
+    once = all([name.id for name in _names(each, ast.Load)].count(ANSWER) == 1 for each in after)
+    plain = after == outer.body[at + 1 : -1] and ast.unparse(outer.body[-1]) == f"return {ANSWER}"
+    few = not after or (len(returns) <= _RETURNS and all(each.value for each in returns))
+    if inner is outer or names[0] != names[1] or not (plain and once and few):
         return
     for each in after:
-        used = [name.id for name in _names(each, ast.Load)].count("answer")
-        if not isinstance(each, ast.Assign) or used != 1 or len(returns) > _RETURNS:
-            return
         for done in returns:
-            done.value = _with(deepcopy(each.value), "answer", done.value or ast.Constant(None))
+            done.value = _with(deepcopy(each.value), ANSWER, done.value or ast.Constant(None))
     inner.name, inner.body = entry, [*outer.body[:at], *inner.body]
     tree.body.remove(outer)
 

@@ -149,7 +149,9 @@ def plan(wanted: Sequence[Card], count: int, weak: Sequence[Collection[str]]) ->
     firsts = [next((card for card in wanted if card.key in keys), None) for keys in weak]
     chosen = {card.key: card for card in (*firsts, *wanted) if card}
     kept = [*chosen.values()][:count]
-    return sorted(kept, key=lambda card: next((at for at, each in enumerate(SETS) if each in card.sets), 9))
+    return sorted(
+        kept, key=lambda card: next((at for at, each in enumerate(SETS) if each in card.sets), len(SETS))
+    )
 
 
 def usual_kata(name: str, course: Course) -> Problem:

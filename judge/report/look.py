@@ -73,6 +73,7 @@ def _returning(found: published.Home, screen: Screen) -> RenderableType:
     rows: list[tuple[str, str, str]] = []
     if now:
         folder, name = os.path.split(now.path)
+        name = os.path.relpath(now.path) if found.here else name
         go_on = ("judge start", f"goes on with {shown_name(name)} in this folder")
         if not found.here:
             go_on = ("", f"{shown_name(name)} is in another folder: {shown_command('cd', file=folder)}")

@@ -73,6 +73,8 @@ def test_a_project_has_its_katas_in_a_folder_of_their_own(mark, judge, tmp_path)
     assert judge("start", "middle").out.startswith("Created katas/middle.py.")
     assert judge("start", "middle").out.startswith("katas/middle.py exists.")
     assert judge("start").out.startswith("katas/middle.py exists.")
+    assert "goes on with katas/middle.py in this folder" in judge().out
+    assert judge("start", "middle", "--language", "go").out.startswith("Created katas/middle.go.")
 
 
 def test_katas_in_the_folder_below_are_found_from_above(judge, tmp_path, monkeypatch):
@@ -149,12 +151,16 @@ def test_what_is_due_again_and_the_cards(judge, submit, tmp_path):
         (run,) = history.runs()
         history.keep(solved(run, "crossings", tmp_path, days=8))
         old = datetime.now(UTC) - timedelta(days=30)
-        history.keep(Answer("junior/dot-product", "recall", Rating.GOOD, judged=False, when=old))
+        history.keep(Answer("junior/equality-test", "choice", Rating.GOOD, judged=True, when=old))
     ended = judge()
     assert label(ended, "Again") == "crossings        solved 8 days ago; solve it once more from memory"
     assert "judge start crossings --reset" in ended.out
     assert "1 card due" in ended.out
     assert ended.lines[0].endswith("2 of 38 katas")
+    steps = [" ".join(line.split()) for line in judge("drill").lines if " min " in line]
+    assert [each for each in steps if each.startswith("1 ") and each.endswith("1 due")]
+    assert steps[-1] == "4 5 min judge start crossings --reset solved 8 days ago; from memory"
+    assert "judge start crossings --reset" in judge("progress", "--due").out
 
 
 def solved(run: Run, kata: str, folder, *, days: int) -> Run:

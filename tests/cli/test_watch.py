@@ -277,6 +277,15 @@ def test_a_save_gives_up_the_run_of_what_stood_there_before(watch, submit):
         assert [run.verdict.value for run in history.runs("middle")] == ["AC"]
 
 
+def test_the_first_kata_of_a_project_is_in_a_folder_of_its_own(watch, tmp_path):
+    (tmp_path / ".git").mkdir()
+    terminal = watch(rows=24)
+    terminal.sees("Created katas/distance_squared.py. Open it in your editor.")
+    (tmp_path / "katas" / "distance_squared.py").write_text("def distance_squared(P, Q):\n    return 1\n")
+    terminal.sees("Wrong answer  katas/distance_squared.py")
+    terminal.leaves()
+
+
 def test_a_new_kata_is_shown_before_it_is_judged_and_started_over(watch, tmp_path):
     terminal = watch("which-side", rows=24)
     lines = terminal.sees("Created which_side.py. Open it in your editor.")

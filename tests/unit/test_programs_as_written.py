@@ -72,3 +72,8 @@ def test_what_a_wrapper_does_moves_into_the_function():
     )
     twice = WRAPPED.replace("round(answer, 2)", "answer if answer is None else answer[::-1]")
     assert "def inner" in as_written(twice, "f")
+
+
+def test_a_call_with_all_arguments_is_no_wrapper():
+    source = WRAPPED.partition("def f")[0] + "def f(x, y):\n    answer = inner(x, y)\n    return answer + 1\n"
+    assert "return inner(x, y) + 1" in as_written(source, "f")

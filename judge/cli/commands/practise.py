@@ -90,13 +90,14 @@ def _meant(words: Sequence[str], ask: StartAsk, common: Common) -> Kata:
             place = _place(first)
             return Kata(_problem_of(first, common), place)
         problem = find_problem(first, common.problems)
-        if words[1:] or ask.language:
-            return Kata(problem, _place(words[1] if words[1:] else _named(problem, ask.language)))
+        if words[1:]:
+            return Kata(problem, _place(words[1]))
     with history_at(common.db, reading=True) as history:
         here, places, runs = current(this_folder(), history), history.places(), history.runs()
     done = solved(runs)
     if problem is not None:
-        if here and here.problem == problem.id and not os.path.exists(_named(problem)):  # noqa: PTH110 - of any name
+        own = here and here.problem == problem.id and not ask.language
+        if here and own and not os.path.exists(_named(problem)):  # noqa: PTH110 - of any name
             return Kata(problem, Path(here.path))
     elif here is not None and (here.problem not in done or ask.reset):
         problem = problem_of(here, common.problems)
