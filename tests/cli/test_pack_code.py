@@ -92,12 +92,7 @@ def test_a_problem_is_run_when_it_is_first_read(judge, practised, mark, tmp_path
 
 def test_these_commands_only_read_it(judge, practised, mark):
     assert {*READ, *RUN_IT, "site"} == set(COMMANDS)  # which has a test of its own
-    more = [
-        "solution middle --give-up",
-        "progress",
-        "progress --due",
-        "hack middle",
-    ]
+    more = ["solution middle --give-up", "hack middle"]
     for words in (*(each for ways in READ.values() for each in ways), *more):
         assert judge(*words.split()).status == 0, words
         assert not mark.exists(), words
@@ -154,5 +149,5 @@ def test_an_installed_pack_is_imported_where_its_name_is_looked_up(
 def test_the_manual_names_the_same_commands():
     readme = " ".join(page("sandbox").text.split())
     (told,) = re.findall(r"runs with your rights when you use ([^.]*)\.", readme)
-    assert set(re.findall(r"`(?:judge )?(\w+)`", told)) == {*RUN_IT, "start"}
+    assert set(re.findall(r"`(?:judge )?(\w+)`", told)) == {*RUN_IT, "start", "site"}
     assert "docker run --init" in readme
