@@ -96,19 +96,20 @@ def _refuse_odd_numbers(text: str) -> None:
 
 
 def _line(problem: Problem, words: list[str]) -> Case:
-    _count_numbers(problem, len(words))
     left = iter(words)
     case = []
     for each in problem.parameters:
         try:
             case.append(parameters.from_tokens(each.type, left))
         except StopIteration:
+            _count_numbers(problem, len(words))
             raise _unreadable(problem, f"the numbers end before {each.name} is complete") from None
         except (ValueError, OverflowError):
             bad = words[len(words) - len(list(left)) - 1]
             kind = "point. Write (3, 4)" if "point" in str(each.type) else f"value of {each.name}"
             raise UsageError(f"{_quoted(bad)} is not a {kind}") from None
     if (surplus := next(left, None)) is not None:
+        _count_numbers(problem, len(words))
         raise _unreadable(problem, f"{_quoted(surplus)} is left over after {problem.parameters[-1].name}")
     return tuple(case)
 

@@ -8,7 +8,7 @@ import subprocess
 import sys
 
 import pytest
-from cli_support import FLOOR, PACK, ROOT
+from cli_support import FLOOR, PACK
 
 from judge.packs.export.programs import _misfit, _Trial
 from judge.problem import Verdict
@@ -153,7 +153,7 @@ def test_a_package_of_javascript_is_told(judge, submit, folder, said):
 
 
 def test_a_slow_program_that_is_too_fast_is_left_out_with_its_margin():
-    told = _misfit(Kind.SLOW, _Trial(Verdict.AC, 2.61, ""), 1)
+    told = _misfit(Kind.SLOW, _Trial(Verdict.AC, None, 2.61), 1)
     assert told == "too near the package's time limit of 1 s: it takes 2.61 s and must take more than 6 s"
 
 
@@ -165,9 +165,8 @@ def test_what_is_no_digit_is_named(judge, submit, printed, said):
     assert said in judge("run", "middle", submit(program), "--no-name").out
 
 
-@pytest.mark.parametrize("kata", [each.name for each in problem_folders() if each.parent.parent == ROOT])
-def test_a_statement_says_its_bounds_and_what_e_0_asks(kata):
-    statement = " ".join(find_problem(kata).statement.split())
-    assert "2**30 in size" not in statement
-    assert "e may be 0" not in statement
-    assert ("then `<` is never true, so ask `<=`" in statement) or "e is 0 where" not in statement
+def test_statements_say_their_bounds_and_what_e_0_asks():
+    for folder in problem_folders():
+        statement = " ".join(find_problem(folder.name).statement.split())
+        assert "2**30 in size" not in statement, folder
+        assert "e may be 0" not in statement, folder

@@ -162,7 +162,7 @@ def test_a_group_as_standard_input():
         (b"1\n2", False, ["1"]),
         (b"1\n\n2\n \n\n", True, ["1", "", "2"]),
         (b"", True, []),
-        (b"\xff\n", True, ["\ufffd"]),
+        (b"\xff\n", True, ["\\xff"]),
     ],
 )
 def test_lines_of_an_output(stdout, complete, lines):
