@@ -154,8 +154,8 @@ class Site:
             for each in self._sets()
         ]
         named = read_checklist(self._folders).skills
-        topics = list(dict.fromkeys(filter(None, (getattr(each, "topic", "") for each in named))))
-        skills = {each.name for each in named if getattr(each, "topic", "") or not topics}
+        topics = list(dict.fromkeys(filter(None, (each.topic for each in named))))
+        skills = {each.name for each in named if each.topic or not topics}
         katas = [
             _listed(each) | {"skills": [one.name for one in each.skills if one.name in skills]}
             for each in self.problems
@@ -329,7 +329,7 @@ def _card(card: Card, asked: Question) -> dict[str, Any]:
         "given": asked.given,
         "program": asked.program,
         "svg": _figure(asked.picture),
-        "drawn": _figure(getattr(asked, "drawn", None)),
+        "drawn": _figure(asked.drawn),
         "options": [
             {"text": text, "right": bool(reply and reply.right), "why": reply.why if reply else ""}
             for text, reply in replies

@@ -1,6 +1,6 @@
-"""README's pictures: real commands in a terminal, drawn as SVG. Run as a script, it draws them anew.
+"""README's film: real commands in a terminal, drawn as SVG. Run as a script, it draws it anew.
 
-One is a run that fails; the other one moves: a run that fails, a hint, and the run that is accepted.
+It shows a run that fails, a hint, and the run that is accepted; the first alone where motion is unwanted.
 """
 
 from __future__ import annotations
@@ -17,12 +17,9 @@ from pathlib import Path
 from pseudoterminal import COLUMNS, run
 from walk import ROOT
 
-from judge.mistakes.family import Family
-from judge.problem.find import find_problem
-
-PICTURE = ROOT / ".github" / "screenshot.svg"
 FILM = ROOT / ".github" / "loop.svg"
 _COMMAND = "judge run segment.py"
+_CLAMP = "        if -near <= to_foot + step <= length + near\n"  # what the wrong try has forgotten
 _SECONDS = (8, 5, 5)  # that the scenes of the film last
 _TITLE = "judge"
 # Colours that hold on the picture's own dark ground, whatever the page around it; SGR 2 is dimmed by hand.
@@ -39,18 +36,12 @@ _PIECE = re.compile(
 )
 
 
-def real_run(cache: Path | None = None) -> str:
-    """What a terminal shows of judging a wrong program, with its colours; the command line first."""
-    return real_loop(cache, 1)[0]
-
-
 def real_loop(cache: Path | None = None, scenes: int = 3) -> list[str]:
     """What a terminal shows of a wrong try, of a hint and of a right one; only the first scenes."""
-    problem = find_problem("segment")
-    family = Family(problem)
-    wrong = next(choice for choice, name in family.named if name == "loose-epsilon")
-    right = next(iter(sorted((ROOT / "solutions" / "segment" / "accepted").glob("*.py"))))
-    files = (family.program(wrong), None, right.read_text("utf-8"))
+    right = (ROOT / "solutions" / "segment" / "accepted" / "tolerant.py").read_text("utf-8")
+    wrong = right.replace(_CLAMP, "")
+    assert wrong != right
+    files = (wrong, None, right)
     shown = []
     with tempfile.TemporaryDirectory() as folder:
         settings = {"JUDGE_CACHE": str(cache or f"{folder}/cache"), "JUDGE_DB": f"{folder}/history.sqlite3"}
@@ -135,10 +126,8 @@ def _row(pieces: list[tuple[float, str]]) -> str:
 
 
 def main() -> None:
-    """Draw the pictures anew."""
-    scenes = real_loop()
-    PICTURE.write_text(drawn(scenes[0]), encoding="utf-8")
-    FILM.write_text(film(scenes), encoding="utf-8")
+    """Draw the film anew."""
+    FILM.write_text(film(real_loop()), encoding="utf-8")
 
 
 if __name__ == "__main__":
