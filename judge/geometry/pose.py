@@ -107,19 +107,16 @@ def posed(
     """
     finer = draw.integer(*tilt) if tilt else 0
     if tilt:
-        last = Vector if any(isinstance(each, Vector) for each in atoms) else Point
-        tilted = [each for each in atoms if isinstance(each, last)][-1]
+        tilted = (_those(Vector, atoms, atoms) or _those(Point, atoms, atoms))[-1]
         for each in atoms:
             each[:] = [n << finer for n in each]
         tilted[1] += draw.integer(1, 9) * draw.sign()
-    matrix, norm = _turned(draw, len(next(each for each in atoms if isinstance(each, Point))), turn)
+    matrix, norm = _turned(draw, len(_those(Point, atoms, atoms)[0]), turn)
     turned = [
         [norm * each[0]] if isinstance(each, Length) else [_dot(row, each) for row in matrix]
         for each in atoms
     ]
-    centre = _centre(
-        draw, [row for row, each in zip(turned, atoms, strict=True) if isinstance(each, Point)], move
-    )
+    centre = _centre(draw, _those(Point, atoms, turned), move)
     whole = [
         [x + (m << finer) for x, m in zip(row, centre, strict=True)] if isinstance(each, Point) else row
         for row, each in zip(turned, atoms, strict=True)
@@ -131,13 +128,13 @@ def posed(
     size = _one(draw, shift)
     exponent = _LEAST - _bits(whole) if size == "least" else min(size - finer, _BOUND - _bits(whole))
     if exponent < _UNIT:
-        own = [row for row, each in zip(whole, atoms, strict=True) if not isinstance(each, Vector)]
+        own = _those((Length, Point), atoms, whole)
         if any(0 < abs(x) * 2.0**exponent < _TINIEST for row in own for x in row):
             draw.reject()
     kind = draw.choice(("int", "float", "mixed")) if numbers == "any" else numbers
     number = _binary(draw, kind, exponent)
-    vectors = [row for row, each in zip(whole, atoms, strict=True) if isinstance(each, Vector)]
-    longer = max(_UNIT, min(exponent + _one(draw, stretch), _BOUND - _bits(vectors)))
+    most = _BOUND - _bits(_those(Vector, atoms, whole))
+    longer = max(_UNIT, min(exponent + _one(draw, stretch), most))
     along = _binary(draw, kind, longer)
     return _named(
         atoms,
@@ -146,6 +143,11 @@ def posed(
             for row, each in zip(whole, atoms, strict=True)
         ],
     )
+
+
+def _those(kind: Any, atoms: Sequence[Atom], rows: Sequence[Any]) -> list[Any]:
+    """The rows of the atoms of a kind."""
+    return [row for row, each in zip(rows, atoms, strict=True) if isinstance(each, kind)]
 
 
 def _named(atoms: Sequence[Atom], values: Sequence[Sequence[Any]]) -> list[Any]:
@@ -217,7 +219,7 @@ def _decimals(draw: Draw, atoms: Sequence[Atom], turned: Sequence[Sequence[int]]
     """
     per = draw.choice((10, 100))
     exact = [[x // per if x % per == 0 else x / per for x in row] for row in turned]
-    places = [row for row, each in zip(exact, atoms, strict=True) if isinstance(each, Point)]
+    places = _those(Point, atoms, exact)
     for axis in range(len(places[0])):
         centre = draw.integer(-9, 9)
         if all(x + centre - centre == x and x + centre - x == centre for x in [row[axis] for row in places]):

@@ -54,7 +54,7 @@ def head_on(draw):
     """A point that comes to an end of the wall in line with it, along an axis or any way."""
     if draw.integer(0, 2) == 0:
         return mirrored(draw, 0, (-late_way(draw, -27), 0.0), (0.0, 0.0), (0.0, 0.0), (ldexp(draw.integer(1 << 52, 1 << 53), -27), 0.0))
-    p, q, m, n = (draw.integer(99, 1 << 15) for _ in range(4))
+    p, q, m, n = (draw.integer(1 << 13, 1 << 15) for _ in range(4))
     return mirrored(draw, 0, (-m * p, -m * q), (0, 0), (0, 0), (n * p, n * q))
 
 
@@ -156,7 +156,7 @@ INTERVIEW = [
     group("past", "Past the wall, where its line would be hit.", walls("past side", "past side", "hit side", **PLAIN), skills="fatten the wall"),
     group("ends", "Onto an end, which is round.", either(walls("hit cap", **PLAIN), walls("hit cap", "hit cap level", **{**AXIS, "shift": -6, "move": 0})), cases=80, skills=("fatten the wall", "a wall has round ends")),
     group("overlap", "Disc and wall overlap or touch from the start, whatever the disc does then: t = 0.", walls("overlap side", "overlap cap", "start side", "start cap", "start post", **PLAIN), skills="touching from the start"),
-    group("away", "The disc leaves the wall, or rests beside it: the touch was before the start, or never.", either(walls("away side", "away cap", "rest side", "rest cap", **PLAIN), back(walls("shy cap", "shy post", **PLAIN)), back(walls("flat side", **PLAIN)), back(walls("flat side", **PLAIN))), cases=140, skills="first in time"),
+    group("away", "The disc leaves the wall, or rests beside it: the touch was before the start, or never.", either(walls("away side", "away cap", "rest side", "rest cap", **PLAIN), back(walls("shy cap", "shy post", **PLAIN)), back(walls("flat side", **PLAIN)), back(walls("flat side", **PLAIN))), cases=130, skills="first in time"),
     group("short", "The disc stops before the wall, or before it would graze it.", walls("short side", "short cap", "short post", "shy cap", "shy post", **PLAIN), skills="first in time"),
     group("graze", "The disc grazes an end.", walls(*GRAZES, "graze cap", **PLAIN), skills="a graze is a touch"),
     group("slide", "The disc slides along the wall, and touches it from its first end on.", either(walls("slide side", **PLAIN), walls("slide side", **{**BIG, "turn": "axis"})), skills=("a graze is a touch", "a wall has round ends")),
@@ -171,17 +171,17 @@ INTERVIEW = [
 PRODUCTION = [  # the same, where rounding bites
     group("decimals", "Touches in short decimals, which == does not see.", either(telling(walls("slide side", "end side", "start side", "start side", **DECIMALS), *TELLING), *2 * (walls("end post dot level", "end cap dot level", "end cap dot level", **DECIMALS),)), cases=110, skills="a graze is a touch"),
     group("turned", "Grazes that squares cannot see.", walls(*GRAZES, "graze cap dot", "graze cap dot", "graze cap dot", "slide side", **BIGGER), cases=110, skills="a tangent has a width"),
-    group("upright", "Grazes along an axis that seem to be apart or to overlap, from level with an end of the wall, from its line, or right beside it.", either(*3 * [upright], *2 * [telling(partial(upright, stops=True), *TELLING)], telling(tangent, *TELLING)), cases=150, skills="a tangent has a width"),
-    group("graze-full", "Grazes that no formula in floats can see, or that seem to overlap.", telling(walls(*GRAZES, **FULL), *TELLING), cases=54, skills="a tangent has a width"),
+    group("upright", "Grazes along an axis that seem to be apart or to overlap, from level with an end of the wall, from its line, or right beside it.", either(*3 * [upright], *2 * [partial(upright, stops=True), telling(tangent, *TELLING)]), cases=230, skills="a tangent has a width"),
+    group("graze-full", "Grazes that no formula in floats can see, or that seem to overlap.", telling(walls(*GRAZES, **FULL), *TELLING), cases=46, skills="a tangent has a width"),
     group("slide-full", "The disc slides along the wall, or stops where it would, and rounding puts it beside.", telling(walls("slide side", "stop side", **FULL), *TELLING), cases=70, skills="a tangent has a width"),
     group("start-full", "The disc touches at the start, and rounding puts it apart.", either(*2 * [telling(walls("rest side", **FULL), *TELLING)], telling(walls("start side", **{**FULL, "turn": "axis"}), *TELLING), walls("start cap", **FULL), walls("start side dot", **FULL), walls("start side dot", **FULL), *4 * [abreast]), cases=90, skills="touching from the start"),
     group("end-full", "The disc touches at the very end, and rounding makes it later.", telling(either(walls("end side", "end cap", **FULL), walls("end cap level", "end cap dot level", "end side level", "end post level", **{**FULL, "turn": "axis"}), walls("end cap afar", "end post afar", **AFAR), walls("end side dot", "end cap dot", "end post dot", **FULL), walls("end cap", "end side", **{**STEEP, "size": 2**7}), walls("end cap home", "end side home", "end post home", "stop cap home", "stop post home", **{**FULL, "move": 0})), *TELLING), cases=72, skills="first in time"),
     group("beside", "The disc touches at the very end, and its way begins level with an end of the wall.", beside(walls("end side", "end side", "end side", "end side dot", "end cap dot", "end post dot", **FULL)), cases=80, skills="first in time"),
-    group("at-an-end", "A point that begins or ends its way at an end of the wall.", either(ending, late, slipping, head_on), cases=90, skills="first in time"),
+    group("at-an-end", "A point that begins or ends its way at an end of the wall.", either(ending, late, slipping, *2 * [head_on]), cases=100, skills="first in time"),
     group("near-graze", "Nearly a graze: 1e-7 of the figure away.", walls("graze~ cap", "graze~ cap dot", "graze~ cap dot", "graze~ cap dot", "graze~ post", "slide~ side", **CLEAR), cases=90, skills="nearly is not touching"),
     group("near-start", "The disc nearly touches at the start, and leaves.", walls("start~ side", "start~ cap", **CLEAR), skills="touching from the start"),
     group("near-end", "The disc touches just before the end, or does not quite.", either(walls("end~ side", "end~ cap", "end~ side dot level", "end~ post dot level", **CLEAR), walls("shy cap", "shy post", **{**FULL, "shift": 0}), walls("shy post afar", **AFAR), walls("end~ side grain", "end~ side", **{**PLAIN, "shift": -20})), cases=115, skills="first in time"),
-    group("flat", "Onto the side nearly along the wall: it still is the side.", either(walls("flat side", "flat side grain", **{**PLAIN, "shift": -20}), walls("flat side", **{**PLAIN, "size": 100}), walls("flat side", **{**PLAIN, "size": 100})), cases=120, skills="fatten the wall"),
+    group("flat", "Onto the side nearly along the wall: it still is the side.", either(walls("flat side", "flat side grain", **{**PLAIN, "shift": -20}), walls("flat side", **{**PLAIN, "size": 100}), walls("flat side", **{**PLAIN, "size": 100})), cases=110, skills="fatten the wall"),
     group("rim", "Onto the side, close to an end: it still is the side.", walls("hit side rim", "end side rim", **{**BIG, "size": 2**16}), skills="a wall has round ends"),
     group("broad", "A wall that is less than a hundredth of the disc: it is no post.", walls("broad side", **PLAIN), skills="a wall has round ends"),
     group("tiny", "All of it tiny, down to 1e-29.", walls("graze cap", "graze~ cap", "stop cap", "end~ side", "hit side", **TINY), skills=("no absolute epsilon", "scale invariance")),

@@ -95,7 +95,7 @@ def _anyhow(draw: Draw, way: IntPoint, rows: list[IntCircle]) -> tuple[IntPoint,
 
 
 def narrow(beams: Bounds, reach: int) -> Scene:
-    """Beams that nearly touch a circle, or meet two nearly at once; often one far away makes the size."""
+    """Beams that nearly touch a circle, or meet two at nearly one place; often one far off makes the size."""
 
     def draw_case(draw: Draw) -> tuple[Any, ...]:
         far = draw.choice((0, draw.integer(900_000, WIDE) * draw.sign()))

@@ -305,9 +305,8 @@ def touches(beams: Bounds, reach: int) -> Scene:
             scene.append((draw.integer(900_000, WIDE) * draw.sign(), 90 * reach, 1))
         x, y = any_point(draw, reach)
         u, v, _ = scene[-1]  # which may come to lie on an axis
-        O = draw.choice(
-            ((x, y), (x, 0), (0, y), (0, 0), (-90 * reach, 0), (0, -90 * reach), (-u, y), (x, -v))
-        )
+        away = -90 * reach
+        O = draw.choice(((x, y), (x, 0), (0, y), (0, 0), (away, 0), (0, away), (-u, y), (x, -v)))
         return scanned(scene, O, ways, apart=0)
 
     return draw_case
