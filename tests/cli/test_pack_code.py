@@ -23,6 +23,7 @@ READ = {  # those that read what is kept of it, in the ways that could make a di
     "start": ["start middle new.py", "start middle other.py --reset", "start"],
     "hint": ["hint middle --all"],
     "progress": ["progress", "progress --due"],
+    "drill": ["drill"],
     "history": ["history middle", "history --json"],
     "new": ["new problems/fresh-kata"],
     "doctor": ["doctor"],

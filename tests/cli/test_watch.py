@@ -291,7 +291,7 @@ def test_a_new_kata_is_shown_before_it_is_judged_and_started_over(watch, tmp_pat
     lines = terminal.sees("Created which_side.py. Open it in your editor.")
     assert lines[0].startswith("which-side  Which side of the line")
     assert lines[0].endswith("first steps, kata 2 of 6")
-    assert any("Write which_side(A, B, P)" in row and "True scale" in row for row in lines), (
+    assert any("Write which_side(A, B, P)" in row and row.endswith("  P") for row in lines), (
         "its figure is beside"
     )
     assert "stand at A and" in " ".join(" ".join(lines).split())
