@@ -102,7 +102,7 @@ def raced(judge, submit, tmp_path, monkeypatch):
         path = submit(source, name)
         result = json.loads(judge("run", "--json", "middle", path).out)
         Draft202012Validator(schema_of(app.get_command(None, "run"))).validate(result)
-        return result, judge("run", "middle", path)
+        return result, judge("run", "middle", path, "--all")
 
     return run
 
