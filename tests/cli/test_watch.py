@@ -294,6 +294,7 @@ def test_a_new_kata_is_shown_before_it_is_judged_and_started_over(watch, tmp_pat
     assert any("Write which_side(A, B, P)" in row and row.endswith("  P") for row in lines), (
         "its figure is beside"
     )
+    assert any(row.endswith("    true scale") for row in lines)
     assert "stand at A and" in " ".join(" ".join(lines).split())
     assert last(lines).strip() == "Write the function, then save. I judge it on every save."
     assert len(lines) < 24

@@ -35,6 +35,7 @@ from judge.sandbox.probe import missing
 MEMORY, OUTPUT = 256 << 20, 1 << 20
 PATIENT = Limits(cpu_seconds=2.0, wall_seconds=6.0, memory_bytes=MEMORY, output_bytes=OUTPUT)
 LIMITS = {
+    frozenset({Stop.MEMORY}): Limits(10.0, 30.0, MEMORY, OUTPUT),  # some machines hand out pages slowly
     frozenset({Stop.CPU}): Limits(0.2, 6.0, MEMORY, OUTPUT),
     frozenset({Stop.WALL}): Limits(1.0, 0.5, MEMORY, OUTPUT),
 }
