@@ -29,7 +29,6 @@ if TYPE_CHECKING:
     from judge.problem import Problem
     from judge.run.result import Result
 
-_TIMES = ["%Y-%m-%dT%H:%M", "%Y-%m-%d %H:%M", "%Y-%m-%d"]
 _HEAVIEST = 1e6
 
 
@@ -43,9 +42,7 @@ class ClassAsk(Struct, frozen=True):
     csv: Path | None = opt("--csv FILE", "Write the gradebook, one line for each student.")
     html: Path | None = opt("--html FILE", "Write one page of it all, with a picture of each mistake.")
     feedback: Path | None = opt("--feedback DIR", "Write a page for each student into this folder.")
-    due: datetime | None = opt(
-        "--due TIME", "Count days late from 2026-12-01T23:59.", type=click.DateTime(_TIMES)
-    )
+    due: str | None = opt("--due TIME", "Count days late from then, as 2026-12-01T23:59.")
     weight: tuple[str, ...] = opt(
         "--weight KATA=N", "Weigh a kata; the total is out of 100 then.", default=()
     )
@@ -78,7 +75,7 @@ def judge_class(
         raise UsageError("--json has names", remedy="leave out --anonymous")
     for each in katas:
         find_problem(each, common.problems)
-    weights = dict(_weight(each, common) for each in ask.weight)
+    weights, due = dict(_weight(each, common) for each in ask.weight), _time(ask.due) if ask.due else None
     csv = OutFile(ask.csv, "--csv", "a gradebook", is_gradebook)
     html = OutFile(ask.html, "--html", "a page of a class", partial(_is_page, "CLASS"))
     if ask.html or ask.feedback:
@@ -95,7 +92,7 @@ def judge_class(
             folders=common.problems,
             isolation=common.isolation,
             level=ask.level,
-            due=ask.due,
+            due=due,
             weights=weights,
             say=note,
         )
@@ -119,6 +116,15 @@ def judge_class(
             results = {(kata, files.get(file, file)): each for (kata, file), each in results.items()}
             title = folder.resolve().name or "class"
             _write_pages(shown, results, classroom.problems(), html, ask.feedback, title)
+
+
+def _time(said: str) -> datetime:
+    """A time of this machine's clock. Raises UsageError."""
+    try:
+        return datetime.fromisoformat(said)
+    except ValueError:
+        remedy = "write a day, or a day and a time: 2026-12-01T23:59"
+        raise UsageError(f"{said!r} is no time", where="--due", remedy=remedy) from None
 
 
 def _weight(said: str, common: Common) -> tuple[str, float]:
