@@ -42,7 +42,7 @@ class ClassAsk(Struct, frozen=True):
     csv: Path | None = opt("--csv FILE", "Write the gradebook, one line for each student.")
     html: Path | None = opt("--html FILE", "Write one page of it all, with a picture of each mistake.")
     feedback: Path | None = opt("--feedback DIR", "Write a page for each student into this folder.")
-    due: str | None = opt("--due TIME", "Count days late from then, as 2026-12-01T23:59.")
+    due: str | None = opt("--due TIME", "Count days late from then: 2026-12-01T23:59.")
     weight: tuple[str, ...] = opt(
         "--weight KATA=N", "Weigh a kata; the total is out of 100 then.", default=()
     )
