@@ -11,7 +11,7 @@ import click
 from msgspec import Struct
 from msgspec.structs import replace
 
-from judge.cli.files import OutFile, read_submissions
+from judge.cli.files import OutFile, opened_in_browser, read_submissions
 from judge.cli.options import Common, command, opt
 from judge.cli.resolve import history_at, kata_meant, keep, problem_of_file, shown, usual_file
 from judge.data.parse import example_of, line_of, read_case
@@ -70,10 +70,8 @@ def try_(words: tuple[str, ...], ask: TryAsk, common: Common) -> Iterator[Struct
             page.encode()
         )
         yield published.PageWritten(problem=problem.id, file=str(_PAGE))
-        import webbrowser  # hardly ever
-
-        if not webbrowser.open(_PAGE.absolute().as_uri()):
-            note(f"No browser was found. Open {_PAGE} yourself")
+        if not opened_in_browser(str(_PAGE)):
+            note(f"No browser here. Open {_PAGE}")
 
 
 def _arguments(words: Sequence[str]) -> list[str]:
