@@ -80,25 +80,12 @@ class Panel:
 
 
 @dataclass(frozen=True, slots=True)
-class Fact:
-    """A line of words below the drawing."""
-
-    label: str
-    text: str
-    role: Role = Role.CASE
-
-
-@dataclass(frozen=True, slots=True)
 class Picture:
-    """A case and its answers: the whole at true scale, the place that matters enlarged, and the facts."""
+    """A case and its answers: the whole at true scale, the place that matters enlarged, and in words."""
 
-    title: str
-    heading: str  # which case it is
     description: str
     whole: Panel
     lens: Panel | None
-    facts: tuple[Fact, ...]
-    legend: str = ""  # what its words stand for
     why: str = ""  # what the case turns on, where that is exact or cannot be seen
     keys: tuple[str, str] = (Role.WANTED.said, Role.GOT.said)  # what the two kinds of marks are called
 

@@ -1,4 +1,4 @@
-"""A picture as SVG: valid XML whatever the words in it, readable in light and dark, always the same.
+"""A panel as SVG: valid XML whatever the words in it, readable in light and dark, always the same.
 
 drawing.css has the colours, a rule a line: those of the light, an empty line, and what differs in the dark.
 """
@@ -6,7 +6,6 @@ drawing.css has the colours, a rule a line: those of the light, an empty line, a
 from __future__ import annotations
 
 import re
-import textwrap
 from collections.abc import Iterable, Iterator, Sequence
 from html import escape
 from itertools import pairwise
@@ -14,19 +13,14 @@ from math import atan2, cos, hypot, sin
 from pathlib import Path
 
 from judge.drawing.labels import Rectangle, place_labels
-from judge.drawing.shapes import Bar, Dot, Fact, Panel, Picture, Role
+from judge.drawing.shapes import Bar, Dot, Panel, Role
 from judge.errors import printable
 
 _SHEET = Path(__file__).with_name("drawing.css")
 _SIDE = 400.0
-_GAP = 24.0
-_TOP = 88.0  # title, and the panels' headings
-_ROW = 18.0
 _MARK = 6.0
 _LETTER = 7.4  # pixels
 _WIDEST = 380.0  # of a label: dozens of marks in one place would leave the panel
-_MOST_ROWS = 8  # of one fact: all numbers of a case have room, an answer may be longer
-_KEY = 8.0  # pixels of a letter in the legend
 _TEXT = {Role.WANTED: "t-wanted", Role.GOT: "t-got"}
 
 
@@ -37,37 +31,6 @@ def style(scope: str = "", media: str = "(prefers-color-scheme:dark)") -> str:
         rules = [re.sub(r"^|,(?=[^{]*{)", rf"\g<0>{scope} ", rule) if rule else "" for rule in rules]
     at = rules.index("")
     return "\n".join(["", *rules[:at], f"@media {media}{{", *rules[at + 1 :], "}", ""])
-
-
-def to_svg(picture: Picture) -> str:
-    """The whole document, with a newline at its end."""
-    width = _GAP + len(picture.panels) * (_SIDE + _GAP)
-    room, below = width - 2 * _GAP, _TOP + _SIDE + _ROW + 26
-    rows = [row for fact in picture.facts for row in _fact_rows(fact, room - 70)]
-    height = below + _ROW * (len(rows) + 1) + 12
-    title = f"{picture.title} – {picture.heading}" if picture.heading else picture.title
-    parts = [
-        f'<title id="title">{words(title)}</title>',
-        f'<desc id="desc">{words(picture.description)}</desc>',
-        f"<style>{style()}</style>",
-        f'<rect class="card" x="0.5" y="0.5" width="{_n(width - 1)}" height="{_n(height - 1)}" rx="8"/>',
-        text(_GAP, 32, _cut(picture.title, room, 10.2), "title"),
-        text(_GAP, 51, _cut(picture.heading, room), "quiet"),
-    ]
-    for place, panel in enumerate(picture.panels):
-        parts += [
-            f'<g transform="translate({_n(_GAP + place * (_SIDE + _GAP))} {_n(_TOP)})">',
-            text(0, -10, _cut(panel.title, _SIDE, 8.4), "head"),
-            *_drawing(panel),
-            text(0, _SIDE + _ROW, _cut(panel.note, _SIDE), "quiet"),
-            "</g>",
-        ]
-    parts += _legend(picture, _GAP, below)
-    for place, (label, said, kind) in enumerate(rows, 1):
-        y = below + 6 + _ROW * place
-        parts += [text(_GAP, y, label, "quiet"), text(_GAP + 70, y, said, kind)]
-    size = f'viewBox="0 0 {_n(width)} {_n(height)}" width="{_n(width)}" height="{_n(height)}"'
-    return element(f'aria-labelledby="title desc" {size}', parts) + "\n"
 
 
 def panel_svg(panel: Panel, name: str, description: str, *, alone: bool = False) -> str:
@@ -133,7 +96,7 @@ def _drawing(panel: Panel) -> Iterator[str]:
         else:
             yield _mark(mark.role, x, y)
     labelled = [spot for spot in spots if spot[0].text]
-    texts = [(x, y, _cut(mark.label, _WIDEST)) for mark, x, y in labelled]
+    texts = [(x, y, _cut(mark.label)) for mark, x, y in labelled]
     for (mark, x, y), label in zip(labelled, place_labels(texts, _SIDE, taken, ink), strict=True):
         box = label.box
         if label.leader:  # to the point of the box that is next to the mark
@@ -178,7 +141,7 @@ def _ink(panel: Panel) -> list[Dot]:
     return dots
 
 
-# -- scale bars, legend, facts -----------------------------------------------------------------------------
+# -- scale bars --------------------------------------------------------------------------------------------
 
 
 def _bars(panel: Panel, ink: Sequence[Dot]) -> tuple[list[str], list[Rectangle]]:
@@ -205,31 +168,8 @@ def _bar(bar: Bar, base: float) -> Iterator[str]:
     yield text(12, y - 8, bar.text, "halo quiet")
 
 
-def _legend(picture: Picture, left: float, y: float) -> Iterator[str]:
-    """What the rings and crosses are that are drawn, and what the words stand for."""
-    drawn = {mark.role for panel in picture.panels for mark in panel.marks}
-    drawn |= {stroke.role for panel in picture.panels for stroke in panel.strokes}
-    places = ((Role.WANTED, 22, 90 - 6 * _KEY), (Role.GOT, 20, 70 - 3 * _KEY))
-    for (role, gap, room), key in zip(places, picture.keys, strict=True):
-        if role in drawn:
-            yield _mark(role, left + 7, y - 5)
-            yield text(left + gap, y, key, _TEXT[role])
-            left += room + _KEY * len(key)
-    yield text(left, y, picture.legend, "quiet")
-
-
-def _fact_rows(fact: Fact, room: float) -> list[tuple[str, str, str]]:
-    """A fact in as many rows as it takes, cut after a few."""
-    letters = int(room / _LETTER)
-    rows = textwrap.wrap(printable(fact.text), letters, break_on_hyphens=False) or [""]
-    if len(rows) > _MOST_ROWS:
-        rows = [*rows[: _MOST_ROWS - 1], rows[_MOST_ROWS - 1][: letters - 1] + "…"]
-    labels = [fact.label, *[""] * (len(rows) - 1)]
-    return [(label, row, _TEXT.get(fact.role, "")) for label, row in zip(labels, rows, strict=True)]
-
-
-def _cut(said: str, room: float, letter: float = _LETTER) -> str:
-    said, most = printable(said), int(room / letter)
+def _cut(said: str) -> str:
+    said, most = printable(said), int(_WIDEST / _LETTER)
     return said if len(said) <= most else said[: most - 1] + "…"
 
 

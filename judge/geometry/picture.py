@@ -19,7 +19,7 @@ from typing import Any
 from judge.drawing.clip import inside
 from judge.drawing.lengths import round_below
 from judge.drawing.lengths import short as figures
-from judge.drawing.shapes import Bar, Dot, Fact, Mark, Panel, Picture, Role
+from judge.drawing.shapes import Bar, Dot, Mark, Panel, Picture, Role
 from judge.geometry.frame import Frame
 from judge.geometry.sure import short
 from judge.geometry.view import (
@@ -40,13 +40,12 @@ from judge.geometry.view import (
 from judge.geometry.views import view_of
 from judge.problem.declare import Decided, InvalidCase, Shown, decisions
 
-LEGEND = "e: the case's own size"
-
 _CLOSE = Decimal(1) / 50  # what is closer than this share of the window cannot be seen at true scale
 _ROOM = Decimal(5) / 2  # half a lens, in lengths that it shows
 _FAR = 6  # points further out than so many sizes of what is drawn are shown at the edge
 _MARGIN = Decimal("1.2")
 _TOGETHER = 0.05  # marks that are closer than this share a label
+_EDGE = 0.97  # where the arrow stands, whole, for a point further out
 _REMARK = re.compile(r" \(.*")  # behind a name
 
 
@@ -62,24 +61,9 @@ def compose(kind: str, shown: Shown, solve: Callable[..., Any]) -> Picture | Non
         window = _window(view)
         said, why = _said(view, found, window)
         panel, lens = _whole(view, window), _lens(view, found, window)
-    turned = lens is not None and any(bar.upright for bar in lens.bars)
-    facts = [
-        Fact("input", ", ".join(f"{name}={argument_text(value)}" for name, value in shown.values.items())),
-        Fact("expected", shown.wanted or "", Role.WANTED),
-        Fact("got", shown.got or "no answer", Role.GOT),
-        Fact("geometry", said + ("; the lens is turned and stretched across the line" if turned else "")),
-    ]
     answers = f"expected {shown.wanted}, got {shown.got}" if shown.got else f"answer {shown.wanted}"
     description = f"{answers[0].upper()}{answers[1:]}; {said}."
-    return Picture(shown.problem.title, shown.heading, description, panel, lens, tuple(facts), LEGEND, why)
-
-
-def argument_text(value: Any) -> str:
-    """An argument, a number of very many digits cut in the middle."""
-    if isinstance(value, list | tuple):
-        return f"({', '.join(argument_text(part) for part in value)})"
-    text = repr(value)
-    return text if len(text) <= 26 else f"{text[:12]}…{text[-6:]} ({len(text.lstrip('-'))} digits)"
+    return Picture(description, panel, lens, why)
 
 
 # -- what decides ------------------------------------------------------------------------------------------
@@ -185,7 +169,7 @@ def _whole(view: View, frame: Frame) -> Panel:
 def bare(view: View) -> Picture:
     """The figure at true scale alone, without a word but the names of its points."""
     panel = _whole(view, _window(view))
-    return Picture("", "", "", replace(panel, title="", bars=()), None, ())
+    return Picture("", replace(panel, title="", bars=()), None)
 
 
 def _strokes(view: View, frame: Frame) -> tuple[Any, ...]:
@@ -203,8 +187,8 @@ def _marks(view: View, frame: Frame, *, beyond: bool) -> tuple[Mark, ...]:
         elif spot.text and (spot.role is Role.GOT or (beyond and spot.role is Role.CASE)):
             away = length(minus(spot.at, frame.middle))
             text = figures(Fraction(away)) if beyond else f"{short(away / (view.size or 1))} e"
-            edge, towards = _leaving(view, frame, spot)
-            found.append(Mark(edge, spot.role, spot.text, sign, towards, text))
+            (x, y), towards = _leaving(view, frame, spot)
+            found.append(Mark((x * _EDGE, y * _EDGE), spot.role, spot.text, sign, towards, text))
     return _merged(found)
 
 

@@ -81,7 +81,7 @@ class Shown(Struct, frozen=True):
 
     `values` are the arguments by parameter name, `exact` is what the problem's `solve` answers. `wanted` and
     `got` are the two answers in words; `given` is the submission's own, JSON of any shape whatever, and None
-    where there is none. `heading` says which case it is.
+    where there is none.
     """
 
     problem: Problem
@@ -90,7 +90,6 @@ class Shown(Struct, frozen=True):
     wanted: str | None
     got: str | None
     given: Any | None = None
-    heading: str = ""
 
 
 class Puzzle(Struct, frozen=True):

@@ -141,7 +141,7 @@ def picture_of(tried: Tried) -> Picture | None:
     got, given = (tried.failed.got, tried.failed.given) if tried.failed else (None, None)
     values = tried.problem.named(tried.case)
     case = Failure("", input=values, expected=tried.expected, got=got, given=given)
-    return case_picture(tried.problem, tried.module, case, tried.group.name, "your case")
+    return case_picture(tried.problem, tried.module, case, tried.group.name)
 
 
 def hack_turn(found: HackTurn, screen: Screen) -> RenderableType:

@@ -117,7 +117,7 @@ def example_picture(problem: Problem) -> Picture | None:
     for example in problem.examples:
         wanted = str(show.exact_text(module.solve(*example.case)))
         case = Failure("", input=problem.named(example.case), expected=wanted)
-        picture = case_picture(problem, module, case, EXAMPLES, "example")
+        picture = case_picture(problem, module, case, EXAMPLES)
         if picture is not None:
             return picture
     return None
@@ -141,9 +141,7 @@ def statement(problem: Problem, screen: Screen, *, titled: bool = True) -> Rende
     return blocks(prose(before, screen), indented(Group(*rows(ROWS))), rest)
 
 
-def case_picture(
-    problem: Problem, module: Module, failure: Failure, group: str | None, heading: str = ""
-) -> Picture | None:
+def case_picture(problem: Problem, module: Module, failure: Failure, group: str | None) -> Picture | None:
     """A failing case of a test group, drawn with both answers.
 
     None where the kata draws no such case, or it is none of its cases any more.
@@ -159,4 +157,4 @@ def case_picture(
         exact = within(validate(problem, module, case_of(values)), group or "")
     except (InvalidCase, JudgeError):
         return None
-    return draw(Shown(problem, values, exact, failure.expected, failure.got, failure.given, heading))
+    return draw(Shown(problem, values, exact, failure.expected, failure.got, failure.given))

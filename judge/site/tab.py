@@ -142,7 +142,7 @@ def _drawn(problem: Problem, data: ProblemData, result: Result) -> Mapping[str, 
         return {}
     exact, _ = data.exact(case_of(failure.input), group)
     picture = hooks.picture(
-        Shown(problem, failure.input, exact, failure.expected, failure.got, failure.given, "")
+        Shown(problem, failure.input, exact, failure.expected, failure.got, failure.given)
     )
     page = hooks.explore(problem, failure.input) if hooks.explore else None
     start = _START.search(page) if page else None

@@ -6,7 +6,7 @@ import ast
 from pathlib import Path
 from typing import Any
 
-from judge.drawing.svg import to_svg
+from judge.drawing.svg import panel_svg
 from judge.problem.declare import Shown
 from judge.problem.load import load_problem
 from judge.problem.module import load_module
@@ -58,18 +58,23 @@ def wanted_words(problem, exact):
     return show.wanted(problem.answer, check.target(problem.answer, exact, problem.groups[0].tolerance))
 
 
-def picture_of(problem, case, got, module=None, heading="a case"):
+def picture_of(problem, case, got, module=None):
     module = module or load_module(problem)
     exact = module.solve(*case)
     values = {parameter.name: value for parameter, value in zip(problem.parameters, case, strict=True)}
     given = given_by(got)
     words = wanted_words(problem, exact)
-    return module.hooks.picture(Shown(problem, values, exact, words, got, given, heading))
+    return module.hooks.picture(Shown(problem, values, exact, words, got, given))
 
 
 def picture(name):
     problem, case, got = CASES[name]
-    return picture_of(load_problem(ROOT / "problems" / problem), case, got, heading=name)
+    return picture_of(load_problem(ROOT / "problems" / problem), case, got)
+
+
+def to_svg(drawn):
+    """The panels of a picture, one below the other."""
+    return "".join(f"{panel_svg(panel, 'p', drawn.description, alone=True)}\n" for panel in drawn.panels)
 
 
 if __name__ == "__main__":

@@ -8,14 +8,13 @@ from dataclasses import replace
 from itertools import pairwise
 
 import pytest
-from picture_cases import CASES, FOLDER, ROOT, picture, picture_of, wanted_words
+from picture_cases import CASES, FOLDER, ROOT, picture, picture_of, to_svg, wanted_words
 from sampling import daily
 
 from judge.data.load import load_data
 from judge.drawing import labels
 from judge.drawing.braille import COLUMNS, LEAST_COLUMNS, LEAST_ROWS, MOST_ROWS, ROWS, to_braille
 from judge.drawing.shapes import Role
-from judge.drawing.svg import to_svg
 from judge.problem.declare import Shown
 from judge.problem.load import load_problem
 from judge.problem.module import load_module
@@ -42,11 +41,15 @@ def coordinates(root, x=0.0, y=0.0):
 
 
 def check_svg(text):
-    root = ElementTree.fromstring(text)
-    _, _, width, height = map(float, root.get("viewBox").split())
+    for each in text.removesuffix("</svg>\n").split("</svg>\n"):
+        check_panel(ElementTree.fromstring(f"{each}</svg>"))
+
+
+def check_panel(root):
+    left, top, width, height = map(float, root.get("viewBox").split())
     for x, y in coordinates(root):
-        assert 0 <= x <= width
-        assert 0 <= y <= height
+        assert left <= x <= left + width
+        assert top <= y <= top + height
     for label in root.iter(f"{SVG}text"):
         if "halo" in label.get("class", "") and label.get("text-anchor") == "middle":
             assert labels.width(label.text) / 2 <= min(float(label.get("x")), 400 - float(label.get("x")))

@@ -36,7 +36,7 @@ def test_a_case_is_drawn_while_it_is_one_of_its_kata():
     module = load_module(problem)
     values = {"cx": 0, "cy": 0, "r": 1, "A": [-1, 1], "B": [0, 1]}  # as JSON has kept it
     case = Failure("", input=values, expected="1", got="2")
-    drawn = case_picture(problem, module, case, "examples", "a case")
+    drawn = case_picture(problem, module, case, "examples")
     assert drawn is not None
     assert "Expected 1, got 2" in drawn.description
     for other in ({**values, "r": -1}, {**values, "r": "x"}, {"cx": 0}, {}):
