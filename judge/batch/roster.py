@@ -3,8 +3,9 @@
     id;name;group               the columns that have a meaning; so have `note` and `extra days`
     ada;Ada Lovelace;a
 
-Without an `id` it is the first column that tells all of them apart. Every column goes on to the gradebook.
-Commas, semicolons or tabs part the columns; the text is UTF-8, or UTF-16 with a byte order mark.
+Without an `id` it is the name, or else the first column, that tells all of them apart. Every column goes
+on to the gradebook. Commas, semicolons or tabs part the columns; the text is UTF-8, or UTF-16
+with a byte order mark.
 """
 
 from __future__ import annotations
@@ -27,6 +28,7 @@ _LONGEST = 500  # characters of an id
 _SIGNS = ",;\t"
 _SEPARATOR = re.compile(r'"?sep=([,;\t])"?', re.IGNORECASE)  # a first line that Excel writes and reads
 _NO_STUDENT = re.compile(r"\s*(Points Possible|points-per-question|Manual Posting.*)$")  # rows of platforms
+_WHOLE = ("name", "full name", "student")  # titles of columns with a person's whole name
 _REMEDY = "save it as CSV in UTF-8, with the columns id, name, group"
 
 
@@ -70,10 +72,10 @@ def read_students(path: Path) -> Roster:
 
 
 def _own_column(titles: Sequence[str], rows: Sequence[Sequence[str]]) -> int:
-    """The column that tells students apart: `id`, or the first in which nothing is twice or missing."""
+    """The column that tells students apart: `id`, or one without repetitions and gaps, names first."""
     if "id" in titles:
         return titles.index("id")
-    for at in range(len(titles)):
+    for at in sorted(range(len(titles)), key=lambda at: titles[at] not in _WHOLE):
         cells = [row[at] for row in rows if at < len(row) and row[at]]
         if rows and len(rows) == len(cells) == len(set(cells)):
             return at
@@ -82,7 +84,7 @@ def _own_column(titles: Sequence[str], rows: Sequence[Sequence[str]]) -> int:
 
 def _name(cells: Mapping[str, str]) -> str:
     """What somebody is called, in the columns of a teacher or of a platform."""
-    whole = (cells.get(title, "") for title in ("name", "full name", "student"))
+    whole = (cells.get(title, "") for title in _WHOLE)
     parts = (cells.get(title, "") for title in ("first name", "last name"))
     return next(filter(None, whole), "") or " ".join(filter(None, parts))
 

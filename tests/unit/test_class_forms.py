@@ -75,10 +75,10 @@ def read(place, roster, names, encoding="utf-8"):
                 "Ada Lovelace_4711_assignsubmission_file/sub/middle.py",
                 "Bob OBrien_4712_assignsubmission_file_/middle.py",
             ],
-            ["Participant 4711", "Participant 4712"],
+            ["Ada Lovelace", "Bob O'Brien"],
         ),
-        (MOODLE, ["Ada Lovelace_4711_assignsubmission_file_middle.py"], ["Participant 4711"]),
-        (MOODLE, ["Participant_4712_assignsubmission_file/middle.py"], ["Participant 4712"]),
+        (MOODLE, ["Ada Lovelace_4711_assignsubmission_file_middle.py"], ["Ada Lovelace"]),
+        (MOODLE, ["Participant_4712_assignsubmission_file/middle.py"], ["Bob O'Brien"]),
         (
             CANVAS,
             [
