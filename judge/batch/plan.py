@@ -91,11 +91,10 @@ def planned(
             rows.append(_copied(equal[same], each))
         else:
             todo.setdefault(same, []).append(each)
-    works = [_work(group, standard, ground) for (*_, standard), group in todo.items()]
-    works.sort(key=lambda work: (work.task.problem, work.handins[0].file))  # a worker stays at a problem
+    work = [_work(group, standard, ground) for (*_, standard), group in todo.items()]
     said = [f"{counted(len(kept) + back, 'result')} kept from before"] if kept or back else []
     said += [f"{count} judged anew, because of {parts}" for parts, count in changed.items() if parts]
-    return Plan(tuple(kept), tuple(rows), tuple(works), tuple(said))
+    return Plan(tuple(kept), tuple(rows), tuple(work), tuple(said))
 
 
 def _work(handins: Sequence[Handin], standard: Standard, ground: Ground) -> Work:

@@ -12,6 +12,8 @@ from pathlib import Path
 import pytest
 from cli_support import FLOOR, MEAN
 
+from judge.batch import run
+from judge.batch.work import judge_task
 from judge.judging.session import Session
 
 pytestmark = pytest.mark.slow
@@ -57,6 +59,45 @@ def test_smallest_cases_are_kept_and_not_sought_again(judge, homework, monkeypat
     assert "Smallest failing case" in first["bob.html"]
     monkeypatch.setattr(Session, "judge", None)
     assert pages() == first
+
+
+def test_pages_are_written_as_students_finish(judge, submit, monkeypatch):
+    """Two katas each; a run that is stopped leaves the pages of those who are done, and is gone on with."""
+    for who in ("ada", "bob", "cy"):
+        submit(FLOOR + f"# {who}\n", f"homework/{who}/middle.py")
+        submit("def line_count(:\n", f"homework/{who}/count.py")
+    submit("id,name\nada,A\nbob,B\ncy,A\nzoe,Z\n", "list.csv")
+    words = ("class", "homework", "--students", "list.csv", "--feedback", "pages")
+    stopped = []
+
+    def until_bob(task):
+        if task.source.endswith(b"# bob\n") and not stopped:
+            stopped.append(task)
+            raise KeyboardInterrupt
+        return judge_task(task)
+
+    monkeypatch.setattr(run, "judge_task", until_bob)
+    monkeypatch.setenv("SOURCE_DATE_EPOCH", "1800000000")
+    ended = judge(*words)
+    assert ended.status == 130
+    first = written()
+    assert sorted(first) == ["ada.html", "zoe.html"]
+    assert "A (ada)" in first["ada.html"][1]
+    assert "Nothing was submitted." in first["zoe.html"][1]
+    monkeypatch.setenv("SOURCE_DATE_EPOCH", "1800100000")
+    assert judge(*words).status == 1
+    second = written()
+    assert sorted(second) == ["ada.html", "bob.html", "cy.html", "zoe.html"]
+    assert {name: second[name] for name in first} == first
+    submit(MEAN, "homework/bob/middle.py")
+    assert judge(*words).status == 1
+    assert [name for name, page in written().items() if page != second[name]] == ["bob.html"]
+
+
+def written():
+    """When each page was written, and what it says."""
+    pages = sorted(Path("pages").iterdir())
+    return {path.name: (path.stat().st_mtime_ns, path.read_text(encoding="utf-8")) for path in pages}
 
 
 def test_everything_after_the_table(judge, homework, monkeypatch):
