@@ -114,9 +114,7 @@ def pages_of(cohort, rows, title="geo"):
     problems = {"count": find_problem("count")}
     results = {(each.problem, each.file): each.result for each in rows}
     pages = ClassPages(cohort, results, Cases(problems), title, NOW)
-    return pages.whole().decode(), {
-        name: pages.student(at).decode() for at, name in enumerate(pages.files())
-    }
+    return pages.whole().decode(), {name: pages.student(at).decode() for at, name in enumerate(pages.files())}
 
 
 def test_the_page_of_a_class():
