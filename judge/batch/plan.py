@@ -112,8 +112,9 @@ def rows_of(work: Work, done: Done) -> list[Row]:
 
 
 def _copied(row: Row, handin: Handin) -> Row:
-    """The row of a hand-in whose equal was judged."""
-    return _row(handin, row.done, row.standard, row.copied or row.file)
+    """The row of a hand-in whose equal was judged; a group's members have submitted one file."""
+    copied = row.copied or row.file
+    return _row(handin, row.done, row.standard, copied if copied != handin.file else "")
 
 
 def _row(handin: Handin, done: Done, standard: Standard | None = None, copied: str = "") -> Row:

@@ -325,10 +325,10 @@ def _pace(plan: Plan, done: int, texts: int, began: float, workers: int) -> str:
 
 def _left_out(found: ClassFolder) -> list[str]:
     """What in the folder is not judged: each reason with its files, once."""
-    reasons: dict[str, list[str]] = {}
+    reasons: dict[str, dict[str, None]] = {}
     for each in found.unplaced:
-        reasons.setdefault(each.why, []).append(each.file)
-    return [f"not judged: {_some(files)}: {why}" for why, files in reasons.items()]
+        reasons.setdefault(each.why, {})[each.file] = None
+    return [f"not judged: {_some([*files])}: {why}" for why, files in reasons.items()]
 
 
 def _unread(found: ClassFolder) -> dict[str, list[str]]:

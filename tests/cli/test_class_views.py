@@ -130,6 +130,32 @@ def test_everything_after_the_table(judge, homework, monkeypatch):
     assert Path("class.html").read_text(encoding="utf-8") == html
 
 
+def test_every_member_of_a_group_gets_its_marks(judge, submit):
+    """One file of two students is no copy and no equal file; that of a third one is."""
+    submit(LONG, "homework/submission_1/middle.py")
+    submit(LONG, "homework/submission_2/middle.py")
+    submit("notes", "homework/submission_1/notes.doc")
+    submit(
+        "submission_1:\n  :submitters:\n  - :name: Ada L\n    :sid: '7'\n  - :name: Bob B\n    :sid: '8'\n"
+        "submission_2:\n  :submitters:\n  - :name: Cy D\n    :sid: '9'\n",
+        "homework/submission_metadata.yml",
+    )
+    submit("id,name\n7,Ada L\n8,Bob B\n9,Cy D\n", "list.csv")
+    files = ("--csv", "grades.csv", "--feedback", "pages")
+    ended = judge("class", "homework", "--students", "list.csv", *files)
+    rows = [line.split() for line in ended.lines[1:4]]
+    assert [row[:2] for row in rows] == [["7", "WA"], ["8", "WA"], ["9", "WA"]]
+    assert [row[2].endswith("=") for row in rows] == [False, False, True]
+    assert "identical files: 7, 8, 9" in ended.out
+    assert ended.err.count("notes.doc") == 1
+    grades = list(csv.reader(io.StringIO(Path("grades.csv").read_bytes().decode("utf-8-sig"), newline="")))
+    assert grades[1][2:] == grades[2][2:]
+    assert [each[-1][:9] for each in grades[1:]] == ["notes.doc", "notes.doc", ""]
+    assert sorted(path.name for path in Path("pages").iterdir()) == ["7.html", "8.html", "9.html"]
+    Path("homework/submission_2/middle.py").unlink()
+    assert "equal files" not in judge("class", "homework").out
+
+
 def test_days_late_weights_and_numbers_for_names(judge, submit):
     """A list of a platform's own: its columns go on, and a note stands on the student's page."""
     submit(MEAN, "homework/Ada Lovelace_11_assignsubmission_file/middle.py")
