@@ -133,6 +133,21 @@ def test_the_page_of_a_class():
     assert html.count('<figure class="drawing"') == 2
 
 
+def test_a_large_class_is_one_table_in_parts():
+    cohort = class_of(*(row(f"s{at:03}", "count") for at in range(250)))
+    html, _ = pages_of(cohort, ())
+    assert [each.count('<th scope="row">') for each in html.split('<table class="marks">')[1:]] == [
+        100,
+        100,
+        50,
+    ]
+    assert "for each kata, part 3 of 3" in checked(html).text
+    assert html.count('role="region"') == html.count('class="scroller tall"') == 1
+    small, _ = pages_of(small_class(), ())
+    assert "part 1" not in small
+    assert 'class="scroller"' in small
+
+
 def test_the_page_of_a_student_has_nothing_of_others():
     _, pages = pages_of(small_class(), ROWS)
     assert list(pages) == ["ann.html", "bob.html", "cid.html", "dee__31m王.html", "eve.html", "zoe.html"]

@@ -37,17 +37,22 @@ _MONTHS = ["Jan", "Feb", "Mar", "Apr", "May", "Jun", "Jul", "Aug", "Sep", "Oct",
 
 
 def page(
-    template: str, mark: str, cases: Iterable[Case | None], verdicts: Iterable[Verdict], **values: Any
+    template: str,
+    mark: str,
+    cases: Iterable[Case | None],
+    verdicts: Iterable[Verdict],
+    rule: str = "",
+    **values: Any,
 ) -> bytes:
     """The file that a template makes of these values; the same values always give the same bytes.
 
     `mark` says what kind of page it is, for `is_page`. Its foot explains the `verdicts`, and the drawings
-    where one of the `cases` has any.
+    where one of the `cases` has any. `rule` is a rule of CSS for this page alone.
     """
     from markupsafe import Markup
 
     sheet = (_TEMPLATES / "page.css").read_text(encoding="utf-8")
-    sheet += style("figure", "screen and (prefers-color-scheme:dark)")
+    sheet += style("figure", "screen and (prefers-color-scheme:dark)") + rule
     digest = base64.b64encode(hashlib.sha256(sheet.encode()).digest()).decode()
     found = {*verdicts}
     given = {

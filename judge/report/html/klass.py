@@ -22,6 +22,8 @@ from judge.run.result import Result
 
 CLASS_MARK = "judge class page"  # in the head of every such page, also of older ones
 FEEDBACK_MARK = "judge feedback page"
+_PART = 100  # rows of a table; a browser lays out one after another, and those in sight first
+_SIDES, _COLUMN = 18, 9  # rem of the first and last column of a table in parts, and of one between
 _INLINE = 12  # names that are in sight; longer lists are folded away
 
 
@@ -55,11 +57,13 @@ class ClassPages(Struct, frozen=True, dict=True):
                 for place, each in enumerate(view.mistakes, 1)
             ]
             katas.append((view, self._called(view.problem), list(zip(view.mistakes, cases, strict=True))))
+        columns = len(katas) + any(each.group for each in cohort.students)
         return page(
             "class.html.j2",
             CLASS_MARK,
             [case for *_, made in katas for _, case in made],
             [mark.verdict for mark in cohort.every_mark],
+            f"@media screen{{.tall .parts{{min-width:{_SIDES + _COLUMN * columns}rem}}}}",
             title=self.title,
             topic=self._topic,
             generated=self.generated,
@@ -67,6 +71,7 @@ class ClassPages(Struct, frozen=True, dict=True):
             katas=katas,
             names=self.names,
             inline=_INLINE,
+            part=_PART,
             caution=EQUAL_CAUTION,
         )
 
