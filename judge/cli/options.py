@@ -22,7 +22,7 @@ from msgspec import Struct, field
 from msgspec.structs import fields
 
 from judge.cli.emit import emit
-from judge.errors import UsageError
+from judge.errors import UnknownKataError, UsageError
 
 _DURATION = re.compile(r"([0-9]{1,9}(?:\.[0-9]{1,9})?)(ms|s|m|h)?", re.ASCII)
 _SECONDS = {"ms": 0.001, "s": 1.0, "m": 60.0, "h": 3600.0}
@@ -114,7 +114,14 @@ def command(
         def ended(**given: Any) -> int:
             for into, struct in groups.items():
                 given[into] = struct(**{each.name: given.pop(each.name) for each in fields(struct)})
-            return emit(function(**given), given["common"])
+            common: Common = given["common"]
+            try:
+                return emit(function(**given), common)
+            except UnknownKataError as fault:
+                from judge.cli.resolve import say_where  # only for the one who is told
+
+                say_where(fault, common.db)
+                raise
 
         made = click.command(name, context_settings={"ignore_unknown_options": numbers})(ended)
         for struct in groups.values():

@@ -78,7 +78,6 @@ def test_help_begins_as_the_table_says_and_ends_with_examples_and_a_page(name, j
     assert ended.lines[-1] == f"  More: judge help {entry.topic}; --json writes JSON"
     assert max(map(len, ended.lines)) < 80
     assert f"judge {name}" in page(entry.topic).text
-    assert f"`judge {name}" in page("start").text
 
 
 def test_the_help_is_one_screen_and_names_every_command(judge, monkeypatch):

@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import base64
 import hashlib
+import re
 from collections.abc import Iterable
 from datetime import date, datetime
 from functools import cache
@@ -31,21 +32,27 @@ if TYPE_CHECKING:
     from judge.report.html.case import Case
 
 _TEMPLATES = Path(__file__).parent / "templates"
+_TIME = re.compile(rb"<time.*?</time>")
 _MONTHS = ["Jan", "Feb", "Mar", "Apr", "May", "Jun", "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"]
 
 
 def page(
-    template: str, mark: str, cases: Iterable[Case | None], verdicts: Iterable[Verdict], **values: Any
+    template: str,
+    mark: str,
+    cases: Iterable[Case | None],
+    verdicts: Iterable[Verdict],
+    rule: str = "",
+    **values: Any,
 ) -> bytes:
     """The file that a template makes of these values; the same values always give the same bytes.
 
     `mark` says what kind of page it is, for `is_page`. Its foot explains the `verdicts`, and the drawings
-    where one of the `cases` has any.
+    where one of the `cases` has any. `rule` is a rule of CSS for this page alone.
     """
     from markupsafe import Markup
 
     sheet = (_TEMPLATES / "page.css").read_text(encoding="utf-8")
-    sheet += style("figure", "screen and (prefers-color-scheme:dark)")
+    sheet += style("figure", "screen and (prefers-color-scheme:dark)") + rule
     digest = base64.b64encode(hashlib.sha256(sheet.encode()).digest()).decode()
     found = {*verdicts}
     given = {
@@ -67,6 +74,11 @@ def rendered(template: str, **values: Any) -> bytes:
 def is_page(head: bytes, mark: str) -> bool:
     """Whether a file that begins like this is a page of that kind, which may be written over."""
     return b"<!doctype html>" in head[:40] and f'content="{mark},'.encode() in head
+
+
+def is_same(old: bytes, new: bytes) -> bool:
+    """Whether two pages say the same, whenever they were made."""
+    return _TIME.sub(b"", old) == _TIME.sub(b"", new)
 
 
 def day(when: date) -> str:
