@@ -89,7 +89,8 @@ os.rename(target["new"] + ".name", target["open"])
         "disk",
         "write 8 MB to the disk, wherever that goes",
         """
-for folder in (os.getcwd(), "/tmp", "/var/tmp", "/dev/shm", target["folder"]):
+own = os.environ.get("TMPDIR", "/tmp")
+for folder in (os.getcwd(), own, "/tmp", "/var/tmp", "/dev/shm", target["folder"]):
     path = os.path.join(folder, target["name"])
     try:
         with open(path, "wb") as file:
