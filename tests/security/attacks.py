@@ -175,7 +175,7 @@ assert libc.process_vm_readv(target["victim"], own, 1, theirs, 1, ctypes.c_ulong
     Attack(
         "environment",
         "find the judge's variables in its own",
-        'assert set(os.environ) & set(target["environment"]), "there are none"',
+        'assert set(os.environ.items()) & set(target["environment"].items()), "there are none"',
     ),
     Attack(
         "descriptors",
