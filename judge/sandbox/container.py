@@ -177,7 +177,8 @@ class Container:
             self._closing.callback(os.close, self._complaints)
             code = shared.nameless()
             passed.callback(os.close, code)
-            plan = launch.plan(level, name, roots, (code, theirs.fileno(), descriptor), share, place)
+            home = self._home() if place is None and level != "full" else launch.SCRATCH
+            plan = launch.plan(level, name, roots, (code, theirs.fileno(), descriptor), share, place, home)
             shared.write_whole(code, bundle.pack(plan.config, source))
             os.lseek(code, 0, os.SEEK_SET)
             try:
@@ -195,6 +196,16 @@ class Container:
                 not_started = refusal.of_fault(fault, plan.command[0])
                 assert not_started is not None
                 raise not_started from fault
+
+    def _home(self) -> str:
+        """An empty folder of this machine for a submission's own, gone with the container."""
+        from judge.sandbox.temporary import TemporaryFolder  # takes longer to import than the rest of a start
+
+        folder = TemporaryFolder()
+        self._closing.callback(folder.close)
+        home = folder.path / "home"
+        home.mkdir(mode=0o700)
+        return str(home)
 
     def await_ready(self) -> None:
         """Wait until it has confined itself. Raises NotStarted, the container then being closed.
