@@ -45,11 +45,12 @@ class ForkServerBox:
     boots. One thread at a time may use it, whichever opened it.
     """
 
-    def __init__(self, holder: Holder, share: room.Share) -> None:
-        """`holder` has the container, `share` bounds its threads."""
+    def __init__(self, holder: Holder, share: room.Share, lines: int) -> None:
+        """`holder` has the container, `share` bounds its threads; its source has so many lines."""
         self._inspection: Inspection | None = None
         self._modules: list[str] = []
         self._share = share
+        self._lines = lines
         self._warm_up: threading.Thread | None = None
         self._oom_kills = room.oom_kills()
         self._holder = holder
@@ -246,7 +247,9 @@ class ForkServerBox:
         return f"{detail}; {most}: {LIMIT_ON_TASKS}"
 
     def _stood_at(self) -> int:
-        return int(self._holder.here().region.words[wire.STOOD_AT])
+        """The line where it says that it stood when its time was up, if there is such a one; else 0."""
+        said = int(self._holder.here().region.words[wire.STOOD_AT])
+        return said if said <= self._lines else 0
 
     def _note(self) -> tuple[int, str]:
         return self._holder.here().region.note()

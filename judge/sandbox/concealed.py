@@ -7,6 +7,7 @@ mount. Whatever looks like one of its folders where Pythons of this machine keep
 from __future__ import annotations
 
 import os
+import re
 import sys
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
@@ -15,6 +16,9 @@ from judge.sandbox import places
 from judge.sandbox.inside import unseen
 
 SITE_NAMES = ("site-packages", "dist-packages")
+_INFO = re.compile(
+    r"circle_line_judge-.*\.dist-info"
+)  # which names every file of the judge, and its checkout
 
 
 def searched(path: Iterable[str], libraries: Iterable[str]) -> list[str]:
@@ -58,6 +62,8 @@ def ours(entries: Iterable[str], shown: Sequence[str] = ()) -> Iterator[str]:
                 yield place
             elif _surrounds(places.real(entry), [place]):  # downwards only, or it might never end
                 yield from ours([place], shown)
+        if Path(entry).name in SITE_NAMES:
+            yield from (places.real(f"{entry}/{each}") for each in _listed(entry) if _INFO.fullmatch(each))
 
 
 def by_every_name(secret: Iterable[str], names: Mapping[str, str], shown: Sequence[str]) -> tuple[str, ...]:

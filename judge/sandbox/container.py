@@ -181,6 +181,7 @@ class Container:
             plan = launch.plan(level, name, roots, (code, theirs.fileno(), descriptor), share, place, home)
             shared.write_whole(code, bundle.pack(plan.config, source))
             os.lseek(code, 0, os.SEEK_SET)
+            self.region.lay(plan.hidden)
             try:
                 self._process = _STARTER.start(
                     plan.command,

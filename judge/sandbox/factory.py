@@ -73,7 +73,7 @@ class Boxes:
             self._roots = find_roots(self.hide)
         roots, share = self._roots, self.share
         holder = Holder(level, self, lambda level: Container(level, name, source, roots, share))
-        return ForkServerBox(holder, share)
+        return ForkServerBox(holder, share, len(source.splitlines()))
 
     @property
     def share(self) -> Share:

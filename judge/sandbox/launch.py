@@ -9,6 +9,7 @@ Each needs less of the machine than the one above it.
 
 from __future__ import annotations
 
+import marshal
 import os
 import sys
 from pathlib import Path
@@ -71,11 +72,15 @@ class Workplace(NamedTuple):
 
 
 class Plan(NamedTuple):
-    """How to start one fork server; `config` is what it is told besides its source."""
+    """How to start one fork server; `config` is what it is told besides its source.
+
+    `hidden` is what must not be visible, for the region: nothing that outlives the look keeps these names.
+    """
 
     command: tuple[str, ...]
     environment: dict[str, str]
     config: dict[str, Any]
+    hidden: bytes
 
 
 def plan(
@@ -93,7 +98,7 @@ def plan(
     it may be listed, and only `limits` lets anybody write there. Raises OSError where a folder cannot be
     handed over.
     """
-    uid = _spare_uid()
+    uid, hidden = _spare_uid(), marshal.dumps(to_look_for(level, roots))
     closed = uid is not None and place is not None and not open_to_all(place.runnable, below=level == "full")
     python = [roots.executable, *_INTERPRETER, "-c", BOOTSTRAP, *map(str, descriptors)]
     config: dict[str, Any] = {
@@ -107,7 +112,7 @@ def plan(
         "writable": ["/dev/null"],
         "threads": threads(level, share, alone=uid is not None),
         "cores": os.cpu_count() or 1,
-        "unseen": to_look_for(level, roots),
+        "unseen": len(hidden),
     }
     environment = dict(ENVIRONMENT)
     if place is not None:
@@ -120,9 +125,9 @@ def plan(
         if level != "full" and uid is not None:
             os.chown(home, uid, uid)
     if level != "full":
-        return Plan(tuple(python), environment, config)
+        return Plan(tuple(python), environment, config, hidden)
     command = [*_bubblewrap(roots, uid, config["reads_all"], environment, place), "--", *python]
-    return Plan(tuple(command), {"PATH": os.environ.get("PATH", os.defpath)}, config)
+    return Plan(tuple(command), {"PATH": os.environ.get("PATH", os.defpath)}, config, hidden)
 
 
 def _settle(place: Workplace, level: str, roots: Roots, config: dict[str, Any]) -> None:

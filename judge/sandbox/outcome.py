@@ -21,7 +21,6 @@ from judge.sandbox.container import Done
 from judge.sandbox.inside import wire
 
 DETAIL_LENGTH = 1000
-_MOST_LINES = 10**6  # of a source
 STOPPED = "stopped itself"
 LONG = 1 << 18  # bytes of replies that are parsed line by line: what is forged need not be parsed twice
 
@@ -56,7 +55,7 @@ def overrun(
     """
     signalled = os.WTERMSIG(done.status) if os.WIFSIGNALED(done.status) else 0
     kind, text = note
-    place = f" (line {stood_at})" if 0 < stood_at < _MOST_LINES else ""
+    place = f" (line {stood_at})" if stood_at else ""
     if done.peak_bytes > limits.memory_bytes:  # before the clock: filling memory takes time too
         seen = f"used more than {_size(limits.memory_bytes)}, {_size(done.peak_bytes)} seen"
         return Stop.MEMORY, seen

@@ -32,6 +32,9 @@ TALLY = 3  # the descriptor the baseline goes to
 OWN_FILE = "/dev/fd/4"  # on Linux: its source, which can be read at every level
 
 ANSWERED, RAISED = 0, 1  # first item of a reply
+# Whatever a class of its own says of itself:
+_CODE_OF: Any = SystemExit.__dict__["code"].__get__
+_ERRNO_OF: Any = OSError.__dict__["errno"].__get__
 
 
 def take_descriptors(*kept: int) -> None:
@@ -85,7 +88,7 @@ def be_program(code: CodeType, name: str, region: wire.Region) -> NoReturn:
     try:
         exec(code, module.__dict__)
     except SystemExit as left:
-        status = _status_of(left.code)
+        status = _status_of(_CODE_OF(left))
     except MemoryError as error:
         _note_memory(region, error, name)
         status = 1
@@ -172,7 +175,7 @@ class _Replies:
                 _note_memory(self._region, error, name)
                 os._exit(1)
             except BaseException as error:  # SystemExit too: the end of this call, not of the next
-                if isinstance(error, OSError) and error.errno == errno.EFBIG:
+                if issubclass(type(error), OSError) and _ERRNO_OF(error) == errno.EFBIG:
                     self._too_much("")  # it printed more than it may
                 line = _raised(source.described(error, name))
             end = at + len(line)
@@ -227,12 +230,11 @@ def _status_of(code: object) -> int:
 
 def _show(error: BaseException, name: str) -> None:
     """The traceback on its stderr, from its own first frame on."""
-    step = error.__traceback__
+    whole = step = source.traceback_of(error)
     while step is not None and step.tb_frame.f_code.co_filename != name:
         step = step.tb_next
-    error.__traceback__ = step or error.__traceback__
     try:
-        sys.excepthook(type(error), error, error.__traceback__)
+        sys.excepthook(type(error), error, step or whole)
     except BaseException:  # a hook of its own that fails
         return
 

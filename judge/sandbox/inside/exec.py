@@ -15,7 +15,6 @@ import _signal as signal  # type: ignore[import-not-found]
 import marshal
 import os
 import stat
-import time
 
 from judge.sandbox.inside import child, server, wire
 
@@ -71,15 +70,8 @@ class ExecServer(server.Server):
             os._exit(99)
 
     def _ask_where(self, pid: int, reason: int) -> int:
-        """The reason to kill it, after a last look at one that waits: others may have the processor."""
-        if reason == wire.FOR_CPU:
-            return reason
-        before = server._cpu_clock(pid)
-        until = time.perf_counter_ns() + server.LAST_MOMENT_NS
-        while (left := until - time.perf_counter_ns()) > 0:
-            self._wait(pid, min(left, server.SHORTEST_WAIT_NS))
-        at_work = server._cpu_clock(pid) - before > server.LAST_MOMENT_NS * server.AT_WORK
-        return wire.FOR_BEING_SLOW if at_work else reason
+        """The reason to kill it; nothing in it would say where it stands."""
+        return self._after_a_look(pid, reason)
 
     def _collect(self, job: wire.Request) -> bytes:
         """Copy the files that a compiler has left, as many and as large as they may be."""

@@ -29,6 +29,7 @@ from judge.sandbox.inside.source import sealed
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from types import CodeType
     from typing import Any, NoReturn
 
@@ -59,7 +60,7 @@ def start(
         sys.path[:] = config["path"]
         _fill_finders()
         confinement = Confinement(config)
-        _look_around(region, line, config)
+        _look_around(region, line, config["unseen"])
         for word in ("exit", "quit"):  # -S leaves them out
             setattr(builtins, word, _sitebuiltins.Quitter(word, "Ctrl-D"))
         for name in [name for name in sys.modules if name.partition(".")[0] == "judge"]:
@@ -72,11 +73,21 @@ def start(
     (kind or Server)(line, region, confinement, config, source).serve()
 
 
-def _look_around(region: wire.Region, line: wire.Channel, config: dict[str, Any]) -> None:
-    """End here, with the reason, if something can be read that no submission may see."""
-    visible = unseen.first_visible(*config["unseen"])
-    if visible:
-        region.write_note(wire.EXPOSED, visible)
+def _look_around(region: wire.Region, line: wire.Channel, length: int) -> None:
+    """End here, with the reason, if something can be read that no submission may see.
+
+    A child looks, and is gone: what is hidden has its names in the memory of no submission.
+    """
+    pid = again.again(os.fork)
+    if pid == 0:
+        try:
+            if visible := unseen.first_visible(*marshal.loads(region.payload(length))):
+                region.write_note(wire.EXPOSED, visible)
+            os._exit(bool(visible))
+        except BaseException as error:
+            region.write_note(wire.BROKEN_BOX, f"{type(error).__name__}: {error}")
+            os._exit(1)
+    if os.waitpid(pid, 0)[1]:
         line.send(wire.FAILED)
         os._exit(1)
 
@@ -220,19 +231,25 @@ class Server:
         return watch.limit(_cpu_clock(pid), time.perf_counter_ns())
 
     def _ask_where(self, pid: int, reason: int) -> int:
-        """Let a child whose time is up say where it stands; the reason, after a last look at it.
-
-        A child that has waited for the processor alone goes on with its work in that moment.
-        """
-        before, stood = _cpu_clock(pid), self._region.words
+        """Let a child whose time is up say where it stands; the reason, after a last look at it."""
+        reason = self._after_a_look(pid, reason)
         os.kill(pid, signal.SIGUSR1)
+        self._look(pid, lambda: bool(self._region.words[wire.STOOD_AT]))
+        return reason
+
+    def _after_a_look(self, pid: int, reason: int) -> int:
+        """The reason to kill a child; one that waits may wait for the processor, and goes on in that time."""
+        if reason == wire.FOR_CPU:
+            return reason
+        before = _cpu_clock(pid)
+        self._look(pid)
+        return wire.FOR_BEING_SLOW if _cpu_clock(pid) - before > LAST_MOMENT_NS * AT_WORK else reason
+
+    def _look(self, pid: int, enough: Callable[[], bool] = lambda: False) -> None:
+        """Wait for a moment, or until it has been long enough."""
         until = time.perf_counter_ns() + LAST_MOMENT_NS
-        while (left := until - time.perf_counter_ns()) > 0:
-            if reason == wire.FOR_CPU and stood[wire.STOOD_AT]:
-                break
+        while (left := until - time.perf_counter_ns()) > 0 and not enough():
             self._wait(pid, min(left, SHORTEST_WAIT_NS))
-        at_work = reason != wire.FOR_CPU and _cpu_clock(pid) - before > LAST_MOMENT_NS * AT_WORK
-        return wire.FOR_BEING_SLOW if at_work else reason
 
     def _goes_on(self, pid: int, watch: Watch, status: int) -> bool:
         """Whether a child that has stopped itself has imported its module, and finds its arguments now."""
