@@ -10,6 +10,7 @@ from pathlib import Path
 from judge.errors import one_slip
 from judge.languages import file_name
 from judge.problem import Problem, Verdict
+from judge.problem.solutions import requirement
 from judge.run.result import EntryError, Obstacle
 from judge.sandbox.boundary import IMPORTING
 
@@ -41,7 +42,7 @@ def entry_text(error: EntryError, problem: Problem, submission: str, verdict: Ve
         case Obstacle.IMPORT:
             ended = message.removesuffix(IMPORTING)
             if ended.startswith(_WRITES):
-                return f"{ended} ends the import. A submission may write no file"
+                return f"{ended} ends the import. A submission may write no file and start no process"
             more = ", or use 'judge run --mode program'" if ended.startswith("EOFError") else ""
             return f"{ended} ends the import; put what only you need below if __name__ == '__main__':{more}"
         case Obstacle.NESTED if error.name:
@@ -67,6 +68,8 @@ def entry_text(error: EntryError, problem: Problem, submission: str, verdict: Ve
 
 
 def _missing_module(submission: str, name: str) -> str:
+    if library := requirement(Path(submission)):
+        return f"{library.partition('==')[0]} is not installed: pip install {library}"
     top = name.partition(".")[0]
     beside = Path(submission).parent / top
     if any(os.path.lexists(path) for path in (beside, beside.with_name(file_name(top)))):

@@ -14,6 +14,7 @@ from msgspec.structs import replace
 from judge.cache import DISK
 from judge.cli.files import writing
 from judge.cli.options import Common, command, opt, seconds_of
+from judge.data.libraries import LibraryTable
 from judge.data.load import load_data
 from judge.errors import ProblemError, UsageError
 from judge.files import replace_file
@@ -34,6 +35,7 @@ from judge.report.wait import progress, stages
 from judge.report.words import counted
 from judge.sandbox import Boxes
 from judge.verify.gate import Options, fresh_data, verify_problem
+from judge.verify.libraries import measure_libraries
 from judge.verify.model import Fault, Verified, fault_of
 
 _BOTH = "both"
@@ -66,6 +68,7 @@ class VerifyAsk(Struct, frozen=True):
         "--seeds N", "Check N sets of data, pinned ones first.", type=click.IntRange(1, 100), default=1
     )
     groups: tuple[str, ...] = opt("--group G", "Look at this group alone.", default=())
+    libraries: bool = opt("--libraries", "Judge the kata's libraries, and write libraries.json.")
     solution: str = opt("--solution FILE", "Judge this solution alone, as accepted/exact.py.", default="")
     jobs: int = opt("-j --jobs N", "Check N katas at once.", type=click.IntRange(1, 64), default=1)
     holes: bool = opt("--holes", "Look for wrong programs that the data accept.")
@@ -73,7 +76,7 @@ class VerifyAsk(Struct, frozen=True):
     seed: int | None = opt("--seed N", "Look at other cases.")
 
 
-@command("verify", Verified, Holes, ask=VerifyAsk)
+@command("verify", Verified, Holes, LibraryTable, ask=VerifyAsk)
 @click.argument("names", metavar="[KATA]...", nargs=-1)
 def verify(names: tuple[str, ...], ask: VerifyAsk, common: Common) -> Iterator[Struct]:
     """Check katas from the setter's side.
@@ -88,11 +91,15 @@ def verify(names: tuple[str, ...], ask: VerifyAsk, common: Common) -> Iterator[S
     are tried on cases of all kinds: one that is wrong on a valid case is a hole in the data. The same
     command goes on where it ended; Ctrl-C keeps what was found.
 
+    With --libraries the adapters of solutions/KATA/libraries are judged instead, where their packages are
+    installed here or in the folders of $JUDGE_PACKAGES.
+
     Exit status: 0 sound, 2 usage, 3 something is wrong.
     """
     narrow = bool(ask.groups or ask.solution)
-    if ask.pin and narrow:
-        raise UsageError("--pin is for the whole kata", remedy="leave out --group and --solution")
+    for flag, given in (("--pin", ask.pin), ("--libraries", ask.libraries)):
+        if given and narrow:
+            raise UsageError(f"{flag} is for the whole kata", remedy="leave out --group and --solution")
     _check_holes(ask)
     for name in names:
         with suppress(ProblemError):  # which is in the report then
@@ -102,6 +109,10 @@ def verify(names: tuple[str, ...], ask: VerifyAsk, common: Common) -> Iterator[S
     chosen = tuple(dict.fromkeys(names or sorted(folder.name for folder in mine)))
     if ask.holes:
         yield from _look(chosen, ask, common)
+        return
+    if ask.libraries:
+        problems = [find_problem(name, common.problems) for name in chosen]
+        yield from map(_libraries, [each for each in problems if (each.solutions / "libraries").is_dir()])
         return
     check, faults = partial(_verify, ask, common.problems), 0
     checked: Iterator[Verified] = map(check, chosen)
@@ -130,15 +141,22 @@ def verify(names: tuple[str, ...], ask: VerifyAsk, common: Common) -> Iterator[S
 
 
 def _check_holes(ask: VerifyAsk) -> None:
-    """Refuse what --holes goes without, and what goes with it alone."""
+    """Refuse what --holes and --libraries go without, and what goes with --holes alone."""
     if ask.holes:
         seconds_of(ask.lasting or _LOOK, "--for")
-        for name, given in (("--pin", ask.pin), ("--matrix", ask.matrix), ("--figures", ask.figures)):
-            if given:
-                raise UsageError(f"--holes and {name} contradict each other", remedy="leave one out")
+    flags = [flag for flag in ("holes", "libraries", "pin", "matrix", "figures") if getattr(ask, flag)]
+    if (ask.holes or ask.libraries) and len(flags) > 1:
+        raise UsageError(f"--{flags[0]} and --{flags[1]} contradict each other", remedy="leave one out")
     for name, value in (("--for", ask.lasting), ("--seed", ask.seed)):
         if value is not None and not ask.holes:
             raise UsageError(f"{name} is for --holes", remedy="add --holes")
+
+
+def _libraries(problem: Problem) -> LibraryTable:
+    """The kata's libraries, measured."""
+    with stages(problem.id) as advance:
+        tell = advance or (lambda *_: None)
+        return measure_libraries(problem, fresh_data(problem, tell), Boxes(least=kept_level()), tell)
 
 
 def _look(chosen: Sequence[str], ask: VerifyAsk, common: Common) -> Iterator[Struct]:
