@@ -36,7 +36,7 @@ MISTAKES = "mistakes.py"  # beside the folders: right ways with their mistakes (
 
 LONGEST = 65_536  # bytes of a stranger's program; a tree takes six hundred times as many
 _ENDLESS = r"[^\x00-\x7f]{1000}"  # accents upon accents, which Python sorts in a name one by one
-_LIBRARY = re.compile(r"([\w.-]+) (\d\S*): ")
+_LIBRARY = re.compile(r"(@?[\w./-]+) (\d\S*): ")
 _SENTENCE_END = r"(?<=[.!?])\s+(?=[A-Z`\d])"
 
 
@@ -145,13 +145,20 @@ def accepted_source(problem: Problem, file: str) -> bytes | None:
 def requirement(path: Path) -> str:
     """What pip installs for the adapter of a library, as `ezdxf==1.4.5`; "" for any other file.
 
+    For one in another language it is as npm knows it, `three@0.187.0`.
+
     Its docstring begins with the package, its version, a colon and what is called.
     """
     try:
         found = _LIBRARY.match(_read(Kind.LIBRARY, path).name) if path.parent.name == "libraries" else None
     except ProblemError:
         return ""
-    return "==".join(found.groups()) if found else ""
+    return ("==" if path.suffix == SUFFIX else "@").join(found.groups()) if found else ""
+
+
+def install_command(package: str) -> str:
+    """The command for what `requirement` gives."""
+    return f"{'pip' if '==' in package else 'npm'} install {package}"
 
 
 def _visible(folder: Path, faults: list[ProblemError]) -> list[Path]:

@@ -5,8 +5,10 @@ No verdict is wanted of them; what they come to is kept by judge.data.libraries.
 
 from __future__ import annotations
 
+import json
 import sys
 from importlib.metadata import distributions
+from pathlib import Path
 
 from msgspec.structs import replace
 
@@ -16,7 +18,7 @@ from judge.languages.boxes import AnyBoxes
 from judge.languages.signature import signature_of
 from judge.problem import Problem, Verdict
 from judge.problem.model import GroupLimits
-from judge.problem.solutions import Kind, Solution, read_solutions, requirement
+from judge.problem.solutions import Kind, Solution, install_command, read_solutions, requirement
 from judge.run.execute import judge_submission
 from judge.run.result import Behaviour
 from judge.run.settings import Settings
@@ -35,20 +37,31 @@ def measure_libraries(problem: Problem, data: ProblemData, boxes: Boxes, progres
     rows, missing = read_libraries(problem), []
     for done, each in enumerate(adapters):
         progress("judging libraries", done, len(adapters))
-        name, _, version = requirement(each.path).partition("==")
-        found = installed_version(name)
+        name, version = package_of(each)
+        found = installed_version(name, javascript=each.language is not None)
         if found == version:
             rows[each.path.stem] = measured(each, data, boxes)
         else:
             what = f"{name} {found} is installed, {each.file} calls" if found else f"{name} is not installed"
-            missing.append(f"{what}{f' {version}' if found else ''}: pip install {name}=={version}")
+            missing.append(
+                f"{what}{f' {version}' if found else ''}: {install_command(requirement(each.path))}"
+            )
     rows = {each.path.stem: rows[each.path.stem] for each in adapters if each.path.stem in rows}
     write_libraries(problem, rows)
     return table_of(problem, rows, *missing)
 
 
-def installed_version(package: str) -> str:
+def package_of(adapter: Solution) -> tuple[str, str]:
+    """The package that it calls, and its version."""
+    name, _, version = requirement(adapter.path).rpartition("==" if adapter.language is None else "@")
+    return name, version
+
+
+def installed_version(package: str, *, javascript: bool = False) -> str:
     """The version of a package among the judge's own and those of `$JUDGE_PACKAGES`; "" for none."""
+    if javascript:
+        places = [Path(folder, package, "package.json") for folder in package_folders("node_modules")]
+        return next((str(json.loads(each.read_bytes())["version"]) for each in places if each.is_file()), "")
     found = distributions(name=package, path=[*sys.path, *package_folders()])
     return next((each.version for each in found), "")
 
@@ -59,7 +72,7 @@ def measured(adapter: Solution, data: ProblemData, boxes: Boxes) -> LibraryRow:
     data = ProblemData(problem, data.groups, loaded=data.loaded)
     settings = Settings(box_factory=AnyBoxes(boxes, signature_of(problem)), measured=False)
     result, _, behaviour = judge_submission(data, adapter.source, adapter.path.name, settings)
-    library, _, version = requirement(adapter.path).partition("==")
+    library, version = package_of(adapter)
     groups = result.groups
     return LibraryRow(
         library,

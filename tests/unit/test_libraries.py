@@ -19,7 +19,7 @@ from judge.verify.gate import fresh_data, verify_problem
 from judge.verify.libraries import installed_version, measure_libraries, measured
 
 TESTS = Path(__file__).parents[1]
-ADAPTERS = sorted(TESTS.parent.glob("solutions/*/libraries/*.py"))
+ADAPTERS = sorted(TESTS.parent.glob("solutions/*/libraries/*.*"))
 PINNED = ("ezdxf", "compas", "euclid3", "scikit_spatial", "pymunk")  # .ci/run installs them by night
 ADAPTER = '''"""fakelib 1.0: roots
 
@@ -104,7 +104,7 @@ def test_a_run_without_the_package_says_what_to_install(kata, tmp_path):
 @pytest.mark.parametrize("path", ADAPTERS, ids=lambda path: f"{path.parts[-3]}-{path.stem}")
 def test_every_adapter_names_what_it_calls_and_has_its_row(path):
     """Ten to forty lines: its first names package, version and call, and the table has that version."""
-    library, _, version = requirement(path).partition("==")
+    library, _, version = requirement(path).rpartition("==" if path.suffix == ".py" else "@")
     rows = json.loads((TESTS.parent / "problems" / path.parts[-3] / "libraries.json").read_text())
     assert (rows[path.stem]["library"], rows[path.stem]["version"]) == (library, version) != ("", "")
     assert 10 <= len(path.read_text().splitlines()) <= 40
