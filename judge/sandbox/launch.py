@@ -53,7 +53,7 @@ class Workplace(NamedTuple):
 
     `shown` are folders of this machine by the names they have inside at `full`; below that they keep their
     own. `scratch` is a folder of this machine that may be filled; at `full` an empty one of SCRATCH_BYTES is
-    filled instead. `runnable` are real paths from which programs may be started, `reads` others that it needs.
+    filled instead. `runnable` are real paths from which programs may be started, `reads` others it needs.
     """
 
     profile: str  # of judge.sandbox.linux.profiles

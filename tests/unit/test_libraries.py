@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import shutil
 import subprocess
 import sys
@@ -11,6 +12,7 @@ from pathlib import Path
 import pytest
 
 from judge.data.libraries import library_table
+from judge.manual import page
 from judge.problem.find import find_problem
 from judge.problem.load import load_problem
 from judge.problem.solutions import Kind, read_solutions, requirement
@@ -108,6 +110,20 @@ def test_every_adapter_names_what_it_calls_and_has_its_row(path):
     rows = json.loads((TESTS.parent / "problems" / path.parts[-3] / "libraries.json").read_text())
     assert (rows[path.stem]["library"], rows[path.stem]["version"]) == (library, version) != ("", "")
     assert 10 <= len(path.read_text().splitlines()) <= 40
+
+
+def test_the_page_of_the_manual_has_each_row_as_it_was_measured():
+    said = re.findall(r"^\| (\S+ \d\S+) \| (\d+)/(\d+) \| ([\d.]+%) \|", page("libraries").text, re.MULTILINE)
+    rows = [
+        (
+            f"{row['library']} {row['version']}",
+            *map(str, row["groups"]),
+            f"{row['cases'][0] / row['cases'][1]:.1%}",
+        )
+        for file in TESTS.parent.glob("problems/*/libraries.json")
+        for row in json.loads(file.read_text()).values()
+    ]
+    assert sorted(said) == sorted(rows)
 
 
 @pytest.mark.nightly

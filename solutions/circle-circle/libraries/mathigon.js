@@ -1,6 +1,6 @@
 // @mathigon/euclid 1.2.4: intersections(Circle, Circle)
 //
-// Numbers are compared with a fixed tolerance, 1e-6 unless another is given.
+// Numbers are compared with a fixed tolerance, 1e-6; a touch is the midpoint of the centres.
 
 const { Circle, Point, intersections } = require('@mathigon/euclid');
 

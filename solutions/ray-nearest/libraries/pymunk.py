@@ -1,6 +1,6 @@
 """pymunk 7.3.1: Circle.segment_query, on a segment that reaches beyond the circle
 
-Its circle is a disc, and a query that starts inside finds no point of the border.
+Its circle is a disc: a query that starts inside ends at once, with alpha 0.
 """
 
 from math import hypot

@@ -1,6 +1,6 @@
 // @mathigon/euclid 1.2.4: intersections(Segment, Circle)
 //
-// Numbers are compared with a fixed tolerance, 1e-6 unless another is given.
+// Numbers are compared with a fixed tolerance, 1e-6.
 
 const { Circle, Segment, Point, intersections } = require('@mathigon/euclid');
 
