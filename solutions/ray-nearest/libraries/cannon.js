@@ -1,6 +1,6 @@
 // cannon-es 0.20.0: Ray.intersectBody of a Sphere, on a segment that reaches beyond it
 //
-// Its sphere is a solid body. The discriminant is compared with 0.
+// From inside it gives where the ray leaves. The discriminant is compared with 0.
 
 const { Body, Ray, RaycastResult, Sphere, Vec3 } = require('cannon-es');
 
