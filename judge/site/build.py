@@ -276,7 +276,7 @@ def _files_of(problem: Problem) -> dict[str, Path]:
 
 
 def _shipped(folder: Path) -> Iterator[Path]:
-    """The files of a kata's folder that a tab needs: neither programs in other languages, slow ones nor libraries."""
+    """The files of a kata's folder that a tab needs: no other languages, slow programs or libraries."""
     for path in folder.rglob("*"):
         first, *_ = parts = path.relative_to(folder).parts
         unwanted = first in ("slow", "libraries") or (first in ("accepted", "wrong") and path.suffix != ".py")
