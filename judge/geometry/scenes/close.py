@@ -102,7 +102,9 @@ def narrow(beams: Bounds, reach: int) -> Scene:
         scene: list[IntCircle] = [(far, draw.integer(9, 99) * reach, 1)] if far else []
         ways: list[IntPoint] = []
         for _ in range(draw.integer(*beams)):
-            (p, q), rows = draw.choice((_just_off, _just_off, _just_behind))(draw, reach, abs(far) or 2 * reach)
+            (p, q), rows = draw.choice((_just_off, _just_off, _just_behind))(
+                draw, reach, abs(far) or 2 * reach
+            )
             scene += rows
             ways.append((p, q) if p * rows[0][0] + q * rows[0][1] > 0 else (-p, -q))
         return scanned(scene, any_point(draw, reach), ways)
