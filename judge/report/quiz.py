@@ -37,7 +37,6 @@ from judge.report.words import counted, due_words
 
 RATE = "How well? 1 again, 2 hard, 3 good, 4 easy: "
 SAVE = "Save the file. Enter judges it, q goes on: "
-_PANEL = 31  # columns of a picture of one panel
 _OPEN = 38  # columns of the skills that are named
 _NARROW = 60  # columns that the steps need
 _AROUND = 2  # rows for the prompt and one above
