@@ -152,16 +152,12 @@ def drill(found: Drill, screen: Screen) -> RenderableType:
     rows: list[tuple[Cell, ...]] = []
     for at, each in enumerate(found.steps, 1):
         minutes, said = f"{each.minutes} min", _step(each, found.time)
-        rows += (
-            [(f"{at} {each.command}", f"{minutes}, {said}")]
-            if narrow
-            else [(str(at), minutes, each.command, said)]
-        )
+        wide = str(at), minutes, each.command, said
+        rows.append((f"{at} {each.command}", f"{minutes}, {said}") if narrow else wide)
     skills = sum(len(each.skills) for each in found.topics)
     known = "known?" if any(each.open for each in found.topics) else "are known."
-    last = (
-        f"{f'All {skills} {known} ' if skills else ''}judge interview holds a mock interview at your level."
-    )
+    last = f"All {skills} {known} " if skills else ""
+    last += "judge interview holds a mock interview at your level."
     return blocks(
         strong(about),
         indented(table(map(_topic, found.topics))) if found.topics else None,
