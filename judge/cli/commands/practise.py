@@ -153,8 +153,8 @@ def hint(name: str | None, ask: HintAsk, common: Common) -> Iterator[HintShown]:
     The hint is for that kata, for the kata of a file, or for your current kata. The first hint is a nudge,
     the last is nearly the whole solution. The judge remembers which ones you have seen.
     """
-    if ask.again + ask.whole + (ask.step is not None) > 1:
-        raise UsageError("--again, --step and --all exclude each other", remedy="name one of them")
+    if ask.whole and ask.step is not None:
+        raise UsageError("--step and --all exclude each other", remedy="name one of them")
     chosen = hints(kata_meant(name, common), ask, common.db)
     try:
         note_seen(chosen[-1], common.db)  # first: what was shown counts as seen, whatever happens then

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from functools import partial
 from pathlib import Path
+from typing import TypeVar
 
 import click
 from msgspec import Struct
@@ -38,6 +39,7 @@ from judge.verify.gate import Options, fresh_data, verify_problem
 from judge.verify.libraries import measure_libraries
 from judge.verify.model import Fault, Verified, fault_of
 
+_Found = TypeVar("_Found")
 _BOTH = "both"
 _LOOK = "30s"  # of a search for holes
 _REMEDY = "name another folder with --out"
@@ -110,6 +112,7 @@ def verify(names: tuple[str, ...], ask: VerifyAsk, common: Common) -> Iterator[S
     if ask.holes:
         yield from _look(chosen, ask, common)
         return
+<<<<<<< HEAD
     if ask.libraries:
         problems = [find_problem(name, common.problems) for name in chosen]
         yield from map(_libraries, [each for each in problems if (each.solutions / "libraries").is_dir()])
@@ -123,6 +126,10 @@ def verify(names: tuple[str, ...], ask: VerifyAsk, common: Common) -> Iterator[S
             Processes(ask.jobs), check, chosen, lambda name, what: Verified(name, (Fault(what, name),))
         )
     for found in checked:
+=======
+    faults = 0
+    for found in _each(partial(_verify, ask, common.problems), chosen, ask.jobs):
+>>>>>>> dr
         if ask.figures and not found.faults:
             from judge.report.picture import figure
 
@@ -138,6 +145,15 @@ def verify(names: tuple[str, ...], ask: VerifyAsk, common: Common) -> Iterator[S
             yield decks
     if len(chosen) > 1:
         yield VerifySummary(len(chosen), faults)
+
+
+def _each(work: Callable[[str], _Found], katas: Sequence[str], jobs: int) -> Iterator[_Found | Verified]:
+    """What the work finds of each kata, in order; so many at once."""
+    if jobs == 1 or len(katas) == 1:
+        return map(work, katas)
+    from judge.judging.pool import Processes, in_order
+
+    return in_order(Processes(jobs), work, katas, lambda name, what: Verified(name, (Fault(what, name),)))
 
 
 def _check_holes(ask: VerifyAsk) -> None:
@@ -161,16 +177,9 @@ def _libraries(problem: Problem) -> LibraryTable:
 
 def _look(chosen: Sequence[str], ask: VerifyAsk, common: Common) -> Iterator[Struct]:
     """The holes of each kata."""
-    look, faults, holes = partial(_holes, ask, common), 0, 0
-    checked: Iterator[Holes | Verified] = map(look, chosen)
-    if ask.jobs > 1 and len(chosen) > 1:
-        from judge.judging.pool import Processes, in_order
-
-        checked = in_order(
-            Processes(ask.jobs), look, chosen, lambda name, what: Verified(name, (Fault(what, name),))
-        )
+    faults = holes = 0
     try:
-        for found in checked:
+        for found in _each(partial(_holes, ask, common), chosen, ask.jobs):
             faults += len(found.faults)
             holes += len(found.holes) if isinstance(found, Holes) else 0
             yield found
