@@ -22,7 +22,7 @@ INTERVIEW = [
 
 PRODUCTION = [
     group("ties", "Several circles met at once, touches, and origins on a circle; others are just off.", ties((5, 9), 40), skills="ties of circles"),
-    group("grid", "The smallest numbers: origins on a circle, touches and ties come up by themselves.", either(fields((1, 2), (12, 17), 1, (1, 2), fastest=2), aside(fields((5, 9), (12, 17), 3, (1, 3), fastest=2), 4)), cases=180, skills="ties of circles"),
+    group("grid", "The smallest numbers: origins on a circle, touches and ties come up by themselves.", either(fields((1, 2), (12, 17), 1, (1, 2), fastest=2), aside(fields((5, 9), (12, 17), 3, (1, 3), fastest=2), 4)), cases=180, skills="the small grid"),
     group("near", "Rays that nearly touch a circle, nearly begin on one, or meet two at nearly one place.", nearly((3, 6), 4_000), skills="nearly is not touching"),
     group("leaving", "Rays in any direction from a place on a circle, and from its centre, there with a D of two lengths.", leaving((3, 6), 60), cases=30, skills="origin inside"),
     group("sparse", "Small circles far apart: most rays go a long way and meet nothing.", fields((150, 300), (60, 90), 20_000, (60, 110)), cases=20, skills="walk through boxes"),
