@@ -112,24 +112,12 @@ def verify(names: tuple[str, ...], ask: VerifyAsk, common: Common) -> Iterator[S
     if ask.holes:
         yield from _look(chosen, ask, common)
         return
-<<<<<<< HEAD
     if ask.libraries:
         problems = [find_problem(name, common.problems) for name in chosen]
         yield from map(_libraries, [each for each in problems if (each.solutions / "libraries").is_dir()])
         return
-    check, faults = partial(_verify, ask, common.problems), 0
-    checked: Iterator[Verified] = map(check, chosen)
-    if ask.jobs > 1 and len(chosen) > 1:
-        from judge.judging.pool import Processes, in_order
-
-        checked = in_order(
-            Processes(ask.jobs), check, chosen, lambda name, what: Verified(name, (Fault(what, name),))
-        )
-    for found in checked:
-=======
     faults = 0
     for found in _each(partial(_verify, ask, common.problems), chosen, ask.jobs):
->>>>>>> dr
         if ask.figures and not found.faults:
             from judge.report.picture import figure
 
