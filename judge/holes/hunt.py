@@ -103,7 +103,7 @@ def look_for_holes(
         tell = progress or (lambda *_: None)
         crowd = Crowd(problem, box)
         short, every = [Bench(problem, sets, crowd, judged, tell, most) for most in (LONG, inf)]
-        return _Hunt(short, every, sets[0], search, kept, tell, keep).holes(programs)
+        return _Hunt((short, every), sets[0], search, kept, tell, keep).holes(programs)
 
 
 def _said(reply: Reply) -> str:
@@ -114,20 +114,21 @@ def _said(reply: Reply) -> str:
 class _Hunt:
     """One search; `found` and `edge` are by mutant, `faults` are right programs that fail.
 
-    Mutants are judged on the `bench`; those that are found wrong, on `every` small group.
+    Mutants are judged on the first of the `benches`; those that are found wrong, on the second, which has
+    every small group.
     """
 
     def __init__(
         self,
-        bench: Bench,
-        every: Bench,
+        benches: tuple[Bench, Bench],
         data: ProblemData,
         search: Search,
         kept: Kept,
         progress: Progress,
         keep: Callable[[], str | None],
     ) -> None:
-        self._bench, self._every, self._problem, self._data = bench, every, data.problem, data
+        self._bench, self._every = benches
+        self._problem, self._data = data.problem, data
         self._search, self._kept, self._progress = search, kept, progress
         self._found: dict[str, Found] = {}
         self._edge: dict[str, Found] = {}

@@ -63,7 +63,7 @@ def new(folder: Path, name: str | None, common: Common) -> NewKata:  # noqa: ARG
 class VerifyAsk(Struct, frozen=True):
     """What to check of each kata."""
 
-    matrix: bool = opt("--matrix", "Which groups find each mistake, and how many cases reach each edge.")
+    matrix: bool = opt("--matrix", "Which groups find which mistake and reach which edge.")
     pin: bool = opt("--pin", "Pin the data as they are now: write pins.json.")
     figures: bool = opt("--figures", "Draw the statement's figure: write figure.svg.")
     seeds: int = opt(
@@ -87,14 +87,12 @@ def verify(names: tuple[str, ...], ask: VerifyAsk, common: Common) -> Iterator[S
     solution gets the verdict its folder says, hints can be read, a stub can be made, and the cards of judge
     quiz can be asked. Without a name: all of the folders that --problems gives, or all there is.
 
-    With --group or --solution only a part is checked, as you work on it.
+    With --group or --solution only a part is checked, as you work on it. With --libraries the adapters in
+    solutions/KATA/libraries are judged instead, where their packages are found.
 
     With --holes right programs are changed in thousands of small ways instead. Those that the data accept
     are tried on cases of all kinds: one that is wrong on a valid case is a hole in the data. The same
     command goes on where it ended; Ctrl-C keeps what was found.
-
-    With --libraries the adapters of solutions/KATA/libraries are judged instead, where their packages are
-    installed here or in the folders of $JUDGE_PACKAGES.
 
     Exit status: 0 sound, 2 usage, 3 something is wrong.
     """
