@@ -255,10 +255,8 @@ def problem_of_file(submission: Submission, command: str, common: Common) -> Pro
         what, name, how = f"this file fits {' and '.join(names)}", names[0], "'{}' takes the first"
     elif near := meant_problem(found, folders):
         defined, entry, name = near
-        what, how = (
-            f"this file defines {defined}; did you mean {entry}, of {name}?",
-            "rename it, or write '{}'",
-        )
+        what = f"this file defines {defined}; did you mean {entry}, of {name}?"
+        how = "rename it, or write '{}'"
     raise UsageError(what, where=file, remedy=how.format(shown_command("judge", command, name, file=file)))
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import chain, pairwise
 from math import inf
+from random import Random
 from time import monotonic
 from typing import NamedTuple
 
@@ -12,6 +13,7 @@ from judge.cache import digest
 from judge.data.build import target_of, validate
 from judge.data.model import ProblemData
 from judge.data.pins import hash_of
+from judge.diagnose.candidates import items_of
 from judge.holes.cases import Solved
 from judge.holes.model import Judged
 from judge.holes.programs import GIVEN_UP, Base, Candidate, Crowd, original
@@ -31,6 +33,7 @@ _RUNGS = 8  # of a ladder that are judged at once; of other numbers, which are s
 _ENOUGH = 3  # accepted rungs, below which all others are taken for accepted; of other numbers one
 _NEARLY = 1e-5  # a gap below it may be the promise's own
 _EDGE = 1.1  # times the least gap, below which a rounding decides
+LONG = 1000  # items of a case, above which it takes a program too much time to be asked of every mutant
 _MOST_KNOWN = 50_000  # cases whose answers are remembered
 
 
@@ -45,17 +48,28 @@ class Aimed(NamedTuple):
 
 
 class Bench:
-    """The data of a kata, a crowd to ask, and what is known of its mutants from earlier runs."""
+    """The data of a kata, a crowd to ask, and what is known of its mutants from earlier runs.
+
+    Of the data it asks the small groups whose cases have no more than `most` items.
+    """
 
     def __init__(
-        self, problem: Problem, sets: Sequence[ProblemData], crowd: Crowd, kept: Judged, progress: Progress
+        self,
+        problem: Problem,
+        sets: Sequence[ProblemData],
+        crowd: Crowd,
+        kept: Judged,
+        progress: Progress,
+        most: float,
     ) -> None:
         self.problem, self.crowd = problem, crowd
         self.module = sets[0].module
         self.until = inf  # when the time is up
         self._kept, self._progress = kept, progress
-        self._sets = [_mixed(data) for data in sets]
+        self._sets = [_mixed(data, most) for data in sets]
         self._usual = _usual(sets[0])
+        left_out = len(self._sets[0]) < sum(len(each.cases) for each in sets[0].groups)
+        self._largest = max(items_of(each.case) for each in self._sets[0]) if left_out else inf
         self._memo: dict[str, Solved | None] = {}
         self._least: dict[str, float] = {}
 
@@ -96,6 +110,7 @@ class Bench:
                     del rungs[:few]
             if not batch:
                 return accepted, judged, True
+            Random(0).shuffle(batch)  # some of every kind, should the time be up before the end
             while batch:
                 if self.late:
                     return accepted, judged, False
@@ -185,7 +200,13 @@ class Bench:
         return {at for at, (reply, each) in enumerate(pairs) if not self._right(reply, each)}
 
     def solved(self, case: Case) -> Solved | None:
-        """What a valid case comes to; None for any other, and for one that takes too long."""
+        """What a valid case comes to; None for any other, and for one that takes too long.
+
+        None, too, for one that is larger than all that are asked, where groups of larger ones are not:
+        those may reject who is slow there, or wrong.
+        """
+        if items_of(case) > self._largest:
+            return None
         key = repr(case)
         if key in self._memo:
             return self._memo[key]
@@ -227,16 +248,16 @@ class Bench:
         return found
 
 
-def _mixed(data: ProblemData) -> list[Aimed]:
-    """The cases of its small groups, of each group in turn."""
+def _mixed(data: ProblemData, most: float) -> list[Aimed]:
+    """The cases of its small groups that have no longer ones, of each group in turn; or of all small ones."""
+    small = [each for each in data.groups if each.group.size is None]
     rows = []
-    for each in data.groups:
-        if each.group.size is None:
-            place = hash_of(each)
-            pairs = zip(each.cases, each.targets, strict=True)
-            rows.append([Aimed(case, target, each.group, place) for case, target in pairs])
-    most = max(map(len, rows), default=0)
-    return [row[at] for at in range(most) for row in rows if at < len(row)]
+    for each in [each for each in small if max(map(items_of, each.cases)) <= most] or small:
+        place = hash_of(each)
+        pairs = zip(each.cases, each.targets, strict=True)
+        rows.append([Aimed(case, target, each.group, place) for case, target in pairs])
+    longest = max(map(len, rows), default=0)
+    return [row[at] for at in range(longest) for row in rows if at < len(row)]
 
 
 def _whole(aimed: Sequence[Aimed]) -> str:

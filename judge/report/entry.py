@@ -10,12 +10,12 @@ from pathlib import Path
 from judge.errors import one_slip
 from judge.languages import file_name
 from judge.problem import Problem, Verdict
+from judge.problem.solutions import install_command, requirement
 from judge.run.result import EntryError, Obstacle
 from judge.sandbox.boundary import IMPORTING
 
 _ONE_FILE = "a submission is one file"
 _KNOWN = ("numpy", "scipy", "sympy", "mpmath", "shapely")  # of the modules that Python does not bring
-_WRITES = ("PermissionError", "FileNotFoundError: [Errno 2] No usable temporary")
 _PACKAGES = {  # what brings a module of another name, or of one that is nearly another's
     "attr": "attrs",
     "cv2": "opencv-python",
@@ -40,8 +40,6 @@ def entry_text(error: EntryError, problem: Problem, submission: str, verdict: Ve
             return _missing_module(submission, error.name)
         case Obstacle.IMPORT:
             ended = message.removesuffix(IMPORTING)
-            if ended.startswith(_WRITES):
-                return f"{ended} ends the import. A submission may write no file"
             more = ", or use 'judge run --mode program'" if ended.startswith("EOFError") else ""
             return f"{ended} ends the import; put what only you need below if __name__ == '__main__':{more}"
         case Obstacle.NESTED if error.name:
@@ -67,6 +65,8 @@ def entry_text(error: EntryError, problem: Problem, submission: str, verdict: Ve
 
 
 def _missing_module(submission: str, name: str) -> str:
+    if library := requirement(Path(submission)):
+        return f"{library.partition('==')[0]} is not installed: {install_command(library)}"
     top = name.partition(".")[0]
     beside = Path(submission).parent / top
     if any(os.path.lexists(path) for path in (beside, beside.with_name(file_name(top)))):

@@ -25,6 +25,7 @@ from judge.sandbox.boundary import Limits
 from judge.sandbox.inside import wire
 from judge.sandbox.room import Share
 from judge.sandbox.roots import Roots
+from judge.sandbox.temporary import TemporaryFolder
 
 START_SECONDS = 20.0  # a loaded machine, a cold disk
 GRACE_SECONDS = 5.0  # beyond a request's own wall limit
@@ -200,8 +201,6 @@ class Container:
 
     def _home(self) -> str:
         """An empty folder of this machine for a submission's own, gone with the container."""
-        from judge.sandbox.temporary import TemporaryFolder  # takes longer to import than the rest of a start
-
         folder = TemporaryFolder()
         self._closing.callback(folder.close)
         home = folder.path / "home"

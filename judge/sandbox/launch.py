@@ -54,13 +54,14 @@ class Workplace(NamedTuple):
 
     `shown` are folders of this machine by the names they have inside at `full`; below that they keep their
     own. `scratch` is a folder of this machine that may be filled; at `full` an empty one of SCRATCH_BYTES is
-    filled instead. `runnable` are real paths from which programs may be started.
+    filled instead. `runnable` are real paths from which programs may be started, `reads` others it needs.
     """
 
     profile: str  # of judge.sandbox.linux.profiles
     shown: tuple[tuple[str, str], ...] = ()
     scratch: str = ""
     runnable: tuple[str, ...] = ()
+    reads: tuple[str, ...] = ()
     descriptors: int = 64
     random: bool = True  # whether there is /dev/urandom
 
@@ -99,7 +100,8 @@ def plan(
     handed over.
     """
     uid, hidden = _spare_uid(), marshal.dumps(to_look_for(level, roots))
-    closed = uid is not None and place is not None and not open_to_all(place.runnable, below=level == "full")
+    needed = (*place.runnable, *place.reads) if place is not None and uid is not None else ()
+    closed = not open_to_all(needed, below=level == "full")
     python = [roots.executable, *_INTERPRETER, "-c", BOOTSTRAP, *map(str, descriptors)]
     config: dict[str, Any] = {
         "level": level,

@@ -238,7 +238,8 @@ class NativeBox:
             written(box, self._artifact)
             recipe = self._recipe
             runnable = tuple(map(os.path.realpath, recipe.runs))
-            self._place = Workplace(profile="run", shown=((_BOX, str(box)),), runnable=runnable)
+            shown = ((_BOX, str(box)),)
+            self._place = Workplace("run", shown, runnable=runnable, reads=tuple(recipe.reads))
             self._running = self._holder(self._level, self._place, (*recipe.reads, *recipe.runs))
         return self._running
 

@@ -65,7 +65,9 @@ def find_roots(hide: Iterable[Path] = (), more: Iterable[str] = (), *, modules: 
     executable = places.real(sys.executable)
     libraries = _libraries()
     path = [places.absolute(entry) for entry in sys.path]
-    sites = [*(entry for entry in path if Path(entry).name in SITE_NAMES), *_packages()] if modules else []
+    sites = (
+        [*(entry for entry in path if Path(entry).name in SITE_NAMES), *package_folders()] if modules else []
+    )
     stores = [store for store in _STORES if executable.startswith(store)]
     names = dict.fromkeys((*_LIBRARY_FOLDERS, *libraries, *stores, *sites, *more))
     wanted = {name: places.real(name) for name in names if os.path.isdir(name)}  # noqa: PTH112 - hot
@@ -91,14 +93,14 @@ def find_roots(hide: Iterable[Path] = (), more: Iterable[str] = (), *, modules: 
     )
 
 
-def _packages() -> list[str]:
-    """The folders that `$JUDGE_PACKAGES` names."""
-    named = [places.absolute(each) for each in os.environ.get(_PACKAGES, "").split(os.pathsep) if each]
+def package_folders(name: str = "") -> list[str]:
+    """The real folders that `$JUDGE_PACKAGES` names; those called `name` alone, where that is given."""
+    named = [places.real(each) for each in os.environ.get(_PACKAGES, "").split(os.pathsep) if each]
     for each in named:
         if not Path(each).is_dir():
             what = f"${_PACKAGES} names {each}, which is not a folder"
             raise UsageError(what, remedy=f"make it with: pip install --target {each} PACKAGE")
-    return named
+    return [each for each in named if not name or Path(each).name == name]
 
 
 def _libraries() -> list[str]:

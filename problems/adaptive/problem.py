@@ -34,6 +34,6 @@ PRODUCTION = [  # the same, where rounding bites
     group("tiny", "Numbers of about 1e-20, some of them a unit in their last place off.", doubles.ulps(seven(lines(*TOUCH, **TINY)), 1), skills="no absolute epsilon"),
     group("one-place", "Touches at the same place of the same circle, the other end a unit off or not.", doubles.one_place, skills="nothing kept between calls"),
     group("spread", "Numbers of 1e28 and of 1e-28 in one case: Δ is 1 where r²·a has 120 digits.", doubles.spread, skills="full precision"),
-    group("vanishing", "Doubles make k nothing at all: it is nearly the most that three roundings can lose.", signs.tried(doubles.vanishing), skills="the sharp discriminant"),
+    group("vanishing", "Doubles make k nothing at all, and it is nearly the most that three roundings can lose; or the other way round.", signs.tried(doubles.vanishing), skills="the sharp discriminant"),
     group("easy", "Twenty thousand lines that doubles decide: to be exact from the start costs too much.", doubles.easy, cases=20_000, points=24, time_limit=2.5, limits={"cpu_seconds": 10}, skills="trust a double, or do not"),
 ]

@@ -47,5 +47,5 @@ PRODUCTION = [  # the same, where rounding bites
     group("tiny", "Numbers of about 1e-20, some of them a unit in their last place off.", doubles.ulps(seven(lines(*TOUCH, **TINY)), 1), skills="no absolute epsilon"),
     group("centre", "The line runs through C or nearly so, and along an axis or nearly so: Δ is r²·a, and no other term widens it.", either(seven(lines("through ?by ?by", "off-centre ?by ?by", **{**BIG, "turn": "axis"})), seven(lines("through ?by ?by", **STEEP))), skills="bound every rounding"),
     group("all-lost", "dx and fy lose nearly half a unit of their last place to one side, and their product another: r is 0 or nothing beside k.", signs.tried(one_sided), skills="bound every rounding"),
-    group("vanishing", "Doubles make k nothing at all: it is nearly the most that three roundings can lose.", signs.tried(doubles.vanishing), skills="the sharp discriminant"),
+    group("vanishing", "Doubles make k nothing at all, and it is nearly the most that three roundings can lose; or the other way round.", signs.tried(doubles.vanishing), cases=90, skills="the sharp discriminant"),
 ]

@@ -2,9 +2,10 @@
 
 from judge.geometry.boxes import nearest
 from judge.geometry.hooks import MANY, hooks
+from judge.geometry.scenes import either
 from judge.geometry.scenes.close import nearly
 from judge.geometry.scenes.growth import crowded
-from judge.geometry.scenes.many import FASTEST, WIDE, clusters, fields, heaps, inside, leaving, strips, ties
+from judge.geometry.scenes.many import FASTEST, aside, clusters, fields, heaps, inside, leaving, strips, ties
 from judge.problem.declare import group
 
 HOOKS = hooks(MANY)
@@ -15,12 +16,13 @@ def solve(circles, rays):
 
 
 INTERVIEW = [
-    group("few", "Up to ten circles of about one size, and some rays: a plain loop is good enough.", fields((2, 10), (4, 9), 70, (9, 17)), skills="the nearest of several"),
-    group("inside", "Rays that start inside one circle or several: they meet the curve where they leave, or another circle before.", inside((2, 8), (4, 8), 40, (12, 30)), skills="origin inside"),
+    group("few", "Up to ten circles of about one size, and some rays: a plain loop is good enough.", aside(fields((1, 10), (4, 9), 70, (9, 17)), 90), skills="the nearest of several"),
+    group("inside", "Rays that start inside one circle or several: they meet the curve where they leave, or another circle before.", inside((1, 8), (4, 8), 40, (12, 30)), skills="origin inside"),
 ]
 
 PRODUCTION = [
     group("ties", "Several circles met at once, touches, and origins on a circle; others are just off.", ties((5, 9), 40), skills="ties of circles"),
+    group("grid", "The smallest numbers: origins on a circle, touches and ties come up by themselves.", either(fields((1, 2), (12, 17), 1, (1, 2), fastest=2), aside(fields((5, 9), (12, 17), 3, (1, 3), fastest=2), 4)), cases=180, skills="the small grid"),
     group("near", "Rays that nearly touch a circle, nearly begin on one, or meet two at nearly one place.", nearly((3, 6), 4_000), skills="nearly is not touching"),
     group("leaving", "Rays in any direction from a place on a circle, and from its centre, there with a D of two lengths.", leaving((3, 6), 60), cases=30, skills="origin inside"),
     group("sparse", "Small circles far apart: most rays go a long way and meet nothing.", fields((150, 300), (60, 90), 20_000, (60, 110)), cases=20, skills="walk through boxes"),
@@ -28,7 +30,7 @@ PRODUCTION = [
     group("clustered", "Dense clusters of circles that overlap, wide empty room between them, and a few large circles.", clusters((300, 500), (80, 120), 50_000, 1_500, (20, 300), (15_000, 30_000)), cases=10, skills="walk through boxes"),
     group("heaps", "Each circle many times over, or as rings about one centre: no cut parts them.", heaps((3, 8), (8, 16), 90, (5, 20), (3, 12)), cases=20, skills="ties of circles"),
     group("strip", "Small circles in a strip that is thousands of times as long as wide: rays run along it.", strips((150, 300), (40, 60), 1_000_000, 60, (1, 4)), cases=10, skills="walk through boxes"),
-    group("wide", "Few circles and whole numbers of all seven digits.", fields((2, 8), (9, 17), WIDE, (10_000, 400_000)), skills="full precision"),
+    group("wide", "Few circles and whole numbers of all seven digits.", fields((2, 8), (9, 17), 1 << 20, (10_000, 400_000)), skills="full precision"),
     group("n-2000", "2,000 circles and 500 rays: where the growth is measured from.", crowded(2_000), cases=3, size=2_000, time_limit=30, limits={"cpu_seconds": 10, "wall_seconds": 60}, skills="do not ask all of them"),
     group("n-8000", "8,000 circles and 2,000 rays.", crowded(8_000), cases=2, size=8_000, time_limit=30, limits={"cpu_seconds": 15, "wall_seconds": 60}, skills="do not ask all of them"),
     group("n-32000", "32,000 circles and 8,000 rays.", crowded(32_000), cases=1, size=32_000, time_limit=30, limits={"cpu_seconds": 30, "wall_seconds": 90}, skills="do not ask all of them"),

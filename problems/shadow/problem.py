@@ -35,7 +35,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("skin", "The point is just inside another circle: its wall is right behind the start.", lights("skin", **FINE), skills="off the surface, a little"),
     group("at-the-light", "A wall a thousandth or a ten-millionth of the way before the light, or just beyond it.", lights("lamp", "lamp-thin", **{**BIG, "size": 10**7}), cases=72, skills="a ray that ends"),
     group("ledge", "The point is just outside of another circle, beside the ray: whoever starts far off the surface starts in it.", lights("ledge", **FINE), skills="off the surface, a little"),
-    group("sill", "Another circle begins right before the point, on the way to the light.", lights("sill", **FINE), skills="off the surface, a little"),
+    group("sill", "Another circle begins right before the point, on the way to the light.", either(lights("sill", **FINE), *[lights("sill", **{**FINE, "turn": "axis"})] * 2), cases=110, skills="off the surface, a little"),
     group("home", "The ray begins at the centre, or level with it or upright, and so does the way to the light.", shaded(either(home(20), home(2**28)), "lit", "lit", "own"), cases=100, skills="off the surface, a little"),
     group("rooms", "Circles one in another, often about one centre: a wall around everything blocks nothing, one around the point does.", either(lights("court", "court", "pillar", "moat", **PLAIN), lights("court", "pillar", "moat", **AXIS)), skills=("a second ray", "a ray that ends")),
     group("level", "The light is just above or below the surface: no distance off the surface tells.", lights("level-open", "level-back", "level-far", "level-far", **{**BIG, "size": 20_000}), cases=90, skills="which side is seen"),

@@ -22,7 +22,7 @@ def running(cx, cy, r, ax, ay, bx, by):
     # @ says how often they meet
     # : The sign of Δ is flipped: it is r²·a − k².
     bound = U * (12 * reach + 16 * m * abs(k)) + 64 * U * U * m * m
-    # = bound = U * (20 * reach + 24 * m * abs(k)) + 80 * U * U * m * m
+    # = bound = U * (20 * reach + 18 * m * abs(k)) + 70 * U * U * m * m
     # ? no-bound: bound = 0.0 if reach == m == 0 else 1e-300
     # ? one-ulp: bound = abs(delta) * 2 * U
     # ? absolute-bound: bound = {1e-15..1e-9/6}

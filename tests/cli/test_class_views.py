@@ -190,5 +190,5 @@ def test_days_late_weights_and_numbers_for_names(judge, submit):
     assert "1 day late" in pages["1.html"]
     assert "essay.docx: not a program" in pages["2.html"]
     assert "Nothing was submitted." in pages["3.html"]
-    assert "'middle=x' is no weight" in judge("class", "homework", "--weight", "middle=x").err
+    assert "'middle=x' is not a weight" in judge("class", "homework", "--weight", "middle=x").err
     assert "--json has names" in judge("class", "homework", "--anonymous", "--json").err

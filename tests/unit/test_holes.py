@@ -311,6 +311,43 @@ class TestSearch:
         assert (found.mutants, found.rejected, found.accepted) == (len(lines) + 1, len(lines), 1)
         assert not there.exists()
 
+    def test_of_a_case_larger_than_those_that_are_asked_the_large_groups_tell(self, tmp_path, pack):
+        """A mutant that hangs on lists of more than five, and one that is wrong on a negative number."""
+        from judge.holes import hunt, programs
+        from judge.holes.mutants import Mutant
+
+        folder, solutions = tmp_path / "problems" / "divides", tmp_path / "solutions" / "divides"
+        row = 'a = { type = "[integer; 1..90]", low = -9, high = 9, about = "numbers" }\n'
+        (folder / "problem.toml").write_text(TOML.partition("a = {")[0] + row)
+        (folder / "statement.md").write_text(STATEMENT.partition(">>>")[0] + ">>> divides([6, 3])\n9\n```\n")
+        right = '"""sum"""\n\n\ndef divides(a):\n    return sum(a)\n'
+        (solutions / "accepted" / "remainder.py").write_text(right)
+        lines = ["    while len(a) > 5: pass\n", "    if a[0] < 0: return 99\n"]
+
+        def bad(self, measured):
+            for at, line in enumerate(lines, 1):
+                text = right.replace("    return", line + "    return")
+                yield programs.Candidate(self, Mutant("bad", at, "", line, text))
+
+        def lists(*groups):
+            rows = [
+                f'group("g{at}", "L.", lambda draw: (({low}, *[draw.integer(0, 9)] * {n}),), cases=2{more}),'
+                for at, (n, low, more) in enumerate(groups)
+            ]
+            text = "from judge.problem.declare import group\n\n\ndef solve(a):\n    return sum(a)\n\n\n"
+            (folder / "problem.py").write_text(text + f"GROUPS = [{''.join(rows)}]\n")
+            return {hole.becomes for hole in looked(pack).holes}
+
+        hangs, wrong = lines
+        with pytest.MonkeyPatch.context() as patch:
+            patch.setattr(programs.Base, "mutants", bad)
+            assert lists((4, 0, "")) == {hangs, wrong}
+            assert lists((4, 0, ""), (50, -1, ", size=50")) == {wrong}
+            assert lists((4, 0, ""), (20, 0, "")) == {wrong}
+            patch.setattr(hunt, "LONG", 9)
+            assert lists((4, 0, ""), (20, 0, "")) == {wrong}
+            assert lists((4, 0, ""), (20, -1, "")) == set()
+
     def test_a_kata_without_a_program_that_can_be_changed_is_told(self, pack):
         (pack / "solutions" / "divides" / "accepted" / "remainder.py").unlink()
         (fault,) = looked(pack).faults

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import os
+import shutil
 
 import pytest
-from sandboxed import require, run
+from sandboxed import LIMITS, require, run
 
 from judge.errors import UsageError
+from judge.languages.boxes import AnyBoxes
+from judge.sandbox import Boxes
 
 LEVELS = ["full", "strong"]
 IMPORT = "import neighbour, sys\nprint(neighbour.VALUE, neighbour.__file__)"
@@ -41,6 +44,19 @@ def test_a_submission_imports_from_the_folders_that_are_named_and_changes_nothin
     require(level)
     assert run(IMPORT, level=level).stdout.decode() == f"42 {packages / 'neighbour.py'}\n"
     assert run(WRITE, level=level).stdout == b"held\n"
+
+
+@pytest.mark.skipif(shutil.which("node") is None, reason="node is not installed")
+@pytest.mark.parametrize("level", LEVELS)
+def test_javascript_requires_from_a_node_modules_that_is_named(packages, tmp_path, monkeypatch, level):
+    require(level)
+    modules = tmp_path / "node_modules"
+    (modules / "near").mkdir(parents=True)
+    (modules / "near" / "index.js").write_text("exports.value = 42;\n")
+    monkeypatch.setenv("JUDGE_PACKAGES", os.pathsep.join([str(packages), str(modules)]))
+    with AnyBoxes(Boxes(level))(b"process.stdout.write(`${require('near').value}`)", "a.js") as box:
+        ended = box.run_program(b"", LIMITS)
+    assert ended.stdout == b"42", ended
 
 
 @pytest.mark.parametrize("level", LEVELS)

@@ -6,12 +6,12 @@ import math
 import os
 import signal
 import sys
-import tempfile
 from pathlib import Path
 
 import pytest
 from sandboxed import LIMITS, call, children, limits, require, run
 
+import judge
 from judge.errors import JudgeError, ShortageError
 from judge.sandbox import LEVELS, Reply, Stop, holder, open_box, outcome
 from judge.sandbox.container import Done
@@ -64,14 +64,54 @@ def f(n):
         ("raise ValueError('a\\nb' + 'x' * 9999)", "ValueError: a b" + "x" * 497 + " (line 4)"),
         ("return f(n)", "RecursionError: maximum recursion depth exceeded"),
         ("raise E", "E: (its text cannot be shown) (line 4)"),
+        ("raise Lying('so')", "Lying: so (line 4)"),
     ],
 )
 def test_exceptions_are_told_in_one_line(body, detail):
     source = f"import sys\ndef f(n):\n    if n == 3:\n        {body}\n    return n\n"
     source += "class E(Exception):\n    def __str__(self): raise self\n"
+    source += "@property\ndef lie(self): 1 / 0\n"
+    source += "class Lying(OSError): __class__ = errno = code = __traceback__ = __dict__ = lie\n"
     result = call(source, NUMBERS)
     assert stops(result) == [Stop.ANSWERED] * 3 + [Stop.EXCEPTION, Stop.ANSWERED]
     assert result.replies[3].detail.startswith(detail)
+
+
+@pytest.mark.parametrize("kind", ["SystemExit", "Exception"])
+def test_a_program_s_exception_is_told_whatever_it_says_of_itself(kind):
+    source = "@property\ndef lie(self): 1 / 0\n"
+    source += f"class Lying({kind}): code = __class__ = __traceback__ = lie\n"
+    result = run(source + "raise Lying(3)\n")
+    assert result.stop in {Stop.EXITED, Stop.EXCEPTION}
+    assert result.detail == ("exit status 3" if kind == "SystemExit" else "Lying: 3 (line 4)")
+
+
+SEARCH = """
+import ctypes, gc, sys
+def f(sought):
+    needle, seen = bytes(255 - b for b in sought), set()
+    waiting = [sys.modules, gc.get_objects(), sys._getframe()]
+    while waiting and len(seen) < 200_000:
+        one = waiting.pop()
+        if id(one) not in seen:
+            seen.add(id(one))
+            waiting += gc.get_referents(one)
+    return sum(ctypes.string_at(page << 12, 4096).count(needle) for page in {number >> 12 for number in seen})
+"""
+
+
+@on_linux
+@pytest.mark.parametrize("level", LEVELS[:2])
+def test_no_name_of_what_is_hidden_stays_in_the_memory(level):
+    require(level)
+    room = limits(cpu_seconds=10.0, wall_seconds=30.0)
+    hidden = [str(Path(judge.__file__).parent), str(Path(judge.__file__).parent.parent / "problems")]
+    with open_box(SEARCH.encode(), "my.py", level=level) as box:
+        for name in [*hidden, "judge/sandbox/inside/child.py"]:
+            (reply,) = box.call("f", [([255 - byte for byte in name.encode()],)], room).replies
+            assert (reply.answer == 1) is (name in hidden), (
+                "it finds what it looks for itself, and nothing else"
+            )
 
 
 def test_a_call_that_closes_every_descriptor_loses_nothing():
@@ -176,13 +216,13 @@ def test_a_syntax_error_has_its_place_and_an_empty_source_none():
 @pytest.mark.parametrize("level", LEVELS)
 def test_nothing_is_left_when_a_box_closes(level, tmp_path, monkeypatch):
     require(level)
-    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
+    monkeypatch.setenv("TMPDIR", str(tmp_path))
     descriptors, processes = len(list(Path("/dev/fd").iterdir())), children()
     with open_box(b"def f(): return 1", "my.py", level=level) as box:
         assert box.call("f", [()], LIMITS).replies[0].answer == 1
         assert box.run_program(b"", LIMITS).detail == ""
         assert children() > processes
-        assert not list(tmp_path.iterdir())
+        assert sum(map(len, (names for _, _, names in os.walk(tmp_path)))) == 0  # an empty home at most
     assert children() == processes
     assert len(list(Path("/dev/fd").iterdir())) == descriptors
     assert not list(tmp_path.iterdir())

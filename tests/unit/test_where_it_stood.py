@@ -83,6 +83,30 @@ def test_no_trick_with_the_signal_changes_how_it_ended(trick):
     assert detail.startswith("used more than 0.2 s of CPU time")
 
 
+def test_what_sleeps_is_not_at_work_whatever_its_handler_does():
+    handler = "lambda *_: sum(range(10**6))"
+    source = (
+        f"import signal, time\ndef f(n):\n    signal.signal(signal.SIGUSR1, {handler})\n    time.sleep(99)\n"
+    )
+    stop, detail = ended(source.encode(), LIMITS._replace(wall_seconds=0.3))
+    assert (stop, detail) == (Stop.WALL, "took more than 0.3 s, waiting at the end")
+
+
+@pytest.mark.parametrize(("line", "told"), [(7, ""), (10**9, ""), (6, " (line 6)")])
+def test_a_line_that_is_not_there_is_not_told(line, told):
+    """Any other is its own word, which decides nothing."""
+    source = (
+        b"""import signal, sys
+def f(n):
+    frame = sys._getframe()
+    while "region" not in frame.f_locals: frame = frame.f_back
+    signal.signal(signal.SIGUSR1, signal.SIG_IGN)
+    while True: frame.f_locals["region"].words[3] = %d"""
+        % line
+    )
+    assert ended(source, SHORT) == (Stop.CPU, f"used more than 0.2 s of CPU time{told}")
+
+
 def test_an_answer_in_the_last_moment_comes_too_late():
     """The handler's own call returns: what it answers is not taken."""
     source = b"""

@@ -118,7 +118,7 @@ def _time(said: str) -> datetime:
         return datetime.fromisoformat(said)
     except ValueError:
         remedy = "write a day, or a day and a time: 2026-12-01T23:59"
-        raise UsageError(f"{said!r} is no time", where="--due", remedy=remedy) from None
+        raise UsageError(f"{said!r} is not a time", where="--due", remedy=remedy) from None
 
 
 def _weight(said: str, common: Common) -> tuple[str, float]:
@@ -129,9 +129,8 @@ def _weight(said: str, common: Common) -> tuple[str, float]:
     except ValueError:
         weight = -1.0
     if not 0 <= weight < _HEAVIEST:
-        raise UsageError(
-            f"{said!r} is no weight", where="--weight", remedy="write a kata and a number: count=2"
-        )
+        remedy = "write a kata and a number: count=2"
+        raise UsageError(f"{said!r} is not a weight", where="--weight", remedy=remedy)
     return find_problem(kata, common.problems).id, weight
 
 

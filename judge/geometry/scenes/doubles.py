@@ -146,10 +146,10 @@ def spread(
 
 
 def vanishing(draw: Draw) -> tuple[Any, ...]:
-    """dx·fy and dy·fx are one double, and k is 0 there; it is nearly 3·2**-53 of them, |D|·r just below."""
+    """k is nearly 3·2**-53 of dx·fy and dy·fx, |D|·r just below, and 0 in doubles; or it is the reverse."""
     step = 1 << draw.integer(22, 26)
-    beyond = round(0.98 * _ONE / step) - step
-    number = draw.integer(1, 1 << 30)
+    beyond = round(draw.choice((0.98, -2.03)) * _ONE / step) - step
+    number = draw.integer(1 << 32, 1 << 33)
     for at in range(number, number + _TRIES * _PACE, _PACE):
         x, y = at + beyond, at
         if 0.485 < x * y % _ONE / _ONE < 0.5:

@@ -15,7 +15,7 @@ A word says what the light L is to the point P that the ray hits first.
     beyond, behind                a circle is on the line, but not between
     around-light, around-point    a circle around L, or around the way to P
     skin, ledge                   P is just inside another circle, or just outside of one beside the ray
-    sill                          the same, and the way to L goes into that one
+    sill                          the same, and the way to L goes into that one, often aslant
     pillar, moat, court           a second circle about the centre, or around all: a smaller one that blocks,
                                   a larger one that blocks, one that does not
     lamp                          a tiny circle around L, just before or just beyond it, or a large one there
@@ -139,6 +139,7 @@ def _laid(draw: Draw, word: str, size: int) -> tuple[list[Row], Spot]:
     else:
         at = draw.integer(1, 2 * size)
     at *= 99 if word == "torch" else 1
+    at = at // draw.choice((1, 64, 64, 64)) + 1 if word == "sill" else at
     circle = at + half, y, r
     wx, wy = draw.integer(-2 * size, size), draw.integer(-2 * size, 2 * size)
     if (wx * half + wy * y > 0) != (word == "back"):  # it would be on the other side of the tangent
@@ -166,9 +167,14 @@ def _laid(draw: Draw, word: str, size: int) -> tuple[list[Row], Spot]:
     if word in ("ledge", "sill"):
         side, high = (1 if y < 0 else -1), draw.integer(size // 4, size)
         light = at - draw.integer(size, 3 * size), -side * draw.integer(1, max(1, half // 2))
-        light = light if word == "ledge" else (at, side * draw.integer(size // 8, 3 * size))
+        ahead, up, length = draw.choice(((0, 1, 1), *[(20, 21, 29)] * 2)) if word == "sill" else (0, 1, 1)
+        away = draw.integer(size // 8, 3 * size)
+        if ahead:  # L is in it
+            high = away * draw.integer(7, 10) // 10
+        light = light if word == "ledge" else (at + away * ahead // up, side * away)
         reach = max(at + half, r, high, *map(abs, light))
-        return [circle, (at, side * high, high - near_gap(draw, reach, 7))], light
+        centre = at + high * ahead // length, side * high * up // length
+        return [circle, (*centre, high - near_gap(draw, reach, 7))], light
     if word == "around-point":
         return [
             circle,

@@ -73,23 +73,39 @@ def _scaled(point: IntPoint, times: tuple[int, int, int]) -> IntPoint:
 # -- rays ---------------------------------------------------------------------------------------------
 
 
-def _seen(draw: Draw, circles: Sequence[IntCircle], rays: Bounds, reach: int) -> tuple[Any, ...]:
+def _seen(
+    draw: Draw, circles: Sequence[IntCircle], rays: Bounds, reach: int, fastest: int = 99
+) -> tuple[Any, ...]:
     """With rays from anywhere, every second towards one of the circles."""
     found = []
     for number in range(draw.integer(*rays)):
         O = any_point(draw, reach)
-        found.append((O, _towards(draw, O, draw.choice(circles)) if number % 2 else any_way(draw)))
+        found.append((O, _towards(draw, O, draw.choice(circles)) if number % 2 else any_way(draw, fastest)))
     return tuple(circles), tuple(found)
 
 
-def fields(circles: Bounds, rays: Bounds, reach: int, radii: Bounds, large: Bounds = (0, 0)) -> Scene:
+def fields(
+    circles: Bounds, rays: Bounds, reach: int, radii: Bounds, large: Bounds = (0, 0), fastest: int = 99
+) -> Scene:
     """Circles anywhere, and two to six `large` ones where that is said."""
 
     def draw_case(draw: Draw) -> tuple[Any, ...]:
         scene = [any_circle(draw, reach, radii) for _ in range(draw.integer(*circles))]
         for _ in range(draw.integer(2, 6) if large[1] else 0):
             scene.insert(draw.integer(0, len(scene)), any_circle(draw, 2 * reach, large))
-        return _seen(draw, scene, rays, reach)
+        return _seen(draw, scene, rays, reach, fastest)
+
+    return draw_case
+
+
+def aside(scene: Scene, by: int) -> Scene:
+    """The scene moved along x, along y, along both or not at all, so that (0, 0) may lie beside it."""
+
+    def draw_case(draw: Draw) -> tuple[Any, ...]:
+        circles, rays = scene(draw)
+        u, v = draw.choice((-by, 0, by)), draw.choice((-by, 0, by))
+        moved = tuple(((x + u, y + v), way) for (x, y), way in rays)
+        return tuple((x + u, y + v, r) for x, y, r in circles), moved
 
     return draw_case
 
@@ -306,7 +322,7 @@ def touches(beams: Bounds, reach: int) -> Scene:
         x, y = any_point(draw, reach)
         u, v, _ = scene[-1]  # which may come to lie on an axis
         away = -90 * reach
-        O = draw.choice(((x, y), (x, 0), (0, y), (0, 0), (away, 0), (0, away), (-u, y), (x, -v)))
+        O = draw.choice(((x, y), (0, 0), (away, 0), (0, away), (-u, -v), (-u, y), (x, -v)))
         return scanned(scene, O, ways, apart=0)
 
     return draw_case

@@ -14,7 +14,7 @@ import base64
 import hashlib
 import re
 from collections.abc import Iterable
-from datetime import date, datetime
+from datetime import datetime
 from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -33,7 +33,6 @@ if TYPE_CHECKING:
 
 _TEMPLATES = Path(__file__).parent / "templates"
 _TIME = re.compile(rb"<time.*?</time>")
-_MONTHS = ["Jan", "Feb", "Mar", "Apr", "May", "Jun", "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"]
 
 
 def page(
@@ -81,11 +80,6 @@ def is_same(old: bytes, new: bytes) -> bool:
     return _TIME.sub(b"", old) == _TIME.sub(b"", new)
 
 
-def day(when: date) -> str:
-    """`3 Mar 2026`, in the page's language."""
-    return f"{when.day} {_MONTHS[when.month - 1]} {when.year}"
-
-
 @cache
 def _environment() -> Environment:
     from jinja2 import Environment, FileSystemLoader, StrictUndefined
@@ -112,7 +106,7 @@ def _environment() -> Environment:
 def _date(when: datetime) -> Markup:
     from markupsafe import Markup
 
-    return Markup(f'<time datetime="{when.date().isoformat()}">{day(when)}</time>')
+    return Markup(f'<time datetime="{when.date().isoformat()}">{when.day} {when:%b %Y}</time>')
 
 
 def _lines(text: str) -> Markup:

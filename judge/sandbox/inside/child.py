@@ -230,9 +230,10 @@ def _status_of(code: object) -> int:
 
 def _show(error: BaseException, name: str) -> None:
     """The traceback on its stderr, from its own first frame on."""
-    whole = step = source.traceback_of(error)
+    whole = step = source.TRACEBACK.__get__(error)
     while step is not None and step.tb_frame.f_code.co_filename != name:
         step = step.tb_next
+    source.TRACEBACK.__set__(error, step or whole)
     try:
         sys.excepthook(type(error), error, step or whole)
     except BaseException:  # a hook of its own that fails

@@ -18,7 +18,7 @@ MOST_NAMES = 10_000
 TEXT_LENGTH = 500
 
 _NAME_OF: Any = type.__dict__["__name__"].__get__  # whatever a class of its own says of itself
-traceback_of: Any = BaseException.__dict__["__traceback__"].__get__
+TRACEBACK: Any = BaseException.__dict__["__traceback__"]
 _HOLDING_STATEMENTS = ("body", "orelse", "finalbody", "handlers", "cases")
 _OWN_SCOPE = (_ast.Lambda, _ast.ListComp, _ast.SetComp, _ast.DictComp, _ast.GeneratorExp)
 
@@ -170,7 +170,7 @@ def described(error: BaseException, name: str) -> str:
         text = "(its text cannot be shown)"
     kind = _NAME_OF(type(error))
     what = f"{kind}: {text}" if text else kind
-    line = own_line(traceback_of(error), name)
+    line = own_line(TRACEBACK.__get__(error), name)
     return f"{what} (line {line})" if line else what
 
 
