@@ -92,11 +92,20 @@ def another_pack_that_nobody_named(top: Path) -> Site:
     return Site([str(site)], [], looks)
 
 
+def what_says_where_the_judge_is(top: Path) -> Site:
+    site = _site(top / "site-packages")
+    told = site / "circle_line_judge-1.2.3.dist-info"
+    told.mkdir()
+    (told / "RECORD").write_text("judge/solutions/count/accepted/exact.py")
+    return Site([str(site)], [], [told / "RECORD", told])
+
+
 SITES: list[Callable[[Path], Site]] = [
     as_it_is,
     through_a_link_beside_it,
     itself_a_link_into_another_place,
     another_pack_that_nobody_named,
+    what_says_where_the_judge_is,
 ]
 
 
