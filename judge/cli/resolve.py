@@ -143,15 +143,17 @@ def here(db: Path | None) -> Started:
 
 
 def problem_of(found: Started, folders: Sequence[Path]) -> Problem:
-    """The kata of a file that was started or judged, looked for also where it was then. Raises JudgeError."""
-    kept = Path(found.problems) if found.problems else None
+    """The kata of a file that was started or judged. Raises JudgeError.
+
+    The folder that the history keeps is only told: a history may be anybody's, and a kata is code.
+    """
     try:
-        return find_problem(found.problem, (*folders, *([kept] if kept and kept.is_dir() else [])))
-    except UsageError as fault:
-        if kept is None or kept.is_dir():
+        return find_problem(found.problem, folders)
+    except UnknownKataError as fault:
+        if not found.problems or Path(found.problems).is_dir():
             raise
         what = f"the kata {found.problem} is not there any more"
-        raise UsageError(what, where=str(kept), remedy="name its folder with --problems") from fault
+        raise UsageError(what, where=found.problems, remedy="name its folder with --problems") from fault
 
 
 def this_folder() -> Path:

@@ -24,6 +24,7 @@ from judge.problem.model import FULL_SCORE, Mode, is_solution
 if TYPE_CHECKING:
     from judge.run.result import Result
 
+_LARGEST = 16 << 20  # bytes of a result
 DAMAGE = (ValueError, TypeError, OverflowError, AttributeError, zlib.error, RecursionError)
 _START, _TICK = datetime(1970, 1, 1, tzinfo=UTC), timedelta(microseconds=1)
 Kind = TypeVar("Kind", bound="Event")
@@ -69,7 +70,7 @@ class Run(Event, frozen=True, rename={"source_hash": "source", "packed": "result
         from judge.run.result import read_result
 
         try:
-            plain = json.loads(zlib.decompress(self.packed), parse_float=_finite, parse_constant=_finite)
+            plain = json.loads(unpacked(self.packed, _LARGEST), parse_float=_finite, parse_constant=_finite)
             return read_result(plain)
         except DAMAGE as fault:
             raise StoreError(f"the result of run {self.id} is damaged") from fault
@@ -173,6 +174,15 @@ def to_row(event: Event) -> dict[str, Any]:
     row = msgspec.to_builtins(event, builtin_types=(bytes, datetime))
     row.pop("id", None)
     return {name: _FORMS[name][1](value) if name in _FORMS else value for name, value in row.items()}
+
+
+def unpacked(data: bytes, most: int) -> bytes:
+    """What was compressed, which must be no longer. Raises one of DAMAGE."""
+    unpacking = zlib.decompressobj()
+    found = unpacking.decompress(data, most + 1)
+    if len(found) > most or not unpacking.eof:
+        raise ValueError(f"more than {most} bytes, or cut off")
+    return found
 
 
 def from_row(kind: type[Kind], row: Mapping[str, Any]) -> Kind:

@@ -23,8 +23,19 @@ from pathlib import Path
 from typing import TYPE_CHECKING, TypeVar
 
 from judge.errors import StoreError, UsageError
-from judge.files import read_ordinary, user_data
-from judge.practice.events import DAMAGE, TABLES, Event, Help, Kind, Run, Started, from_row, to_row
+from judge.files import LARGEST, read_ordinary, user_data
+from judge.practice.events import (
+    DAMAGE,
+    TABLES,
+    Event,
+    Help,
+    Kind,
+    Run,
+    Started,
+    from_row,
+    to_row,
+    unpacked,
+)
 from judge.problem import Verdict
 from judge.problem.model import is_solution
 
@@ -176,7 +187,7 @@ class History:
         digest = self.run(number).source_hash
         try:
             ((body,),) = self._rows("SELECT body FROM sources WHERE hash = ?", digest)
-            return zlib.decompress(body)
+            return unpacked(body, LARGEST)
         except DAMAGE as fault:  # it is not there, or no judge wrote it
             raise StoreError(f"the source of run {number} is damaged", where=str(self.path)) from fault
 

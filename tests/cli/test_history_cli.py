@@ -5,9 +5,12 @@ from __future__ import annotations
 import contextlib
 import json
 import os
+import shutil
 import sqlite3
 import subprocess
 import sys
+import tracemalloc
+import zlib
 from pathlib import Path
 
 import pytest
@@ -15,7 +18,7 @@ from cli_support import FLOOR, MEAN, ROOT
 from sampling import daily, nightly
 
 from judge import database
-from judge.practice.events import Help
+from judge.practice.events import Help, Started
 from judge.practice.history import History, run_of
 from judge.problem import Verdict
 from judge.run import Result
@@ -105,6 +108,54 @@ def test_a_source_is_restored_and_what_was_there_is_kept(judge, three_runs):
         assert Path("middle.py").read_text() == FLOOR
     assert Path("middle.py.bak").read_text() == "mine = 1\n"
     assert Path("middle.py.bak-2").read_text() == "mine = 2\n"
+
+
+@pytest.mark.parametrize("there", [True, False])
+def test_nothing_is_written_where_a_row_says_but_in_this_folder(
+    judge, three_runs, own_history, tmp_path, there
+):
+    """A history may be anybody's."""
+    outside = tmp_path / "outside"
+    for place in (outside / "mine.py", Path("sub/mine.py"), Path(".profile"), outside / "x/../../.profile"):
+        target = place.absolute()
+        if there:
+            target.parent.mkdir(exist_ok=True, parents=True)
+            target.write_text("as it was\n")
+        changed(own_history, f"path = '{target}'")
+        ended = judge("history", "--restore", "2")
+        assert (ended.status, ended.err.count("\n")) == (2, 1)
+        assert "which is no program of this folder; go to its folder, or name a file with --out" in ended.err
+        assert target.exists() is there
+        assert not there or target.read_text() == "as it was\n"
+
+
+def test_no_kata_is_loaded_from_where_a_history_says(judge, own_history, pack, tmp_path, monkeypatch):
+    monkeypatch.delenv("JUDGE_PROBLEMS")
+    bad = shutil.copytree(pack, tmp_path / "bad") / "problems"
+    code = bad / "middle" / "problem.py"
+    code.write_text(f"{code.read_text()}\nopen({str(tmp_path / 'ran')!r}, 'w')\n")
+    Path("middle.py").write_text(FLOOR)
+    with History() as history:
+        history.keep(Started("middle", str(Path("middle.py").absolute()), str(bad)))
+    for words in ("", "run", "start", "hint", "run middle.py", "show", "progress", "list", "quiz"):
+        judge(*words.split())
+        assert not (tmp_path / "ran").exists(), words
+    judge("run", "middle", "middle.py", "--problems", bad)
+    assert (tmp_path / "ran").exists(), "it would run"
+
+
+def test_a_row_that_unpacks_to_more_than_any_program_is_damaged(judge, three_runs, own_history):
+    """A thousand times as much memory is not taken for it first."""
+    with contextlib.closing(sqlite3.connect(own_history)) as connection, connection:
+        connection.execute("UPDATE sources SET body = ?", (zlib.compress(bytes(64 << 20)),))
+        connection.execute("UPDATE runs SET result = ?", (zlib.compress(b"[" + b" " * (64 << 20) + b"]"),))
+    tracemalloc.start()
+    ended = [judge("history", "--restore", "2"), judge("history", "2"), judge("history")]
+    most = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert [each.status for each in ended][:2] == [3, 3]
+    assert "the source of run 2 is damaged" in ended[0].err
+    assert most < 48 << 20
 
 
 def test_what_changed_between_two_runs(judge, three_runs, submit):

@@ -61,14 +61,16 @@ def lone(pack, tmp_path, monkeypatch):
     return tmp_path / "elsewhere" / "pack" / "problems"
 
 
-def test_a_packs_kata_is_gone_on_with_by_every_command(lone, judge, submit):
-    assert judge("start", "middle", "--problems", lone).status == 0
+def test_a_packs_kata_is_gone_on_with_by_every_command_that_names_the_pack(lone, judge, submit):
+    named = ("--problems", lone)
+    assert judge("start", "middle", *named).status == 0
     submit(FLOOR, "middle.py")
-    assert judge("run", "-q").status == 1
-    assert judge("hint").lines[0].endswith("middle, hint 1 of 3")
+    assert judge("run", "-q", *named).status == 1
+    assert judge("hint", *named).lines[0].endswith("middle, hint 1 of 3")
     submit(MEAN, "middle.py")
-    assert judge("run", "-q").status == 0
-    assert judge("solution").status == 0
+    assert judge("run", "-q", *named).status == 0
+    assert judge("solution", *named).status == 0
+    refused(judge("run"), "no kata is called 'middle'; add --problems elsewhere/pack/problems")
 
 
 def test_a_kata_whose_pack_is_gone_says_where_it_was(lone, judge, tmp_path):

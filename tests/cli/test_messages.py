@@ -101,9 +101,9 @@ def test_a_named_pack_comes_first_under_its_name(judge, elsewhere):
 def test_the_commands_for_a_named_pack_name_it(judge, elsewhere, tmp_path):
     judge("start", "middle", "--problems", elsewhere)
     (tmp_path / "middle.py").write_text(FLOOR)
-    for words in (("run", "middle", "--problems", elsewhere), ("run",)):
-        assert "judge hint middle --problems mine/problems" in judge(*words).out
-    for words in ("hint middle", "show middle", "start middle", "run middle x.py", "try middle 1,2"):
+    shown = judge("run", "middle", "--problems", elsewhere).out
+    assert "judge hint middle --problems mine/problems" in shown
+    for words in ("run", "hint middle", "show middle", "start middle", "run middle x.py", "try middle 1,2"):
         ended = judge(*words.split())
         assert (ended.status, ended.err) == (
             2,

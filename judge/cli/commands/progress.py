@@ -14,9 +14,10 @@ from msgspec import Struct
 
 from judge.cli.files import check_place, writing
 from judge.cli.options import Common, command, opt
-from judge.cli.resolve import history_at, seen_cards, shown
+from judge.cli.resolve import KATAS, history_at, seen_cards, shown, this_folder
 from judge.errors import UsageError
 from judge.files import new_file
+from judge.languages import is_program
 from judge.practice import events, syllabus
 from judge.practice import progress as learned
 from judge.practice.cards import read_decks
@@ -184,6 +185,10 @@ def _restored(run: Run, source: bytes, target: Path | None) -> published.Restore
     """Write the source of that run to `target`, or to where it was; what is there is kept beside it."""
     if target is None and not run.path:
         raise UsageError(f"run {run.id} judged no ordinary file", remedy="name one with --out FILE")
+    here = this_folder()
+    if target is None and not (is_program(run.path) and Path(run.path).parent in (here, here / KATAS)):
+        what = f"run {run.id} judged {run.path}, which is no program of this folder"
+        raise UsageError(what, remedy="go to its folder, or name a file with --out FILE")
     target = target or Path(run.path)
     check_place(target, "--out")
     there, kept = target.exists(), None
