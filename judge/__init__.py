@@ -19,7 +19,7 @@ What a person is told in one line is a JudgeError: a UsageError, a ProblemError 
 
 >>> judge.find_problem("cuont")
 Traceback (most recent call last):
-judge.errors.UsageError: no kata is called 'cuont'; did you mean 'count'?
+judge.errors.UnknownKataError: no kata is called 'cuont'; did you mean 'count'?
 
 Nothing of it is imported before it is asked for; judge/manual/testing.md has more examples. Imports
 point one way: cli → site → batch → judging → report → practice → geometry → mistakes → diagnose → run →

@@ -55,6 +55,14 @@ class UsageError(JudgeError):
     exit_code = ExitCode.USAGE
 
 
+class UnknownKataError(UsageError):
+    """No kata is called `name`."""
+
+    def __init__(self, name: str, remedy: str) -> None:
+        super().__init__(f"no kata is called {name!r}", remedy=remedy)
+        self.name = name
+
+
 class ProblemError(JudgeError):
     """A problem's folder contradicts itself or the format."""
 

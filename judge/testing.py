@@ -284,7 +284,7 @@ def _called(
             break
         if each.group.name in groups:
             box, run = InProcess(routine=routine), GroupRun(data, each, runner)
-            run.take(runner.answers(box, each.cases, group_limits(data.problem, each.group, Usage())))
+            run.take(runner.ask(box, each.cases, group_limits(data.problem, each.group, Usage())))
             if run.verdict is Verdict.RTE and not any(one.failure for one in runs):
                 raised = box.raised
             runs.append(run)

@@ -212,7 +212,7 @@ class _Printed:
 def judged(data: ProblemData, group: GroupData, output: bytes) -> bool:
     """Whether the judge accepts what a program prints for a whole group."""
     runner = ProgramRunner(data.problem)
-    replies = runner.answers(_Printed(output), group.cases, Limits(1, 1, 1, 1))  # type: ignore[arg-type]
+    replies = runner.ask(_Printed(output), group.cases, Limits(1, 1, 1, 1))  # type: ignore[arg-type]
     return replies.breakdown is None and all(
         isinstance(runner.decide(reply.answer, target, partial(data.exact, case, group.group)), Accepted)
         for reply, case, target in zip(replies.replies, group.cases, group.targets, strict=True)

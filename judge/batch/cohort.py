@@ -10,7 +10,7 @@ from judge.batch.model import Row, text_of
 from judge.problem.model import Verdict
 from judge.report.published_klass import Alike, Cohort, Machine, Mark, ProblemView, Student
 
-_Pair = tuple[str, str]  # a student and a problem
+_Pair = tuple[str, str]  # a student, and a problem or a file
 
 
 def cohort_of(
@@ -23,7 +23,7 @@ def cohort_of(
     left: int = 0,
     titles: Sequence[str] = (),
     unread: Mapping[str, Sequence[str]] = MappingProxyType({}),
-    late: Mapping[str, int | None] = MappingProxyType({}),
+    late: Mapping[_Pair, int | None] = MappingProxyType({}),
     weights: Mapping[str, float] = MappingProxyType({}),
 ) -> Cohort:
     """The class as it stands: the students and problems of the table, in its order, and the present rows.
@@ -31,7 +31,7 @@ def cohort_of(
     `history` are rows of texts that were submitted before and have been replaced since; they tell who is
     stuck and nothing else. `equal` are the sets of equal files, `left` counts files without a row. `titles`
     are those of the list of students, and `unread` is what of a student's is not judged. `late` are days, by
-    file, None where a platform says so alone; `weights` are those of katas.
+    student and file, None where a platform says so alone; `weights` are those of katas.
     """
     counts = counting(rows)
     handins = Counter((row.student, row.problem) for row in rows)
@@ -40,7 +40,6 @@ def cohort_of(
         marks.setdefault(student, {})[problem] = _mark(row, handins[student, problem], late)
     order = [each.id for each in students]
     own = {each: [counts[who, each] for who in order if each in marks.get(who, ())] for each in problems}
-    met = [each for each in problems if own[each]]
     results = [row.result for row in rows]
     failures = [(each.submission, each.failure) for each in results if each.verdict is Verdict.JE]
     judged = Counter((row.done.machine, row.result.isolation) for row in rows if row.result.isolation)
@@ -48,8 +47,8 @@ def cohort_of(
     return Cohort(
         students=tuple(students),
         marks=marks,
-        problems=tuple(_view(each, own[each]) for each in met),
-        stuck=tuple(_stuck(met, _in_turn([*history, *rows]), order)),
+        problems=tuple(_view(each, own[each]) for each in problems),
+        stuck=tuple(_stuck(problems, _in_turn([*history, *rows]), order)),
         nothing_accepted=tuple(each for each in unsolved if each in marks),
         nothing_handed_in=tuple(each for each in order if each not in marks),
         equal_files=tuple(equal),
@@ -88,8 +87,8 @@ def _in_turn(rows: Iterable[Row]) -> dict[_Pair, list[Row]]:
     return found
 
 
-def _mark(row: Row, handins: int, late: Mapping[str, int | None]) -> Mark:
-    ratio = row.result.time.ratio
+def _mark(row: Row, handins: int, late: Mapping[_Pair, int | None]) -> Mark:
+    ratio, place = row.result.time.ratio, (row.student, row.file)
     return Mark(
         file=row.file,
         verdict=row.result.verdict,
@@ -98,8 +97,8 @@ def _mark(row: Row, handins: int, late: Mapping[str, int | None]) -> Mark:
         handins=handins,
         copied=bool(row.copied),
         busy=bool(ratio and ratio.busy),
-        late=row.file in late and late[row.file] != 0,
-        late_days=late.get(row.file),
+        late=late.get(place, 0) != 0,
+        late_days=late.get(place),
     )
 
 

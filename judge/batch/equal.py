@@ -46,7 +46,7 @@ def equal_files(
         if form.words >= least and form.text != stubs.get(each.problem):
             same = digest(form.text.encode("utf-8", "surrogatepass"))
             found[each.problem, same].append((each, form.words))
-    sets = [_told(each) for each in found.values() if len({handin.student for handin, _ in each}) > 1]
+    sets = [_told(each) for each in found.values() if _several(handin for handin, _ in each)]
     return sorted(sets, key=lambda each: (each.problem, each.students, each.files))
 
 
@@ -56,6 +56,14 @@ def _stub(problem: Problem) -> str:
         return normal_form(make_stub(problem).encode(), f"stub{SUFFIX}", problem.entry).text
     except ProblemError:  # then nobody has been given one
         return ""
+
+
+def _several(handins: Iterable[Handin]) -> bool:
+    """Whether several students have submitted them, and not one file as a group."""
+    groups: dict[str, set[str]] = {}
+    for each in handins:
+        groups.setdefault(each.file, set()).add(each.student)
+    return len({*map(frozenset, groups.values())}) > 1
 
 
 def _told(found: list[tuple[Handin, int]]) -> Alike:

@@ -78,7 +78,7 @@ def read_class(
     every = [*files_below(root)]
     reader = _Reader(root, known, folders, roster or Roster())
     reader.learn_owners([path for path, _ in every])
-    handins, unplaced, size = [], [], 0
+    handins, unplaced, size = list[Handin](), list[Handin](), 0
     for path, why in every:
         if PurePath(path).name == METADATA:
             continue
@@ -89,13 +89,13 @@ def read_class(
             if size > _MOST_BYTES:
                 what = f"the programs come to more than {_MOST_BYTES // 2**20} MB"
                 raise UsageError(what, where=str(folder), remedy="judge a part of the class at a time")
-            if found.problem and found.student:
-                handins += [found] if not only or found.problem in only else []
-            else:
-                unplaced.append(found)
+            if not (found.problem and found.student):
+                unplaced += reader.for_each(found)
+            elif not only or found.problem in only:
+                handins += reader.for_each(found)
     handins = reader.without_shared(handins)
     handins.sort(key=lambda each: (each.student, each.problem, each.file))
-    late = frozenset(who for who, owner in reader.owners.values() if owner.late)
+    late = frozenset(who for group in reader.owners.values() for who, owner in group if owner.late)
     return ClassFolder(tuple(handins), tuple(unplaced), late)
 
 
@@ -130,9 +130,8 @@ class _Reader(Struct):
     folders: Sequence[Path]
     roster: Roster
     names: dict[tuple[int, int], list[_Name]] = {}
-    owners: dict[
-        str, tuple[str, Owner]
-    ] = {}  # of names in the outermost folder: the student, and what it tells
+    # Of names in the outermost folder: the students, and what it tells of each.
+    owners: dict[str, list[tuple[str, Owner]]] = {}
     outer: int = 0  # folders around all of them
 
     def learn_owners(self, paths: Sequence[str]) -> None:
@@ -143,17 +142,24 @@ class _Reader(Struct):
             told = submitters(read_below(self.root, metadata)[0].decode("utf-8", "replace"))
         else:
             parts = [PurePath(path).parts for path in paths]
-            told = owners({each[0] for each in parts})
-            if not told and len({each[0] for each in parts}) == 1 and min(map(len, parts)) > 1:
+            alone = owners({each[0] for each in parts})
+            if not alone and len({each[0] for each in parts}) == 1 and min(map(len, parts)) > 1:
                 self.outer = 1
-                told = owners({each[1] for each in parts})
-            self.outer = self.outer if told else 0
-        for name, owner in told.items():
-            fits = self.roster.whose(owner)
-            self.owners[name] = (
-                next(iter(fits)) if len(fits) == 1 else legible(owner.name or owner.key),
-                owner,
-            )
+                alone = owners({each[1] for each in parts})
+            self.outer = self.outer if alone else 0
+            told = {name: [owner] for name, owner in alone.items()}
+        for name, group in told.items():
+            self.owners[name] = [(self._called(owner), owner) for owner in group]
+
+    def _called(self, owner: Owner) -> str:
+        fits = self.roster.whose(owner)
+        return next(iter(fits)) if len(fits) == 1 else legible(owner.name or owner.key)
+
+    def for_each(self, found: Handin) -> list[Handin]:
+        """The same file for each student of the group that has submitted it."""
+        top = next(iter(PurePath(found.file).parts[self.outer :]), "")
+        group = dict.fromkeys(who for who, _ in self.owners.get(top, ()) if who)
+        return [replace(found, student=who) for who in group] or [found]
 
     def handins(self, path: str) -> Iterator[Handin]:
         """What a file holds, by its path in the class's folder; without a student or a problem where it has
@@ -203,7 +209,7 @@ class _Reader(Struct):
         `inner` is the name of what lies in the file itself.
         """
         top, *rest = path.parts[self.outer :] or path.parts
-        who, owner = self.owners.get(top, ("", None))
+        who, owner = next(iter(self.owners.get(top, ())), ("", None))
         named = id_of(_stem(inner or (owner.file if owner and owner.file and not rest else path.name)))
         problem = named if named in self.known else ""
         if owner is not None:

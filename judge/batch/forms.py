@@ -4,7 +4,7 @@ Moodle            Ada Lovelace_4711_assignsubmission_file/count.py, or …_file_
 Canvas            lovelaceada_LATE_101_555_count.py, anon_x7Kp2_555_count.py
 Brightspace       9001-42 - Ada Lovelace - Nov 20, 2026 612 PM/count.py
 Blackboard        HW 1_alove_attempt_2026-11-20-10-15-00_count.py
-Gradescope        submission_77/count.py, whose submission_metadata.yml tells the student
+Gradescope        submission_77/count.py, whose submission_metadata.yml tells the students
 
 A form counts where nearly all names beside it have it: else it is chance. The forms of Moodle and Canvas were
 read in their sources, the others in their documentation and in readers of their files.
@@ -34,7 +34,7 @@ _MOST = 0.8  # of the names beside each other have the form
 _LEAST = 3  # letters of a cell that may be a part of a name
 _AGAIN = re.compile(r"-\d+(?=\.[^.]+$)")  # of a second upload: count-1.py
 _SUBMISSION = re.compile(r"(submission_\d+):\s*$")
-_SUBMITTER = re.compile(r"\s*-?\s*:(name|sid|email):\s*['\"]?(.*?)['\"]?\s*$")
+_KEY = re.compile(r"( *)(- +)?:(\w+):\s*['\"]?(.*?)['\"]?\s*$")
 
 
 class Owner(Struct, frozen=True):
@@ -62,18 +62,28 @@ def _owner(parts: dict[str, str | None]) -> Owner:
     return Owner(key, name, _AGAIN.sub("", file), bool(parts.get("late")))
 
 
-def submitters(metadata: str) -> dict[str, Owner]:
-    """Who submitted each folder of a Gradescope export, the first one of a group; read line by line."""
-    found: dict[str, dict[str, str]] = {}
-    here: dict[str, str] = {}
+def submitters(metadata: str) -> dict[str, list[Owner]]:
+    """Who submitted each folder of a Gradescope export, several if it is a group's; read line by line."""
+    found: dict[str, list[dict[str, str]]] = {}
+    members, deep = list[dict[str, str]](), -1  # how far `:submitters:` is indented; -1 outside of it
     for line in metadata.splitlines():
         if begins := _SUBMISSION.fullmatch(line):
-            here = found.setdefault(begins[1], {})
-        elif told := _SUBMITTER.fullmatch(line):
-            here.setdefault(told[1], told[2])
+            members, deep = found.setdefault(begins[1], []), -1
+        elif key := _KEY.fullmatch(line):
+            indent, item, title, value = key.groups()
+            if title == "submitters":
+                deep = len(indent)
+            elif item and deep >= 0:
+                members.append({title: value})
+            elif len(indent) <= deep:
+                deep = -1
+            elif members and deep >= 0:
+                members[-1][title] = value
     return {
-        folder: Owner(told.get("email") or told.get("sid", ""), told.get("name", ""), "")
-        for folder, told in found.items()
+        folder: [
+            Owner(told.get("email") or told.get("sid", ""), told.get("name", ""), "") for told in members
+        ]
+        for folder, members in found.items()
     }
 
 

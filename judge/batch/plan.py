@@ -91,11 +91,10 @@ def planned(
             rows.append(_copied(equal[same], each))
         else:
             todo.setdefault(same, []).append(each)
-    works = [_work(group, standard, ground) for (*_, standard), group in todo.items()]
-    works.sort(key=lambda work: (work.task.problem, work.handins[0].file))  # a worker stays at a problem
+    work = [_work(group, standard, ground) for (*_, standard), group in todo.items()]
     said = [f"{counted(len(kept) + back, 'result')} kept from before"] if kept or back else []
     said += [f"{count} judged anew, because of {parts}" for parts, count in changed.items() if parts]
-    return Plan(tuple(kept), tuple(rows), tuple(works), tuple(said))
+    return Plan(tuple(kept), tuple(rows), tuple(work), tuple(said))
 
 
 def _work(handins: Sequence[Handin], standard: Standard, ground: Ground) -> Work:
@@ -113,8 +112,9 @@ def rows_of(work: Work, done: Done) -> list[Row]:
 
 
 def _copied(row: Row, handin: Handin) -> Row:
-    """The row of a hand-in whose equal was judged."""
-    return _row(handin, row.done, row.standard, row.copied or row.file)
+    """The row of a hand-in whose equal was judged; a group's members have submitted one file."""
+    copied = row.copied or row.file
+    return _row(handin, row.done, row.standard, copied if copied != handin.file else "")
 
 
 def _row(handin: Handin, done: Done, standard: Standard | None = None, copied: str = "") -> Row:

@@ -1,7 +1,6 @@
 """The smallest failing cases of hand-ins, for the pages that show them.
 
-Looking for one takes about two seconds, so it is done only for what a page shows, once for equal texts, and
-kept.
+Looking for one takes seconds, so it is done only for what a page shows, once for equal texts, and kept.
 """
 
 from __future__ import annotations
@@ -30,38 +29,42 @@ def representatives(cohort: Cohort, rows: Iterable[Row]) -> list[Row]:
     return [by_file[each.problem, each.files[0]] for each in mistakes]
 
 
-def smallest_cases(
-    rows: Sequence[Row],
-    handins: Iterable[Handin],
-    problems: Mapping[str, Problem],
-    options: RunOptions,
-    bars: Bars,
-    keep: Callable[[list[Row]], None],
-) -> dict[tuple[str, str], Result]:
-    """The result of each row, by problem and file, with its smallest case; `handins` are those of the rows.
+class SmallestCases:
+    """Finds the smallest failing case of each text of these `problems` once."""
 
-    `keep` is handed the rows that have a smallest case now. One whose problem is not there, or that another
-    verdict comes of now, is as it was.
-    """
-    found = {(row.problem, row.file): row.result for row in rows}
-    sources = {each.file: each.source for each in handins}
-    options = replace(options, timed=False, diagnosed=True)
-    for problem in problems.values():
-        broken = [row for row in rows if row.problem == problem.id and row.result.verdict in _BROKEN]
-        small = {row.digest: row.smallest for row in broken if row.smallest}
-        texts = {row.digest: row for row in broken if row.digest not in small}
-        if texts:
-            with (
-                suppress(JudgeError),  # then the pages show the failing cases as they are
-                bars(f"smallest cases of {problem.id}") as advance,
-                Session(problem, options) as session,
-            ):
-                for done, (digest, row) in enumerate(texts.items()):
-                    if advance:
-                        advance(done, len(texts))
-                    result = session.judge(sources[row.file], PurePath(row.file).name)
-                    if result.verdict is row.result.verdict:
-                        small[digest], plain = result, result.as_json()
-                        keep([replace(each, small=plain) for each in broken if each.digest == digest])
-        found |= {(row.problem, row.file): small[row.digest] for row in broken if row.digest in small}
-    return found
+    def __init__(
+        self,
+        problems: Mapping[str, Problem],
+        options: RunOptions,
+        bars: Bars,
+        keep: Callable[[list[Row]], None],
+    ) -> None:
+        """`keep` is handed the rows that have a smallest case now."""
+        self._problems, self._bars, self._keep = problems, bars, keep
+        self._options = replace(options, timed=False, diagnosed=True)
+        self._found: dict[tuple[str, str], Result] = {}  # by problem and digest
+
+    def of(self, rows: Sequence[Row], handins: Iterable[Handin]) -> dict[tuple[str, str], Result]:
+        """The result of each row, by problem and file, with its smallest case; `handins` are those of the
+        rows. One whose problem is not there, or that another verdict comes of now, is as it was.
+        """
+        found = {(row.problem, row.file): row.result for row in rows}
+        sources = {each.file: each.source for each in handins}
+        broken = [each for each in rows if each.result.verdict in _BROKEN and each.problem in self._problems]
+        with self._bars("smallest failing cases") as advance:
+            for done, row in enumerate(broken):
+                if advance:
+                    advance(done, len(broken))
+                if small := row.smallest or self._sought(row, sources[row.file]):
+                    self._found[row.problem, row.digest] = found[row.problem, row.file] = small
+        return found
+
+    def _sought(self, row: Row, source: bytes) -> Result | None:
+        small = self._found.get((row.problem, row.digest))
+        if small is None:
+            with suppress(JudgeError), Session(self._problems[row.problem], self._options) as session:
+                small = session.judge(source, PurePath(row.file).name)
+        if small is None or small.verdict is not row.result.verdict:
+            return None
+        self._keep([replace(row, small=small.as_json())])
+        return small

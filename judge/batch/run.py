@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import time
+from collections import Counter, defaultdict
 from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
 from contextlib import closing, suppress
 from datetime import datetime
-from functools import partial
+from functools import cached_property, partial
 from math import ceil
 from pathlib import Path, PurePath
 from types import MappingProxyType
+from typing import Any
 
 import msgspec
 
@@ -20,7 +22,7 @@ from judge.batch.folder import ClassFolder, read_class
 from judge.batch.forms import Roster
 from judge.batch.model import Done, Row, Standard, Task
 from judge.batch.plan import Ground, Plan, current, planned, rows_of
-from judge.batch.representatives import representatives, smallest_cases
+from judge.batch.representatives import SmallestCases, representatives
 from judge.batch.roster import everyone, read_students
 from judge.batch.shards import Shard
 from judge.batch.standard import level_here, standard_of
@@ -73,8 +75,11 @@ class Classroom:
         self._found, self._due, self._weights = found, due, weights
         self._handins = [each for each in found.handins if shard is None or shard.holds(each)]
         unread = [each for each in found.unplaced if each.student]
-        self._students = {each.id: each for each in everyone(self._roster, [*found.handins, *unread])}
+        self.students = {each.id: each for each in everyone(self._roster, [*found.handins, *unread])}
         self._standards: dict[str, Standard] | None = None  # any, until it is known
+        self._katas = sorted({each.problem for each in self._handins})
+        self._expected = Counter(each.student for each in self._handins)
+        self._own: defaultdict[str, list[Row]] = defaultdict(list)  # as they come
         self._said: set[str] = set()
         self._noted: set[str] = set()
         self._live = Live()
@@ -120,43 +125,69 @@ class Classroom:
         """The class as it stands."""
         every = self._store.every()
         rows = current(self._handins, every, self._standards)
-        return cohort_of(
-            tuple(self._students.values()),
-            sorted({each.problem for each in self._handins}),
+        return self._cohort(
+            sorted({row.problem for row in rows.values()}),
             list(rows.values()),
             history=every,
-            equal=equal_files(rows, self.problems()),
+            equal=equal_files(rows, self.problems),
             left=len(self._handins) - len(rows),
-            titles=self._roster.titles,
-            unread=_unread(self._found),
-            late=self._late(),
-            weights=self._weights,
         )
 
-    def _late(self) -> dict[str, int | None]:
-        """By how many days each file is late, less what the list grants; None where a platform says so."""
+    def is_done(self, student: str) -> bool:
+        """Whether all that the student has submitted has been judged, or was before."""
+        return len(self._own[student]) == self._expected[student]
+
+    def alone(self, student: str) -> tuple[Cohort, dict[tuple[str, str], Result]]:
+        """The class with nothing but what one student has submitted, who is done; and what their page shows
+        of it, by kata and file, with smallest cases.
+        """
+        rows = self._own[student]
+        handins = [each for each in self._handins if each.student == student]
+        return self._cohort(self._katas, rows), self._smallest.of([*counting(rows).values()], handins)
+
+    def _cohort(self, katas: Sequence[str], rows: Sequence[Row], **more: Any) -> Cohort:
+        return cohort_of(
+            tuple(self.students.values()),
+            katas,
+            rows,
+            titles=self._roster.titles,
+            unread=_unread(self._found),
+            late=self._late,
+            weights=self._weights,
+            **more,
+        )
+
+    @cached_property
+    def _late(self) -> dict[tuple[str, str], int | None]:
+        """By how many days each student's file is late, less what the list grants; None where a platform
+        says so.
+        """
         if self._due is None:
-            return {each.file: None for each in self._handins if each.student in self._found.late}
-        due = self._due.timestamp()
+            late = self._found.late
+            return {(each.student, each.file): None for each in self._handins if each.student in late}
+        due, extra = self._due.timestamp(), {who: each.extra_days for who, each in self.students.items()}
         return {
-            each.file: max(0, ceil((each.at - due) / _DAY - self._students[each.student].extra_days))
+            (each.student, each.file): max(0, ceil((each.at - due) / _DAY - extra[each.student]))
             for each in self._handins
         }
 
+    @cached_property
     def problems(self) -> dict[str, Problem]:
         """The katas of the class that can be read, by id."""
         found = {}
-        for name in sorted({each.problem for each in self._handins}):
+        for name in self._katas:
             with suppress(JudgeError):  # which the table says
                 found[name] = find_problem(name, self._folders)
         return found
 
-    def results(self, cohort: Cohort, *, everybody: bool) -> dict[tuple[str, str], Result]:
-        """What pages show, by kata and file, with smallest cases: one file a mistake, or all that count."""
+    def results(self, cohort: Cohort) -> dict[tuple[str, str], Result]:
+        """What the page of the class shows, by kata and file: one file of each mistake."""
         rows = current(self._handins, self._store.every(), self._standards).values()
-        shown = list(counting(rows).values()) if everybody else representatives(cohort, rows)
-        keep = self._store.keep_all
-        return smallest_cases(shown, self._handins, self.problems(), self._options, progress, keep)
+        return self._smallest.of(representatives(cohort, rows), self._handins)
+
+    @cached_property
+    def _smallest(self) -> SmallestCases:
+        return SmallestCases(self.problems, self._options, progress, self._store.keep_all)
 
     def _ground(self, executor: Executor) -> Ground:
         """By what the class is judged; workers elsewhere have an isolation, and find the katas themselves.
@@ -229,7 +260,8 @@ class Classroom:
 
     def _published(self, row: Row, *, kept: bool = False) -> ClassRow:
         """The row as it goes out; new notes of its worker are said."""
-        done, student, result = row.done, self._students[row.student], row.result
+        done, student, result = row.done, self.students[row.student], row.result
+        self._own[student.id].append(row)
         for text in result.notes:
             if text not in self._noted and len(self._noted) < _NOTES:
                 self._say(text)
@@ -264,7 +296,7 @@ class Classroom:
     def _check_again(self, again: Sequence[str]) -> None:
         known = {name for each in self._handins for name in (each.student, each.problem, each.file)}
         for name in again:
-            if name not in known | set(self._students):
+            if name not in known | set(self.students):
                 remedy = "name a student, a kata or a file, as the table does"
                 raise UsageError(f"nothing here is called {name!r}", where="--again", remedy=remedy)
 
@@ -293,10 +325,10 @@ def _pace(plan: Plan, done: int, texts: int, began: float, workers: int) -> str:
 
 def _left_out(found: ClassFolder) -> list[str]:
     """What in the folder is not judged: each reason with its files, once."""
-    reasons: dict[str, list[str]] = {}
+    reasons: dict[str, dict[str, None]] = {}
     for each in found.unplaced:
-        reasons.setdefault(each.why, []).append(each.file)
-    return [f"not judged: {_some(files)}: {why}" for why, files in reasons.items()]
+        reasons.setdefault(each.why, {})[each.file] = None
+    return [f"not judged: {_some([*files])}: {why}" for why, files in reasons.items()]
 
 
 def _unread(found: ClassFolder) -> dict[str, list[str]]:

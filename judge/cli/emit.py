@@ -68,9 +68,7 @@ def _json(value: Struct) -> str:
     try:
         text = msgspec.json.encode(value, enc_hook=str).decode()
         text.encode(getattr(sys.stdout, "encoding", None) or "utf-8")
-    except (
-        UnicodeEncodeError
-    ):  # half of a surrogate pair, in a file's name for one; or a stream of few letters
+    except UnicodeEncodeError:  # half of a surrogate pair in a file's name, or a stream of few letters
         import json
 
         return json.dumps(msgspec.to_builtins(value, enc_hook=str))

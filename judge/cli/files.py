@@ -163,11 +163,12 @@ class OutFile(Struct, frozen=True):
             what = f"it is there already, and it is not {self.kind}"
             raise UsageError(what, where=str(self.path), remedy=_another(self.option))
 
-    def write(self, content: bytes) -> None:
-        """Put `content` there at once. Raises UsageError."""
+    def write(self, content: bytes, same: Callable[[bytes, bytes], bool] = bytes.__eq__) -> None:
+        """Put `content` there at once, unless it is the `same` as what is there. Raises UsageError."""
         if self.path is not None:
             with writing(self.path, _another(self.option)):
-                replace_file(self.path, content)
+                if not self.path.exists() or not same(self.path.read_bytes(), content):
+                    replace_file(self.path, content)
 
 
 def check_place(path: Path, option: str) -> None:

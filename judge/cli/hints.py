@@ -18,7 +18,6 @@ from judge.report.published_practise import HintShown
 class HintAsk(Struct, frozen=True):
     """Which hint."""
 
-    again: bool = opt("--again", "Repeat the last one.")
     step: int | None = opt("--step N", "Show hint N; the first is 1.")
     whole: bool = opt("--all", "Show all hints.")
 
@@ -33,9 +32,7 @@ def hints(problem: Problem, ask: HintAsk, db: Path | None) -> list[HintShown]:
         remedy = f"'judge show {problem.id} --groups' says what its test groups show"
         raise UsageError(f"there are no hints to {problem.id}", remedy=remedy)
     seen, count = 0 if ask.whole or ask.step is not None else _seen(problem.id, db), len(found)
-    if ask.again and not seen:
-        raise UsageError(f"You have seen no hint to {problem.id} yet", remedy=f"judge hint {problem.id}")
-    step = ask.step if ask.step is not None else min(seen if ask.again else seen + 1, count)
+    step = ask.step if ask.step is not None else min(seen + 1, count)
     if not 1 <= step <= count:
         raise UsageError(f"{problem.id} has no hint {step}", remedy=f"they go from 1 to {count}")
     return [

@@ -22,7 +22,7 @@ from msgspec import Struct, field
 from msgspec.structs import fields
 
 from judge.cli.emit import emit
-from judge.errors import UsageError
+from judge.errors import UnknownKataError, UsageError
 
 _DURATION = re.compile(r"([0-9]{1,9}(?:\.[0-9]{1,9})?)(ms|s|m|h)?", re.ASCII)
 _SECONDS = {"ms": 0.001, "s": 1.0, "m": 60.0, "h": 3600.0}
@@ -68,20 +68,6 @@ def _options(struct: type[Struct]) -> Iterable[click.Option]:
         yield click.Option([*option.names, each.name], **settings)
 
 
-def _known_level(_context: click.Context, _option: click.Parameter, level: str | None) -> str | None:
-    if level is not None:
-        from judge.sandbox.factory import check_level  # only for the one who demands one
-
-        check_level(level)
-    return level
-
-
-def _levels(_context: click.Context, _option: click.Parameter, incomplete: str) -> list[str]:
-    from judge.sandbox.boundary import LEVELS
-
-    return [level for level in LEVELS if level.startswith(incomplete)]
-
-
 class Common(Struct, frozen=True):
     """The options of every command; its help leaves them out, since `judge help options` has them."""
 
@@ -91,10 +77,9 @@ class Common(Struct, frozen=True):
     )
     db: Path | None = opt("--db FILE", "The file of your runs, instead of $JUDGE_DB.", hidden=True)
     isolation: str | None = opt(
-        "--isolation LEVEL",
-        "Demand full, strong or limits; the best there is without it. See judge doctor.",
-        callback=_known_level,
-        shell_complete=_levels,
+        "--isolation",
+        "Demand this level; the best there is without it. See judge doctor.",
+        choices=("full", "strong", "limits"),  # LEVELS of the sandbox, which is slow to import
         hidden=True,
     )
 
@@ -114,7 +99,14 @@ def command(
         def ended(**given: Any) -> int:
             for into, struct in groups.items():
                 given[into] = struct(**{each.name: given.pop(each.name) for each in fields(struct)})
-            return emit(function(**given), given["common"])
+            common: Common = given["common"]
+            try:
+                return emit(function(**given), common)
+            except UnknownKataError as fault:
+                from judge.cli.resolve import say_where  # only for the one who is told
+
+                say_where(fault, common.db)
+                raise
 
         made = click.command(name, context_settings={"ignore_unknown_options": numbers})(ended)
         for struct in groups.values():

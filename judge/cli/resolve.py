@@ -17,13 +17,14 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager, suppress
 from itertools import pairwise
 from pathlib import Path
+from shlex import quote
 from typing import TYPE_CHECKING
 
 import click
 from msgspec import Struct
 
 from judge.cli.files import Submission, Unjudged, gathered, read_submissions
-from judge.errors import JudgeError, StoreError, UsageError
+from judge.errors import JudgeError, StoreError, UnknownKataError, UsageError
 from judge.languages import file_name, is_program
 from judge.problem import Problem
 from judge.problem.find import find_problem, problem_folders, shipped_problems
@@ -82,7 +83,7 @@ def kata_meant(word: str | None, common: Common) -> Problem:
     if word is None:
         return problem_of(here(common.db), common.problems)
     if is_problem(word, common) or not (is_program(word) or _is_file(word)):
-        return _named(word, common)
+        return find_problem(word, common.problems)
     return problem_of_file(read_submissions([word])[0], "hint", common)
 
 
@@ -222,7 +223,7 @@ def _meant(words: Sequence[str], common: Common) -> tuple[Problem | None, Sequen
         else:
             return find_problem(first, common.problems), files
     elif not (is_program(first) or _is_file(first)):
-        _named(first, common)  # which says what is near
+        find_problem(first, common.problems)  # which says what is near
     for word in rest:
         if not os.path.lexists(word) and is_problem(word, common):
             raise UsageError(f"The kata comes first: judge run {word} FILE")
@@ -254,22 +255,17 @@ def problem_of_file(submission: Submission, command: str, common: Common) -> Pro
         what, name, how = f"this file fits {' and '.join(names)}", names[0], "'{}' takes the first"
     elif near := meant_problem(found, folders):
         defined, entry, name = near
-        what, how = (
-            f"this file defines {defined}; did you mean {entry}, of {name}?",
-            "rename it, or write '{}'",
-        )
+        what = f"this file defines {defined}; did you mean {entry}, of {name}?"
+        how = "rename it, or write '{}'"
     raise UsageError(what, where=file, remedy=how.format(shown_command("judge", command, name, file=file)))
 
 
-def _named(word: str, common: Common) -> Problem:
-    """The kata of that name. Raises JudgeError; of one that was started elsewhere it says where."""
-    try:
-        return find_problem(word, common.problems)
-    except UsageError as fault:
-        folders = [each.problems for each in _places(common.db) if each.problem == word and each.problems]
-        if not folders:
-            raise
-        raise UsageError(fault.what, remedy=f"add --problems {shown(folders[0])}") from None
+def say_where(fault: UnknownKataError, db: Path | None) -> None:
+    """Tell of a kata that was started or judged elsewhere where its folder is, whose code is not loaded."""
+    for each in _places(db):
+        if each.problem == fault.name and os.path.isdir(os.path.join(each.problems, fault.name)):  # noqa: PTH112, PTH118
+            fault.remedy = f"add --problems {quote(shown(each.problems))}"
+            return
 
 
 def is_problem(word: str, common: Common) -> bool:

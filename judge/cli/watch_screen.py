@@ -157,9 +157,7 @@ class _Loop:
             return
         screen, notes = out(), StringIO()
         if not (self._found or self._why):
-            texts.redraw(
-                screen, drawn(texts.place(self._kata.problem, self._course(), screen), screen), Text()
-            )
+            texts.redraw(screen, drawn(self._place(screen), screen), Text())
         self._since = monotonic()
         signal.setitimer(signal.ITIMER_REAL, _LOOK)
         try:
@@ -278,13 +276,9 @@ class _Loop:
             end = ["", *drawn(last, screen).splitlines()]
         room = screen.height - _BELOW - len(end)
         rows = (self._notes + drawn(self._view(screen, room), screen)).rstrip("\n").splitlines()
-        what = (
-            "hint"
-            if isinstance(shown, HintShown)
-            else _TITLES.get(shown, "")
-            if isinstance(shown, str)
-            else ""
-        )
+        what = "hint" if isinstance(shown, HintShown) else ""
+        if isinstance(shown, str):
+            what = _TITLES.get(shown, "")
         if what and (len(rows) > room or shown == "s"):
 
             def head(count: int) -> list[str]:

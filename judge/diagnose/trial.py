@@ -238,7 +238,7 @@ class Trial(Struct):
             losses += stopped or (bool(answers) and answers[-1].ended in LIMITED)
             if stopped:
                 waiting.append(part[max(1, len(answers)) :])
-            if found and self.verdict is not Verdict.WA and not self.runner.tells_where:
+            if found and self.verdict is not Verdict.WA and not self.runner.calls:
                 break
         return found
 
@@ -275,8 +275,8 @@ class Trial(Struct):
         None in place of all where a run of several cases broke down, and it is not known at which.
         """
         limits = self._limits(len(cases), whole=whole)
-        replies = self.runner.answers(box, cases, limits)
-        self._used = replies.usage
+        replies = self.runner.ask(box, cases, limits)
+        self._used = replies.usage + replies.imported
         cpu, waiting, wall = limits.cpu_seconds, limits.waiting_seconds, limits.wall_seconds
         lost = {Stop.CPU: cpu, Stop.WAITING: waiting, Stop.WALL: wall}
         self.budget.asked(max(1, len(replies.replies)), lost.get(replies.stop, 0.0), replies.usage)

@@ -192,7 +192,7 @@ class Crowd:
         order = {source: place for place, source in enumerate(right)}
         mutants = [(order[each.base.source], each.made) for each in some]
         call = self._problem.entry, [*right.values()], mutants, given
-        found = self._box.call_many("differ", [call], self._limits(len(some), len(some) * len(given)))
+        found = self._box.call("differ", [call], self._limits(len(some), len(some) * len(given)))
         reply = found.replies[0]
         if reply.stop is not Stop.ANSWERED:
             return None
@@ -210,7 +210,7 @@ class Crowd:
             while end < len(work) and (end == at or len(calls) + len(work[end][1]) <= self.most):
                 calls += self._calls(end, *work[end])
                 end += 1
-            found = self._box.call_many("ask", calls, self._limits(end - at)) if calls else None
+            found = self._box.call("ask", calls, self._limits(end - at)) if calls else None
             replies = list(found.replies) if found else []
             for place in range(at, end):
                 size = len(work[place][1])

@@ -67,7 +67,7 @@ def ask(session: Session, tried: Tried, source: bytes, name: str) -> Said:
         runner = opened(box, tried.problem, source)
         if isinstance(runner, Failure):
             return Said(name, Verdict.CE, "no answer", runner.message, box.isolation)
-        replies = runner.answers(box, [tried.case], group_limits(tried.problem, tried.group, Usage()))
+        replies = runner.ask(box, [tried.case], group_limits(tried.problem, tried.group, Usage()))
         verdict, got, message, given = _answer(runner, tried, replies)
         printed = text_of(replies.printed)
         said = Said(name, verdict, got, message, box.isolation, runner.mode, short_answer(given), printed)

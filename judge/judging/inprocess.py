@@ -1,7 +1,7 @@
 """A `Box` in this very process: for a routine of one's own and a setter's source, which are trusted.
 
-Nothing is contained. What a series of calls does to the state that the whole process shares is undone at its
-end, so that no test group depends on the one before it, nor the caller's next test on any.
+Nothing is contained. What calls do to the state that the whole process shares is undone at their end, so
+that none depends on those of the run before it, nor the caller's next test on any.
 """
 
 from __future__ import annotations
@@ -57,7 +57,7 @@ class Watch:
         """From now on that code is watched, and every function in it."""
 
     def begin(self) -> None:
-        """A series of calls begins, or the import."""
+        """The calls begin, or the import."""
 
     def rest(self) -> float:
         """It is over; the seconds that it took, where they are measured."""
@@ -99,21 +99,11 @@ class InProcess:
         """See `Box.inspect`."""
         return Inspection.read(inspect(self._source, self._name))
 
-    def call_many(self, entry: str, calls: Sequence[Sequence[Any]], limits: Limits) -> CallsResult:
-        """See `Box.call_many`."""
-        return self.call_series(entry, [calls], limits)[0]
-
-    def call_series(
-        self,
-        entry: str,
-        series: Sequence[Sequence[Sequence[Any]]],
-        limits: Limits,
-        on_series: Callable[[], None] | None = None,
-    ) -> list[CallsResult]:
-        """See `Box.call_series`; a routine finds its caller's state anew in each series."""
+    def call(self, entry: str, calls: Sequence[Sequence[Any]], limits: Limits) -> CallsResult:
+        """See `Box.call`; a routine finds its caller's state anew in each."""
         if self._routine is not None:
-            return [self._of_routine(self._routine, calls, limits) for calls in series]
-        found: list[CallsResult] = []
+            with as_it_was():
+                return CallsResult(tuple(self._replies(self._routine, calls, limits.items)), Usage())
         with self._process("submission", limits) as (watch, names, printed):
             reply = None
             try:
@@ -123,24 +113,14 @@ class InProcess:
             except self.caught as fault:
                 reply = self._ended(fault, IMPORTING)
             if reply is not None:
-                lost = len(series[0]) if reply.stop is Stop.EXCEPTION else 1
-                return [CallsResult((reply,) * lost, Usage())]
+                lost = len(calls) if reply.stop is Stop.EXCEPTION else 1
+                return CallsResult((reply,) * lost, Usage())
             imported = printed.tell()
-            for calls in series:
-                if found and on_series:
-                    on_series()
-                watch.begin()
-                replies = tuple(self._replies(names[entry], calls, limits.items))
-                spent = watch.rest()
-                shown = printed.getvalue()[imported:][:_SHOWN] if len(series) == 1 else b""
-                found.append(CallsResult(replies, Usage(spent, spent), shown))
-                if not _goes_on(replies[-1]):
-                    break
-        return found
-
-    def _of_routine(self, routine: Routine, calls: Sequence[Sequence[Any]], limits: Limits) -> CallsResult:
-        with as_it_was():
-            return CallsResult(tuple(self._replies(routine, calls, limits.items)), Usage())
+            watch.begin()
+            replies = tuple(self._replies(names[entry], calls, limits.items))
+            spent = watch.rest()
+            shown = printed.getvalue()[imported:][:_SHOWN]
+            return CallsResult(replies, Usage(spent, spent), printed=shown)
 
     def _replies(self, routine: Routine, calls: Sequence[Sequence[Any]], items: int) -> Iterator[Reply]:
         for arguments in calls:

@@ -30,6 +30,7 @@ Lost: TypeAlias = Callable[[T, str], R]  # the result of an item that no worker 
 Finished: TypeAlias = Generator[tuple[int, R], None, None]  # an item's place and its result; to be closed
 Outcome: TypeAlias = tuple[Any, JudgeError | str | None]  # a result, or a fault; see `attempt`
 
+_AHEAD = 20  # of the items that wait, among which a worker looks for one that suits it
 ATTEMPTS = 3  # at an item, whose workers die
 _LOST = f"it was lost {ATTEMPTS} times: "
 _SPAWN = multiprocessing.get_context("spawn")  # a fork would copy open boxes
@@ -103,9 +104,9 @@ class Here(Struct, frozen=True):
 class Processes:
     """So many items at once, each in a process of its own.
 
-    The work is a module's function, known by its name; items and results are pickled. A worker stays with the
-    items of one `problem`, where they have one, for what that needs is warm there. `short` says why workers
-    are fewer than asked for, where they are.
+    The work is a module's function, known by its name; items and results are pickled. Of the next items a
+    worker takes those of one `problem`, where they have one, for what that needs is warm there. `short` says
+    why workers are fewer than asked for, where they are.
     """
 
     def __init__(self, count: int) -> None:
@@ -128,7 +129,8 @@ class Processes:
             while waiting or busy:
                 while waiting and idle:
                     worker = idle.pop()
-                    place = _next(waiting, kinds, worker.at, {other.at for other, _ in busy.values()})
+                    others = {other.at for other, _ in busy.values()}
+                    place = _next(waiting[:_AHEAD], kinds, worker.at, others)
                     try:
                         busy[worker.given(work, items[place])] = worker, place
                     except (OSError, MemoryError) as fault:  # no process can be started

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
@@ -45,9 +46,15 @@ def recipe_of(found: Toolchain) -> Recipe:
     """What the sandbox has to know of a language with its tools."""
     from judge.languages.sources import own_file
     from judge.sandbox.recipe import Recipe
+    from judge.sandbox.roots import package_folders
 
     language = found.language
     compiling, running = language.compiling, language.running
+    environment, packages = dict(running.environment), []
+    if running.packages:
+        name, variable = running.packages
+        packages = package_folders(name)
+        environment[variable] = os.pathsep.join(packages)
     return Recipe(
         name=language.name,
         key=found.key,
@@ -57,9 +64,9 @@ def recipe_of(found: Toolchain) -> Recipe:
         compile_environment=_environment(found, compiling.environment),
         keeps=compiling.keeps,
         command=found.filled(running.command),
-        reads=found.filled(running.reads),
+        reads=(*found.filled(running.reads), *packages),
         runs=found.filled(running.runs),
-        environment=_environment(found, running.environment),
+        environment=_environment(found, environment),
         stack=running.stack << 20,
         allowance=running.allowance << 20,
         out_of_memory=running.out_of_memory,

@@ -49,7 +49,8 @@ class Running(Struct, frozen=True, forbid_unknown_fields=True):
     """How what was made is run.
 
     `stack` is in MB, 0 for as much as the memory limit; `allowance` are the MB of address space for data that
-    the runtime takes on top of the limit; `out_of_memory` is what it says when it finds none.
+    the runtime takes on top of the limit; `out_of_memory` is what it says when it finds none. `packages` are
+    the name of a folder that `$JUDGE_PACKAGES` may name, and the variable that tells the runtime of it.
     """
 
     command: _Words
@@ -59,6 +60,7 @@ class Running(Struct, frozen=True, forbid_unknown_fields=True):
     stack: int = 0
     allowance: int = 0
     out_of_memory: str = ""
+    packages: _Words = ()
 
 
 class Language(

@@ -66,11 +66,6 @@ class SkillProgress(Struct, frozen=True):
     since: datetime | None
     needs: tuple[Need, ...]
 
-    @property
-    def met(self) -> int:
-        """How many of the needs were met."""
-        return sum(need.since is not None for need in self.needs)
-
 
 class Kind(Enum):
     """What ticks a question; the value is its name in JSON."""

@@ -43,9 +43,8 @@ class Topic(Struct, frozen=True):
 
 def topics(mine: Learner, cards: Sequence[Card], checklist: Checklist) -> list[Topic]:
     """How every topic stands."""
-    shown = {
-        each.name for each in skills(mine.problems, mine.own, checklist.skills) if each.state is State.SHOWN
-    }
+    every = skills(mine.problems, mine.own, checklist.skills)
+    shown = {each.name for each in every if each.state is State.SHOWN}
     last = {answer.card: answer for answer in mine.answers}
     found = []
     for name in sorted({each.topic for each in checklist.skills if each.topic}):

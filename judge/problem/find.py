@@ -38,7 +38,7 @@ from typing import TypeVar
 
 from msgspec import Struct
 
-from judge.errors import ProblemError, UsageError, nearest
+from judge.errors import ProblemError, UnknownKataError, UsageError, nearest
 from judge.problem.load import Shelf, load_problem
 from judge.problem.model import Listed, Problem, Tier
 
@@ -57,7 +57,7 @@ _NESTED = r"(?m)^[ \t]+(?:async[ \t]+)?def[ \t]+(\w+)"
 def find_problem(name: str, extra: Sequence[Path] = ()) -> Problem:
     """The problem of that name; `extra` are folders of problems to look in first.
 
-    Raises UsageError if there is none and ProblemError if it is broken.
+    Raises UnknownKataError if there is none and ProblemError if it is broken.
     """
     found: dict[str, Path] = {}
     for installed in (False, True):
@@ -66,7 +66,7 @@ def find_problem(name: str, extra: Sequence[Path] = ()) -> Problem:
             return load_problem(found[name])
     meant = nearest(name, found)
     remedy = f"did you mean {meant!r}?" if meant else f"'judge list' shows all {len(found)}"
-    raise UsageError(f"no kata is called {name!r}", remedy=remedy)
+    raise UnknownKataError(name, remedy)
 
 
 def sound_problems(extra: Sequence[Path] = ()) -> tuple[list[Problem], list[ProblemError]]:
@@ -143,7 +143,7 @@ def problem_roots(extra: Sequence[Path] = (), *, installed: bool = True) -> list
 
 
 def _root(folder: Path, source: str) -> Path:
-    """The folder from the root. Raises UsageError if there is none of that name."""
+    """The folder from the root. Raises UnknownKataError if there is none of that name."""
     with suppress(OSError, ValueError):  # no name at all: too long, with a NUL; or the current folder is gone
         if folder.is_dir():
             return folder.resolve()

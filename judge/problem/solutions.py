@@ -3,6 +3,7 @@
     solutions/<id>/accepted/by-halves.py    right, each in a way of its own
     solutions/<id>/slow/one-by-one.py       right, and too slow
     solutions/<id>/wrong/off-by-one.py      a mistake that people make; off-by-one-….py are variants of it
+    solutions/<id>/libraries/ezdxf.py       a call of a real library, of which no verdict is wanted
 
 Beside the folders may stand mistakes.py, from which many more wrong programs are made (judge.mistakes).
 
@@ -35,15 +36,17 @@ MISTAKES = "mistakes.py"  # beside the folders: right ways with their mistakes (
 
 LONGEST = 65_536  # bytes of a stranger's program; a tree takes six hundred times as many
 _ENDLESS = r"[^\x00-\x7f]{1000}"  # accents upon accents, which Python sorts in a name one by one
+_LIBRARY = re.compile(r"(@?[\w./-]+) (\d\S*): ")
 _SENTENCE_END = r"(?<=[.!?])\s+(?=[A-Z`\d])"
 
 
 class Kind(Enum):
-    """The folders, and so the verdict that is wanted of what is in them."""
+    """The folders, and so the verdict that is wanted of what is in them; of a library none is."""
 
     ACCEPTED = "accepted"
     WRONG = "wrong"
     SLOW = "slow"
+    LIBRARY = "libraries"
 
     def allows(self, verdict: Verdict) -> bool:
         """Whether a program of this folder may get that verdict."""
@@ -99,14 +102,14 @@ class Solutions(NamedTuple):
 
 
 def read_solutions(problem: Problem, *kinds: Kind) -> Solutions:
-    """The programs of these kinds; of all of them where none is given.
+    """The programs of these kinds; of all that get a verdict where none is given.
 
     What is hidden is passed over. A file that cannot be read, or is in no language known here, is a fault and
     no program; one that says no name is both.
     """
     programs: list[Solution] = []
     faults: list[ProblemError] = []
-    for kind in kinds or Kind:
+    for kind in kinds or (Kind.ACCEPTED, Kind.WRONG, Kind.SLOW):
         for path in _visible(problem.solutions / kind.value, faults):
             try:
                 programs.append(found := _read(kind, path))
@@ -137,6 +140,25 @@ def accepted_source(problem: Problem, file: str) -> bytes | None:
         return read_ordinary(problem.solutions / Kind.ACCEPTED.value / file)
     except OSError:  # `judge verify` tells of it
         return None
+
+
+def requirement(path: Path) -> str:
+    """What pip installs for the adapter of a library, as `ezdxf==1.4.5`; "" for any other file.
+
+    For one in another language it is as npm knows it, `three@0.187.0`.
+
+    Its docstring begins with the package, its version, a colon and what is called.
+    """
+    try:
+        found = _LIBRARY.match(_read(Kind.LIBRARY, path).name) if path.parent.name == "libraries" else None
+    except ProblemError:
+        return ""
+    return ("==" if path.suffix == SUFFIX else "@").join(found.groups()) if found else ""
+
+
+def install_command(package: str) -> str:
+    """The command for what `requirement` gives."""
+    return f"{'pip' if '==' in package else 'npm'} install {package}"
 
 
 def _visible(folder: Path, faults: list[ProblemError]) -> list[Path]:

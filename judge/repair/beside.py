@@ -47,6 +47,6 @@ class Beside:
             return None
         if self.text is None:
             return frozenset()
-        (reply,) = self.box.call_many("features", [(self.text,)], _LIMITS).replies[:1]
+        (reply,) = self.box.call("features", [(self.text,)], _LIMITS).replies[:1]
         said = reply.answer if reply.stop is Stop.ANSWERED and isinstance(reply.answer, list) else []
         return frozenset(FEATURES) & {word(each) for each in said}

@@ -71,7 +71,7 @@ class Changed:
         return bool(self._wrong)
 
     def _right_in(self, others: Sequence[Other], asked: Sequence[Asked]) -> bool:
-        replies = self._runner.answers(self._box, [case for case, *_ in others], self._limits)
+        replies = self._runner.ask(self._box, [case for case, *_ in others], self._limits)
         if replies.breakdown is not None or len(replies.replies) < len(others):
             return False
         for reply, (_, target, exact), each in zip(replies.replies, others, asked, strict=True):

@@ -56,7 +56,7 @@ class Child:
     def ask(self, chain: Sequence[int] | None, calls: Sequence[Call]) -> list[Raw]:
         """What it says to the calls, after those edits; None: nothing is to be changed. Raises LostError."""
         first = ("open", self._text, self._entry, self._about, self._given, self._cases.sizes, chain)
-        found = self._box.call_many("ask", [first, *calls], self._limits)
+        found = self._box.call("ask", [first, *calls], self._limits)
         answers = [each.answer for each in found.replies if each.stop is Stop.ANSWERED]
         self.seconds = found.usage.cpu_seconds
         if len(answers) < len(calls) + 1 or answers[0] != 1:

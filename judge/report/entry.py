@@ -10,6 +10,7 @@ from pathlib import Path
 from judge.errors import one_slip
 from judge.languages import file_name
 from judge.problem import Problem, Verdict
+from judge.problem.solutions import install_command, requirement
 from judge.run.result import EntryError, Obstacle
 from judge.sandbox.boundary import IMPORTING
 
@@ -64,6 +65,8 @@ def entry_text(error: EntryError, problem: Problem, submission: str, verdict: Ve
 
 
 def _missing_module(submission: str, name: str) -> str:
+    if library := requirement(Path(submission)):
+        return f"{library.partition('==')[0]} is not installed: {install_command(library)}"
     top = name.partition(".")[0]
     beside = Path(submission).parent / top
     if any(os.path.lexists(path) for path in (beside, beside.with_name(file_name(top)))):

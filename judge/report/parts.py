@@ -28,10 +28,7 @@ READABLE = 100  # columns that prose has at most, however wide the screen is
 _LEAST = 20  # columns of prose below which it goes under its row
 _BAR = 40
 _GAP = 3  # columns between a drawing and what stands beside it
-_NARROW, _ROOMY = (
-    56,
-    116,
-)  # columns, from which on a drawing stands beside the text, and the text is kept short
+_NARROW, _ROOMY = 56, 116  # columns from which a drawing stands beside the text; that has few then
 _TEXT = 72  # columns of that text
 _STATEMENT = 88  # columns of a statement
 _VERDICTS = dict.fromkeys((Verdict.TLE, Verdict.MLE, Verdict.OLE, Verdict.JE), WARNING) | {Verdict.AC: GOOD}

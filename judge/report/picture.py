@@ -135,9 +135,7 @@ def statement(problem: Problem, screen: Screen, *, titled: bool = True) -> Rende
     rows = drawing(partial(example_picture, problem), screen, "the figure") if after else None
     if rows is None:
         return prose(whole, screen)
-    rest = Text.from_ansi(
-        drawn(prose(after[0], screen), screen).strip("\n")
-    )  # a list begins with a blank row
+    rest = Text.from_ansi(drawn(prose(after[0], screen), screen).strip("\n"))  # a list begins with a blank
     return blocks(prose(before, screen), indented(Group(*rows(ROWS))), rest)
 
 

@@ -37,7 +37,6 @@ from judge.report.words import counted, due_words
 
 RATE = "How well? 1 again, 2 hard, 3 good, 4 easy: "
 SAVE = "Save the file. Enter judges it, q goes on: "
-_PANEL = 31  # columns of a picture of one panel
 _OPEN = 38  # columns of the skills that are named
 _NARROW = 60  # columns that the steps need
 _AROUND = 2  # rows for the prompt and one above
@@ -153,16 +152,12 @@ def drill(found: Drill, screen: Screen) -> RenderableType:
     rows: list[tuple[Cell, ...]] = []
     for at, each in enumerate(found.steps, 1):
         minutes, said = f"{each.minutes} min", _step(each, found.time)
-        rows += (
-            [(f"{at} {each.command}", f"{minutes}, {said}")]
-            if narrow
-            else [(str(at), minutes, each.command, said)]
-        )
+        wide = str(at), minutes, each.command, said
+        rows.append((f"{at} {each.command}", f"{minutes}, {said}") if narrow else wide)
     skills = sum(len(each.skills) for each in found.topics)
     known = "known?" if any(each.open for each in found.topics) else "are known."
-    last = (
-        f"{f'All {skills} {known} ' if skills else ''}judge interview holds a mock interview at your level."
-    )
+    last = f"All {skills} {known} " if skills else ""
+    last += "judge interview holds a mock interview at your level."
     return blocks(
         strong(about),
         indented(table(map(_topic, found.topics))) if found.topics else None,

@@ -9,6 +9,7 @@ from shlex import quote
 from rich.console import Group, RenderableType
 from rich.text import Text
 
+from judge.data.libraries import LibraryTable
 from judge.holes.model import Hole, Holes
 from judge.packs.export.job import Exported
 from judge.practice.setter import NewKata
@@ -76,6 +77,25 @@ def verified(found: Verified, _screen: Screen) -> RenderableType:
     )
     below = (indented(table(rows, *titles, right=right)) for titles, rows, right in tables if rows)
     return blocks(Group(top, indented(table(faults))) if faults else top, *below)
+
+
+def library_table(found: LibraryTable, _screen: Screen) -> RenderableType:
+    """What each library comes to, and what to install for those that were not judged."""
+    rows = [
+        (
+            strong(each.library),
+            each.version,
+            f"{each.groups[0]}/{each.groups[1]}",
+            f"{each.cases[0] / each.cases[1]:.1%}",
+            each.smallest,
+        )
+        for each in found.libraries
+    ]
+    titles = ("library", "version", "groups", "cases", "smallest failing case")
+    return blocks(
+        table(rows, *titles, right=(2, 3)) if rows else head(found.problem, "no library was judged"),
+        Group(*map(text, found.missing)) if found.missing else None,
+    )
 
 
 def holes(found: Holes, _screen: Screen) -> RenderableType:

@@ -110,7 +110,7 @@ def _result(
 ) -> Result:
     """What the groups come to together."""
     decision, growth, against = timing
-    usage = sum((run.usage for run in runs), Usage())
+    usage = sum((run.usage + run.imported for run in runs), Usage())
     rejected = [run for run in runs if run.verdict is not Verdict.AC]
     failing = next((run for run in rejected if not run.given_up), None)  # one that says why
     failing = failing or next(iter(rejected), None)
@@ -182,7 +182,6 @@ class _Judging:
         self.budget = budget
         self.runner = runner
         self._on_progress = on_progress
-        self._called: set[str] = set()
         self._done = 0
         self._total = sum(len(run.cases) for run in runs)
 
@@ -193,7 +192,6 @@ class _Judging:
             box,
             runs,
             budget=self.budget,
-            on_calls=self._after_calls,
             on_group=self._after_group,
         )
         self._give_up(runs)
@@ -213,15 +211,10 @@ class _Judging:
                 assert self.budget.over
                 run.give_up(*self.budget.over)
 
-    def _after_calls(self, run: GroupRun) -> None:
-        if run.group.name not in self._called:
-            self._called.add(run.group.name)
-            self._done += len(run.cases)
-            if self._on_progress:
-                self._on_progress(self._done, self._total)
-
     def _after_group(self, run: GroupRun) -> None:
         run.ended = True
-        self._after_calls(run)
+        self._done += len(run.cases)
+        if self._on_progress:
+            self._on_progress(self._done, self._total)
         if run.verdict is Verdict.TLE or run.out_of_time:
             self.budget.ran_out_of_time(at_once=run.reached <= 1 < len(run.cases))

@@ -197,7 +197,7 @@ class LongDuel:
 
     def _plainly(self) -> float | None:
         """One pass as when it was judged, so that it is told what has become of which case."""
-        replies = self._booked(self._runner.answers(self._submission, self._cases, self._within()))
+        replies = self._booked(self._runner.ask(self._submission, self._cases, self._within()))
         return replies.usage.cpu_seconds if self._as_before(replies) else None
 
     def _as_before(self, replies: Replies) -> bool:

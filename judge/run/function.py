@@ -12,7 +12,7 @@ from judge.problem import Case, Problem, TimeRule
 from judge.problem.model import Mode
 from judge.run.replies import Replies
 from judge.run.result import NOTHING, Behaviour, Failure
-from judge.sandbox.boundary import Box, CallsResult, Limits, Stop
+from judge.sandbox.boundary import Box, Limits, Stop
 from judge.values import check, show
 from judge.values.answers import Target
 from judge.values.check import ExactOf, Outcome
@@ -29,33 +29,15 @@ class FunctionRunner(Struct, frozen=True):
     language: str = ""
     mode: ClassVar[Mode] = Mode.FUNCTION
     calls: ClassVar[bool] = True
-    tells_where: ClassVar[bool] = True
 
-    def answers(self, box: Box, cases: Sequence[Case], limits: Limits) -> Replies:
-        """One series of calls."""
-        return _replies(box.call_many(self.problem.entry, self.problem.calls(cases), limits))
-
-    def series(
-        self,
-        box: Box,
-        series: Sequence[Sequence[Case]],
-        limits: Limits,
-        on_series: Callable[[], None] | None = None,
-    ) -> list[Replies]:
-        """All series in one process, as far as that goes."""
-        calls = [self.problem.calls(cases) for cases in series]
-        return [_replies(each) for each in box.call_series(self.problem.entry, calls, limits, on_series)]
-
-    def timed(self, box: Box, cases: Sequence[Case], limits: Limits) -> Replies:
-        """One series of calls between two without any: the module's import, and the end of the process.
-
-        That end takes time too where a large table is given back.
-        """
-        calls: list[Sequence[Any]] = [[], self.problem.calls(cases), []]
-        imported, *called = box.call_series(self.problem.entry, calls, limits)
-        if not called:  # it never came so far, or nothing is to be called
-            return _replies(imported)
-        return _replies(called[0])._replace(imported=imported.usage)
+    def ask(self, box: Box, cases: Sequence[Case], limits: Limits) -> Replies:
+        """Some calls; one that ends its process is the last one, and to blame."""
+        result = box.call(self.problem.entry, self.problem.calls(cases), limits)
+        stop = result.replies[-1].stop if result.replies else Stop.ANSWERED
+        lost = stop not in (Stop.ANSWERED, Stop.EXCEPTION)
+        return Replies(
+            result.replies, result.usage, stop, lost, imported=result.imported, printed=result.printed
+        )
 
     @property
     def decide(self) -> Callable[[Any, Target, ExactOf], Outcome]:
@@ -83,10 +65,3 @@ class FunctionRunner(Struct, frozen=True):
     def explained(self, failure: Failure, does: Behaviour = NOTHING) -> Failure:  # noqa: ARG002
         """As it is: a function is what was asked for."""
         return failure
-
-
-def _replies(result: CallsResult) -> Replies:
-    """The result of a series of calls; a call that ends its process is the last one, and to blame."""
-    stop = result.replies[-1].stop if result.replies else Stop.ANSWERED
-    lost = stop not in (Stop.ANSWERED, Stop.EXCEPTION)
-    return Replies(result.replies, result.usage, stop, lost, printed=result.printed)

@@ -40,6 +40,7 @@ class GroupRun:
         self.targets = group.targets
         self.usage = Usage()
         self.imported = Usage()  # by the longest import that was measured apart
+        self.shares = False  # whether the time is a share of what several groups took together
         self.ended = False  # whether nothing more of it is to be run
         self.given_up = False  # whether none of it was run that says anything
         self.passed = 0

@@ -18,6 +18,7 @@ from judge.sandbox.boundary import Box, Stop, Usage
 MOST_LOSSES = 3  # calls of a group that may end their process before the rest is given up
 SEARCHED_SECONDS = 1.0  # the longest run that is worth repeating to find the case it breaks at
 _TIME = (Stop.CPU, Stop.WALL, Stop.WAITING)
+_OF_A_PROCESS = (Stop.MEMORY, Stop.OUTPUT)  # limits that all calls before may have passed together
 _CRASHES = (Stop.EXCEPTION, Stop.EXITED)
 
 
@@ -27,34 +28,63 @@ def run_groups(
     groups: Sequence[GroupRun],
     *,
     budget: Budget,
-    on_calls: Callable[[GroupRun], None],
     on_group: Callable[[GroupRun], None],
 ) -> None:
     """Run the submission on every case of the groups and record what comes of it.
 
-    A call that takes its process with it costs itself alone; one that uses up its group's time, or the third
-    loss of a group, ends the group, and so does any breakdown. `on_calls` is told as soon as a group's cases
-    have been run, `on_group` once its answers are compared; nothing more is begun once the budget is used up.
+    Calls of groups with equal limits are made by one process; where that passes a limit of one group, those
+    that it did not come to the end of have a process each. A call that takes its process with it costs itself
+    alone; one that uses up its group's time, or the third loss of a group, ends the group, and so does any
+    breakdown. `on_group` is told of each group that has ended; nothing more is begun once the budget is
+    used up.
     """
     waiting = [_Progress(runner, box, group, budget) for group in groups]
+    together = runner.calls
     while waiting and not budget.over:
         # A group that has lost a call goes on by itself, with what is left of its limits.
         first = waiting[0].group
-        batch = [waiting[0]] if first.reached else _of_equal_limits(waiting)
-        called = iter(batch)
-        results = runner.series(
-            box,
-            [progress.rest for progress in batch],
-            budget.within(group_limits(first.problem, first.group, first.usage)),
-            lambda called=called: on_calls(next(called).group),  # type: ignore[misc]
-        )
-        if not any(result.replies or result.breakdown for result in results):
+        batch = _of_equal_limits(waiting) if together and not first.reached else waiting[:1]
+        limits = budget.within(group_limits(first.problem, first.group, first.usage))
+        replies = runner.ask(box, [case for progress in batch for case in progress.rest], limits)
+        if not (replies.replies or replies.breakdown):
             raise JudgeError("the sandbox made no call at all", where=first.group.name)
-        for progress, result in zip(batch, results, strict=False):
-            progress.take(budget.booked(result))
+        if _is_nobodys(replies, batch):
+            together = False
+            budget.booked(replies._replace(stop=Stop.ANSWERED, lost=False))
+            shares = _shares(replies, batch)[:-1] if replies.stop not in _OF_A_PROCESS else []
+        else:
+            shares = _shares(budget.booked(replies), batch)
+        for progress, share in zip(batch, shares, strict=False):
+            progress.take(share)
             if progress.over:
                 on_group(progress.group)
         waiting = [progress for progress in waiting if not progress.over]
+
+
+def _is_nobodys(replies: Replies, batch: Sequence[_Progress]) -> bool:
+    """Whether a limit was passed by several groups together, so that none may be blamed."""
+    if len(batch) == 1 or replies.stop in _OF_A_PROCESS:
+        return len(batch) > 1
+    return replies.stop in (Stop.CPU, Stop.WALL) and len(replies.replies) > len(batch[0].rest)
+
+
+def _shares(replies: Replies, batch: Sequence[_Progress]) -> list[Replies]:
+    """What came of each of the groups that were begun, its time by the number of its calls."""
+    if len(batch) == 1:
+        return [replies]
+    shares: list[Replies] = []
+    start, (cpu, wall, memory) = 0, replies.usage
+    for progress in batch:
+        own = replies.replies[start : start + len(progress.rest)]
+        if not own:
+            break
+        start += len(own)
+        part = len(own) / len(replies.replies)
+        progress.group.shares = True
+        shares.append(Replies(own, Usage(cpu * part, wall * part, memory)))
+    shares[0] = shares[0]._replace(imported=replies.imported)
+    shares[-1] = shares[-1]._replace(stop=replies.stop, lost=replies.lost)
+    return shares
 
 
 class Piece(NamedTuple):
@@ -79,7 +109,7 @@ def run_timed(
         cases = progress.rest[:1] if one_first and not group.reached else progress.rest
         within = budget.within(group_limits(group.problem, group.group, group.usage))
         early = within._replace(cpu_seconds=min(within.cpu_seconds, most))
-        replies = budget.booked(runner.timed(box, cases, early))
+        replies = budget.booked(runner.ask(box, cases, early))
         if not (replies.replies or replies.breakdown):
             raise JudgeError("the sandbox made no call at all", where=group.group.name)
         cut = replies.stop is Stop.CPU and most < within.cpu_seconds
@@ -162,7 +192,7 @@ class _Progress:
             cpu_seconds=min(limits.cpu_seconds, 2 * SEARCHED_SECONDS),
             wall_seconds=min(limits.wall_seconds, 2 * SEARCHED_SECONDS),
         )
-        replies = self._runner.answers(self._box, self.group.cases[:count], self._budget.within(limits))
+        replies = self._runner.ask(self._box, self.group.cases[:count], self._budget.within(limits))
         self._budget.searched(replies.usage)
         return replies.stop is not Stop.ANSWERED
 

@@ -86,7 +86,7 @@ class _Growing:
             self._smaller, self._pairs = run, [(pair, len(run.cases))]
             if is_sure(pair, limit):
                 self.timed = Timed(replace(decide([pair], limit), limit=limit))
-                too_slow([run], self.timed.decision)
+                too_slow(run, self.timed.decision)
 
     def _first_seconds(self, run: GroupRun, theirs: Usage | None) -> float:
         """How long the first case may take at first: from then on the submission may be clearly too steep."""
@@ -147,7 +147,7 @@ class _Growing:
     def _pair(self, run: GroupRun, cases: Sequence[Case]) -> Pair | None:
         """One more turn each; None where the submission's does not end well."""
         within = self._budget.within(limits_of(run.problem, [run]))
-        again = self._budget.booked(self._runner.timed(self._submission, cases, within))
+        again = self._budget.booked(self._runner.ask(self._submission, cases, within))
         theirs = self._theirs(run, cases)
         return None if again.trouble else Pair(again.usage.cpu_seconds, theirs.cpu_seconds)
 

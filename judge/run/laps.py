@@ -85,7 +85,7 @@ class _Python:
             return Lap(Usage(), 0)
         size = len(str([reply.answer for reply in self._once])) if passes > 1 else 0
         longer = _longer(limits, self._cases, passes, size)
-        replies = self._runner.timed(self._box, list(self._cases) * passes, longer)
+        replies = self._runner.ask(self._box, list(self._cases) * passes, longer)
         once = replies._replace(replies=replies.replies[: len(self._cases)])
         self._once = once.replies
         return Lap(replies.usage, passes, (once,), replies.trouble)

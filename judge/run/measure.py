@@ -59,7 +59,7 @@ class Duel:
     def mine(self) -> float | None:
         """The submission's turn in CPU seconds; None where it is no longer accepted."""
         within = self._budget.within(self._tighter)
-        replies = self._budget.booked(self._runner.timed(self._submission, self._cases, within))
+        replies = self._budget.booked(self._runner.ask(self._submission, self._cases, within))
         first = self._taken == Usage()
         spent = replies.imported.cpu_seconds
         self.imported = spent if first else min(self.imported, spent)
@@ -86,7 +86,7 @@ class Duel:
 
 def theirs_on(runner: Runner, rival: Box, cases: Sequence[Case], limits: Limits) -> Usage:
     """What the reference took. Raises JudgeError where it does not come to the end of the cases."""
-    replies = runner.timed(rival, cases, limits)
+    replies = runner.ask(rival, cases, limits)
     if replies.trouble:
         raise JudgeError(f"the reference solution cannot be timed: {replies.trouble}")
     return replies.usage

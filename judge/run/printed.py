@@ -37,7 +37,7 @@ def with_printed(result: Result, data: ProblemData, runner: Runner, box: Box) ->
 
     group = next(group for group in data.groups if group.group.name == failure.group)
     limits = group_limits(data.problem, group.group, Usage())
-    printed = text_of(runner.answers(box, [group.cases[failure.case - 1]], limits).printed)
+    printed = text_of(runner.ask(box, [group.cases[failure.case - 1]], limits).printed)
     return replace(result, failure=_told(failure, printed)) if printed else result
 
 

@@ -48,25 +48,10 @@ class ProgramRunner(Struct, frozen=True):
     asked: bool = False
     mode: ClassVar[Mode] = Mode.PROGRAM
     calls: ClassVar[bool] = False
-    tells_where: ClassVar[bool] = False
 
-    def answers(self, box: Box, cases: Sequence[Case], limits: Limits) -> Replies:
-        """One run on all the cases."""
+    def ask(self, box: Box, cases: Sequence[Case], limits: Limits) -> Replies:
+        """One run on all the cases: its work and its imports are one."""
         return _replies(box.run_program(render_group(self.problem, cases), limits), len(cases))
-
-    def timed(self, box: Box, cases: Sequence[Case], limits: Limits) -> Replies:
-        """One run: a program's work and its imports are one."""
-        return self.answers(box, cases, limits)
-
-    def series(
-        self,
-        box: Box,
-        series: Sequence[Sequence[Case]],
-        limits: Limits,
-        on_series: Callable[[], None] | None = None,  # noqa: ARG002 - told of series between which a process goes on
-    ) -> list[Replies]:
-        """A run on the first series alone: each has a process of its own."""
-        return [self.answers(box, cases, limits) for cases in series[:1]]
 
     @property
     def decide(self) -> Callable[[Any, Target, ExactOf], Outcome]:

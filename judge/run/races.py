@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from msgspec.structs import replace
 
 from judge.problem import Problem, Verdict
+from judge.run.again import limits_of
 from judge.run.budget import Budget
 from judge.run.group import GroupRun
 from judge.run.measure import Duel, time_limit, track_of
@@ -80,7 +81,8 @@ def race_all(
         parts = []  # it is too slow, and what is left to say is why
     for part in parts:
         raced = measure(problem, runner, part, submission, reference, budget)
-        too_slow(part, raced)
+        if raced.too_slow:
+            too_slow(_slowest(runner, part, submission, budget), raced)
         against = raced.against
         decision = _worse(decision, raced)
         if any(run.verdict is not Verdict.AC for run in part):
@@ -91,7 +93,7 @@ def race_all(
     for run in growing:
         if run.group.name in grown.decisions and run.verdict is Verdict.AC:
             raced = grown.decisions[run.group.name]
-            too_slow([run], raced)
+            too_slow(run, raced)
             decision = _worse(decision, raced)
     if grown.growth is not None and grown.too_steep:
         _too_steep(growing, grown.growth)
@@ -226,14 +228,25 @@ def _at_least(run: GroupRun, cases: int) -> float:
     return run.usage.cpu_seconds * cases / (run.passed + 1)
 
 
-def too_slow(runs: Sequence[GroupRun], decision: Decision) -> None:
-    """Record it in the slowest of the groups that were raced together, if it was decided."""
+def _slowest(runner: Runner, runs: Sequence[GroupRun], box: Box, budget: Budget) -> GroupRun:
+    """The slowest of groups that were raced together; what ran in one process is run again, alone."""
+
+    def took(run: GroupRun) -> float:
+        if not run.shares:
+            return run.usage.cpu_seconds
+        limits = budget.within(limits_of(run.problem, [run]))
+        return budget.booked(runner.ask(box, run.cases, limits)).usage.cpu_seconds
+
+    return max(runs, key=took) if len(runs) > 1 else runs[0]
+
+
+def too_slow(run: GroupRun, decision: Decision) -> None:
+    """Record it in the group, if it was decided."""
     if decision.too_slow and decision.ratio:
-        slowest = max(runs, key=lambda run: run.usage.cpu_seconds)
         against = decision.against
         whose = f" in {against.language}" if against else ""
         why = f" ({against.why})" if against and against.why else ""
-        slowest.too_slow(
+        run.too_slow(
             f"it takes {decision.ratio.median:,.0f} times the CPU time of the reference solution{whose}; "
             f"the limit is {decision.limit:g} times{why}"
         )

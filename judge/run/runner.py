@@ -27,8 +27,7 @@ class Runner(Protocol):
     """One way to run a submission on cases and to decide what it answers.
 
     `mode` is its name in results, `language` that of the submission, "" for Python. `calls` says whether a
-    case is a call, which a test of one's own can make as well; `tells_where` whether it is known which case
-    ended a process.
+    case is a call, which a test of one's own can make as well; then it is known which case ended a process.
     """
 
     @property
@@ -48,29 +47,8 @@ class Runner(Protocol):
     def calls(self) -> bool:  # noqa: D102
         ...
 
-    @property
-    def tells_where(self) -> bool:  # noqa: D102
-        ...
-
-    def answers(self, box: Box, cases: Sequence[Case], limits: Limits) -> Replies:
+    def ask(self, box: Box, cases: Sequence[Case], limits: Limits) -> Replies:
         """Run the submission on the cases, in a process of its own."""
-        ...
-
-    def timed(self, box: Box, cases: Sequence[Case], limits: Limits) -> Replies:
-        """As `answers`, but what a function's module costs when it is imported is measured apart."""
-        ...
-
-    def series(
-        self,
-        box: Box,
-        series: Sequence[Sequence[Case]],
-        limits: Limits,
-        on_series: Callable[[], None] | None = None,
-    ) -> list[Replies]:
-        """Run it on as many of the series as one process serves, at least one; `limits` hold for each.
-
-        `on_series` is called after each series but the last.
-        """
         ...
 
     @property

@@ -165,7 +165,6 @@ class _Run:
             self._box,
             [run for _, run in self._now],
             budget=_Turn(self._data.problem, lambda: self.over),
-            on_calls=lambda _: None,
             on_group=_note,
         )
         self.close()

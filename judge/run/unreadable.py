@@ -57,7 +57,8 @@ def why_ended(message: str, line: str) -> str:
             return f"{error}. A submission may write no file{wants}."
     if absent := _NO_MODULE.match(message):
         what, bundle = "another file" if absent[1] else "a package", "npx esbuild --platform=node --bundle"
-        return f"{absent[2]} is {what}, and a submission is one file. Bundle it: {bundle} a.js"
+        more = "" if absent[1] else ", or name a node_modules with it in $JUDGE_PACKAGES"
+        return f"{absent[2]} is {what}, and a submission is one file. Bundle it: {bundle} a.js{more}"
     return ""
 
 

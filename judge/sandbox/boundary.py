@@ -27,14 +27,14 @@ class Stop(Enum):
     EXITED = "exited"  # it left with a non-zero status or was killed by a signal, or left in mid-call
     CPU = "cpu"  # CPU limit
     WALL = "wall"  # wall limit: it slept or waited
-    WAITING = "waiting"  # its series together have waited longer than they may
+    WAITING = "waiting"  # its runs together have waited longer than they may
     MEMORY = "memory"
     OUTPUT = "output"  # it printed or answered more than the limit
     TAMPERED = "tampered"  # it wrote on the judge's own channel
 
 
 class Limits(NamedTuple):
-    """The bounds of one series of calls or one program; memory and waiting are those of the whole process.
+    """The bounds of one process: a program, or calls; the times hold for an import and again for its calls.
 
     `items` is how many items one answer may hold, in lists of all levels.
     """
@@ -131,15 +131,17 @@ class Reply(NamedTuple):
 
 
 class CallsResult(NamedTuple):
-    """The replies of one series of calls, in order.
+    """The replies to some calls, in order.
 
     A call that raised (EXCEPTION) costs nothing but itself. Any other end than ANSWERED ends the process:
-    it is the last reply, and the calls after it, those of later series too, were not made. `printed` is the
-    beginning of what a single series wrote to stdout once the module was imported; nothing else is.
+    it is the last reply, and the calls after it were not made. `usage` is that of the calls, `imported` what
+    the module's import took, where that can be told apart; of an import that ended it, `usage` tells.
+    `printed` is the beginning of what the calls wrote to stdout.
     """
 
     replies: tuple[Reply, ...]
     usage: Usage
+    imported: Usage = Usage()
     printed: bytes = b""
 
 
@@ -173,25 +175,12 @@ class Box(Protocol):
         """Parse and compile the source, without running it."""
         ...
 
-    def call_series(
-        self,
-        entry: str,
-        series: Sequence[Sequence[Sequence[Any]]],
-        limits: Limits,
-        on_series: Callable[[], None] | None = None,
-    ) -> list[CallsResult]:
-        """Call the module's function `entry` once for each argument list, series by series, in order.
+    def call(self, entry: str, calls: Sequence[Sequence[Any]], limits: Limits) -> CallsResult:
+        """Import the module, then call its function `entry` once for each argument list, in order.
 
-        The module is imported once for all series. Each is measured by itself, and its arguments are there
-        when it begins; `limits` holds for each, but for memory and waiting. Results end with the series that
-        a call ended, or where no room is left for more answers, so that there may be fewer than series.
-        Arguments are None, ints, floats, str, (nested) lists and tuples of them, and `array.array`; the
-        submission receives fresh ones for each call. `on_series` is called after each series but the last.
+        Arguments are None, ints, floats, str, (nested) lists and tuples of them, and `array.array`; they come
+        after the import, and the submission receives fresh ones for each call.
         """
-        ...
-
-    def call_many(self, entry: str, calls: Sequence[Sequence[Any]], limits: Limits) -> CallsResult:
-        """The result of a single series."""
         ...
 
     def run_program(self, stdin: bytes, limits: Limits) -> ProgramResult:

@@ -1,4 +1,4 @@
-"""The `Box` that a fork server stands behind: one child for each program run and for each series of calls."""
+"""The `Box` that a fork server stands behind: one child for each run of a program, and for some calls."""
 
 from __future__ import annotations
 
@@ -8,13 +8,12 @@ import marshal
 import os
 import re
 import signal
-import sys
 import threading
 from collections.abc import Sequence
 from typing import Any
 
 from judge.errors import LIMIT_ON_TASKS, NO_THREAD, JudgeError, ShortageError, shortage_of
-from judge.sandbox import imports, outcome, packing, room, shared
+from judge.sandbox import imports, outcome, payload, room, shared
 from judge.sandbox.boundary import (
     IMPORTING,
     CallsResult,
@@ -26,19 +25,14 @@ from judge.sandbox.boundary import (
     Stop,
     Usage,
 )
-from judge.sandbox.container import Done, Lost, OnSeries
+from judge.sandbox.container import Done, Lost
 from judge.sandbox.holder import Holder
-from judge.sandbox.inside import series as series_file
 from judge.sandbox.inside import wire
-
-IdleCosts = dict[tuple[str, bytes, tuple[str, ...]], int]
-"""CPU time in ns of a child that does nothing, by level, kind of run and modules imported ahead."""
 
 STDERR_BYTES = 4096
 PRINTED_BYTES = 4 << 10  # of what a function prints that are kept
 _INSPECTION = Limits(cpu_seconds=10.0, wall_seconds=30.0, memory_bytes=1 << 30, output_bytes=1 << 22)
 _ADDRESS_SPACE = 256 << 20  # beyond twice the memory limit: honest numpy reserves far more than it touches
-_PAUSES = sys.platform == "linux"  # a child can be measured between two series only by a clock from outside
 _TRUSTED_TRIES = 2
 _BUSY = "judge it again, with a smaller -j if the machine is busy"
 _LOST = "it stopped the process that watches it"
@@ -51,12 +45,11 @@ class ForkServerBox:
     boots. One thread at a time may use it, whichever opened it.
     """
 
-    def __init__(self, holder: Holder, share: room.Share, idle: IdleCosts) -> None:
-        """`holder` has the container, `share` bounds its threads, `idle` is what other boxes found out."""
+    def __init__(self, holder: Holder, share: room.Share) -> None:
+        """`holder` has the container, `share` bounds its threads."""
         self._inspection: Inspection | None = None
         self._modules: list[str] = []
         self._share = share
-        self._idle = idle
         self._warm_up: threading.Thread | None = None
         self._oom_kills = room.oom_kills()
         self._holder = holder
@@ -81,7 +74,7 @@ class ForkServerBox:
 
         def prepare() -> None:
             with contextlib.suppress(JudgeError, Lost, OSError, MemoryError, RuntimeError):
-                self._prepare(wire.CALLS)
+                self._prepare()
 
         thread = threading.Thread(target=prepare, daemon=True)
         with contextlib.suppress(RuntimeError):  # no thread is left: the calls get ready themselves
@@ -105,7 +98,7 @@ class ForkServerBox:
 
     def _inspect(self) -> Inspection:
         done = self._ask_trusted(wire.INSPECT, b"")
-        replies = self._holder.here().replies(b"", _INSPECTION.output_bytes, 1)
+        replies = self._holder.here().replies(b"", _INSPECTION.output_bytes)
         over = outcome.overrun(done, _INSPECTION, 0, self._note())
         if done.reason not in (wire.NOT_KILLED, wire.FOR_CPU):  # no compiler waits
             raise ShortageError("the machine is too busy to compile it", remedy=_BUSY)
@@ -128,108 +121,63 @@ class ForkServerBox:
                 return done
         raise ShortageError("the container ended before the submission was run", remedy=_BUSY)
 
-    def call_many(self, entry: str, calls: Sequence[Sequence[Any]], limits: Limits) -> CallsResult:
-        """Make one series of calls; see `Box.call_many`."""
-        return self.call_series(entry, [calls], limits)[0] if calls else CallsResult((), Usage())
-
-    def call_series(
-        self,
-        entry: str,
-        series: Sequence[Sequence[Sequence[Any]]],
-        limits: Limits,
-        on_series: OnSeries | None = None,
-    ) -> list[CallsResult]:
-        """Make the calls in one child; see `Box.call_series`."""
+    def call(self, entry: str, calls: Sequence[Sequence[Any]], limits: Limits) -> CallsResult:
+        """Make the calls in one child; see `Box.call`."""
+        if not calls:
+            return CallsResult((), Usage())
         self._warmed_up()
-        fault = self._prepare(wire.CALLS)
-        if fault:
-            return [
-                CallsResult(tuple(Reply(Stop.EXCEPTION, detail=fault) for _ in calls), Usage())
-                for calls in series
-            ]
-        if len(series) > 1 and not _PAUSES:  # each in a child of its own, as far as that goes
-            return self._one_at_a_time(entry, series, limits, on_series)
-        counts = [len(calls) for calls in series]
-        packed = packing.packed(entry, series, limits.items)
-        payload, size = packed[0], max(map(len, packed))
+        if fault := self._prepare():
+            return CallsResult((Reply(Stop.EXCEPTION, detail=fault),) * len(calls), Usage())
+        head, arguments = payload.packed(entry, calls, limits.items)
         try:
-            with shared.stdio(b"") as stdio, shared.file(series_file.pack(counts, packed)) as later:
-                del packed  # which may be large
-                payload = payload.ljust(size, b"\0")  # the later ones take its place
-                descriptors = (*stdio, later) if len(series) > 1 else stdio
-                done = self._ask(wire.CALLS, descriptors, payload, limits, len(series), on_series)
-                printed = _printed(*stdio[1:])
-                text = self._text(stdio[1]) if len(series) == 1 else b""
+            with shared.stdio(b"") as stdio, shared.file(arguments) as given:
+                del arguments  # which may be large
+                descriptors = (*stdio, given) if wire.PAUSES else stdio
+                done = self._ask(wire.CALLS, descriptors, head, limits)
+                printed = max(map(shared.size, stdio[1:]))
+                text = shared.part(stdio[1], done.printed_bytes, PRINTED_BYTES)
         except Lost as lost:
-            kept = outcome.parse_series(lost.replies, lost.marks, counts)[0][: sum(counts) - 1]
-            replies = [*kept, Reply(Stop.TAMPERED, detail=_LOST)]
-            return outcome.by_series(replies, series, outcome.usages_of_lost(lost))
-        replies = self._ended(done, payload, limits, printed, counts)
-        replies = [reply._replace(detail=self._with_threads(reply.detail)) for reply in replies]
-        results = outcome.by_series(replies, series, outcome.usages_of(done))
-        return [results[0]._replace(printed=text), *results[1:]] if text else results
+            kept = outcome.parse_replies(lost.replies, len(calls))[0][: len(calls) - 1]
+            return CallsResult((*kept, Reply(Stop.TAMPERED, detail=_LOST)), Usage(0, lost.wall_ns / 1e9))
+        replies = self._ended(done, head, limits, printed, len(calls))
+        told = tuple(reply._replace(detail=self._with_threads(reply.detail)) for reply in replies)
+        usage, imported = outcome.usage_of(done), outcome.imported(done)
+        return CallsResult(told, usage, imported, text if done.stage == wire.CALLING else b"")
 
-    def _text(self, stdout: int) -> bytes:
-        """The beginning of what was printed by the calls; where that starts is what the child says."""
-        size = shared.size(stdout)
-        start = min(self._holder.here().region.words[wire.PRINTED_BEFORE], size)
-        return shared.part(stdout, start, PRINTED_BYTES)
-
-    def _ended(
-        self, done: Done, payload: bytes, limits: Limits, printed: int, counts: Sequence[int]
-    ) -> list[Reply]:
+    def _ended(self, done: Done, head: bytes, limits: Limits, printed: int, count: int) -> list[Reply]:
         """The replies of a child that is gone; the last says how it ended if it did not answer all."""
         note = self._note()
-        count = sum(counts)
-        data = self._holder.here().replies(payload, limits.output_bytes, len(counts))
-        replies, kept_form = outcome.parse_series(data, done.marks, counts)
+        replies, kept_form = outcome.parse_replies(
+            self._holder.here().replies(head, limits.output_bytes), count
+        )
+        if done.stage != wire.CALLING and any(reply.stop is Stop.ANSWERED for reply in replies):
+            replies, kept_form = [], False  # nothing was asked
         over = outcome.overrun(done, limits, printed, note, self._stood_at())
-        if over is None and kept_form and (done.reason == wire.FOR_ROOM or len(replies) == count):
+        if over is None and kept_form and len(replies) == count:
             return replies
         if over:
             stop, detail = over
-            count = sum(counts[: outcome.blamed(done, stop, limits) + 1])
             if len(replies) >= count:
                 detail += ", in this call or one before it"
         elif not kept_form:
             stop, detail = Stop.TAMPERED, "it wrote into its own replies"
         else:
-            detail = outcome.end_of(done, note)[1]
             stop = Stop.EXITED  # in mid-call, whatever its status
-            if not self._holder.here().region.words[wire.IMPORTED]:
-                detail += IMPORTING
-        # of a limit that the calls of a series passed together, its last call hears
-        return [*replies[: max(0, count - 1)], Reply(stop, detail=detail)]
-
-    def _one_at_a_time(
-        self,
-        entry: str,
-        series: Sequence[Sequence[Sequence[Any]]],
-        limits: Limits,
-        on_series: OnSeries | None,
-    ) -> list[CallsResult]:
-        results: list[CallsResult] = []
-        for calls in series:
-            if results and on_series:
-                on_series()
-            results.append(self.call_many(entry, calls, limits))
-            waited = results[-1].usage.waiting_seconds
-            limits = limits._replace(waiting_seconds=max(0.0, limits.waiting_seconds - waited))
-            replies = results[-1].replies
-            if replies and replies[-1].stop not in (Stop.ANSWERED, Stop.EXCEPTION):
-                break
-        return results
+            detail = outcome.end_of(done, note)[1]
+        if done.stage != wire.CALLING and stop is Stop.EXITED:
+            detail += IMPORTING
+        # of a limit that the calls passed together, the last one hears
+        return [*replies[: count - 1], Reply(stop, detail=detail)]
 
     def run_program(self, stdin: bytes, limits: Limits) -> ProgramResult:
         """Run the source as `__main__` in a child of its own; see `Box.run_program`."""
         self._warmed_up()
-        fault = self._prepare(wire.PROGRAM)
-        if fault:
+        if fault := self._prepare():
             return ProgramResult(Stop.EXCEPTION, b"", b"", fault, Usage())
         try:
             with shared.stdio(stdin) as (given, stdout, stderr):
                 done = self._ask(wire.PROGRAM, (given, stdout, stderr), b"", limits)
-                printed = _printed(stdout, stderr)
+                printed = max(map(shared.size, (stdout, stderr)))
                 out = shared.head(stdout, limits.output_bytes)
                 err = shared.tail(stderr, STDERR_BYTES)
         except Lost:
@@ -240,17 +188,14 @@ class ForkServerBox:
         detail = "" if stop is Stop.ANSWERED else self._with_threads(detail)
         return ProgramResult(stop, out, err, detail, outcome.usage_of(done))
 
-    def _prepare(self, kind: bytes) -> str:
-        """Make the server ready for runs of a kind, once a container; the source's fault, or nothing."""
+    def _prepare(self) -> str:
+        """Make the server ready for runs, once a container; the source's fault, or nothing."""
         found = self._inspected()
         if found.fault:
             return found.fault.message
-        if kind not in self._holder.prepared:
-            alike = (self.isolation, kind, tuple(self._modules))
-            payload = marshal.dumps((self._modules, kind, self._idle.get(alike)))
-            done = self._ask_trusted(wire.PREPARE, payload)
-            self._idle[alike] = done.cpu_ns
-            self._holder.prepared.add(kind)
+        if not self._holder.prepared:
+            self._ask_trusted(wire.PREPARE, marshal.dumps(self._modules))
+            self._holder.prepared = True
         return ""
 
     def _ask(
@@ -259,15 +204,13 @@ class ForkServerBox:
         stdio: Sequence[int],
         payload: bytes,
         limits: Limits,
-        series: int = 1,
-        on_series: OnSeries | None = None,
     ) -> Done:
         """One request; whatever goes wrong on this side of it, Ctrl-C included, ends the container."""
         memory = 2 * limits.memory_bytes + _ADDRESS_SPACE
         if kind in (wire.CALLS, wire.PROGRAM):
             room.check_memory(memory)
         try:
-            done = self._holder.here().ask(kind, stdio, payload, limits, memory, series, on_series)
+            done = self._holder.here().ask(kind, stdio, payload, limits, memory)
         except BaseException as fault:
             self._holder.drop()
             if isinstance(fault, Lost):
@@ -277,7 +220,8 @@ class ForkServerBox:
                     raise ShortageError("the process that watches it has ended", remedy=_BUSY) from None
             raise
         note, text = self._note()
-        if note == wire.BROKEN_BOX and not done.started:  # once foreign code runs, notes are its own
+        # Once foreign code runs, notes are its own.
+        if note == wire.BROKEN_BOX and done.stage == wire.NOT_STARTED:
             self._holder.drop()
             if lacking := re.search(r"\[Errno (\d+)\]", text):
                 raise shortage_of(int(lacking[1]), "the container failed")
@@ -310,7 +254,3 @@ class ForkServerBox:
 
 def _killed(done: Done) -> bool:
     return os.WIFSIGNALED(done.status) and os.WTERMSIG(done.status) == signal.SIGKILL
-
-
-def _printed(*descriptors: int) -> int:
-    return max(shared.size(descriptor) for descriptor in descriptors)

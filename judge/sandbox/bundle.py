@@ -19,7 +19,6 @@ _ALWAYS = (
     "judge.sandbox.encode",
     "judge.sandbox.inside.again",
     "judge.sandbox.inside.wire",
-    "judge.sandbox.inside.series",
     "judge.sandbox.inside.source",
     "judge.sandbox.inside.child",
     "judge.sandbox.inside.confine",

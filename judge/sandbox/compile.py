@@ -153,7 +153,7 @@ def _collected(holder: Holder, folder: str) -> Compiled:
     payload = marshal.dumps((folder, ARTIFACT_BYTES, ARTIFACT_FILES))
     with shared.stdio(b"") as stdio:
         _asked(holder, wire.COLLECT, stdio, payload)
-        found = marshal.loads(holder.here().replies(payload, LIMITS.output_bytes, 1))
+        found = marshal.loads(holder.here().replies(payload, LIMITS.output_bytes))
         content = shared.head(stdio[1], ARTIFACT_BYTES)
     if isinstance(found, str):
         return Compiled((), SourceFault(found))

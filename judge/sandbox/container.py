@@ -15,7 +15,7 @@ import subprocess
 import sys
 import threading
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from queue import SimpleQueue
 from typing import Any, NamedTuple
 
@@ -25,6 +25,7 @@ from judge.sandbox.boundary import Limits
 from judge.sandbox.inside import wire
 from judge.sandbox.room import Share
 from judge.sandbox.roots import Roots
+from judge.sandbox.temporary import TemporaryFolder
 
 START_SECONDS = 20.0  # a loaded machine, a cold disk
 GRACE_SECONDS = 5.0  # beyond a request's own wall limit
@@ -34,30 +35,17 @@ REASON_BYTES = 2000
 _PAIR = _socket.SOCK_SEQPACKET if sys.platform == "linux" else _socket.SOCK_STREAM
 
 
-class SeriesEnd(NamedTuple):
-    """The end of a series but the last, as the fork server measured and sealed it."""
-
-    cpu_ns: int
-    wall_ns: int
-    peak_bytes: int  # of the process so far
-    size: int  # of the replies so far
-    digest: bytes  # of the replies of the series
-
-
 class Lost(Exception):  # noqa: N818 - it never reaches a person
     """The fork server died or did not answer, the container is gone; `replies` is what its child left.
 
     `asked` says whether it came as far as running anything.
     """
 
-    def __init__(
-        self, replies: bytes = b"", marks: Sequence[SeriesEnd] = (), wall_ns: int = 0, *, asked: bool = True
-    ) -> None:
+    def __init__(self, replies: bytes = b"", wall_ns: int = 0, *, asked: bool = True) -> None:
         super().__init__()
         self.asked = asked
         self.replies = replies
-        self.marks = marks
-        self.wall_ns = wall_ns  # since the last mark
+        self.wall_ns = wall_ns
 
 
 class Done(NamedTuple):
@@ -68,11 +56,10 @@ class Done(NamedTuple):
     cpu_ns: int
     wall_ns: int
     peak_bytes: int
-    started: int  # whether the child came as far as running foreign code
-    marks: tuple[SeriesEnd, ...] = ()  # one for each series that ended before
-
-
-OnSeries = Callable[[], None]  # told of each series that has ended but the last
+    stage: int  # how far the child came; the times are of that
+    imported_cpu_ns: int = 0  # the import of a module whose calls were begun
+    imported_wall_ns: int = 0
+    printed_bytes: int = 0  # to stdout, before the calls
 
 
 class _Order:
@@ -191,7 +178,8 @@ class Container:
             self._closing.callback(os.close, self._complaints)
             code = shared.nameless()
             passed.callback(os.close, code)
-            plan = launch.plan(level, name, roots, (code, theirs.fileno(), descriptor), share, place)
+            home = self._home() if place is None and level != "full" else launch.SCRATCH
+            plan = launch.plan(level, name, roots, (code, theirs.fileno(), descriptor), share, place, home)
             shared.write_whole(code, bundle.pack(plan.config, source))
             os.lseek(code, 0, os.SEEK_SET)
             try:
@@ -209,6 +197,14 @@ class Container:
                 not_started = refusal.of_fault(fault, plan.command[0])
                 assert not_started is not None
                 raise not_started from fault
+
+    def _home(self) -> str:
+        """An empty folder of this machine for a submission's own, gone with the container."""
+        folder = TemporaryFolder()
+        self._closing.callback(folder.close)
+        home = folder.path / "home"
+        home.mkdir(mode=0o700)
+        return str(home)
 
     def await_ready(self) -> None:
         """Wait until it has confined itself. Raises NotStarted, the container then being closed.
@@ -253,8 +249,6 @@ class Container:
         payload: bytes,
         limits: Limits,
         memory: int,
-        series: int = 1,
-        on_series: OnSeries | None = None,
     ) -> Done:
         """One request and its answer. Raises Lost and NotStarted; ShortageError before anything foreign runs.
 
@@ -264,8 +258,7 @@ class Container:
             raise Lost
         self.await_ready()
         start = wire.replies_at(len(payload))
-        output = limits.output_bytes
-        stop = start + wire.reply_room(output, series)
+        stop = start + wire.reply_bytes(limits.output_bytes)
         if stop > wire.REGION_BYTES:
             raise JudgeError(
                 "more calls at once than the container's memory holds", remedy="make fewer at a time"
@@ -274,34 +267,26 @@ class Container:
         times = [
             round(each * 1e9) for each in (limits.cpu_seconds, limits.wall_seconds, limits.waiting_seconds)
         ]
-        frame = wire.REQUEST.pack(kind, *times, memory, output, len(payload), stop, series)
+        frame = wire.REQUEST.pack(kind, *times, memory, limits.output_bytes, len(payload), stop)
         try:
             self._line.send(frame, stdio)
         except OSError:
             self.close()
             raise Lost(asked=False) from None
-        marks: list[SeriesEnd] = []
         began = time.monotonic_ns()
-        while True:
-            answer = self._receive(limits.wall_seconds + GRACE_SECONDS)
-            if answer.startswith(wire.LACKING):
-                raise shortage_of(wire.LACK.unpack_from(answer)[1], "the submission could not be run")
-            if answer.startswith(wire.ENDED):
-                _, status, reason, cpu, wall, peak, started = wire.DONE.unpack_from(answer)
-                return Done(status, reason, cpu, wall, peak, started, tuple(marks))
-            if not answer.startswith(wire.MARKED) or len(marks) == series:
-                data = self.replies(payload, output, series)
-                self.close()
-                raise Lost(data, marks, time.monotonic_ns() - began)
-            marks.append(SeriesEnd(*wire.MARK.unpack_from(answer)[1:]))
-            began = time.monotonic_ns()
-            if on_series:
-                on_series()
+        answer = self._receive(2 * limits.wall_seconds + GRACE_SECONDS)  # an import has a limit of its own
+        if answer.startswith(wire.LACKING):
+            raise shortage_of(wire.LACK.unpack_from(answer)[1], "the submission could not be run")
+        if answer.startswith(wire.ENDED):
+            return Done(*wire.DONE.unpack_from(answer)[1:])
+        data = self.replies(payload, limits.output_bytes)
+        self.close()
+        raise Lost(data, time.monotonic_ns() - began)
 
-    def replies(self, payload: bytes, output: int, series: int) -> bytes:
+    def replies(self, payload: bytes, output: int) -> bytes:
         """What the last child appended; foreign data."""
         start = wire.replies_at(len(payload))
-        return self.region.replies(start, start + wire.reply_room(output, series))
+        return self.region.replies(start, start + wire.reply_bytes(output))
 
     def kill(self) -> None:
         """End what runs in it at once; whoever waits for its answer finds it lost."""

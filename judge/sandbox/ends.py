@@ -10,6 +10,7 @@ import os
 import re
 import signal
 
+from judge.sandbox import outcome
 from judge.sandbox.boundary import Limits, Stop, Usage
 from judge.sandbox.container import Done
 from judge.sandbox.inside import wire
@@ -41,8 +42,8 @@ def end_of(
         return Stop.WALL, f"took more than {limits.wall_seconds:g} s, waiting at the end"
     if done.reason == wire.FOR_WAITING:
         return Stop.WAITING, f"waited more than {limits.waiting_seconds:.3g} s"
-    if done.reason:
-        return Stop.EXITED, "stopped itself"
+    if os.WIFSTOPPED(done.status):
+        return Stop.EXITED, outcome.STOPPED
     said = stderr.decode(errors="replace")
     if done.status and recipe.out_of_memory and recipe.out_of_memory in said:
         return Stop.MEMORY, f"asked for more memory than {allowed} allow"

@@ -11,7 +11,6 @@ from judge.sandbox.boundary import LEVELS
 
 if TYPE_CHECKING:
     from judge.sandbox.boundary import Box
-    from judge.sandbox.box import IdleCosts
     from judge.sandbox.room import Share
     from judge.sandbox.roots import Roots
 
@@ -61,7 +60,6 @@ class Boxes:
         self._own_share = share
         self._had = set[str]() if had is None else {had}
         self._roots: Roots | None = None  # looking for them takes longer than starting a process
-        self._idle: IdleCosts = {}
 
     def __call__(self, source: bytes, name: str) -> Box:
         """A box for this source; `name` is its file's. Raises UsageError and JudgeError as `below`."""
@@ -75,7 +73,7 @@ class Boxes:
             self._roots = find_roots(self.hide)
         roots, share = self._roots, self.share
         holder = Holder(level, self, lambda level: Container(level, name, source, roots, share))
-        return ForkServerBox(holder, share, self._idle)
+        return ForkServerBox(holder, share)
 
     @property
     def share(self) -> Share:

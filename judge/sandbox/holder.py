@@ -34,7 +34,7 @@ class Holder:
     def __init__(self, level: str, ladder: Ladder, start: Callable[[str], Container]) -> None:
         """Start a container ahead; what goes wrong with that shows when it is asked for."""
         self.level = level
-        self.prepared: set[bytes] = set()  # the kinds of request that the container is ready for
+        self.prepared = False  # whether the container has compiled the source
         self._ladder = ladder
         self._start = start
         self._closed = threading.Event()
@@ -69,7 +69,7 @@ class Holder:
 
     def _ready(self) -> Container:
         if self._container is None:
-            self.prepared.clear()
+            self.prepared = False
             self._container = self._start(self.level)
         self._container.await_ready()
         self._ladder.had(self.level)
@@ -78,7 +78,7 @@ class Holder:
     def drop(self) -> None:
         """End the container; the next request starts another."""
         container, self._container = self._container, None
-        self.prepared.clear()
+        self.prepared = False
         if container is not None:
             container.close()
 

@@ -32,6 +32,8 @@ ENVIRONMENT = {
     "MALLOC_ARENA_MAX": "2",  # threads of a submission would each reserve 64 MB of its address space
 }
 SCRATCH = "/scratch"
+_AT_HOME = ("HOME", "TMPDIR", "MPLCONFIGDIR")  # matplotlib's import ends without a folder that looks writable
+_HOME_BYTES = 4096  # nothing is ever written there; 0 would be no limit
 RESULT = "out"  # the folder in it that a compiler's result goes to
 SCRATCH_BYTES = 256 << 20
 _RANDOM = "/dev/urandom"
@@ -51,13 +53,14 @@ class Workplace(NamedTuple):
 
     `shown` are folders of this machine by the names they have inside at `full`; below that they keep their
     own. `scratch` is a folder of this machine that may be filled; at `full` an empty one of SCRATCH_BYTES is
-    filled instead. `runnable` are real paths from which programs may be started.
+    filled instead. `runnable` are real paths from which programs may be started, `reads` others it needs.
     """
 
     profile: str  # of judge.sandbox.linux.profiles
     shown: tuple[tuple[str, str], ...] = ()
     scratch: str = ""
     runnable: tuple[str, ...] = ()
+    reads: tuple[str, ...] = ()
     descriptors: int = 64
     random: bool = True  # whether there is /dev/urandom
 
@@ -83,13 +86,17 @@ def plan(
     descriptors: tuple[int, int, int],
     share: Share,
     place: Workplace | None = None,
+    home: str = SCRATCH,
 ) -> Plan:
     """The plan for `level`; `descriptors` are the bundle's, the channel's and the region's.
 
-    `place` is there for what is no Python. Raises OSError where its scratch folder cannot be handed over.
+    `place` is there for what is no Python. `home` is an empty folder of this machine, at `full` one inside:
+    it may be listed, and only `limits` lets anybody write there. Raises OSError where a folder cannot be
+    handed over.
     """
     uid = _spare_uid()
-    closed = uid is not None and place is not None and not open_to_all(place.runnable, below=level == "full")
+    needed = (*place.runnable, *place.reads) if place is not None and uid is not None else ()
+    closed = not open_to_all(needed, below=level == "full")
     python = [roots.executable, *_INTERPRETER, "-c", BOOTSTRAP, *map(str, descriptors)]
     config: dict[str, Any] = {
         "level": level,
@@ -104,12 +111,19 @@ def plan(
         "cores": os.cpu_count() or 1,
         "unseen": to_look_for(level, roots),
     }
+    environment = dict(ENVIRONMENT)
     if place is not None:
         _settle(place, level, roots, config)
         config["passes_on"] = closed
+    else:
+        environment |= dict.fromkeys(_AT_HOME, home)
+        config["readable"].append(home)
+        config["home"] = home
+        if level != "full" and uid is not None:
+            os.chown(home, uid, uid)
     if level != "full":
-        return Plan(tuple(python), dict(ENVIRONMENT), config)
-    command = [*_bubblewrap(roots, uid, config["reads_all"], place), "--", *python]
+        return Plan(tuple(python), environment, config)
+    command = [*_bubblewrap(roots, uid, config["reads_all"], environment, place), "--", *python]
     return Plan(tuple(command), {"PATH": os.environ.get("PATH", os.defpath)}, config)
 
 
@@ -157,7 +171,9 @@ def bubblewrap_path() -> str | None:
     return None
 
 
-def _bubblewrap(roots: Roots, uid: int | None, reads_all: bool, place: Workplace | None = None) -> list[str]:
+def _bubblewrap(
+    roots: Roots, uid: int | None, reads_all: bool, environment: dict[str, str], place: Workplace | None
+) -> list[str]:
     arguments = [
         bubblewrap_path() or "bwrap",
         "--die-with-parent",
@@ -172,7 +188,7 @@ def _bubblewrap(roots: Roots, uid: int | None, reads_all: bool, place: Workplace
     else:  # real root: kernel uid 0 would be exempt from RLIMIT_NPROC, so it changes its user inside instead
         kept = ["CAP_SETUID", "CAP_SETGID", *(["CAP_DAC_READ_SEARCH"] if reads_all else [])]
         arguments += [part for capability in kept for part in ("--cap-add", capability)]
-    for key, value in ENVIRONMENT.items():
+    for key, value in environment.items():
         arguments += ["--setenv", key, value]
     made: set[str] = set()
     for path in (*roots.folders, *roots.files):
@@ -189,8 +205,9 @@ def _bubblewrap(roots: Roots, uid: int | None, reads_all: bool, place: Workplace
         arguments += ["--symlink", target, name]
     for name, folder in place.shown if place else ():
         arguments += ["--ro-bind", folder, name]
-    if place and place.scratch:
-        arguments += ["--perms", "1777", "--size", str(SCRATCH_BYTES), "--tmpfs", SCRATCH]
+    if place is None or place.scratch:
+        size = _HOME_BYTES if place is None else SCRATCH_BYTES
+        arguments += ["--perms", "1777", "--size", str(size), "--tmpfs", SCRATCH]
     return [*arguments, "--chdir", "/", "--remount-ro", "/"]
 
 

@@ -238,7 +238,8 @@ class NativeBox:
             written(box, self._artifact)
             recipe = self._recipe
             runnable = tuple(map(os.path.realpath, recipe.runs))
-            self._place = Workplace(profile="run", shown=((_BOX, str(box)),), runnable=runnable)
+            shown = ((_BOX, str(box)),)
+            self._place = Workplace("run", shown, runnable=runnable, reads=tuple(recipe.reads))
             self._running = self._holder(self._level, self._place, (*recipe.reads, *recipe.runs))
         return self._running
 
@@ -256,78 +257,28 @@ class NativeBox:
 
     # -- calling
 
-    def call_many(self, entry: str, calls: Sequence[Sequence[Any]], limits: Limits) -> CallsResult:
-        """Make one series of calls; see `Box.call_many`."""
-        return self.call_series(entry, [calls], limits)[0]
-
-    def call_series(
-        self,
-        entry: str,
-        series: Sequence[Sequence[Sequence[Any]]],
-        limits: Limits,
-        on_series: Callable[[], None] | None = None,
-    ) -> list[CallsResult]:
-        """Make the calls; see `Box.call_series`.
-
-        All series are answered by one process where it keeps the limits of a single one; its time is shared
-        out by the number of calls. Otherwise each has a process of its own, so that the right one is blamed.
-        """
-        together = self._together(series, limits) if len(series) > 1 else []
-        if together:
-            if on_series:
-                for _ in together[1:]:
-                    on_series()
-            return together
-        results: list[CallsResult] = []
-        for each in series:
-            if results and on_series:
-                on_series()
-            results.append(self._called(entry, each, limits))
-            waited = results[-1].usage.waiting_seconds
-            limits = limits._replace(waiting_seconds=max(0.0, limits.waiting_seconds - waited))
-            replies = results[-1].replies
-            if replies and replies[-1].stop not in (Stop.ANSWERED, Stop.EXCEPTION):
-                break
-        return results
-
-    def _together(self, series: Sequence[Sequence[Sequence[Any]]], limits: Limits) -> list[CallsResult]:
-        """The results of all series in one process; none where anything is out of the ordinary."""
-        total = sum(map(len, series))
-        if self.inspect().fault or not total:
-            return []
-        done = self.run_program(b"".join(calls.text(each) for each in series if each), limits)
-        replies, kept_form = calls.replies(done.stdout, total)
-        if done.stop is not Stop.ANSWERED or not kept_form or len(replies) != total:
-            return []
-        results: list[CallsResult] = []
-        start = 0
-        for each in series:
-            share, end = len(each) / total, start + len(each)
-            cpu, wall = done.usage.cpu_seconds * share, done.usage.wall_seconds * share
-            results.append(CallsResult(tuple(replies[start:end]), Usage(cpu, wall, done.usage.memory_bytes)))
-            start = end
-        return results
-
-    def _called(self, entry: str, series: Sequence[Sequence[Any]], limits: Limits) -> CallsResult:
+    def call(self, entry: str, cases: Sequence[Sequence[Any]], limits: Limits) -> CallsResult:
+        """Make the calls in one process; see `Box.call`. What an import is, is none here."""
         fault = self.inspect().fault
         assert fault is None, "whoever calls has looked"
         assert entry == self._sources.entry, "the driver calls one function"
-        if not series:
+        if not cases:
             return CallsResult((), _NOTHING)
-        done = self.run_program(calls.text(series), limits)
-        replies, kept_form = calls.replies(done.stdout, len(series))
-        if kept_form and len(replies) < len(series):
+        done = self.run_program(calls.text(cases), limits)
+        replies, kept_form = calls.replies(done.stdout, len(cases))
+        if kept_form and len(replies) < len(cases):
             # It ended early: at which call shows where each answer is written at once.
-            again = self.run_program(calls.text(series, at_once=True), limits)
-            replies, kept_form = calls.replies(again.stdout, len(series))
+            again = self.run_program(calls.text(cases, at_once=True), limits)
+            replies, kept_form = calls.replies(again.stdout, len(cases))
             done = done if done.stop is not Stop.ANSWERED else again
             if done.stop is Stop.ANSWERED:
                 done = done._replace(stop=Stop.EXITED, detail="it ended the process in mid-call")
         if not kept_form:
             done = done._replace(stop=Stop.TAMPERED, detail="it wrote into its own replies")
         if done.stop is Stop.ANSWERED:
-            return CallsResult(tuple(replies), done.usage, done.stderr if len(series) == 1 else b"")
-        del replies[len(series) - 1 :]
+            printed = done.stderr if len(cases) == 1 else b""
+            return CallsResult(tuple(replies), done.usage, printed=printed)
+        del replies[len(cases) - 1 :]
         return CallsResult((*replies, Reply(done.stop, detail=done.detail)), done.usage)
 
 

@@ -11,17 +11,18 @@ import gc
 import json
 import os
 import signal
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from functools import partial
 from itertools import repeat
 from typing import Any
 
-from judge.sandbox.boundary import CallsResult, Limits, Reply, Stop, Usage
-from judge.sandbox.container import Done, Lost, SeriesEnd
+from judge.sandbox.boundary import Limits, Reply, Stop, Usage
+from judge.sandbox.container import Done
 from judge.sandbox.inside import wire
 
 DETAIL_LENGTH = 1000
 _MOST_LINES = 10**6  # of a source
+STOPPED = "stopped itself"
 LONG = 1 << 18  # bytes of replies that are parsed line by line: what is forged need not be parsed twice
 
 
@@ -37,45 +38,13 @@ def is_from_outside(done: Done) -> bool:
 
 
 def usage_of(done: Done) -> Usage:
-    """The boundary's figures."""
+    """What was used of the calls, of a whole program, or of an import that ended it."""
     return Usage(done.cpu_ns / 1e9, done.wall_ns / 1e9, done.peak_bytes)
 
 
-def usages_of(done: Done) -> list[Usage]:
-    """The figures of each series that was begun; the peak is that of the process up to its end."""
-    last = SeriesEnd(done.cpu_ns, done.wall_ns, done.peak_bytes, 0, b"")
-    return [_usage(mark) for mark in (*done.marks, last)]
-
-
-def usages_of_lost(lost: Lost) -> list[Usage]:
-    """The same where nobody was left to measure the last series."""
-    return [_usage(mark) for mark in (*lost.marks, SeriesEnd(0, lost.wall_ns, 0, 0, b""))]
-
-
-def _usage(mark: SeriesEnd) -> Usage:
-    return Usage(mark.cpu_ns / 1e9, mark.wall_ns / 1e9, mark.peak_bytes)
-
-
-def blamed(done: Done, stop: Stop, limits: Limits) -> int:
-    """The place of the series in which a limit was passed: of those begun the last, unless memory tells."""
-    peaks = [mark.peak_bytes for mark in done.marks] if stop is Stop.MEMORY else []
-    over = (place for place, peak in enumerate(peaks) if peak > limits.memory_bytes)
-    return next(over, len(done.marks))
-
-
-def by_series(
-    replies: list[Reply], series: Sequence[Sequence[Any]], usages: Sequence[Usage]
-) -> list[CallsResult]:
-    """The replies shared out to the series they answer; one that nothing was measured of has used nothing."""
-    results: list[CallsResult] = []
-    start = 0
-    for place, calls in enumerate(series):
-        if start >= len(replies) and calls:
-            break
-        usage = usages[place] if place < len(usages) else Usage()
-        results.append(CallsResult(tuple(replies[start : start + len(calls)]), usage))
-        start += len(calls)
-    return results
+def imported(done: Done) -> Usage:
+    """What the import took of a module whose calls were begun."""
+    return Usage(done.imported_cpu_ns / 1e9, done.imported_wall_ns / 1e9)
 
 
 def overrun(
@@ -101,12 +70,9 @@ def overrun(
         return Stop.WALL, f"took more than {limits.wall_seconds:g} s, waiting at the end{place}"
     if done.reason == wire.FOR_WAITING:
         return Stop.WAITING, f"waited more than {limits.waiting_seconds:.3g} s{place}"
-    if done.reason == wire.FOR_STOPPING:
-        return Stop.EXITED, "stopped itself"
     if kind == wire.NO_MEMORY:
         return Stop.MEMORY, text or f"asked for more memory than {_size(limits.memory_bytes)} allow"
-    too_much = printed > limits.output_bytes or done.reason == wire.FOR_OUTPUT
-    if too_much or kind == wire.TOO_MUCH or signalled == signal.SIGXFSZ:
+    if printed > limits.output_bytes or kind == wire.TOO_MUCH or signalled == signal.SIGXFSZ:
         own = text if kind == wire.TOO_MUCH else ""  # not the error of the write that failed
         return Stop.OUTPUT, own or f"wrote more than {_size(limits.output_bytes)}"
     return None
@@ -117,6 +83,8 @@ def end_of(done: Done, note: tuple[int, str]) -> tuple[Stop, str]:
     kind, text = note
     if os.WIFSIGNALED(done.status):
         return Stop.EXITED, f"killed by {_signal_name(os.WTERMSIG(done.status))}"
+    if os.WIFSTOPPED(done.status):
+        return Stop.EXITED, STOPPED
     code = os.waitstatus_to_exitcode(done.status)
     if kind == wire.RAISED:
         return Stop.EXCEPTION, text
@@ -168,30 +136,6 @@ def _replies(rows: list[Any]) -> list[Reply]:
         else:
             break
     return replies
-
-
-def parse_series(data: bytes, marks: Sequence[SeriesEnd], counts: Sequence[int]) -> tuple[list[Reply], bool]:
-    """The replies to so many calls in each series, and whether the child kept to the form.
-
-    What it changed after a series was sealed, or answered before it was asked, is not the form. Only a module
-    that cannot be imported replies to the calls of all series at once.
-    """
-    replies: list[Reply] = []
-    start = 0
-    for mark, count in zip(marks, counts, strict=False):
-        part = data[start : mark.size]
-        if len(part) != mark.size - start or wire.digest(part) != mark.digest:
-            return replies, False
-        found, kept_form = parse_replies(part, count)
-        replies += found
-        if not kept_form or len(found) != count:
-            return replies, False
-        start = mark.size
-    found, kept_form = parse_replies(data[start:], sum(counts[len(marks) :]))
-    asked = sum(counts[len(marks) : len(marks) + 1])
-    if any(reply.stop is Stop.ANSWERED for reply in found[asked:]):
-        return replies + found[: max(0, asked - 1)], False
-    return replies + found, kept_form
 
 
 def parse_inspection(data: bytes) -> dict[str, Any]:

@@ -13,12 +13,14 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import NamedTuple
 
+from judge.errors import UsageError
 from judge.sandbox import concealed, places
 from judge.sandbox.concealed import SITE_NAMES
 
 _LIBRARY_FOLDERS = ("/usr/lib", "/usr/lib64", "/usr/lib32", "/usr/libx32", "/usr/local/lib", "/lib", "/lib64")
 _LOADER_CACHE = "/etc/ld.so.cache"
 _DEVICES = ("/dev/null", "/dev/urandom")
+_PACKAGES = "JUDGE_PACKAGES"  # more folders of modules, parted by the system's own sign
 _STORES = ("/nix/store", "/gnu/store")
 
 
@@ -56,15 +58,18 @@ def find_roots(hide: Iterable[Path] = (), more: Iterable[str] = (), *, modules: 
     """The roots of the interpreter that runs the judge.
 
     `hide` are more folders that must not be seen, `more` files and folders that must be, as a compiler's.
-    Without `modules` those that are installed for any Python here are hidden.
+    Without `modules` those that are installed for any Python here are hidden, and `$JUDGE_PACKAGES` is not
+    shown. Raises UsageError where that names what is no folder.
     """
     more = tuple(more)
     executable = places.real(sys.executable)
     libraries = _libraries()
     path = [places.absolute(entry) for entry in sys.path]
-    sites = [entry for entry in path if Path(entry).name in SITE_NAMES]
+    sites = (
+        [*(entry for entry in path if Path(entry).name in SITE_NAMES), *package_folders()] if modules else []
+    )
     stores = [store for store in _STORES if executable.startswith(store)]
-    names = dict.fromkeys((*_LIBRARY_FOLDERS, *libraries, *stores, *(sites if modules else ()), *more))
+    names = dict.fromkeys((*_LIBRARY_FOLDERS, *libraries, *stores, *sites, *more))
     wanted = {name: places.real(name) for name in names if os.path.isdir(name)}  # noqa: PTH112 - hot
     folders = places.outermost(wanted.values())
     single = [name for name in names if name not in wanted]
@@ -72,7 +77,7 @@ def find_roots(hide: Iterable[Path] = (), more: Iterable[str] = (), *, modules: 
     files = {name: places.real(name) for name in asked if os.path.exists(name)}  # noqa: PTH110 - False if closed
     links = dict(link for name, real in (wanted | files).items() for link in places.links_on(name, real))
     shown = [*wanted.values(), *files.values(), *_DEVICES, *links]
-    searched = concealed.searched(path, (*_LIBRARY_FOLDERS, *libraries))
+    searched = concealed.searched((*path, *sites), (*_LIBRARY_FOLDERS, *libraries))
     secret = concealed.folders(hide, searched, shown)
     covered = [*secret, *([] if modules else _installed(searched, more))]
     return Roots(
@@ -82,10 +87,20 @@ def find_roots(hide: Iterable[Path] = (), more: Iterable[str] = (), *, modules: 
         links=tuple(link for link in links.items() if not places.within(link[0], folders)),
         # What lies in a hidden folder is hidden with it; an empty one could not be laid over it once more.
         hidden=tuple(places.outermost(path for path in covered if _coverable(path, folders))),
-        imports=_imports(path, sites if modules else [], libraries),
+        imports=_imports(path, sites, libraries),
         unseen=concealed.by_every_name(secret, wanted, shown),
         searched=tuple(searched),
     )
+
+
+def package_folders(name: str = "") -> list[str]:
+    """The real folders that `$JUDGE_PACKAGES` names; those called `name` alone, where that is given."""
+    named = [places.real(each) for each in os.environ.get(_PACKAGES, "").split(os.pathsep) if each]
+    for each in named:
+        if not Path(each).is_dir():
+            what = f"${_PACKAGES} names {each}, which is not a folder"
+            raise UsageError(what, remedy=f"make it with: pip install --target {each} PACKAGE")
+    return [each for each in named if not name or Path(each).name == name]
 
 
 def _libraries() -> list[str]:

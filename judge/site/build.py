@@ -276,10 +276,10 @@ def _files_of(problem: Problem) -> dict[str, Path]:
 
 
 def _shipped(folder: Path) -> Iterator[Path]:
-    """The files of a kata's folder that a tab needs: no programs in other languages, no slow ones."""
+    """The files of a kata's folder that a tab needs: no other languages, slow programs or libraries."""
     for path in folder.rglob("*"):
         first, *_ = parts = path.relative_to(folder).parts
-        unwanted = first == "slow" or (first in ("accepted", "wrong") and path.suffix != ".py")
+        unwanted = first in ("slow", "libraries") or (first in ("accepted", "wrong") and path.suffix != ".py")
         if path.is_file() and not unwanted and "__pycache__" not in parts:
             yield path
 

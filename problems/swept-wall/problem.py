@@ -1,7 +1,7 @@
 """A moving disc and a wall: the exact moment of their first touch."""
 
 from functools import partial
-from math import hypot, ldexp
+from math import hypot, ldexp, sqrt
 
 from judge.geometry import plain
 from judge.geometry.hooks import WALL, hooks
@@ -54,7 +54,12 @@ def head_on(draw):
     """A point that comes to an end of the wall in line with it, along an axis or any way."""
     if draw.integer(0, 2) == 0:
         return mirrored(draw, 0, (-late_way(draw, -27), 0.0), (0.0, 0.0), (0.0, 0.0), (ldexp(draw.integer(1 << 52, 1 << 53), -27), 0.0))
-    p, q, m, n = (draw.integer(1 << 13, 1 << 15) for _ in range(4))
+    for _ in range(draw.choice((1, 50))):
+        p, q, m, n = (draw.integer(1 << 13, 1 << 15) for _ in range(4))
+        wall = n * sqrt(p * p + q * q)
+        height, pace = (n * p / wall * (k * q) - n * q / wall * (k * p) for k in (m + n, m))
+        if pace and 1 < height / pace < 1 + n / m:  # as rounding sees it, the wall's line is crossed after the end
+            break
     return mirrored(draw, 0, (-m * p, -m * q), (0, 0), (0, 0), (n * p, n * q))
 
 

@@ -2,6 +2,7 @@
 
 from judge.geometry import Line
 from judge.geometry.hooks import TANGENTS, hooks
+from judge.geometry.pose import triple
 from judge.geometry.scenes import AXIS, BIG, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TINY, either, grid, points, uniform, whole
 from judge.problem.declare import group
 
@@ -10,6 +11,15 @@ HOOKS = hooks(TANGENTS)
 
 def solve(cx, cy, r, P):
     return Line.point(cx, cy, r, P).tangents()
+
+
+def half_way(draw):
+    """Whole numbers, P on the circle, and r² half-way between two floats: r is odd, and r² between 2**53 and 2**54."""
+    p, q, c = draw.choice(((1, 0, 1), triple(draw, 65)))
+    times = draw.integer(94_906_266 // c + 1, 2**27 // c - 1) | 1
+    x, y = draw.choice(((p, q), (q, p)))
+    cx, cy = (draw.integer(-(2**29), 2**29) for _ in range(2))
+    return cx, cy, c * times, (cx + x * times * draw.sign(), cy + y * times * draw.sign())
 
 
 INTERVIEW = [
@@ -31,6 +41,6 @@ PRODUCTION = [  # the same, where rounding bites
     group("far", "P a hundred to ten thousand radii away.", points("far", **FAR), skills="tangents from a point"),
     group("tiny", "All of it tiny, down to 1e-29.", points("on", "on~", "in", "out", **TINY), skills=("no absolute epsilon", "scale invariance")),
     group("offset", "A small figure far from the origin.", points("on", "in", "out", "out", "on~", **OFFSET), skills="far from the origin"),
-    group("large", "Whole numbers up to 2**30, some of them on the circle.", either(whole("nnrp", 30), points("on", **{**BIG, "shift": 0, "numbers": "int"})), skills=("whole numbers that are large", "scale invariance")),
+    group("large", "Whole numbers up to 2**30, many of them on the circle.", either(whole("nnrp", 30), points("on", **{**BIG, "shift": 0, "numbers": "int"}), half_way), cases=80, skills=("whole numbers that are large", "scale invariance")),
     group("repeated", "Neighbouring calls differ in one argument.", grid("nnrp", 3), turns=True, skills="nothing kept between calls"),
 ]

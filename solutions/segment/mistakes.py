@@ -129,6 +129,8 @@ def geometric(cx, cy, r, A, B):
         # ? first-root-only: roots = [m - h]
         # : Only the first of the two roots is looked at: a segment that begins inside the circle leaves it
         # : without being noticed. Look at both roots, each on its own.
+        # ? first-root-only: roots = [m + h]
+        # : Only one of two points is returned. Look at both roots, each on its own.
     # + inside-ends: if len(roots) == 2 and roots[0] < -slack and roots[1] > length + slack: return [A, B]
     # + inside-ends@disc: roots = (lambda a, b: [] if a > b + near else [a] if b - a <= near else [a, b])(max(0.0, roots[0]), min(length, roots[-1]))
     kept = [s for s in roots if -slack <= s <= length + slack]

@@ -36,7 +36,7 @@ FACTORS = (0.9, 0.95, 1.05, 1.1)
 
 def cpu_of(box: Box) -> float | None:
     """The CPU seconds of one turn."""
-    return box.call_many("work", [(n,) for n in range(CALLS)], LIMITS).usage.cpu_seconds
+    return box.call("work", [(n,) for n in range(CALLS)], LIMITS).usage.cpu_seconds
 
 
 def busy(seconds: float) -> None:

@@ -98,10 +98,10 @@ def function_mode(level: str, rounds: int) -> None:
     plain = scope["line_count"]
     pairs = []
     with open_box(FUNCTION.encode(), "function.py", level=level) as box:
-        box.call_many("line_count", calls[:10], LIMITS)
+        box.call("line_count", calls[:10], LIMITS)
         for _ in range(rounds):
             loop = timed(lambda: [plain(*arguments) for arguments in calls])
-            pairs.append((loop, timed(lambda: box.call_many("line_count", calls, LIMITS))))
+            pairs.append((loop, timed(lambda: box.call("line_count", calls, LIMITS))))
     loop, ours = (statistics.median(column) / len(calls) * 1e6 for column in zip(*pairs, strict=True))
     above = statistics.median(mine - theirs for theirs, mine in pairs) / len(calls) * 1e6
     print(f"{level:7} function  loop {loop:6.2f} µs   contained {ours:6.2f} µs   above {above:.2f} µs (≤ 5)")
@@ -120,7 +120,7 @@ def accuracy(level: str, rounds: int) -> None:
 
 
 def _said(box: ForkServerBox, count: int) -> tuple[float, float]:
-    result = box.call_many("work", [[count]], LIMITS)
+    result = box.call("work", [[count]], LIMITS)
     return float(result.replies[0].answer), result.usage.cpu_seconds
 
 

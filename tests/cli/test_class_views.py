@@ -12,6 +12,8 @@ from pathlib import Path
 import pytest
 from cli_support import FLOOR, MEAN
 
+from judge.batch import run
+from judge.batch.work import judge_task
 from judge.judging.session import Session
 
 pytestmark = pytest.mark.slow
@@ -59,6 +61,45 @@ def test_smallest_cases_are_kept_and_not_sought_again(judge, homework, monkeypat
     assert pages() == first
 
 
+def test_pages_are_written_as_students_finish(judge, submit, monkeypatch):
+    """Two katas each; a run that is stopped leaves the pages of those who are done, and is gone on with."""
+    for who in ("ada", "bob", "cy"):
+        submit(FLOOR + f"# {who}\n", f"homework/{who}/middle.py")
+        submit("def line_count(:\n", f"homework/{who}/count.py")
+    submit("id,name\nada,A\nbob,B\ncy,A\nzoe,Z\n", "list.csv")
+    words = ("class", "homework", "--students", "list.csv", "--feedback", "pages")
+    stopped = []
+
+    def until_bob(task):
+        if task.source.endswith(b"# bob\n") and not stopped:
+            stopped.append(task)
+            raise KeyboardInterrupt
+        return judge_task(task)
+
+    monkeypatch.setattr(run, "judge_task", until_bob)
+    monkeypatch.setenv("SOURCE_DATE_EPOCH", "1800000000")
+    ended = judge(*words)
+    assert ended.status == 130
+    first = written()
+    assert sorted(first) == ["ada.html", "zoe.html"]
+    assert "A (ada)" in first["ada.html"][1]
+    assert "Nothing was submitted." in first["zoe.html"][1]
+    monkeypatch.setenv("SOURCE_DATE_EPOCH", "1800100000")
+    assert judge(*words).status == 1
+    second = written()
+    assert sorted(second) == ["ada.html", "bob.html", "cy.html", "zoe.html"]
+    assert {name: second[name] for name in first} == first
+    submit(MEAN, "homework/bob/middle.py")
+    assert judge(*words).status == 1
+    assert [name for name, page in written().items() if page != second[name]] == ["bob.html"]
+
+
+def written():
+    """When each page was written, and what it says."""
+    pages = sorted(Path("pages").iterdir())
+    return {path.name: (path.stat().st_mtime_ns, path.read_text(encoding="utf-8")) for path in pages}
+
+
 def test_everything_after_the_table(judge, homework, monkeypatch):
     monkeypatch.setenv("SOURCE_DATE_EPOCH", "1800000000")
     files = ("--csv", "grades.csv", "--html", "class.html", "--feedback", "pages")
@@ -87,6 +128,32 @@ def test_everything_after_the_table(judge, homework, monkeypatch):
     assert Path("pages/bob.html").read_text(encoding="utf-8") == "precious"
     assert judge("class", homework, "--students", "list.csv", *files[2:4]).status == 1
     assert Path("class.html").read_text(encoding="utf-8") == html
+
+
+def test_every_member_of_a_group_gets_its_marks(judge, submit):
+    """One file of two students is no copy and no equal file; that of a third one is."""
+    submit(LONG, "homework/submission_1/middle.py")
+    submit(LONG, "homework/submission_2/middle.py")
+    submit("notes", "homework/submission_1/notes.doc")
+    submit(
+        "submission_1:\n  :submitters:\n  - :name: Ada L\n    :sid: '7'\n  - :name: Bob B\n    :sid: '8'\n"
+        "submission_2:\n  :submitters:\n  - :name: Cy D\n    :sid: '9'\n",
+        "homework/submission_metadata.yml",
+    )
+    submit("id,name\n7,Ada L\n8,Bob B\n9,Cy D\n", "list.csv")
+    files = ("--csv", "grades.csv", "--feedback", "pages")
+    ended = judge("class", "homework", "--students", "list.csv", *files)
+    rows = [line.split() for line in ended.lines[1:4]]
+    assert [row[:2] for row in rows] == [["7", "WA"], ["8", "WA"], ["9", "WA"]]
+    assert [row[2].endswith("=") for row in rows] == [False, False, True]
+    assert "identical files: 7, 8, 9" in ended.out
+    assert ended.err.count("notes.doc") == 1
+    grades = list(csv.reader(io.StringIO(Path("grades.csv").read_bytes().decode("utf-8-sig"), newline="")))
+    assert grades[1][2:] == grades[2][2:]
+    assert [each[-1][:9] for each in grades[1:]] == ["notes.doc", "notes.doc", ""]
+    assert sorted(path.name for path in Path("pages").iterdir()) == ["7.html", "8.html", "9.html"]
+    Path("homework/submission_2/middle.py").unlink()
+    assert "equal files" not in judge("class", "homework").out
 
 
 def test_days_late_weights_and_numbers_for_names(judge, submit):
@@ -123,5 +190,5 @@ def test_days_late_weights_and_numbers_for_names(judge, submit):
     assert "1 day late" in pages["1.html"]
     assert "essay.docx: not a program" in pages["2.html"]
     assert "Nothing was submitted." in pages["3.html"]
-    assert "'middle=x' is no weight" in judge("class", "homework", "--weight", "middle=x").err
+    assert "'middle=x' is not a weight" in judge("class", "homework", "--weight", "middle=x").err
     assert "--json has names" in judge("class", "homework", "--anonymous", "--json").err

@@ -103,11 +103,12 @@ def test_the_commands_for_a_named_pack_name_it(judge, elsewhere, tmp_path):
     (tmp_path / "middle.py").write_text(FLOOR)
     for words in (("run", "middle", "--problems", elsewhere), ("run",)):
         assert "judge hint middle --problems mine/problems" in judge(*words).out
-    ended = judge("hint", "middle")
-    assert (ended.status, ended.err) == (
-        2,
-        "judge: no kata is called 'middle'; add --problems mine/problems\n",
-    )
+    for words in ("hint middle", "show middle", "start middle", "run middle x.py", "try middle 1,2"):
+        ended = judge(*words.split())
+        assert (ended.status, ended.err) == (
+            2,
+            "judge: no kata is called 'middle'; add --problems mine/problems\n",
+        )
 
 
 POINTS = "def line_count(cx, cy, r, A, B):\n    return 2\n"

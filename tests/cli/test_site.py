@@ -225,7 +225,7 @@ CALLS = {
 
 @pytest.mark.parametrize("source", CALLS)
 def test_how_a_call_ends(source):
-    (found,) = TabBox(source.encode(), "mine.py").call_series("f", [[(0,)]], LIMITS)
+    found = TabBox(source.encode(), "mine.py").call("f", [(0,)], LIMITS)
     assert (found.replies[0].stop, found.replies[0].detail) == CALLS[source]
 
 
@@ -248,7 +248,7 @@ def test_what_a_program_does_to_its_streams_is_its_own(source):
 @pytest.mark.skipif(sys.version_info < (3, 12), reason="before Python 3.12 jumps cannot be counted")
 def test_a_loop_ends_with_its_line():
     box = TabBox(b"def f(x):\n    while True: pass\n", "mine.py")
-    (found,) = box.call_series("f", [[(0,), (1,)]], LIMITS)
+    found = box.call("f", [(0,), (1,)], LIMITS)
     assert len(found.replies) == 1
     assert found.replies[0].stop is Stop.CPU
     assert re.fullmatch(r"used more than 0\.6 s of CPU time \(line \d\)", found.replies[0].detail)

@@ -48,12 +48,12 @@ def test_it_holds_the_package_and_every_file_of_problems_and_solutions_and_nothi
     wanted = {"judge/py.typed", "judge/__init__.py", "judge/__main__.py", "judge/schema/files/cards.json"}
     for folder in ("judge/report/html/templates", "judge/manual", "problems", "solutions"):
         for path in (ROOT / folder).rglob("*"):
-            if path.is_file() and "__pycache__" not in path.parts:
+            if path.is_file() and not {"__pycache__", "libraries"} & {*path.parts}:
                 wanted.add(f"judge/{path.relative_to(ROOT).as_posix().removeprefix('judge/')}")
     assert wanted <= names
     tops = {name.split("/")[0] for name in names} - {"judge"}
     assert [top.endswith(".dist-info") for top in tops] == [True]
-    assert not [name for name in names if "__pycache__" in name]
+    assert not [name for name in names if "__pycache__" in name or "/libraries/" in name]
     (entry_points,) = installed.glob("*.dist-info/entry_points.txt")
     assert "judge = judge.cli:main" in entry_points.read_text()
     assert "[pytest11]\njudge = judge.pytest_plugin" in entry_points.read_text()

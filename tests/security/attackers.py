@@ -56,6 +56,7 @@ class Attacker:
             env={
                 "PATH": os.environ["PATH"],
                 "HOME": str(self.home),
+                "TMPDIR": str(self.home / "tmp"),  # where what a killed judge leaves goes with the suite
                 "PYTHONPATH": str(self.home),
                 "PYTHONDONTWRITEBYTECODE": "1",
             },

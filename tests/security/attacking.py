@@ -98,7 +98,11 @@ def targets(packs: Iterable[Path]) -> Iterator[dict[str, Any]]:
             "victim": victim.pid,
             "address": _address_in(victim.pid),
             "judge": os.getpid(),
-            "environment": sorted(set(os.environ) - {*ENVIRONMENT, "PWD"}),  # bubblewrap says where it is
+            "environment": {
+                name: value
+                for name, value in os.environ.items()
+                if name not in {*ENVIRONMENT, "PWD"}  # bubblewrap says where it is
+            },
         }
 
 

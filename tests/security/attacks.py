@@ -89,7 +89,8 @@ os.rename(target["new"] + ".name", target["open"])
         "disk",
         "write 8 MB to the disk, wherever that goes",
         """
-for folder in (os.getcwd(), "/tmp", "/var/tmp", "/dev/shm", target["folder"]):
+own = os.environ.get("TMPDIR", "/tmp")
+for folder in (os.getcwd(), own, "/tmp", "/var/tmp", "/dev/shm", target["folder"]):
     path = os.path.join(folder, target["name"])
     try:
         with open(path, "wb") as file:
@@ -174,7 +175,7 @@ assert libc.process_vm_readv(target["victim"], own, 1, theirs, 1, ctypes.c_ulong
     Attack(
         "environment",
         "find the judge's variables in its own",
-        'assert set(os.environ) & set(target["environment"]), "there are none"',
+        'assert set(os.environ.items()) & set(target["environment"].items()), "there are none"',
     ),
     Attack(
         "descriptors",

@@ -113,6 +113,8 @@ def _attacker(user: str) -> Iterator[Attacker]:
     with tempfile.TemporaryDirectory(prefix="judge-suite-") as folder:
         home = Path(folder)
         home.chmod(0o755)
+        (home / "tmp").mkdir()
+        (home / "tmp").chmod(0o777)
         ignore = shutil.ignore_patterns("__pycache__")
         shutil.copytree(PACKAGE / "sandbox", home / "judge" / "sandbox", ignore=ignore)
         shutil.copytree(HERE, home / "security", ignore=ignore)

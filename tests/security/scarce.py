@@ -52,7 +52,7 @@ def told(act: Callable[[], Any]) -> str:
 
 
 def answers(box: Any) -> list[Any]:
-    return [reply.answer for reply in box.call_many("f", [(1,)], LIMITS).replies]
+    return [reply.answer for reply in box.call("f", [(1,)], LIMITS).replies]
 
 
 def main(level: str) -> None:

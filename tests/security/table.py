@@ -44,6 +44,8 @@ def system_call(intel, arm, *arguments):
     return libc("syscall", intel if os.uname().machine == "x86_64" else arm, *arguments)
 def inside(name):
     return os.path.join(target["folder"], name)
+def home(name):  # in the folder that it has for its own; without containment it has none
+    return os.path.join(os.environ.get("MPLCONFIGDIR", target["folder"]), name)
 def deed():
 {deed}
 try:
@@ -159,6 +161,21 @@ WRITING = {
     "symlink_file": "os.symlink('/etc/passwd', inside('made-link'))",
     "hardlink_file": "os.link(target['victim'], inside('made-hard-link'))",
     "mkdir_folder": "os.mkdir(inside('made-folder'))",
+}
+AT_HOME = {
+    "home_file": "open(home('new.txt'), 'w').write('x')",
+    "home_nameless_file": "os.open(home(''), os.O_TMPFILE | os.O_RDWR)",
+    "home_fill": "for n in range(2048): open(home(f'new-{n}'), 'w').write('x' * (1 << 13))",
+    "home_folders": "for n in range(2048): os.mkdir(home(f'new-{n}'))",
+    "home_symlink": "os.symlink('/etc/passwd', home('made-link'))",
+    "home_hardlink": "os.link(target['victim'], home('made-hard-link'))",
+    "home_pipe": "os.mkfifo(home('made-pipe'))",
+    "home_chmod": "os.chmod(home('.'), 0o777)",
+    "home_program": """
+        with open(os.open(home("new-program"), os.O_CREAT | os.O_WRONLY, 0o700), "w") as file:
+            file.write("#!/bin/sh\\necho BREACH")
+        os.execv(home("new-program"), ["new-program"])
+        """,
 }
 TALKING = {
     "tcp_connect": "socket.create_connection(('127.0.0.1', target['port']), 1).close()",
@@ -284,6 +301,7 @@ ATTACKS = [
     *_tries(OF_THE_JUDGE, open_at=ALWAYS, control=""),
     *_tries({"be_root": "if os.getuid(): raise OSError('a plain user')"}, open_at=ALWAYS, control="root"),
     *_tries(WRITING),
+    *_tries(AT_HOME),
     *_tries({"setxattr_file": "os.setxattr(target['victim'], 'user.judge', b'x')"}, control="maybe"),
     *_tries(TALKING),
     *_tries(PROCESSES),

@@ -27,6 +27,8 @@ OF_THE_KERNEL = (
     *("memory_file", "sysv_shared_memory", "sysv_semaphore", "sysv_queue"),
     *("scheduling", "affinity", "niceness", "udp_send", "netlink"),
 )
+AT_HOME = ("home_file", "home_nameless_file")
+MADE_AT_HOME = ("home_folders", "home_symlink", "home_pipe", "home_chmod")
 READ = {name for name in READING if name not in ("readlink_answers", "change_folder")}
 
 
@@ -41,14 +43,14 @@ class Lacking(NamedTuple):
 
 
 WORLDS = [
-    Lacking("landlock and the last look", "strong", {*READ, "write_file"}),
-    Lacking("landlock", "full", set()),  # the mounts hold what it holds
+    Lacking("landlock and the last look", "strong", {*READ, "write_file", *AT_HOME, "home_fill"}),
+    Lacking("landlock", "full", {*AT_HOME}),  # a page of memory; the mounts hold what else it holds
     Lacking(
         "the server's filter",
         "strong",
         {
             *OF_THE_KERNEL,
-            *("readlink_answers", "change_folder", "chmod_file", "utime_file"),
+            *("readlink_answers", "change_folder", "chmod_file", "utime_file", "home_chmod"),
             *("unix_connect", "unix_datagram_pair"),
         },
         filters=True,
@@ -57,7 +59,7 @@ WORLDS = [
     Lacking(
         "landlock and both filters",
         "full",
-        {*OF_THE_KERNEL, *STARTS, "tcp_listen"} - {"kill_everybody"},
+        {*OF_THE_KERNEL, *STARTS, "tcp_listen", *AT_HOME, *MADE_AT_HOME} - {"kill_everybody"},
         filters=True,
     ),
     Lacking("the limit on threads", "limits", {"threads"}),

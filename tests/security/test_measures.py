@@ -43,26 +43,26 @@ def f(x):
 
 def test_a_loop_is_charged_what_it_takes(level: str) -> None:
     with open_box((SPIN + "def f(x):\n    spin(0.2)\n    return x\n").encode(), "f.py", level=level) as box:
-        usage = box.call_many("f", [[1]], LIMITS).usage
+        usage = box.call("f", [[1]], LIMITS).usage
         assert 0.19 < usage.cpu_seconds < 0.4  # a busy machine takes its share
 
 
 def test_a_thread_that_works_between_the_calls_is_charged(level: str) -> None:
     with open_box(BACKGROUND.encode(), "f.py", level=level) as box:
-        assert box.call_many("f", [[1], [2]], LIMITS).usage.cpu_seconds > 0.18
+        assert box.call("f", [[1], [2]], LIMITS).usage.cpu_seconds > 0.18
         tight = LIMITS._replace(cpu_seconds=0.1)
-        assert box.call_many("f", [[1], [2]], tight).replies[-1].stop is Stop.CPU
+        assert box.call("f", [[1], [2]], tight).replies[-1].stop is Stop.CPU
 
 
 def test_patched_clocks_and_rewritten_frames_change_nothing(level: str) -> None:
     with open_box(LIES.encode(), "f.py", level=level) as box:
-        result = box.call_many("f", [[1]], LIMITS)
+        result = box.call("f", [[1]], LIMITS)
         assert result.usage.cpu_seconds > 0.14
 
 
 def test_sleeping_is_not_working(level: str) -> None:
     with open_box(b"import time\ndef f(x):\n    time.sleep(0.2)\n    return x\n", "f.py", level=level) as box:
-        usage = box.call_many("f", [[1]], LIMITS).usage
+        usage = box.call("f", [[1]], LIMITS).usage
         assert usage.cpu_seconds < 0.1
         assert usage.wall_seconds >= 0.2
 
@@ -100,9 +100,9 @@ def test_named_modules_are_imported_ahead_and_not_charged(level: str) -> None:
     with open_box(
         b"import numpy as np\ndef f(x):\n    return float(np.sum([x]))\n", "f.py", level=level
     ) as box:
-        result = box.call_many("f", [[2]], LIMITS)
+        result = box.call("f", [[2]], LIMITS)
         assert result.replies[0].answer == 2.0
-        assert min(box.call_many("f", [[2]], LIMITS).usage.cpu_seconds for _ in range(3)) < 0.1
+        assert min(box.call("f", [[2]], LIMITS).usage.cpu_seconds for _ in range(3)) < 0.1
 
 
 def test_blas_does_not_start_threads(level: str) -> None:

@@ -58,7 +58,7 @@ def _all_calls(box: ForkServerBox, count: int) -> tuple[list[Reply], int]:
     while len(replies) < count:
         series += 1
         assert series <= count
-        replies += box.call_many("f", [[number] for number in range(len(replies), count)], LIMITS).replies
+        replies += box.call("f", [[number] for number in range(len(replies), count)], LIMITS).replies
     return replies, series
 
 
@@ -104,10 +104,10 @@ def test_a_forged_note_is_no_fault_of_the_judge(level: str) -> None:
 def test_replies_that_come_early_are_its_own_answers_and_more_than_calls_are_tampering(level: str) -> None:
     calls = [[2], [3], [4]]
     with _box(r"forge(b'[0,7],\n' * 3); os._exit(0)", level) as box:
-        replies = box.call_many("f", calls, LIMITS).replies
+        replies = box.call("f", calls, LIMITS).replies
         assert [(reply.stop, reply.answer) for reply in replies] == [(Stop.ANSWERED, 7)] * 3
     with _box(r"forge(b'[0,7],\n' * 9); os._exit(0)", level) as box:
-        replies = box.call_many("f", calls, LIMITS).replies
+        replies = box.call("f", calls, LIMITS).replies
         assert (len(replies), replies[-1].stop) == (3, Stop.TAMPERED)
 
 
@@ -122,13 +122,13 @@ def test_deep_and_cyclic_answers_come_back_as_something(level: str, answer: str)
 
 def test_the_last_call_of_a_series_can_be_the_one(level: str) -> None:
     with _box("os._exit(0)", level) as box:
-        result = box.call_many("f", [[0], [1], [2]], LIMITS)
+        result = box.call("f", [[0], [1], [2]], LIMITS)
         assert [reply.stop for reply in result.replies] == [Stop.ANSWERED, Stop.ANSWERED, Stop.EXITED]
 
 
 def test_a_module_that_raises_fails_every_call_once(level: str) -> None:
     with open_box(b"x = 1\nraise ValueError('no')\ndef f(x): return x\n", "f.py", level=level) as box:
-        replies = box.call_many("f", [[0], [1]], LIMITS).replies
+        replies = box.call("f", [[0], [1]], LIMITS).replies
         assert [reply.detail for reply in replies] == [
             "ValueError: no (line 2), while the module was imported"
         ] * 2
@@ -136,7 +136,7 @@ def test_a_module_that_raises_fails_every_call_once(level: str) -> None:
 
 def test_a_module_that_leaves_ends_the_series(level: str) -> None:
     with open_box(b"import os\nos._exit(0)\ndef f(x): return x\n", "f.py", level=level) as box:
-        (reply,) = box.call_many("f", [[0], [1]], LIMITS).replies
+        (reply,) = box.call("f", [[0], [1]], LIMITS).replies
         assert reply.stop is Stop.EXITED
         assert "while the module was imported" in reply.detail
 
@@ -144,7 +144,7 @@ def test_a_module_that_leaves_ends_the_series(level: str) -> None:
 def test_arguments_are_fresh_and_sequences_are_what_they_were(level: str) -> None:
     given = b"def f(a, p):\n    return [type(p).__name__, p[0] is a, p[1]]\n"
     with open_box(given, "f.py", level=level) as box:
-        replies = box.call_many("f", [[1.5, [1, 2.5]], [2**200, (1, -0.0)]], LIMITS).replies
+        replies = box.call("f", [[1.5, [1, 2.5]], [2**200, (1, -0.0)]], LIMITS).replies
         assert [reply.answer[2] for reply in replies] == [2.5, -0.0]
         assert [reply.answer[0] for reply in replies] == [{"word": "list"}, {"word": "tuple"}]
 

@@ -64,7 +64,7 @@ def called(name: str, source: str, given: Signature, calls: Any, **more: Any) ->
         inspection = box.inspect()
         assert inspection.fault is None, inspection.fault
         assert inspection.defines("mirror_all")
-        return box.call_many("mirror_all", calls, LIMITS._replace(**more)).replies
+        return box.call("mirror_all", calls, LIMITS._replace(**more)).replies
 
 
 def answers(*arguments: Any, **more: Any) -> list[Any]:

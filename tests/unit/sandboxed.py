@@ -19,7 +19,7 @@ def limits(**changes):
 
 def call(source, calls, within=LIMITS, entry="f", level=None):
     with open_box(source.encode(), "my.py", level=level) as box:
-        return box.call_many(entry, calls, within)
+        return box.call(entry, calls, within)
 
 
 def run(source, stdin=b"", within=LIMITS, level=None):
@@ -33,8 +33,8 @@ def lost_at_3(body, within=LIMITS, level=None):
         f"import os, signal, sys, threading, time\ndef f(n):\n    if n == 3:\n        {body}\n    return n\n"
     )
     with open_box(source.encode(), "my.py", level=level) as box:
-        before = box.call_many("f", [(n,) for n in range(6)], within).replies
-        after = box.call_many("f", [(n,) for n in range(len(before), 6)], within).replies
+        before = box.call("f", [(n,) for n in range(6)], within).replies
+        after = box.call("f", [(n,) for n in range(len(before), 6)], within).replies
     assert [reply.answer for reply in before[:3]] == [0, 1, 2]
     assert [reply.answer for reply in after] == [4, 5]
     return before[3]

@@ -44,7 +44,7 @@ print({place}, input())
             replies = []
             while len(replies) < 5:
                 rest = [(n,) for n in range(len(replies), 5)]
-                replies += box.call_many("f", rest, limits(cpu_seconds=0.1)).replies
+                replies += box.call("f", rest, limits(cpu_seconds=0.1)).replies
             assert box.isolation == level
         return [(reply.stop, reply.answer) for reply in replies]
 
@@ -87,6 +87,6 @@ def test_a_box_that_falls_to_a_lower_level_while_it_warms_up_still_makes_its_cal
     box.warm_up()
     time.sleep(0.5)  # until it is warm, and the thread that warmed it has ended
     with box:
-        replies = box.call_many("f", [(1,), (2,)], LIMITS).replies
+        replies = box.call("f", [(1,), (2,)], LIMITS).replies
         assert box.isolation == "strong"
     assert [(reply.stop, reply.answer) for reply in replies] == [(Stop.ANSWERED, 1), (Stop.ANSWERED, 2)]

@@ -42,6 +42,9 @@ GRADESCOPE = (
 METADATA = (
     "submission_77:\n  :submitters:\n  - :name: Ada Lovelace\n    :sid: '7001'\n    :email: ada@uni.example\n"
     "submission_78:\n  :submitters:\n  - :name: Bob Brien\n  :created_at: 2026-11-20\n"
+    "  :results:\n    tests:\n    - :name: A test\n...\n---\n"
+    "submission_79:\n  :submitters:\n  - :name: Ada Lovelace\n    :sid: '7001'\n  - :name: ''\n"
+    "    :email: b@uni.example\n  - :name: Cy Doe\n  :score: 1\n  :history:\n  - :name: 'Old\n'\n"
 )
 PLAIN = "First name,Last name,Email address\nAda,Lovelace,alove@uni.example\nAda,Byron,byron@uni.example\n"
 
@@ -115,6 +118,11 @@ def read(place, roster, names, encoding="utf-8"):
                 "assignment_9_export/submission_78/middle.py",
             ],
             ["Ada", "Bob"],
+        ),
+        (
+            GRADESCOPE,
+            ["submission_metadata.yml", "submission_79/middle.py"],
+            ["Ada", "Bob", "Cy Doe"],
         ),
         (PLAIN, ["ada lovelace/middle.py", "Byron/middle.py"], ["Byron", "Lovelace"]),
         (PLAIN, ["alove/middle.py", "Byron, Ada/middle.py"], ["Byron", "Lovelace"]),

@@ -132,7 +132,28 @@ def line_count(cx, cy, r, A, B):
         return 1
     return 2 if disc > 0 else 0
 """
+SECOND = """
+from math import hypot, sqrt
+
+
+def circle_segment(cx, cy, r, A, B):
+    ux, uy, ex, ey = B[0] - A[0], B[1] - A[1], A[0] - cx, A[1] - cy
+    length = hypot(ux, uy)
+    slack = 1e-9 * max(r, abs(ex), abs(ey), abs(B[0] - cx), abs(B[1] - cy))
+    if length == 0:
+        return [A] if abs(hypot(ex, ey) - r) <= slack else []
+    ux, uy = ux / length, uy / length
+    foot, d = -ex * ux - ey * uy, abs(ux * ey - uy * ex)
+    if d > r + slack:
+        return []
+    s = foot + (sqrt((r - d) * (r + d)) if d < r - slack else 0.0)
+    if not -slack <= s <= length + slack:
+        return []
+    s = min(max(s, 0.0), length)
+    return [(A[0] + s * ux, A[1] + s * uy)]
+"""
 SEEN = [
+    ("segment", SECOND, "first-root-only", "Only one of two points is returned."),
     (
         "which-side",
         SIDE,

@@ -210,12 +210,12 @@ class OnPaper:
 def python(monkeypatch):
     """Python's own on paper too: it answers each case, and takes its time for each."""
 
-    def timed(self, box, cases, limits):
+    def ask(self, box, cases, limits):
         assert isinstance(box, OnPaper)
         return Replies([Reply(Stop.ANSWERED, 0)] * len(cases), Usage(box.seconds * len(cases)))
 
-    monkeypatch.setattr(FunctionRunner, "timed", timed)
-    monkeypatch.setattr("judge.run.program.ProgramRunner.timed", timed)
+    monkeypatch.setattr(FunctionRunner, "ask", ask)
+    monkeypatch.setattr("judge.run.program.ProgramRunner.ask", ask)
 
 
 @pytest.mark.parametrize(("factor", "too_slow"), [(7, False), (14, True)])

@@ -196,7 +196,7 @@ class Scripted(FunctionRunner):
     importing: float = 0.1
     calling: float = 1.5
 
-    def timed(self, box, cases, limits):
+    def ask(self, box, cases, limits):
         box.append((len(cases), limits.cpu_seconds))
         answers = [Reply(Stop.ANSWERED, count) for count in COUNTS[-len(cases) :]]
         stop, imported = [Reply(Stop.CPU)], Usage(self.importing, self.importing)

@@ -114,7 +114,7 @@ def pages_of(cohort, rows, title="geo"):
     problems = {"count": find_problem("count")}
     results = {(each.problem, each.file): each.result for each in rows}
     pages = ClassPages(cohort, results, Cases(problems), title, NOW)
-    return pages.whole().decode(), {name: content.decode() for name, content in pages.students()}
+    return pages.whole().decode(), {name: pages.student(at).decode() for at, name in enumerate(pages.files())}
 
 
 def test_the_page_of_a_class():
@@ -131,6 +131,21 @@ def test_the_page_of_a_class():
     assert "identical after removing names, spacing and comments: Bob\\x1b[31m, =HYPERLINK(1)" in text
     assert html.count('<article id="kata-2-case-') == 2  # of each mistake on count one case
     assert html.count('<figure class="drawing"') == 2
+
+
+def test_a_large_class_is_one_table_in_parts():
+    cohort = class_of(*(row(f"s{at:03}", "count") for at in range(250)))
+    html, _ = pages_of(cohort, ())
+    assert [each.count('<th scope="row">') for each in html.split('<table class="marks">')[1:]] == [
+        100,
+        100,
+        50,
+    ]
+    assert "for each kata, part 3 of 3" in checked(html).text
+    assert html.count('role="region"') == html.count('class="scroller tall"') == 1
+    small, _ = pages_of(small_class(), ())
+    assert "part 1" not in small
+    assert 'class="scroller"' in small
 
 
 def test_the_page_of_a_student_has_nothing_of_others():

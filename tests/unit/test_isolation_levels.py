@@ -85,7 +85,7 @@ def test_a_passing_refusal_is_tried_again_and_the_level_stays(script, tmp_path, 
     boxes = Boxes()
     with boxes(b"def f(n): return n", "f.py") as box:
         assert box.isolation == "full"
-        assert box.call_many("f", [(1,)], LIMITS).replies[0].answer == 1
+        assert box.call("f", [(1,)], LIMITS).replies[0].answer == 1
     assert count(starts) == 2
     assert boxes.refused == {}
 
@@ -115,7 +115,7 @@ def test_a_lasting_refusal_leads_to_the_next_level_and_is_not_tried_again(tmp_pa
     with box:
         assert box.isolation == "strong"
         for _ in range(2):
-            assert box.call_many("f", [(1,)], LIMITS).replies[0].answer == 1
+            assert box.call("f", [(1,)], LIMITS).replies[0].answer == 1
     for _ in range(2):
         with boxes(b"", "f.py") as box:
             assert box.isolation == "strong"
@@ -146,7 +146,7 @@ def test_a_box_that_loses_its_container_is_held_as_before(tmp_path, monkeypatch)
         box._holder.drop()
         pretend(tmp_path, monkeypatch, LASTING)
         with pytest.raises(JudgeError, match="isolation full was had and is now refused: bwrap: No perm"):
-            box.call_many("f", [(1,)], LIMITS)
+            box.call("f", [(1,)], LIMITS)
         assert box.isolation == "full"
 
 
@@ -187,7 +187,7 @@ def test_what_the_judge_itself_is_short_of_is_tried_again_and_named(place, code,
     before, descriptors = children(), len(list(Path("/proc/self/fd").iterdir()))
     most = 3
     with Boxes()(b"def f(n): return n", "f.py") as box:
-        assert box.call_many("f", [(1,)], LIMITS).replies[0].answer == 1
+        assert box.call("f", [(1,)], LIMITS).replies[0].answer == 1
     assert len(failed) == most
     most = 100
     with pytest.raises(ShortageError, match=r"no container could be started: .*(-j|limit)"):
@@ -224,6 +224,6 @@ def test_where_no_proc_may_be_mounted_the_machines_own_is_taken(tmp_path, monkey
     monkeypatch.setattr(launch, "_proc", ["--proc"])
     starts = pretend(tmp_path, monkeypatch, f'case "$*" in *--proc*) {refused};; esac; exec {REAL} "$@"')
     with Boxes("full")(b"def f(n):\n    return n\n", "f.py") as box:
-        assert box.call_many("f", [(1,)], LIMITS).replies[0].answer == 1
+        assert box.call("f", [(1,)], LIMITS).replies[0].answer == 1
         assert box.isolation == "full"
     assert count(starts) == 2

@@ -8,7 +8,6 @@ import signal
 import stat
 import subprocess
 import sys
-import tempfile
 from pathlib import Path
 
 import pytest
@@ -22,7 +21,7 @@ ROOT = Path(__file__).parents[2]
 
 @pytest.fixture(autouse=True)
 def own(monkeypatch, tmp_path):
-    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
+    monkeypatch.setenv("TMPDIR", str(tmp_path))
 
 
 def aged(path):
@@ -42,7 +41,7 @@ def test_nobody_else_lists_it_and_in_use_it_stays_however_old_and_then_is_gone_w
 
 def test_a_killed_judge_s_folder_goes_with_the_next(tmp_path):
     code = (
-        f"import sys, tempfile; sys.path.insert(0, {str(ROOT)!r}); tempfile.tempdir = {str(tmp_path)!r}\n"
+        f"import os, sys; sys.path.insert(0, {str(ROOT)!r}); os.environ['TMPDIR'] = {str(tmp_path)!r}\n"
         "from judge.sandbox.temporary import TemporaryFolder\n"
         "print(TemporaryFolder().path, flush=True); sys.stdin.read()"
     )

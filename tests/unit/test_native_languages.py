@@ -142,7 +142,7 @@ class Everything:
         return [wanted(*each[:4], [], 0, [])[2] if self.is_c else wanted(*each) for each in rows]
 
     def replies(self, rows):
-        return self.box.call_many("mirror_all", self.given(rows), LIMITS).replies
+        return self.box.call("mirror_all", self.given(rows), LIMITS).replies
 
 
 @pytest.fixture(scope="module", params=daily(EVERYTHING, ["a.c", "a.js"]))
@@ -223,9 +223,7 @@ func mirrorAll(x float64) float64 {
     if x == 4 { all := make([]float64, 1<<33); all[5] = x; return all[int(x)] }
     return x }"""
     with box_of("a.go", source, signature=REAL) as box:
-        deep, large = (
-            box.call_many("mirror_all", [(1.0,), (x,), (3.0,)], LIMITS).replies for x in (2.0, 4.0)
-        )
+        deep, large = (box.call("mirror_all", [(1.0,), (x,), (3.0,)], LIMITS).replies for x in (2.0, 4.0))
     assert [reply.stop for reply in deep] == [Stop.ANSWERED, Stop.EXITED]
     assert deep[1].detail.endswith("stack overflow")
     assert [reply.stop for reply in large] == [Stop.ANSWERED, Stop.MEMORY]

@@ -57,7 +57,7 @@ def test_a_stream_socket_and_temporary_files_do() -> None:
     source = b"import sys\ndef f(x):\n    return x + 1\nif __name__ == '__main__':\n    print(input())\n"
     with open_box(source, "f.py", level="limits") as box:
         assert box.inspect().defines("f")
-        assert [reply.answer for reply in box.call_many("f", [[1], [2.5]], LIMITS).replies] == [2, 3.5]
+        assert [reply.answer for reply in box.call("f", [[1], [2.5]], LIMITS).replies] == [2, 3.5]
         assert box.run_program(b"in\n", LIMITS).stdout == b"in\n"
 
 

@@ -219,7 +219,7 @@ class Lying:
     def __init__(self, answers):
         self._answers = answers
 
-    def call_many(self, entry, calls, limits):
+    def call(self, entry, calls, limits):
         found = [Reply(Stop.ANSWERED, each) for each in self._answers]
         return CallsResult(tuple(found[: len(calls)]), Usage())
 
@@ -307,9 +307,9 @@ def test_no_right_answer_enters_the_box(kata):
     sent = []
 
     class Spying(InProcess):
-        def call_many(self, entry, calls, limits):
+        def call(self, entry, calls, limits):
             sent.append(repr((entry, calls)))
-            return super().call_many(entry, calls, limits)
+            return super().call(entry, calls, limits)
 
     data = kata("segment")
     _, hidden = secrets(data)

@@ -35,7 +35,7 @@ def test_the_time_of_all_calls_is_told():
     result = judged("import time\n" + GOOD.decode().replace("    return int", body), make_data("one", "two"))
     assert result.verdict is Verdict.AC
     assert [group.cpu_seconds > 0.07 for group in result.groups] == [True, True]
-    assert result.time.cpu_seconds == sum(group.cpu_seconds for group in result.groups)
+    assert result.time.cpu_seconds >= sum(group.cpu_seconds for group in result.groups)  # and the import
 
 
 def test_all_groups_run_and_the_first_failing_one_decides():

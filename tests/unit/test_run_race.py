@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from judging import GOOD, judged, make_data
+from judging import CASES, COUNTS, GOOD, judged, make_data
 from msgspec.structs import replace
 from sampling import nightly
 
@@ -16,7 +16,7 @@ pytestmark = pytest.mark.slow
 PROGRAM = """
 import sys
 rows = [tuple(map(float, line.split())) for line in sys.stdin.read().splitlines()[1:]]
-again = len(rows) > 4  # the race runs both groups at once
+again = len(rows) < 400  # a race runs a sample of all groups
 {deed}
 for n, x, y in rows: print(int(n + x + y))
 """
@@ -24,9 +24,9 @@ CALLS = """
 import os, sys, time
 def raced():
     frame = sys._getframe()
-    while "series" not in frame.f_locals:
+    while "calls" not in frame.f_locals:
         frame = frame.f_back
-    return frame.f_locals["series"] == 3  # with one for the import and one for the end
+    return len(frame.f_locals["calls"]) < 400  # a race makes a sample of them
 def answer(n, P):
     if raced():
         {deed}
@@ -41,12 +41,12 @@ REFERENCE = b"def answer(n, P):\n    for _ in range(20_000): pass\n    return in
 def timed(tmp_path):
     """Judge on two groups of four cases with a time limit that nothing here comes near."""
 
-    def judge(source, reference=REFERENCE, **options):
+    def judge(source, reference=REFERENCE, times=1, **options):
         folder = tmp_path / "accepted"
         folder.mkdir()
         (folder / "calls.py").write_bytes(reference)
         (folder / "program.py").write_text(PROGRAM.format(deed="for _ in range(200_000): pass"))
-        data = make_data("one", "two", step=1)
+        data = make_data("one", "two", step=1, cases=times * CASES, counts=times * COUNTS)
         rule = TimeRule(1e6, "calls.py", "program.py")
         problem = replace(data.problem, solutions=tmp_path, time=rule)
         return judged(source, ProblemData(problem, data.groups), **options)
@@ -95,16 +95,16 @@ def test_who_answers_alike_has_a_ratio(timed, source):
         (CALLS, "return 7", Verdict.WA, "expected, 7 given"),
         nightly(CALLS, "raise ValueError('timed')", Verdict.RTE, "ValueError: timed"),
         (CALLS, "os._exit(0)", Verdict.RTE, "exit status 0"),
-        nightly(PROGRAM, "if again: sys.exit()", Verdict.WA, "0 lines printed, 8 expected"),
+        nightly(PROGRAM, "if again: sys.exit()", Verdict.WA, "0 lines printed, 270 expected"),
         (PROGRAM, "if again: rows.reverse()", Verdict.WA, "expected"),
     ],
 )
 def test_who_answers_otherwise_when_timed_is_not_accepted(timed, source, deed, verdict, message):
-    result = timed(source.format(deed=deed))
+    result = timed(source.format(deed=deed), times=101)
     assert result.verdict is verdict
     assert message in result.failure.message
     assert "when it was run again to be timed" in result.failure.message
-    assert sum(group.passed for group in result.groups) == 7
+    assert sum(group.passed for group in result.groups) == 807
     assert result.score < 100
 
 

@@ -31,12 +31,12 @@ def test_a_kill_for_want_of_memory_is_a_shortage_and_any_other_is_not(level, mon
     require(level)
     with open_box(SELF_KILLED, "f.py", level=level) as box:
         calls = [(0,), (1,), (2,)]
-        assert box.call_many("f", calls, LIMITS).replies[-1].stop is Stop.EXITED
+        assert box.call("f", calls, LIMITS).replies[-1].stop is Stop.EXITED
         before = room.oom_kills()
         monkeypatch.setattr(room, "oom_kills", lambda: before + 1)
         with pytest.raises(ShortageError, match="killed the submission's process: there is no memory left"):
-            box.call_many("f", calls, LIMITS)
-        assert box.call_many("f", calls[:1], LIMITS).replies[0].answer == 0
+            box.call("f", calls, LIMITS)
+        assert box.call("f", calls[:1], LIMITS).replies[0].answer == 0
     with open_box(b"import os; os.kill(os.getpid(), 9)", "f.py", level=level) as box:
         monkeypatch.undo()
         monkeypatch.setattr(room, "oom_kills", lambda: before + 2)
@@ -79,7 +79,7 @@ def test_a_long_source_that_a_busy_machine_compiles_too_late_is_no_compile_error
         box.inspect()
     monkeypatch.undo()
     with open_box(source, "f.py") as box:
-        assert box.call_many("f", [(1,)], LIMITS).replies[0].answer == 1
+        assert box.call("f", [(1,)], LIMITS).replies[0].answer == 1
 
 
 C = "int main(void) { return 0; }"
@@ -148,7 +148,7 @@ def once(act, later):
 def test_no_word_of_a_submission_is_believed_about_the_machine(each):
     source = b"def f(n): raise RuntimeError(\"can't start new thread\")\nif __name__ == '__main__': f(1)"
     with Boxes(share=room.Share(each=each))(source, "f.py") as box:
-        (reply,) = box.call_many("f", [(1,)], LIMITS).replies
+        (reply,) = box.call("f", [(1,)], LIMITS).replies
         run = box.run_program(b"", LIMITS)
     assert (reply.stop, run.stop) == (Stop.EXCEPTION, Stop.EXCEPTION)
     for detail in (reply.detail, run.detail):
@@ -165,7 +165,7 @@ def test_on_linux_no_temporary_file_is_needed(monkeypatch):
     require("strong")
     before = children()
     with open_box(b"def f(n): return n", "f.py") as box:
-        assert box.call_many("f", [(1,)], LIMITS).replies[0].answer == 1
+        assert box.call("f", [(1,)], LIMITS).replies[0].answer == 1
         assert box.run_program(b"", LIMITS).stop is Stop.ANSWERED
     assert children() == before
 

@@ -27,7 +27,7 @@ def ended(source, bounds, level=None):
         if source is PROGRAM:
             result = box.run_program(b"1\n", bounds)
             return result.stop, result.detail
-        reply = box.call_many("f", [(1,)], bounds).replies[-1]
+        reply = box.call("f", [(1,)], bounds).replies[-1]
         return reply.stop, reply.detail
 
 

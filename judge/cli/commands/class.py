@@ -26,7 +26,7 @@ from judge.report.words import counted
 
 if TYPE_CHECKING:
     from judge.judging.pool import Executor
-    from judge.problem import Problem
+    from judge.report.html.klass import ClassPages
     from judge.run.result import Result
 
 _HEAVIEST = 1e6
@@ -78,11 +78,7 @@ def judge_class(
     weights, due = dict(_weight(each, common) for each in ask.weight), _time(ask.due) if ask.due else None
     csv = OutFile(ask.csv, "--csv", "a gradebook", is_gradebook)
     html = OutFile(ask.html, "--html", "a page of a class", partial(_is_page, "CLASS"))
-    if ask.html or ask.feedback:
-        moment()  # what cannot be written is said before anything is judged
-    if ask.feedback:
-        with writing(ask.feedback, "name another folder with --feedback"):
-            ask.feedback.mkdir(exist_ok=True)
+    moment()  # what cannot be written is said before anything is judged
     with Store.open(store_of(folder)) as store:
         classroom = Classroom(
             folder,
@@ -96,11 +92,13 @@ def judge_class(
             weights=weights,
             say=note,
         )
+        pages = _Pages(classroom, folder.resolve().name or "class", ask.anonymous, ask.feedback)
         try:
             with _executor(ask, common.isolation) as executor:
                 for row in classroom.judge(executor, ask.again):
                     if common.json:
                         yield row
+                    pages.write(row.student)
         except KeyboardInterrupt:
             found = classroom.cohort()
             if not common.json:
@@ -108,14 +106,10 @@ def judge_class(
             note(f"{counted(found.left, 'file')} left; the same command goes on")
             raise
         found = classroom.cohort()
-        shown, files = anonymous(found) if ask.anonymous else (found, {})
-        yield shown
+        yield anonymous(found)[0] if ask.anonymous else found
         csv.write(gradebook(found, numbered=ask.anonymous))
-        if ask.html or ask.feedback:
-            results = classroom.results(found, everybody=ask.feedback is not None)
-            results = {(kata, files.get(file, file)): each for (kata, file), each in results.items()}
-            title = folder.resolve().name or "class"
-            _write_pages(shown, results, classroom.problems(), html, ask.feedback, title)
+        if ask.html:
+            html.write(pages.of(found, classroom.results(found)).whole())
 
 
 def _time(said: str) -> datetime:
@@ -124,7 +118,7 @@ def _time(said: str) -> datetime:
         return datetime.fromisoformat(said)
     except ValueError:
         remedy = "write a day, or a day and a time: 2026-12-01T23:59"
-        raise UsageError(f"{said!r} is no time", where="--due", remedy=remedy) from None
+        raise UsageError(f"{said!r} is not a time", where="--due", remedy=remedy) from None
 
 
 def _weight(said: str, common: Common) -> tuple[str, float]:
@@ -135,9 +129,8 @@ def _weight(said: str, common: Common) -> tuple[str, float]:
     except ValueError:
         weight = -1.0
     if not 0 <= weight < _HEAVIEST:
-        raise UsageError(
-            f"{said!r} is no weight", where="--weight", remedy="write a kata and a number: count=2"
-        )
+        remedy = "write a kata and a number: count=2"
+        raise UsageError(f"{said!r} is not a weight", where="--weight", remedy=remedy)
     return find_problem(kata, common.problems).id, weight
 
 
@@ -152,25 +145,44 @@ def _executor(ask: ClassAsk, isolation: str | None) -> AbstractContextManager[Ex
     return nullcontext(Processes(ask.jobs) if ask.jobs > 1 else Here())
 
 
-def _write_pages(
-    cohort: Cohort,
-    results: Mapping[tuple[str, str], Result],
-    problems: Mapping[str, Problem],
-    html: OutFile,
-    feedback: Path | None,
-    title: str,
-) -> None:
-    """Write the page of the class, and each student's. Raises UsageError."""
-    from judge.report.html.case import Cases
-    from judge.report.html.klass import ClassPages
+class _Pages:
+    """The pages of a class; a student's is written as soon as all that was submitted for it is judged."""
 
-    pages = ClassPages(cohort, results, Cases(problems), title, moment())
-    if html.path:
-        html.write(pages.whole())
-    if feedback:
-        for name, content in pages.students():
-            page = OutFile(feedback / name, "--feedback", "a feedback page", partial(_is_page, "FEEDBACK"))
-            page.write(content)
+    def __init__(self, classroom: Classroom, title: str, hidden: bool, folder: Path | None) -> None:
+        """`hidden` are names, which are numbers then. Make the `folder` of the students' pages, and those
+        that need no judging. Raises UsageError.
+        """
+        from judge.report.html.case import Cases
+
+        self._classroom, self._title, self._hidden = classroom, title, hidden
+        self._cases = Cases(classroom.problems)
+        self._files: dict[str, tuple[int, OutFile]] = {}
+        if folder is None:
+            return
+        with writing(folder, "name another folder with --feedback"):
+            folder.mkdir(exist_ok=True)
+        own = partial(_is_page, "FEEDBACK")
+        names = self.of(*classroom.alone("")).files()
+        files = [OutFile(folder / name, "--feedback", "a feedback page", own) for name in names]
+        self._files = dict(zip(classroom.students, enumerate(files), strict=True))
+        for student in self._files:
+            self.write(student)
+
+    def of(self, cohort: Cohort, results: Mapping[tuple[str, str], Result]) -> ClassPages:
+        """The pages of this class, or of what is judged of it."""
+        from judge.report.html.klass import ClassPages
+
+        shown, files = anonymous(cohort) if self._hidden else (cohort, {})
+        results = {(kata, files.get(file, file)): each for (kata, file), each in results.items()}
+        return ClassPages(shown, results, self._cases, self._title, moment())
+
+    def write(self, student: str) -> None:
+        """Write the page of a student who is done, where it says something new. Raises UsageError."""
+        if student in self._files and self._classroom.is_done(student):
+            from judge.report.html import is_same
+
+            at, file = self._files[student]
+            file.write(self.of(*self._classroom.alone(student)).student(at), is_same)
 
 
 def _is_page(kind: str, start: bytes) -> bool:

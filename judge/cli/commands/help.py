@@ -1,4 +1,4 @@
-"""`judge help`: the manual, the schemas of the JSON, and what a shell needs to complete words."""
+"""`judge help`: the manual, and the schemas of the JSON."""
 
 from __future__ import annotations
 
@@ -25,11 +25,6 @@ class HelpAsk(Struct, frozen=True):
     """What to read, besides the manual."""
 
     schema: str | None = opt("--schema COMMAND", "The JSON Schema of what it writes with --json.")
-    completion: str | None = opt(
-        "--completion SHELL",
-        "The script with which bash, zsh or fish completes words: put it into its settings.",
-        choices=("bash", "zsh", "fish"),
-    )
 
 
 @command("help", Page, Hit, ask=HelpAsk)
@@ -46,13 +41,6 @@ def read(context: click.Context, words: tuple[str, ...], ask: HelpAsk, common: C
     app: Any = context.find_root().command
     if ask.schema is not None:
         return _schema(app, ask.schema)
-    if ask.completion is not None:
-        from click.shell_completion import get_completion_class
-
-        complete = get_completion_class(ask.completion)
-        assert complete is not None
-        script = complete(app, {}, "judge", "_JUDGE_COMPLETE").source()
-        return Document("", (Page(topic="completion", title=ask.completion, text=script),), plain=script)
     if not words:
         return Topics([*manual.pages(), _options_page()])
     name = "-".join(words).lower()

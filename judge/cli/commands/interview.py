@@ -21,7 +21,7 @@ from msgspec import Struct
 from msgspec.structs import replace
 from rich.console import RenderableType
 
-from judge.cli.files import OutFile, read_submissions
+from judge.cli.files import read_submissions
 from judge.cli.options import Common, command, opt
 from judge.cli.resolve import Kata, history_at
 from judge.errors import ProblemError
@@ -51,7 +51,7 @@ from judge.problem import Verdict
 from judge.problem.find import find_problem
 from judge.report import quiz as texts
 from judge.report.published_quiz import Drill, Interviewed, Quizzed
-from judge.report.screen import Screen, drawn, err, is_terminal, note, out, show
+from judge.report.screen import err, is_terminal, note, out, show
 from judge.report.views import copied
 from judge.report.wait import progress
 from judge.report.words import shown_name
@@ -69,7 +69,6 @@ _RATINGS = "".join(str(int(each)) for each in Rating)
 _LAST = 0.1  # of the time, kept for the cards after the kata
 _LOOK = 0.5  # seconds between two looks at the file
 _MOST = 15  # questions of the page
-_TITLE, _PAGE_WIDTH = b"\nThe interview", 80
 
 
 class QuizAsk(Struct, frozen=True):
@@ -217,7 +216,6 @@ class InterviewAsk(Struct, frozen=True):
     file: str | None = opt(
         "--file FILE", "Your file for it, instead of a new one.", type=click.Path(dir_okay=False)
     )
-    out: Path | None = opt("--out FILE", "Write the last page there too.")
 
 
 @command("interview", Interviewed, ask=InterviewAsk)
@@ -233,7 +231,6 @@ def interview(name: str, ask: InterviewAsk, common: Common) -> Iterator[Intervie
     Answers may also come from a pipe, one on each line. With --json the questions go to standard error.
     """
     cards, folders = cards_of(name, common.problems), common.problems
-    page = OutFile(ask.out, "--out", "a page of an interview", lambda start: start.startswith(_TITLE))
     with history_at(common.db) as history:
         wanted = Wanted(name, read_learner(history, folders))
         problem = find_problem(ask.kata, folders) if ask.kata else usual_kata(name, wanted.mine)
@@ -250,11 +247,7 @@ def interview(name: str, ask: InterviewAsk, common: Common) -> Iterator[Intervie
         try:
             held.go(before, after)
         finally:  # after Ctrl-C too
-            found = held.page()
-            if page.path:
-                plain = Screen(sys.stdout, False, _PAGE_WIDTH)
-                page.write(drawn(texts.interviewed(found, plain), plain).encode())
-            yield found
+            yield held.page()
 
 
 class _Interview(Round):

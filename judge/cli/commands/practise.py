@@ -28,6 +28,7 @@ from judge.cli.resolve import (
     take_up,
     this_folder,
 )
+from judge.data.libraries import LibraryTable, library_table
 from judge.errors import UsageError
 from judge.languages import file_name, is_program, language_of
 from judge.practice.progress import solved
@@ -152,8 +153,8 @@ def hint(name: str | None, ask: HintAsk, common: Common) -> Iterator[HintShown]:
     The hint is for that kata, for the kata of a file, or for your current kata. The first hint is a nudge,
     the last is nearly the whole solution. The judge remembers which ones you have seen.
     """
-    if ask.again + ask.whole + (ask.step is not None) > 1:
-        raise UsageError("--again, --step and --all exclude each other", remedy="name one of them")
+    if ask.whole and ask.step is not None:
+        raise UsageError("--step and --all exclude each other", remedy="name one of them")
     chosen = hints(kata_meant(name, common), ask, common.db)
     try:
         note_seen(chosen[-1], common.db)  # first: what was shown counts as seen, whatever happens then
@@ -167,13 +168,16 @@ class SolutionAsk(Struct, frozen=True):
     giving_up: bool = opt("--give-up", "Show it before you have solved the kata; this is remembered.")
     language: str | None = opt("--language L", "The one in this language: go, cpp, java …")
     times: bool = opt("--times", "Measure all approaches and yours, in each language; takes a minute.")
+    libraries: bool = opt("--libraries", "What real libraries answer: a table, measured beforehand.")
     rounds: int | None = opt("--rounds N", f"Measure N times, not {_ROUNDS}.", type=click.IntRange(1, 99))
 
 
-@command("solution", SolutionShown, ask=SolutionAsk)
+@command("solution", SolutionShown, LibraryTable, ask=SolutionAsk)
 @click.argument("name", metavar="[KATA", required=False)
 @click.argument("approach", metavar="[APPROACH]]", required=False)
-def solution(name: str | None, approach: str | None, ask: SolutionAsk, common: Common) -> SolutionShown:
+def solution(
+    name: str | None, approach: str | None, ask: SolutionAsk, common: Common
+) -> SolutionShown | LibraryTable:
     """Show the model solution, and why it works.
 
     Without KATA: that of your current kata. It is shown once yours is accepted, or with --give-up; the kata
@@ -184,6 +188,8 @@ def solution(name: str | None, approach: str | None, ask: SolutionAsk, common: C
     if ask.rounds and not ask.times:
         raise UsageError("--rounds goes with --times", remedy="add --times")
     problem = kata_meant(name, common)
+    if ask.libraries:
+        return library_table(problem)
     models = approaches(problem)
     model = chosen_approach(problem, models, approach, ask.language)
     yours = admit(problem, common.db, giving_up=ask.giving_up)

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from functools import partial
 from pathlib import Path
+from typing import TypeVar
 
 import click
 from msgspec import Struct
@@ -14,6 +15,7 @@ from msgspec.structs import replace
 from judge.cache import DISK
 from judge.cli.files import writing
 from judge.cli.options import Common, command, opt, seconds_of
+from judge.data.libraries import LibraryTable
 from judge.data.load import load_data
 from judge.errors import ProblemError, UsageError
 from judge.files import replace_file
@@ -34,8 +36,10 @@ from judge.report.wait import progress, stages
 from judge.report.words import counted
 from judge.sandbox import Boxes
 from judge.verify.gate import Options, fresh_data, verify_problem
+from judge.verify.libraries import measure_libraries
 from judge.verify.model import Fault, Verified, fault_of
 
+_Found = TypeVar("_Found")
 _BOTH = "both"
 _LOOK = "30s"  # of a search for holes
 _REMEDY = "name another folder with --out"
@@ -59,13 +63,14 @@ def new(folder: Path, name: str | None, common: Common) -> NewKata:  # noqa: ARG
 class VerifyAsk(Struct, frozen=True):
     """What to check of each kata."""
 
-    matrix: bool = opt("--matrix", "Which groups find each mistake, and how many cases reach each edge.")
+    matrix: bool = opt("--matrix", "Which groups find which mistake and reach which edge.")
     pin: bool = opt("--pin", "Pin the data as they are now: write pins.json.")
     figures: bool = opt("--figures", "Draw the statement's figure: write figure.svg.")
     seeds: int = opt(
         "--seeds N", "Check N sets of data, pinned ones first.", type=click.IntRange(1, 100), default=1
     )
     groups: tuple[str, ...] = opt("--group G", "Look at this group alone.", default=())
+    libraries: bool = opt("--libraries", "Judge the kata's libraries, and write libraries.json.")
     solution: str = opt("--solution FILE", "Judge this solution alone, as accepted/exact.py.", default="")
     jobs: int = opt("-j --jobs N", "Check N katas at once.", type=click.IntRange(1, 64), default=1)
     holes: bool = opt("--holes", "Look for wrong programs that the data accept.")
@@ -73,7 +78,7 @@ class VerifyAsk(Struct, frozen=True):
     seed: int | None = opt("--seed N", "Look at other cases.")
 
 
-@command("verify", Verified, Holes, ask=VerifyAsk)
+@command("verify", Verified, Holes, LibraryTable, ask=VerifyAsk)
 @click.argument("names", metavar="[KATA]...", nargs=-1)
 def verify(names: tuple[str, ...], ask: VerifyAsk, common: Common) -> Iterator[Struct]:
     """Check katas from the setter's side.
@@ -82,7 +87,8 @@ def verify(names: tuple[str, ...], ask: VerifyAsk, common: Common) -> Iterator[S
     solution gets the verdict its folder says, hints can be read, a stub can be made, and the cards of judge
     quiz can be asked. Without a name: all of the folders that --problems gives, or all there is.
 
-    With --group or --solution only a part is checked, as you work on it.
+    With --group or --solution only a part is checked, as you work on it. With --libraries the adapters in
+    solutions/KATA/libraries are judged instead, where their packages are found.
 
     With --holes right programs are changed in thousands of small ways instead. Those that the data accept
     are tried on cases of all kinds: one that is wrong on a valid case is a hole in the data. The same
@@ -91,8 +97,9 @@ def verify(names: tuple[str, ...], ask: VerifyAsk, common: Common) -> Iterator[S
     Exit status: 0 sound, 2 usage, 3 something is wrong.
     """
     narrow = bool(ask.groups or ask.solution)
-    if ask.pin and narrow:
-        raise UsageError("--pin is for the whole kata", remedy="leave out --group and --solution")
+    for flag, given in (("--pin", ask.pin), ("--libraries", ask.libraries)):
+        if given and narrow:
+            raise UsageError(f"{flag} is for the whole kata", remedy="leave out --group and --solution")
     _check_holes(ask)
     for name in names:
         with suppress(ProblemError):  # which is in the report then
@@ -103,15 +110,12 @@ def verify(names: tuple[str, ...], ask: VerifyAsk, common: Common) -> Iterator[S
     if ask.holes:
         yield from _look(chosen, ask, common)
         return
-    check, faults = partial(_verify, ask, common.problems), 0
-    checked: Iterator[Verified] = map(check, chosen)
-    if ask.jobs > 1 and len(chosen) > 1:
-        from judge.judging.pool import Processes, in_order
-
-        checked = in_order(
-            Processes(ask.jobs), check, chosen, lambda name, what: Verified(name, (Fault(what, name),))
-        )
-    for found in checked:
+    if ask.libraries:
+        problems = [find_problem(name, common.problems) for name in chosen]
+        yield from map(_libraries, [each for each in problems if (each.solutions / "libraries").is_dir()])
+        return
+    faults = 0
+    for found in _each(partial(_verify, ask, common.problems), chosen, ask.jobs):
         if ask.figures and not found.faults:
             from judge.report.picture import figure
 
@@ -129,30 +133,39 @@ def verify(names: tuple[str, ...], ask: VerifyAsk, common: Common) -> Iterator[S
         yield VerifySummary(len(chosen), faults)
 
 
+def _each(work: Callable[[str], _Found], katas: Sequence[str], jobs: int) -> Iterator[_Found | Verified]:
+    """What the work finds of each kata, in order; so many at once."""
+    if jobs == 1 or len(katas) == 1:
+        return map(work, katas)
+    from judge.judging.pool import Processes, in_order
+
+    return in_order(Processes(jobs), work, katas, lambda name, what: Verified(name, (Fault(what, name),)))
+
+
 def _check_holes(ask: VerifyAsk) -> None:
-    """Refuse what --holes goes without, and what goes with it alone."""
+    """Refuse what --holes and --libraries go without, and what goes with --holes alone."""
     if ask.holes:
         seconds_of(ask.lasting or _LOOK, "--for")
-        for name, given in (("--pin", ask.pin), ("--matrix", ask.matrix), ("--figures", ask.figures)):
-            if given:
-                raise UsageError(f"--holes and {name} contradict each other", remedy="leave one out")
+    flags = [flag for flag in ("holes", "libraries", "pin", "matrix", "figures") if getattr(ask, flag)]
+    if (ask.holes or ask.libraries) and len(flags) > 1:
+        raise UsageError(f"--{flags[0]} and --{flags[1]} contradict each other", remedy="leave one out")
     for name, value in (("--for", ask.lasting), ("--seed", ask.seed)):
         if value is not None and not ask.holes:
             raise UsageError(f"{name} is for --holes", remedy="add --holes")
 
 
+def _libraries(problem: Problem) -> LibraryTable:
+    """The kata's libraries, measured."""
+    with stages(problem.id) as advance:
+        tell = advance or (lambda *_: None)
+        return measure_libraries(problem, fresh_data(problem, tell), Boxes(least=kept_level()), tell)
+
+
 def _look(chosen: Sequence[str], ask: VerifyAsk, common: Common) -> Iterator[Struct]:
     """The holes of each kata."""
-    look, faults, holes = partial(_holes, ask, common), 0, 0
-    checked: Iterator[Holes | Verified] = map(look, chosen)
-    if ask.jobs > 1 and len(chosen) > 1:
-        from judge.judging.pool import Processes, in_order
-
-        checked = in_order(
-            Processes(ask.jobs), look, chosen, lambda name, what: Verified(name, (Fault(what, name),))
-        )
+    faults = holes = 0
     try:
-        for found in checked:
+        for found in _each(partial(_holes, ask, common), chosen, ask.jobs):
             faults += len(found.faults)
             holes += len(found.holes) if isinstance(found, Holes) else 0
             yield found

@@ -98,13 +98,15 @@ def narrow(beams: Bounds, reach: int) -> Scene:
     """Beams that nearly touch a circle, or meet two at nearly one place; often one far off makes the size."""
 
     def draw_case(draw: Draw) -> tuple[Any, ...]:
-        far = draw.choice((0, draw.integer(900_000, WIDE) * draw.sign()))
+        far = draw.choice((0, 0, 0, draw.integer(900_000, WIDE) * draw.sign()))
         scene: list[IntCircle] = [(far, draw.integer(9, 99) * reach, 1)] if far else []
         ways: list[IntPoint] = []
         for _ in range(draw.integer(*beams)):
-            way, rows = draw.choice((_just_off, _just_off, _just_behind))(draw, reach, abs(far) or 2 * reach)
+            (p, q), rows = draw.choice((_just_off, _just_off, _just_behind))(
+                draw, reach, abs(far) or 2 * reach
+            )
             scene += rows
-            ways.append(way)
+            ways.append((p, q) if p * rows[0][0] + q * rows[0][1] > 0 else (-p, -q))
         return scanned(scene, any_point(draw, reach), ways)
 
     return draw_case

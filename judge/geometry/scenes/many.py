@@ -322,7 +322,7 @@ def touches(beams: Bounds, reach: int) -> Scene:
         x, y = any_point(draw, reach)
         u, v, _ = scene[-1]  # which may come to lie on an axis
         away = -90 * reach
-        O = draw.choice(((x, y), (x, 0), (0, y), (0, 0), (away, 0), (0, away), (-u, y), (x, -v)))
+        O = draw.choice(((x, y), (0, 0), (away, 0), (0, away), (-u, -v), (-u, y), (x, -v)))
         return scanned(scene, O, ways, apart=0)
 
     return draw_case

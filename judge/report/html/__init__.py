@@ -12,8 +12,9 @@ from __future__ import annotations
 
 import base64
 import hashlib
+import re
 from collections.abc import Iterable
-from datetime import date, datetime
+from datetime import datetime
 from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -31,21 +32,26 @@ if TYPE_CHECKING:
     from judge.report.html.case import Case
 
 _TEMPLATES = Path(__file__).parent / "templates"
-_MONTHS = ["Jan", "Feb", "Mar", "Apr", "May", "Jun", "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"]
+_TIME = re.compile(rb"<time.*?</time>")
 
 
 def page(
-    template: str, mark: str, cases: Iterable[Case | None], verdicts: Iterable[Verdict], **values: Any
+    template: str,
+    mark: str,
+    cases: Iterable[Case | None],
+    verdicts: Iterable[Verdict],
+    rule: str = "",
+    **values: Any,
 ) -> bytes:
     """The file that a template makes of these values; the same values always give the same bytes.
 
     `mark` says what kind of page it is, for `is_page`. Its foot explains the `verdicts`, and the drawings
-    where one of the `cases` has any.
+    where one of the `cases` has any. `rule` is a rule of CSS for this page alone.
     """
     from markupsafe import Markup
 
     sheet = (_TEMPLATES / "page.css").read_text(encoding="utf-8")
-    sheet += style("figure", "screen and (prefers-color-scheme:dark)")
+    sheet += style("figure", "screen and (prefers-color-scheme:dark)") + rule
     digest = base64.b64encode(hashlib.sha256(sheet.encode()).digest()).decode()
     found = {*verdicts}
     given = {
@@ -69,9 +75,9 @@ def is_page(head: bytes, mark: str) -> bool:
     return b"<!doctype html>" in head[:40] and f'content="{mark},'.encode() in head
 
 
-def day(when: date) -> str:
-    """`3 Mar 2026`, in the page's language."""
-    return f"{when.day} {_MONTHS[when.month - 1]} {when.year}"
+def is_same(old: bytes, new: bytes) -> bool:
+    """Whether two pages say the same, whenever they were made."""
+    return _TIME.sub(b"", old) == _TIME.sub(b"", new)
 
 
 @cache
@@ -100,7 +106,7 @@ def _environment() -> Environment:
 def _date(when: datetime) -> Markup:
     from markupsafe import Markup
 
-    return Markup(f'<time datetime="{when.date().isoformat()}">{day(when)}</time>')
+    return Markup(f'<time datetime="{when.date().isoformat()}">{when.day} {when:%b %Y}</time>')
 
 
 def _lines(text: str) -> Markup:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from datetime import datetime
 from functools import cached_property
 
@@ -22,6 +22,8 @@ from judge.run.result import Result
 
 CLASS_MARK = "judge class page"  # in the head of every such page, also of older ones
 FEEDBACK_MARK = "judge feedback page"
+_PART = 100  # rows of a table; a browser lays out one after another, and those in sight first
+_SIDES, _COLUMN = 18, 9  # rem of the first and last column of a table in parts, and of one between
 _INLINE = 12  # names that are in sight; longer lists are folded away
 
 
@@ -55,11 +57,13 @@ class ClassPages(Struct, frozen=True, dict=True):
                 for place, each in enumerate(view.mistakes, 1)
             ]
             katas.append((view, self._called(view.problem), list(zip(view.mistakes, cases, strict=True))))
+        columns = len(katas) + any(each.group for each in cohort.students)
         return page(
             "class.html.j2",
             CLASS_MARK,
             [case for *_, made in katas for _, case in made],
             [mark.verdict for mark in cohort.every_mark],
+            f"@media screen{{.tall .parts{{min-width:{_SIDES + _COLUMN * columns}rem}}}}",
             title=self.title,
             topic=self._topic,
             generated=self.generated,
@@ -67,40 +71,43 @@ class ClassPages(Struct, frozen=True, dict=True):
             katas=katas,
             names=self.names,
             inline=_INLINE,
+            part=_PART,
             caution=EQUAL_CAUTION,
         )
 
-    def students(self) -> Iterator[tuple[str, bytes]]:
-        """For each student, the name of a file and their page."""
-        cohort, taken = self.cohort, set[str]()
-        for person in cohort.students:
-            name = _file(person.id, taken)
-            marks = [
-                (
-                    self._called(view.problem),
-                    cohort.mark(person.id, view.problem),
-                    self._case(person.id, view.problem, f"case-{at}"),
-                )
-                for at, view in enumerate(cohort.problems, 1)
-            ]
-            given = [mark for _, mark, _ in marks if mark]
-            content = page(
-                "feedback.html.j2",
-                FEEDBACK_MARK,
-                [case for *_, case in marks],
-                [mark.verdict for mark in given],
-                title=self.names[person.id],
-                course=self.title,
-                topic=self._topic,
-                generated=self.generated,
-                marks=marks,
-                solved=sum(mark.accepted for mark in given),
-                points=cohort.total(person.id),
-                full=cohort.full,
-                note=person.note,
-                unread=cohort.unread.get(person.id, ()),
+    def files(self) -> list[str]:
+        """What the file of each student's page is called, in the order of the class."""
+        taken = set[str]()
+        return [_file(each.id, taken) for each in self.cohort.students]
+
+    def student(self, place: int) -> bytes:
+        """The page of the student at that place of the class."""
+        cohort, person = self.cohort, self.cohort.students[place]
+        marks = [
+            (
+                self._called(view.problem),
+                cohort.mark(person.id, view.problem),
+                self._case(person.id, view.problem, f"case-{at}"),
             )
-            yield name, content
+            for at, view in enumerate(cohort.problems, 1)
+        ]
+        given = [mark for _, mark, _ in marks if mark]
+        return page(
+            "feedback.html.j2",
+            FEEDBACK_MARK,
+            [case for *_, case in marks],
+            [mark.verdict for mark in given],
+            title=self.names[person.id],
+            course=self.title,
+            topic=self._topic,
+            generated=self.generated,
+            marks=marks,
+            solved=sum(mark.accepted for mark in given),
+            points=cohort.total(person.id),
+            full=cohort.full,
+            note=person.note,
+            unread=cohort.unread.get(person.id, ()),
+        )
 
     @cached_property
     def _topic(self) -> str:

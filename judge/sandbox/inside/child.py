@@ -96,20 +96,17 @@ def be_program(code: CodeType, name: str, region: wire.Region) -> NoReturn:
     os._exit(_finish(status) & 0xFF)
 
 
-def make_calls(code: CodeType, name: str, region: wire.Region, request: wire.Request, limit: int) -> NoReturn:
+def make_calls(code: CodeType, name: str, region: wire.Region, request: wire.Request) -> NoReturn:
     """Import the module, call its entry once for each argument list, append a reply for each.
 
-    Between two series it stops, so that each is measured apart; it finds the next arguments in the place of
-    the last. `limit` is that of a series' replies.
+    Where the arguments are not there yet, it stops once it has imported the module, and after the last call.
     """
-    entry, count, most, places, calls = marshal.loads(region.payload(request.payload))
-    calls = _with_arrays(calls, places)
-    me, pause = os.getpid(), os.kill
-    series = request.series
+    entry, count, most, given = marshal.loads(region.payload(request.payload))
+    me, stop_at, pauses = os.getpid(), os.kill, given is None
     module = _main_module("submission", name)  # its own name may be that of a module it imports
     tell_where(name, region)
     start_the_clock()
-    replies = _Replies(region, limit, request.stop)
+    replies = _Replies(region, request.stop)
     try:
         exec(code, module.__dict__)
     except MemoryError as error:
@@ -118,23 +115,22 @@ def make_calls(code: CodeType, name: str, region: wire.Region, request: wire.Req
     except BaseException as error:
         replies.all_raised(f"{source.described(error, name)}{IMPORTING}", count)
         os._exit(_flushed(0))
-    region.words[wire.IMPORTED] = 1
     freeze()  # a large table of its own would be looked through on the time of its calls
     _flushed(0)
-    region.words[wire.PRINTED_BEFORE] = os.fstat(1).st_size
+    if pauses:
+        stop_at(me, signal.SIGSTOP)
+        given = marshal.loads(region.payload(request.payload))
     if entry in module.__dict__:
-        for place in range(series):
-            if place:
-                pause(me, signal.SIGSTOP)
-                _, _, _, places, calls = marshal.loads(region.payload(request.payload))
-                calls = _with_arrays(calls, places)
-            replies.make(module.__dict__[entry], calls, name, most)
+        replies.make(module.__dict__[entry], _with_arrays(*given), name, most)
     else:
         replies.all_raised(f"the module has no {entry} once it is imported", count)
-    os._exit(_flushed(0))
+    status = _flushed(0)
+    if pauses and not status:
+        stop_at(me, signal.SIGSTOP)
+    os._exit(status)
 
 
-def _with_arrays(calls: list[tuple[Any, ...]], places: tuple[int, ...]) -> list[tuple[Any, ...]]:
+def _with_arrays(places: tuple[int, ...], calls: list[tuple[Any, ...]]) -> list[tuple[Any, ...]]:
     """The calls with an array wherever the arguments at `places` are its code and its bytes."""
     if not places:
         return calls
@@ -152,18 +148,16 @@ def _with_arrays(calls: list[tuple[Any, ...]], places: tuple[int, ...]) -> list[
 class _Replies:
     """Appends to the region's replies; ends the process where they no longer fit."""
 
-    def __init__(self, region: wire.Region, limit: int, stop: int) -> None:
+    def __init__(self, region: wire.Region, stop: int) -> None:
         self._region = region
         self._at = region.words[wire.USED]
-        self._limit = limit  # of a series
         self._stop = stop
 
     def make(
         self, function: Callable[..., Any], calls: Iterable[tuple[Any, ...]], name: str, most: int
     ) -> None:
         memory, words, used = self._region.memory, self._region.words, wire.USED
-        at, as_json, form_of = self._at, _json, encode
-        stop = min(at + self._limit, self._stop)
+        at, stop, as_json, form_of = self._at, self._stop, _json, encode
         for arguments in calls:
             try:
                 answer = form_of(function(*arguments), most)
@@ -186,7 +180,6 @@ class _Replies:
                 self._too_much()
             memory[at:end] = line
             words[used] = at = end
-        self._at = at
 
     def all_raised(self, text: str, count: int) -> None:
         lines = _raised(text) * count

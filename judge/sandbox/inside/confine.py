@@ -45,6 +45,8 @@ class Confinement:
         from judge.sandbox.linux import kernel, landlock, profiles, seccomp, syscalls
 
         machine = syscalls.machine()
+        if config["level"] == "full" and "home" in config and not landlock.abi():
+            os.chmod(config["home"], 0o555)  # noqa: PTH101 - nothing else would keep files out of it
         if config["uid"] is not None:
             passed_on = config.get("passes_on", False)  # to a compiler that lies in a private home
             capset = syscalls.number("capset", machine)

@@ -97,7 +97,7 @@ class ExecServer(server.Server):
         start = self._region.words[wire.USED]
         self._region.memory[start : start + len(data)] = data
         self._region.words[wire.USED] = start + len(data)
-        return wire.DONE.pack(wire.ENDED, 0, wire.NOT_KILLED, 0, 0, 0, 1)
+        return wire.done(stage=wire.CALLING)
 
 
 def _files(folder: str) -> Iterator[str]:

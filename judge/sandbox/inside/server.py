@@ -2,8 +2,7 @@
 
     start → confine → "ready" ─┬─ INSPECT   a child compiles the source, so that none that takes the compiler
                                │            down ever reaches the server's own
-                               ├─ PREPARE   the server compiles it too, imports the modules the judge allows,
-                               │            and measures what a child costs that does nothing
+                               ├─ PREPARE   the server compiles it too, imports the modules the judge allows
                                └─ CALLS or PROGRAM, any number of times: fork, watch, reap, sweep → DONE
 
 The judge hanging up is the end of the server and so of everything in here.
@@ -26,7 +25,6 @@ import time
 
 from judge.sandbox.inside import again, child, unseen, wire
 from judge.sandbox.inside.confine import Confinement
-from judge.sandbox.inside.series import Series
 from judge.sandbox.inside.source import sealed
 
 TYPE_CHECKING = False
@@ -38,8 +36,6 @@ SHORTEST_WAIT_NS = 1_000_000
 LAST_MOMENT_NS = 50_000_000
 AT_WORK = 0.04  # of the last moment: more than a handler takes, or who only looks whether something has come
 SWEEP_SECONDS = 5.0
-IDLE_RUNS = 3
-IDLE = "def nothing():\n    return 0"
 _PEAK_UNIT = 1 if sys.platform == "darwin" else 1024
 
 
@@ -97,7 +93,7 @@ def _fill_finders() -> None:
 
 
 class Server:
-    """The state of one fork server: the compiled source and what an idle child costs."""
+    """The state of one fork server: its one child's pipe and signals, and the compiled source."""
 
     def __init__(
         self,
@@ -114,7 +110,6 @@ class Server:
         self._name: str = child.OWN_FILE if self._own_source else config["name"]
         self._cores: int = config["cores"]
         self._code: CodeType | None = None
-        self._idle_ns: dict[bytes, int] = {}
         self._tally, self._tally_end = os.pipe()
         os.set_blocking(self._tally, False)
         self._deaths = self._watch_for_deaths()
@@ -151,35 +146,19 @@ class Server:
                 os._exit(0)
 
     def _prepare(self, job: wire.Request) -> bytes:
-        """Compile, import ahead, and measure what a child of the wanted kind costs that does nothing.
-
-        That is the answer's CPU time. A judge that has measured it in a box like this one tells it.
-        """
-        modules, kind, idle = marshal.loads(self._region.payload(job.payload))
-        if self._code is None:
-            for module in modules:
-                try:
-                    __import__(module)
-                except Exception:  # not installed or broken: the submission's own import says so
-                    continue
-            self._code = compile(self._source, self._name, "exec", dont_inherit=True)
-            gc.collect()
-            gc.freeze()
-        self._idle_ns[kind] = self._idle_cost(job, kind) if idle is None else idle
-        return wire.DONE.pack(wire.ENDED, 0, wire.NOT_KILLED, self._idle_ns[kind], 0, 0, 0)
-
-    def _idle_cost(self, job: wire.Request, kind: bytes) -> int:
-        """What a child of that kind costs that does nothing, in ns."""
-        payload = marshal.dumps(("nothing", 1, 1, (), [()]))
-        job.kind, job.payload = kind, len(payload)
-        costs = []
-        for _ in range(IDLE_RUNS):
-            self._region.prepare(payload)
-            costs.append(wire.DONE.unpack(self._run(job, compile(IDLE, self._name, "exec")))[3])
-        return int(sorted(costs)[IDLE_RUNS // 2])
+        """Import ahead, and compile."""
+        for module in marshal.loads(self._region.payload(job.payload)):
+            try:
+                __import__(module)
+            except Exception:  # not installed or broken: the submission's own import says so
+                continue
+        self._code = compile(self._source, self._name, "exec", dont_inherit=True)
+        gc.collect()
+        gc.freeze()
+        return wire.done()
 
     def _run(self, job: wire.Request, code: CodeType | None) -> bytes:
-        if len(job.descriptors) < (3 if job.series == 1 else 4):
+        if len(job.descriptors) < 3 + (job.kind == wire.CALLS and wire.PAUSES):
             raise Lacking(errno.EMFILE)  # what there was no room for has not arrived
         try:
             began, pid = again.again(lambda: (time.perf_counter_ns(), os.fork()))
@@ -187,20 +166,16 @@ class Server:
             raise Lacking(fault.errno or 0) from None
         if pid == 0:
             self._be_child(job, code)
-        watch = Watch(job, began, self._idle_ns.get(job.kind, 0), self._cores)
+        watch = Watch(job, began, self._cores)
         reason, status, usage = self._watch(pid, watch)
-        baseline = watch.baseline
         wall = time.perf_counter_ns() - watch.began
-        cpu = _cpu_of(usage)
+        cpu = watch.at_end or _cpu_of(usage)
         more = self._sweep(pid)
-        if baseline is None:
-            baseline = self._baseline()
-        started = baseline is not None
-        if baseline is None:
-            baseline = cpu  # it died before its clock started, of our own fault
-        spent = max(0, cpu + more - baseline - watch.idle - watch.before)
+        if watch.before is None:
+            watch.start(self._baseline())
+        spent = 0 if watch.before is None else max(0, cpu + more - watch.before)
         peak = usage.ru_maxrss * _PEAK_UNIT
-        return wire.DONE.pack(wire.ENDED, status, reason, spent, wall, peak, started)
+        return wire.done(status, reason, spent, wall, peak, watch.stage, *watch.imported)
 
     def _be_child(self, job: wire.Request, code: CodeType | None) -> NoReturn:
         region, name = self._region, self._name
@@ -215,33 +190,30 @@ class Server:
             assert code is not None, "PREPARE comes before this"
             if job.kind == wire.PROGRAM:
                 child.be_program(code, name, region)
-            limit = wire.reply_bytes(job.output)
-            child.make_calls(code, name, region, job, limit)
+            child.make_calls(code, name, region, job)
         except BaseException as error:
             region.write_note(wire.BROKEN_BOX, f"{type(error).__name__}: {error}")
             os._exit(99)
 
     def _watch(self, pid: int, watch: Watch) -> tuple[int, int, resource.struct_rusage]:
-        """Pass the child on from series to series until it is dead; what killed it, its status, its usage."""
-        reason = wire.NOT_KILLED
+        """Watch the child until it is dead: the limit that killed it, its status, its usage."""
         while True:
-            gone, status, usage = os.wait4(pid, 0 if reason else os.WNOHANG | os.WUNTRACED)
+            gone, status, usage = os.wait4(pid, os.WNOHANG | os.WUNTRACED)
             stopped = gone and os.WIFSTOPPED(status)
             if gone and not stopped:
-                return reason, status, usage
-            if watch.baseline is None:
-                watch.baseline = self._baseline()
+                return wire.NOT_KILLED, status, usage
+            if watch.before is None:
+                watch.start(self._baseline())
             reason, left = self._limit(pid, watch)
-            if stopped and not reason:
-                reason = self._next_series(pid, watch, status, usage.ru_maxrss * _PEAK_UNIT)
-                if not reason:
-                    os.kill(pid, signal.SIGCONT)
-            elif not reason:
-                self._wait(pid, left)
-            if reason:
-                if not stopped:
-                    reason = self._ask_where(pid, reason)
+            if stopped and not reason and self._goes_on(pid, watch, status):
+                os.kill(pid, signal.SIGCONT)
+            elif stopped or reason:
+                reason = reason if stopped else self._ask_where(pid, reason)
                 os.kill(pid, signal.SIGKILL)
+                _, killed, usage = os.wait4(pid, 0)
+                return reason, status if stopped and not reason else killed, usage
+            else:
+                self._wait(pid, left)
 
     def _limit(self, pid: int, watch: Watch) -> tuple[int, int]:
         """The limit that is passed, if one is, or else how many ns none can be."""
@@ -262,19 +234,16 @@ class Server:
         at_work = reason != wire.FOR_CPU and _cpu_clock(pid) - before > LAST_MOMENT_NS * AT_WORK
         return wire.FOR_BEING_SLOW if at_work else reason
 
-    def _next_series(self, pid: int, watch: Watch, status: int, peak: int) -> int:
-        """Let a child that has stopped itself begin its next series, or say why it must be killed."""
-        series = watch.series
-        if not series.more or os.WSTOPSIG(status) != signal.SIGSTOP:
-            return wire.FOR_STOPPING
-        reason, size, digest = series.seal(self._region)
-        if reason not in (wire.NOT_KILLED, wire.FOR_ROOM):
-            return reason
-        self._line.send(watch.next_series(_cpu_clock(pid), peak, size, digest))
-        if not reason:
-            series.hand_out(self._region)
-            watch.began = time.perf_counter_ns()
-        return reason
+    def _goes_on(self, pid: int, watch: Watch, status: int) -> bool:
+        """Whether a child that has stopped itself has imported its module, and finds its arguments now."""
+        job, region, clock = watch.job, self._region, _cpu_clock(pid)
+        answered = region.words[wire.USED] != wire.replies_at(job.payload)  # before it was asked
+        if watch.stage != wire.IMPORTING or answered or os.WSTOPSIG(status) != signal.SIGSTOP:
+            watch.at_end = clock
+            return False
+        region.lay(os.pread(job.descriptors[3], job.payload, 0))
+        watch.call(clock, os.fstat(job.descriptors[1]).st_size)
+        return True
 
     def _wait(self, pid: int, nanoseconds: int) -> None:
         """Until something dies or the time is over; the judge's hang-up ends everything at once."""
@@ -309,27 +278,42 @@ class Server:
 
 
 class Watch:
-    """The clocks of one child: what it had used before the series that it is in."""
+    """The clocks of one child: of its import, then of its calls; of anything else, from beginning to end."""
 
-    __slots__ = ("_job", "baseline", "before", "began", "cores", "idle", "series", "waited")
+    __slots__ = ("at_end", "before", "began", "cores", "imported", "job", "stage", "waited")
 
-    def __init__(self, job: wire.Request, began: int, idle: int, cores: int) -> None:
-        self.began = began  # of the series, wall time
-        self.idle = idle
-        self.baseline: int | None = None  # CPU time before foreign code ran, once the child has told it
-        self.before = 0  # CPU time of the series that have ended
-        self.waited = 0  # wall time beyond CPU time of the series that have ended
+    def __init__(self, job: wire.Request, began: int, cores: int) -> None:
+        self.job = job
+        self.began = began  # of the stage, wall time
         self.cores = cores
-        self.series = Series(job.series, job.payload, job.output, job.stop, job.descriptors)
-        self._job = job
+        self.stage = wire.NOT_STARTED
+        self.before: int | None = None  # CPU time before the stage; unknown until the child has told it
+        self.at_end = 0  # CPU time when it stopped itself for the last time, if it did
+        self.imported = (0, 0, 0)  # CPU and wall time of the import, bytes that were printed by then
+        self.waited = 0  # wall time beyond CPU time, in the import
+
+    def start(self, baseline: int | None) -> None:
+        """Foreign code begins, if the CPU time before it has been told."""
+        if baseline is not None:
+            self.before = baseline
+            self.stage = wire.IMPORTING if self.job.kind == wire.CALLS and wire.PAUSES else wire.CALLING
+
+    def call(self, clock: int, printed: int) -> None:
+        """The import is over, and the calls begin."""
+        now = time.perf_counter_ns()
+        used = max(0, self._used(clock))
+        self.imported = used, now - self.began, printed
+        self.waited = max(0, now - self.began - used)
+        self.began, self.stage = now, wire.CALLING
+        self.before = clock or self.before  # where there is no such clock, the calls are charged for all
 
     def limit(self, clock: int, now: int) -> tuple[int, int]:
         """The limit of time that is passed, if one is, or else how long none can be."""
         used = self._used(clock)
         passed = now - self.began
-        cpu_left = self._job.cpu_ns - used
-        waiting_left = self._job.waiting_ns - self.waited - max(0, passed - used)
-        wall_left = self._job.wall_ns - passed
+        cpu_left = self.job.cpu_ns - used
+        waiting_left = self.job.waiting_ns - self.waited - max(0, passed - used)
+        wall_left = self.job.wall_ns - passed
         if cpu_left <= 0:
             return wire.FOR_CPU, 0
         if wall_left <= 0:
@@ -339,19 +323,9 @@ class Watch:
         soonest = max(cpu_left // self.cores, SHORTEST_WAIT_NS)
         return wire.NOT_KILLED, min(soonest, wall_left, waiting_left if clock else wall_left)
 
-    def next_series(self, clock: int, peak: int, size: int, digest: bytes) -> bytes:
-        """The frame that says what the series used and answered; the next one begins."""
-        now = time.perf_counter_ns()
-        used = self._used(clock)  # a first one's may be below 0: less than an idle child's at a busy moment
-        passed = now - self.began
-        self.before += used
-        self.waited += max(0, passed - max(0, used))
-        self.began = now
-        return wire.MARK.pack(wire.MARKED, max(0, used), passed, peak, size, digest)
-
     def _used(self, clock: int) -> int:
-        """CPU time of the series so far."""
-        return clock - self.idle - (self.baseline or 0) - self.before
+        """CPU time of the stage so far."""
+        return clock - (self.before or 0)
 
 
 def _cpu_clock(pid: int) -> int:

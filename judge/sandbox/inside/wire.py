@@ -1,13 +1,14 @@
 """What the judge and its fork server say to each other, and the memory they share.
 
     judge → server   one 64-byte frame: REQUEST, with the descriptors of stdin, stdout, stderr
-                     and, where there are several series of calls, that of series.py's file
-    server → judge   a 64-byte frame MARK after each series of calls but the last,
-                     then one 64-byte frame DONE, after the child is dead and reaped;
-                     or LACK alone, where the machine had no process or descriptor left for a child
+                     and, of calls, that of a file with their arguments
+    server → judge   one 64-byte frame DONE, after the child is dead and reaped;
+                     or LACK, where the machine had no process or descriptor left for a child
 
-A child ends a series by stopping itself; the server seals its replies, reads its CPU clock and lets it go on.
-Whoever stops elsewhere is killed.
+A child that makes calls stops itself twice: once its module is imported, and after the last call. At the
+first stop the server reads its CPU clock, lays the arguments where the child finds them, and lets it go on;
+at the second it reads the clock and kills it. So import, calls and nothing else are measured, and no argument
+is there before the calls' own time begins. A stop anywhere else is its end.
 
 One request is outstanding at a time. Frames have one size, so that a stream socket (macOS) does as well as
 a packet socket. A child never sees this socket.
@@ -16,7 +17,7 @@ Everything longer goes through the region, memory shared by the judge, the serve
 
     0      64       4096                       start                                  stop
     ├ words ┼ note ──┼ payload (judge → child) ──┼ replies, one JSON text per line ─────┤
-      USED NOTE_KIND NOTE_SIZE IMPORTED PRINTED_BEFORE STOOD_AT
+      USED NOTE_KIND NOTE_SIZE STOOD_AT
 
 A child that has used up its time is asked by SIGUSR1 to write the line where it stands to STOOD_AT,
 and killed a moment later, whatever it does: the line is for a person, and decides nothing.
@@ -32,41 +33,40 @@ from __future__ import annotations
 import _socket
 import mmap
 import struct
-from _blake2 import blake2b  # hashlib's own, without the rest of hashlib
+import sys
 
 TYPE_CHECKING = False  # not typing's: that import would cost every container a millisecond
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
 FRAME = 64
-REQUEST = struct.Struct("=cqqqqqiii")  # kind, cpu ns and wall ns a series, and as the fields of Request
-MARK = struct.Struct("=4sqqqi24s")  # MARKED and the fields of container.Mark
-DONE = struct.Struct("=4siiqqqi")  # ENDED and the fields of container.Done
+REQUEST = struct.Struct("=cqqqqqii")  # kind, cpu ns and wall ns, and as the fields of Request
+DONE = struct.Struct("=4siiqqqiqqq")  # ENDED and the fields of container.Done
 LACK = struct.Struct("=4si")  # LACKING and the errno of what there was no room for, in place of a DONE
-MARKED, ENDED, LACKING = b"mark", b"done", b"lack"
+ENDED, LACKING = b"done", b"lack"
 READY = b"ready"
 FAILED = b"failed"  # the reason is in the region's note
 
 INSPECT, PREPARE, CALLS, PROGRAM = b"I", b"M", b"F", b"P"
 EXECUTE, COLLECT = b"X", b"C"  # of what is not Python: see exec.py
+PAUSES = sys.platform == "linux"  # elsewhere no clock of another process says when an import is over
 
 MOST_DESCRIPTORS = 64
 
 NOT_KILLED, FOR_CPU, FOR_WALL = 0, 1, 2
-FOR_WAITING = 3  # it waited too long in all its series together
-FOR_STOPPING = 4  # it stopped itself where no series ends
-FOR_OUTPUT = 5  # it wrote more in a series than it may
-FOR_BEING_SLOW = 7  # as FOR_WALL or FOR_WAITING, but it was at work: others had the processor
-FOR_ROOM = 6  # no fault of its own: its replies leave too little room for those of another series
+FOR_WAITING = 3  # it waited too long, import and calls together
+FOR_BEING_SLOW = 4  # as FOR_WALL or FOR_WAITING, but it was at work: others had the processor
+
+NOT_STARTED, IMPORTING, CALLING = range(3)  # how far a child came
 
 
 REGION_BYTES = 96 << 20  # sparse: only what is written costs memory
 WORDS = 64
 PAYLOAD_AT = 4096
-USED, NOTE_KIND, NOTE_SIZE, IMPORTED, PRINTED_BEFORE, STOOD_AT = range(6)  # places of the region's words
+USED, NOTE_KIND, NOTE_SIZE, STOOD_AT = range(4)  # places of the region's words
 NOTE_BYTES = PAYLOAD_AT - WORDS
 
-REPLY_BYTES = 8 << 20  # of the replies of a series, whatever the output limit: the judge has to parse them
+REPLY_BYTES = 8 << 20  # of all replies, whatever the output limit: the judge has to parse them
 
 NO_NOTE, RAISED, NO_MEMORY, TOO_MUCH, BROKEN_BOX = range(5)  # what a note says of a child's end
 EXPOSED = 5  # of the server's own: this path can be read, and no submission may see it
@@ -82,7 +82,6 @@ class Request:
         "memory",
         "output",
         "payload",
-        "series",
         "stop",
         "waiting_ns",
         "wall_ns",
@@ -93,9 +92,8 @@ class Request:
     def __init__(self, frame: bytes, descriptors: list[int]) -> None:
         fields = REQUEST.unpack_from(frame)
         self.kind, self.cpu_ns, self.wall_ns, self.waiting_ns, self.memory, self.output = fields[:6]
-        self.payload, self.stop = fields[6:8]
-        self.series = fields[8]  # how many series of calls, each with cpu_ns, wall_ns and output to itself
-        self.descriptors = descriptors  # stdin, stdout, stderr, and the file of the series
+        self.payload, self.stop = fields[6:]
+        self.descriptors = descriptors  # stdin, stdout, stderr, and the file of the arguments
 
 
 class Channel:
@@ -158,8 +156,12 @@ class Region:
         self.memory[PAYLOAD_AT : PAYLOAD_AT + len(payload)] = payload
         self.words[USED] = replies_at(len(payload))
 
+    def lay(self, arguments: bytes) -> None:
+        """Lay the arguments in the place of the request's payload, which is as long as they are."""
+        self.memory[PAYLOAD_AT : PAYLOAD_AT + len(arguments)] = arguments
+
     def payload(self, length: int) -> bytes:
-        """The request's payload."""
+        """The request's payload, or the arguments."""
         return self.memory[PAYLOAD_AT : PAYLOAD_AT + length]
 
     def replies(self, start: int, stop: int) -> bytes:
@@ -185,24 +187,27 @@ class Region:
         self.memory.close()
 
 
+def done(
+    status: int = 0,
+    reason: int = NOT_KILLED,
+    cpu: int = 0,
+    wall: int = 0,
+    peak: int = 0,
+    stage: int = NOT_STARTED,
+    *imported: int,
+) -> bytes:
+    """The frame that says how a request ended."""
+    return DONE.pack(ENDED, status, reason, cpu, wall, peak, stage, *imported or (0, 0, 0))
+
+
 def replies_at(payload: int) -> int:
     """Where the replies start after a payload of that many bytes."""
     return (PAYLOAD_AT + payload + 7) & ~7
 
 
 def reply_bytes(output: int) -> int:
-    """How long the replies of one series may be together, under an output limit."""
+    """How long the replies may be together, under an output limit."""
     return min(output, REPLY_BYTES)
-
-
-def reply_room(output: int, series: int) -> int:
-    """How much room a child has for its replies: enough for the judge to parse, and for most never full."""
-    return reply_bytes(output) * min(series, 2)
-
-
-def digest(replies: bytes) -> bytes:
-    """What a series' replies are sealed with."""
-    return blake2b(replies, digest_size=24).digest()
 
 
 def printable(text: str) -> str:

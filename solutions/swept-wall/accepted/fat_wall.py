@@ -29,8 +29,8 @@ def time_of_impact(P0, P1, r, A, B):
         if d <= r + near:
             half = sqrt((r - d) * (r + d)) if d < r - near else 0
             times.append((-(dx * x + dy * y) / way - half) / way)
-    if wx * dy != wy * dx and wall:
-        turn = (wx * dy - wy * dx) / wall
+    turn = (wx * dy - wy * dx) / wall if wall else 0
+    if turn:
         t = ((r if height > 0 else -r) - height) / turn
         if 0 <= foot + t * (dx * wx + dy * wy) / wall <= wall:
             times.append(t)

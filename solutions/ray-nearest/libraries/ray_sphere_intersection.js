@@ -1,0 +1,20 @@
+// ray-sphere-intersection 1.0.0: intersectRaySphere, in the plane z = 0
+//
+// The direction must be of length 1. From inside it gives the point behind; if the centre is behind, none.
+
+const intersect = require('ray-sphere-intersection');
+
+function rayNearest(cx, cy, r, O, D) {
+  const length = Math.hypot(D.x, D.y);
+  if (length === 0) return null;
+  if (r === 0) return atAPoint(cx, cy, O, D);
+  const found = intersect([], [O.x, O.y, 0], [D.x / length, D.y / length, 0], [cx, cy, 0], r);
+  return found ? ((found[0] - O.x) * D.x + (found[1] - O.y) * D.y) / length ** 2 : null;
+}
+
+// t where the circle is the point C; null where the ray misses it.
+function atAPoint(cx, cy, O, D) {
+  const t = ((cx - O.x) * D.x + (cy - O.y) * D.y) / (D.x * D.x + D.y * D.y);
+  const off = Math.hypot(O.x + t * D.x - cx, O.y + t * D.y - cy);
+  return t >= 0 && off <= 1e-9 * Math.hypot(cx - O.x, cy - O.y) ? t : null;
+}
