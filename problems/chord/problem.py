@@ -16,6 +16,13 @@ def solve(cx, cy, r, A, B):
     return Line.through(cx, cy, r, A, B).chord()
 
 
+def slant(draw):
+    """A line through the centre of a circle that is ten million times smaller than the way to it, nearly along a diagonal."""
+    x, y = (draw.integer(3 * 2**27, 2**29) * draw.sign() for _ in "xy")
+    scale = 2.0 ** -draw.integer(0, 20)
+    return 0, 0, max(abs(x), abs(y)) * draw.integer(1001, 1100) / 10**10 * scale, (-x * scale, -y * scale), (x * scale, y * scale)
+
+
 INTERVIEW = [
     group("grid", "Small whole numbers: everything that can happen.", grid("nnrpp", 3), cases=180, skills="distance against radius"),
     group("through", "Lines that cut the circle, upright and level ones too.", either(lines("cut ?by ?by", **PLAIN), lines("cut ?by ?by", **AXIS)), skills=("the half-chord", "no slopes")),
@@ -33,7 +40,7 @@ INTERVIEW = [
 PRODUCTION = [  # the same, where rounding bites
     group("turned", "A touch that squares cannot see.", lines(*TOUCHES, **BIG), skills="a tangent has a width"),
     group("full", "A touch that no formula in floats can see.", either(lines(*TOUCHES, **HUGE), lines(*TOUCHES, **SPLIT), lines("touch close after", "touch close foot", **HUGE), telling(lines("dot before after", "dot by far", "dot by far", **SPLIT), *TELLING)), cases=120, skills="a tangent has a width"),
-    group("near", "Nearly a touch: 1e-7 of the figure away.", either(lines("touch~ before after", "touch~ foot by", **NEAR), lines("touch~ before after", "touch~ by by", "dot~ before after", "dot~ foot by", **{**NEAR, "least": 7})), cases=120, skills="nearly is not touching"),
+    group("near", "Nearly a touch: 1e-7 of the figure away.", either(lines("touch~ before after", "touch~ foot by", **NEAR), lines("touch~ before after", "touch~ by by", "dot~ before after", "dot~ foot by", **{**NEAR, "least": 7}), slant), cases=160, skills="nearly is not touching"),
     group("tiny", "All of it tiny, down to 1e-29.", either(lines("touch before after", "touch~ before after", "cut before after", **TINY), lines("touch by ?by", "cut by ?by", **{**TINY, "turn": "axis"})), skills=("no absolute epsilon", "scale invariance")),
     group("offset", "A small figure far from the origin.", lines("touch before after", "cut before after", "miss before after", "dot-miss before after", "touch~ before after", "touch~ by foot", **OFFSET), skills="far from the origin"),
     group("far", "A or B is up to ten million radii away.", lines("touch foot far", "cut foot very-far", "cut -far far", "touch~ foot far", "dot far foot", "dot foot far", "through foot farther", "through farther by", **FAR), skills="the sharp discriminant"),
