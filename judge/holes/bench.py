@@ -33,7 +33,7 @@ _RUNGS = 8  # of a ladder that are judged at once; of other numbers, which are s
 _ENOUGH = 3  # accepted rungs, below which all others are taken for accepted; of other numbers one
 _NEARLY = 1e-5  # a gap below it may be the promise's own
 _EDGE = 1.1  # times the least gap, below which a rounding decides
-LONG = 1000  # items of a case, above which it takes a program too much time to be asked of every mutant
+_LONG = 1000  # items of a case, above which it takes a program too much time to be asked of every mutant
 _MOST_KNOWN = 50_000  # cases whose answers are remembered
 
 
@@ -50,23 +50,17 @@ class Aimed(NamedTuple):
 class Bench:
     """The data of a kata, a crowd to ask, and what is known of its mutants from earlier runs.
 
-    Of the data it asks the small groups whose cases have no more than `most` items.
+    Of the data it asks the small groups whose cases are not long, and of few mutants every small group.
     """
 
     def __init__(
-        self,
-        problem: Problem,
-        sets: Sequence[ProblemData],
-        crowd: Crowd,
-        kept: Judged,
-        progress: Progress,
-        most: float,
+        self, problem: Problem, sets: Sequence[ProblemData], crowd: Crowd, kept: Judged, progress: Progress
     ) -> None:
         self.problem, self.crowd = problem, crowd
         self.module = sets[0].module
         self.until = inf  # when the time is up
         self._kept, self._progress = kept, progress
-        self._sets = [_mixed(data, most) for data in sets]
+        self._sets, self._every = ([_mixed(data, most) for data in sets] for most in (_LONG, inf))
         self._usual = _usual(sets[0])
         left_out = len(self._sets[0]) < sum(len(each.cases) for each in sets[0].groups)
         self._largest = max(items_of(each.case) for each in self._sets[0]) if left_out else inf
@@ -123,10 +117,12 @@ class Bench:
                     if each.mutant.ladder:
                         high[each.base.file, each.mutant.kind, each.mutant.ladder] += 1
 
-    def accepted(self, some: Sequence[Candidate], done: int = 0, total: int = 0) -> list[Candidate]:
-        """Those of them that one of the sets of data accepts."""
+    def accepted(
+        self, some: Sequence[Candidate], done: int = 0, total: int = 0, every: bool = False
+    ) -> list[Candidate]:
+        """Those of them that one of the sets of data accepts, or `every` small group of one."""
         kept, left, accepted = self._kept, list(some), list[Candidate]()
-        for aimed in self._sets:
+        for aimed in self._every if every else self._sets:
             places, whole = {each.place for each in aimed}, _whole(aimed)
             dead = [each for each in left if places.intersection(kept.killed.get(each.key, ()))]
             accepted += [each for each in left if kept.passed.get(each.key) == whole]

@@ -12,7 +12,6 @@ import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from heapq import nsmallest
 from itertools import chain, islice
-from math import inf
 from time import monotonic
 
 import msgspec
@@ -24,7 +23,7 @@ from judge.data.model import ProblemData
 from judge.diagnose.candidates import measure
 from judge.diagnose.simplify import fewer, steps
 from judge.errors import ProblemError, UsageError
-from judge.holes.bench import LONG, Bench
+from judge.holes.bench import Bench
 from judge.holes.cases import Found, Place, Stream
 from judge.holes.model import Hole, Holes, Judged, Kept, Search
 from judge.holes.programs import SOURCE, Base, Candidate, Crowd, bases
@@ -101,9 +100,8 @@ def look_for_holes(
             what = f"mutants need the isolation {' or '.join(LEVELS[:2])}, and here is {box.isolation}"
             raise UsageError(what, remedy="see 'judge doctor'")
         tell = progress or (lambda *_: None)
-        crowd = Crowd(problem, box)
-        short, every = [Bench(problem, sets, crowd, judged, tell, most) for most in (LONG, inf)]
-        return _Hunt((short, every), sets[0], search, kept, tell, keep).holes(programs)
+        bench = Bench(problem, sets, Crowd(problem, box), judged, tell)
+        return _Hunt(bench, sets[0], search, kept, tell, keep).holes(programs)
 
 
 def _said(reply: Reply) -> str:
@@ -112,23 +110,18 @@ def _said(reply: Reply) -> str:
 
 
 class _Hunt:
-    """One search; `found` and `edge` are by mutant, `faults` are right programs that fail.
-
-    Mutants are judged on the first of the `benches`; those that are found wrong, on the second, which has
-    every small group.
-    """
+    """One search; `found` and `edge` are by mutant, `faults` are right programs that fail."""
 
     def __init__(
         self,
-        benches: tuple[Bench, Bench],
+        bench: Bench,
         data: ProblemData,
         search: Search,
         kept: Kept,
         progress: Progress,
         keep: Callable[[], str | None],
     ) -> None:
-        self._bench, self._every = benches
-        self._problem, self._data = data.problem, data
+        self._bench, self._problem, self._data = bench, data.problem, data
         self._search, self._kept, self._progress = search, kept, progress
         self._found: dict[str, Found] = {}
         self._edge: dict[str, Found] = {}
@@ -154,7 +147,7 @@ class _Hunt:
             self._bench.until = begun + seconds
             self._look(right, left)
         wrong = [each for key, each in left.items() if key in self._found]
-        found = {each.key: each for each in self._every.accepted(wrong)}
+        found = {each.key: each for each in self._bench.accepted(wrong, every=True)}
         rejected = count - len(accepted) + len(wrong) - len(found)
         self._bench.until = begun + seconds * 1.25  # for shorter cases
         return Holes(

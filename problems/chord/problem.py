@@ -16,6 +16,21 @@ def solve(cx, cy, r, A, B):
     return Line.through(cx, cy, r, A, B).chord()
 
 
+def slant(draw):
+    """A line through the centre of a circle that is ten million times smaller than the way to it, nearly along a diagonal."""
+    x, y = (draw.integer(3 * 2**27, 2**29) * draw.sign() for _ in "xy")
+    scale = 2.0 ** -draw.integer(0, 20)
+    return 0, 0, max(abs(x), abs(y)) * draw.integer(1001, 1100) / 10**10 * scale, (-x * scale, -y * scale), (x * scale, y * scale)
+
+
+def upright(draw):
+    """A touch of a line that leaves an axis by a millionth."""
+    n, m, *ways = draw.integer(10**6, 4 * 10**6), draw.integer(1, 30), draw.integer(-30, 30), draw.integer(-30, 30)
+    p, q, scale, turn, side = 2 * n, n * n - 1, 2.0 ** -draw.integer(25, 40), draw.choice((1, -1)), draw.sign()
+    A, B = (((side * (m * q + way * p)) * scale, (way * q - m * p) * scale)[::turn] for way in ways)
+    return 0, 0, m * (n * n + 1) * scale, A, B
+
+
 INTERVIEW = [
     group("grid", "Small whole numbers: everything that can happen.", grid("nnrpp", 3), cases=180, skills="distance against radius"),
     group("through", "Lines that cut the circle, upright and level ones too.", either(lines("cut ?by ?by", **PLAIN), lines("cut ?by ?by", **AXIS)), skills=("the half-chord", "no slopes")),
@@ -33,12 +48,12 @@ INTERVIEW = [
 PRODUCTION = [  # the same, where rounding bites
     group("turned", "A touch that squares cannot see.", lines(*TOUCHES, **BIG), skills="a tangent has a width"),
     group("full", "A touch that no formula in floats can see.", either(lines(*TOUCHES, **HUGE), lines(*TOUCHES, **SPLIT), lines("touch close after", "touch close foot", **HUGE), telling(lines("dot before after", "dot by far", "dot by far", **SPLIT), *TELLING)), cases=120, skills="a tangent has a width"),
-    group("near", "Nearly a touch: 1e-7 of the figure away.", either(lines("touch~ before after", "touch~ foot by", **NEAR), lines("touch~ before after", "touch~ by by", "dot~ before after", "dot~ foot by", **{**NEAR, "least": 7})), cases=120, skills="nearly is not touching"),
+    group("near", "Nearly a touch: 1e-7 of the figure away.", either(lines("touch~ before after", "touch~ foot by", **NEAR), lines("touch~ before after", "touch~ by by", "dot~ before after", "dot~ foot by", **{**NEAR, "least": 7}), slant), cases=160, skills="nearly is not touching"),
     group("tiny", "All of it tiny, down to 1e-29.", either(lines("touch before after", "touch~ before after", "cut before after", **TINY), lines("touch by ?by", "cut by ?by", **{**TINY, "turn": "axis"})), skills=("no absolute epsilon", "scale invariance")),
     group("offset", "A small figure far from the origin.", lines("touch before after", "cut before after", "miss before after", "dot-miss before after", "touch~ before after", "touch~ by foot", **OFFSET), skills="far from the origin"),
     group("far", "A or B is up to ten million radii away.", lines("touch foot far", "cut foot very-far", "cut -far far", "touch~ foot far", "dot far foot", "dot foot far", "through foot farther", "through farther by", **FAR), skills="the sharp discriminant"),
     group("long", "A and B are close together, and still two points.", closed_up("touch by", "cut by", "miss by", "through in"), skills="degenerate line"),
-    group("steep", "Directions almost along an axis.", either(lines("touch before after", "cut before after", "miss before after", **STEEP), lines("cut before after", "miss before after", "cut in in", **TILTED)), skills="no slopes"),
+    group("steep", "Directions almost along an axis.", either(lines("touch before after", "cut before after", "miss before after", **STEEP), lines("cut before after", "miss before after", "cut in in", **TILTED), telling(upright, *TELLING)), cases=90, skills="no slopes"),
     group("large", "Whole numbers up to 2**30, some of them touches.", either(whole("nnrpp", 30), lines(*TOUCHES, **{**BIG, "shift": 0, "numbers": "int"})), skills=("whole numbers that are large", "scale invariance")),
     group("corners", "Whole numbers at the ends of the bounds: a difference leaves 32 bits, a sum of squares 64.", either(corners("nnrpp", 30), lambda draw: (0, 0, *corners("rpp", 30)(draw))), skills="whole numbers that are large"),
     group("repeated", "Neighbouring calls differ in one argument.", grid("nnrpp", 3), turns=True, skills="nothing kept between calls"),

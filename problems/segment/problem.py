@@ -48,6 +48,16 @@ def quarter(draw):
     return cx, cy, r, *(ends if draw.boolean() else ends[::-1])
 
 
+def lined(draw):
+    """An end on the circle, straight beside the centre or above it; the other one nearly in the centre, or in line and far away."""
+    cx, cy, r, _ = points("on", **{**HUGE, "size": 2**30, "shift": -40})(draw)
+    far = r * draw.choice((*[2.0 ** -draw.integer(10, 34)] * 2, *[draw.integer(10**6, 2 * 10**7)] * 3)) * draw.sign()
+    off = r * draw.choice((0, 0, draw.sign())) / 2 ** draw.integer(10, 30)
+    turn = draw.choice((1, -1))
+    ends = [(cx + x, cy + y) for x, y in ((r * draw.sign(), 0)[::turn], (far, off)[::turn])]
+    return cx, cy, r, *(ends[::-1] if draw.integer(0, 3) else ends)
+
+
 def squares(cx, cy, r, A, _B):
     """Whether A is on the circle by its squares."""
     return (A[0] - cx) ** 2 + (A[1] - cy) ** 2 == r * r
@@ -109,7 +119,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("turned", "A touch that squares cannot see.", lines(*TOUCHES, *BEYOND, **BIG), skills="a tangent has a width"),
     group("full", "A touch that no formula in floats can see.", either(lines(*TOUCHES, **HUGE), lines(*TOUCHES, **SPLIT)), skills="a tangent has a width"),
     group("near", "Nearly a touch: 1e-7 of the figure away.", lines("touch~ before after", "touch~ before after", "touch~ foot by", **CLEAR), skills="nearly is not touching"),
-    group("end-full", "An end is on the circle, and rounding puts it beside.", either(lines(*ENDS, **HUGE), lines(*ENDS, **SPLIT), *[telling(BESIDE, inside, partial(inside, slack=1e-9))] * 4, telling(radial, partial(inside, slack=1e-9), partial(inside, slack=1e-7))), cases=120, skills="closed ends"),
+    group("end-full", "An end is on the circle, and rounding puts it beside.", either(lines(*ENDS, **HUGE), lines(*ENDS, **SPLIT), *[telling(BESIDE, inside, partial(inside, slack=1e-9))] * 4, telling(radial, partial(inside, slack=1e-9), partial(inside, slack=1e-7)), *[telling(lined, inside, partial(inside, slack=1e-9))] * 5), cases=230, skills="closed ends"),
     group("end-near", "An end stops just before the circle, or goes on just past it.", lines("chord first~ in", "chord first~ after", "chord before first~", "chord last~ after", "chord in last~", "through first~ in", "through in last~", "through before first~", "through last~ after", **CLEAR), cases=100, skills="ends no wider than rounding"),
     group("point", "A equals B: on the circle, or 1e-7 of the figure beside it.", either(telling(POINT, squares, always), rounded, lines("chord first =", "chord last =", **BIG), lines("chord first~ =", "chord last~ =", **CLEAR)), cases=80, skills="degenerate segment"),
     group("dot-full", "The circle is a point, on a line that floats put beside it.", lines("dot before after", "dot foot after", **SPLIT), skills="r = 0"),

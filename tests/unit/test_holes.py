@@ -313,7 +313,7 @@ class TestSearch:
 
     def test_of_a_case_larger_than_those_that_are_asked_the_large_groups_tell(self, tmp_path, pack):
         """A mutant that hangs on lists of more than five, and one that is wrong on a negative number."""
-        from judge.holes import hunt, programs
+        from judge.holes import bench, programs
         from judge.holes.mutants import Mutant
 
         folder, solutions = tmp_path / "problems" / "divides", tmp_path / "solutions" / "divides"
@@ -344,7 +344,7 @@ class TestSearch:
             assert lists((4, 0, "")) == {hangs, wrong}
             assert lists((4, 0, ""), (50, -1, ", size=50")) == {wrong}
             assert lists((4, 0, ""), (20, 0, "")) == {wrong}
-            patch.setattr(hunt, "LONG", 9)
+            patch.setattr(bench, "_LONG", 9)
             assert lists((4, 0, ""), (20, 0, "")) == {wrong}
             assert lists((4, 0, ""), (20, -1, "")) == set()
 
