@@ -73,7 +73,7 @@ def _rows_of(path: Path) -> list[Row]:
             return part.every()
     except StoreError as fault:
         if fault.remedy in (None, STORE.elsewhere):
-            fault.remedy = "name the files that 'python -m judge.batch shard' wrote"
+            fault.remedy = "name the files that 'judge class --shard' wrote"
         raise
 
 

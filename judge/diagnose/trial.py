@@ -42,7 +42,6 @@ _PATIENCE = 1.0  # more seconds than an answer takes, for the case that is shown
 _WAITING = 1.0  # seconds in which a machine that has much else to do goes on with a call
 _BATCH = 100  # cases of one process
 _SLOW = 0.5  # of those limits: a first call or an import that takes more is slow
-_BUSY = 5  # times its CPU time, which a machine that has much else to do lets a process wait
 _NOT_A_LINE = "no line, or more than one"
 LIMITED = (Verdict.TLE, Verdict.MLE, Verdict.OLE)  # what a call has used, not what it said
 
@@ -183,8 +182,8 @@ class Trial(Struct):
         """
         (answer,) = self._run(self.box, [case], group, whole=True) or [Answer(Outcome.UNDECIDED)]
         if answer.ended not in LIMITED:
-            cpu, waiting = self._used.cpu_seconds, self._used.waiting_seconds
-            waiting *= waiting > max(_SLOW * _WAITING, _BUSY * cpu)  # it sleeps
+            cpu, waiting = self._used.cpu_seconds, self._used.slept_seconds
+            waiting *= waiting > _SLOW * _WAITING
             cpu *= cpu > _SLOW * _SHORT_SECONDS
             self._slow = Usage(cpu, cpu + waiting)
             self._patience = _PATIENCE

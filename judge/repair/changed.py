@@ -24,6 +24,7 @@ from judge.values.check import Accepted
 WAYS = ("fresh", "doubles", "moved", "scaled", "moved-and-scaled")
 _WRONG, _RIGHT = 24, 12  # cases of each kind that are asked
 _FIRST = 3  # of the wrong ones: where all are wrong in a process of their own, no more are asked
+_MOST_SECONDS = 4.0  # of all processes, where each takes long
 _LEAST = 2  # cases that must have become right
 
 Other = tuple[Case, Target, Exact]
@@ -34,6 +35,7 @@ class Changed:
 
     def __init__(self, cases: Cases, runner: Runner, box: Box) -> None:
         self._cases, self._runner, self._box = cases, runner, box
+        self._seconds = 0.0  # of its processes so far, of CPU or asleep
         usual = cases.problem.limits
         self._limits = Limits(
             usual.cpu_seconds,
@@ -71,7 +73,11 @@ class Changed:
         return bool(self._wrong)
 
     def _right_in(self, others: Sequence[Other], asked: Sequence[Asked]) -> bool:
+        if self._seconds > _MOST_SECONDS:
+            return False
         replies = self._runner.ask(self._box, [case for case, *_ in others], self._limits)
+        used = replies.usage + replies.imported
+        self._seconds += used.cpu_seconds + used.slept_seconds
         if replies.breakdown is not None or len(replies.replies) < len(others):
             return False
         for reply, (_, target, exact), each in zip(replies.replies, others, asked, strict=True):

@@ -51,14 +51,14 @@ class Child:
         self._about = names, cases.tests(), cases.several, digits, whole
         self._given = [list(each) for each in problem.calls([each.case for each in cases.all])]
         self.calls = 0
-        self.seconds = 0.0  # of CPU that the last process took
+        self.seconds = 0.0  # that the last process took, of CPU or asleep
 
     def ask(self, chain: Sequence[int] | None, calls: Sequence[Call]) -> list[Raw]:
         """What it says to the calls, after those edits; None: nothing is to be changed. Raises LostError."""
         first = ("open", self._text, self._entry, self._about, self._given, self._cases.sizes, chain)
         found = self._box.call("ask", [first, *calls], self._limits)
         answers = [each.answer for each in found.replies if each.stop is Stop.ANSWERED]
-        self.seconds = found.usage.cpu_seconds
+        self.seconds = found.usage.cpu_seconds + found.usage.slept_seconds
         if len(answers) < len(calls) + 1 or answers[0] != 1:
             raise LostError
         return answers[1:]

@@ -16,6 +16,7 @@ from judge.sandbox.encode import MOST_ITEMS
 
 BoxFactory = Callable[[bytes, str], "Box"]  # from a source and its file's name
 
+_BUSY = 5  # times its CPU time
 LEVELS = ("full", "strong", "limits")  # of isolation, the best first
 
 
@@ -65,6 +66,11 @@ class Usage(NamedTuple):
     def waiting_seconds(self) -> float:
         """Wall time beyond CPU time."""
         return max(0.0, self.wall_seconds - self.cpu_seconds)
+
+    @property
+    def slept_seconds(self) -> float:
+        """What it waited, where that is more than a machine with much else to do lets a process wait."""
+        return self.waiting_seconds if self.waiting_seconds > _BUSY * self.cpu_seconds else 0.0
 
 
 class SourceFault(NamedTuple):

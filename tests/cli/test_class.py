@@ -15,7 +15,6 @@ from cli_support import FLOOR, MEAN
 from msgspec.structs import replace
 
 from judge.batch import standard
-from judge.batch.__main__ import main as batch
 from judge.batch.store import Store
 from judge.errors import StoreError
 from judge.manual import page
@@ -118,22 +117,32 @@ def test_only_what_is_new_is_judged(judge, homework, submit, monkeypatch):
     assert "+else)" in told
 
 
-def test_parts_put_together_are_the_plain_run(judge, homework, submit, capsys):
+def test_parts_put_together_are_the_plain_run(judge, homework, submit):
     for at in (2, 3):
         submit(WRONG.format(at), f"homework/s{at}/middle.py")
     assert judge("class", "homework").status == 3
     Path("homework.judge.sqlite3").rename("plain.sqlite3")
     for number in (1, 2, 3):
-        assert batch(["shard", f"{number}/3", "homework"]) in (0, 1, 3)
+        assert judge("class", "homework", "--shard", f"{number}/3").status in (0, 1, 3)
     parts = [f"homework.judge.{number}-of-3.sqlite3" for number in (1, 2, 3)]
     assert sum(len(stored(part)) for part in parts) == 6
     assert all(len(stored(part)) < 6 for part in parts)
-    assert batch(["merge", "homework", *parts]) == 0
-    assert "6 rows merged from 3 files" in capsys.readouterr().err
+    shown = judge("class", "homework", "--merge", *parts)
+    assert shown.status == 3
+    assert "6 rows merged from 3 files" in shown.err
+    assert "5 results kept from before" in shown.err  # the sixth cannot be read
     assert untimed(stored()) == untimed(stored("plain.sqlite3"))
-    assert "5 results kept from before" in judge("class", "homework").err  # the sixth cannot be read
-    assert batch(["shard", "0/3", "homework"]) == 2
-    assert "judge: '0/3' is not a part; write 3/20" in capsys.readouterr().err
+    for words, said in REFUSED_PARTS.items():
+        refused = judge("class", "homework", *words.split())
+        assert (refused.status, refused.err) == (2, f"judge: {said}\n")
+
+
+REFUSED_PARTS = {
+    "--shard 0/3": "'0/3' is not a part; write 3/20 for the third of 20, from 1/20 to 20/20",
+    "--shard 1/3 --csv a.csv": "--csv is for the whole class; leave it out of --shard",
+    "--shard 1/3 --merge x": "--merge is for the whole class; leave it out of --shard",
+    "--merge": "--merge takes files; name those that 'judge class --shard' wrote",
+}
 
 
 def untimed(found):
@@ -207,10 +216,10 @@ while [ "$task" != 20 ]; do task=$((task + 1)); SLURM_ARRAY_TASK_ID=$task sh -c 
 def test_the_manuals_recipe_asks_for_each_part_once(tmp_path):
     blocks = page("class").text.split("```")[1::2]
     (command,) = [block.partition("\n")[2] for block in blocks if "sbatch" in block]
-    for name, text in (("sbatch", SBATCH), ("python", '#!/bin/sh\necho "$@" >> asked\n')):
+    for name, text in (("sbatch", SBATCH), ("judge", '#!/bin/sh\necho "$@" >> asked\n')):
         (tmp_path / name).write_text(text)
         (tmp_path / name).chmod(0o755)
     settings = {**os.environ, "PATH": f"{tmp_path}:{os.environ['PATH']}"}
     subprocess.run(["sh", "-e", "-c", command], check=True, env=settings, timeout=60)
     asked = (tmp_path / "asked").read_text().splitlines()
-    assert asked == [f"-m judge.batch shard {number}/20 homework" for number in range(1, 21)]
+    assert asked == [f"class homework --shard {number}/20" for number in range(1, 21)]

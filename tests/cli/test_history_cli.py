@@ -133,7 +133,7 @@ def test_no_kata_is_loaded_from_where_a_history_says(judge, own_history, pack, t
     monkeypatch.delenv("JUDGE_PROBLEMS")
     bad = shutil.copytree(pack, tmp_path / "bad") / "problems"
     code = bad / "middle" / "problem.py"
-    code.write_text(f"{code.read_text()}\nopen({str(tmp_path / 'ran')!r}, 'w')\n")
+    code.write_text(f"{code.read_text()}\n__import__('pathlib').Path({str(tmp_path / 'ran')!r}).touch()\n")
     Path("middle.py").write_text(FLOOR)
     with History() as history:
         history.keep(Started("middle", str(Path("middle.py").absolute()), str(bad)))

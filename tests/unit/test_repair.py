@@ -257,6 +257,25 @@ def test_a_child_that_says_too_little_is_lost(kata):
             Child(Lying(answers), SEGMENT, cases).answers((), [0, 1])
 
 
+class Sleepy(InProcess):
+    """A box in which every process sleeps for a second."""
+
+    calls = 0
+
+    def call(self, entry, calls, limits):
+        Sleepy.calls += entry != "features"
+        return super().call(entry, calls, limits)._replace(usage=Usage(0.0, 1.0))
+
+
+def test_what_sleeps_whenever_it_is_imported_is_not_asked_for_long(kata, monkeypatch):
+    text = SEGMENT.replace("-slack <= s <= length + slack", "True")
+    assert repair(kata("segment"), text)[0].whole
+    monkeypatch.setattr(Sleepy, "calls", 0)
+    with Sleepy(text.encode(), "a.py") as box, Beside(Sleepy, text.encode(), python=True) as beside:
+        seek(kata("segment"), judged(kata("segment"), text, InProcess(text.encode(), "a.py")), box, beside)
+    assert 1 < Sleepy.calls < 8
+
+
 # -- what holds whatever the program is --------------------------------------------------------------------
 
 

@@ -14,6 +14,7 @@ from msgspec import Struct
 
 from judge.batch.folder import root_of
 from judge.batch.run import Classroom
+from judge.batch.shards import Shard, merged
 from judge.batch.store import Store, store_of
 from judge.cli.files import OutFile, moment, writing
 from judge.cli.options import Common, command, opt
@@ -47,9 +48,9 @@ class ClassAsk(Struct, frozen=True):
         "--weight KATA=N", "Weigh a kata; the total is out of 100 then.", default=()
     )
     anonymous: bool = opt("--anonymous", "Numbers for names.")
-    where: str | None = opt(
-        "--on WHERE", "Judge with the workers of a dask scheduler: tls://HOST:PORT, or its file."
-    )
+    where: str | None = opt("--on WHERE", "Judge with the workers of a dask scheduler.")
+    shard: str | None = opt("--shard K/N", "Judge part K of N, into a file of its own.")
+    merge: bool = opt("--merge", "Take over parts, named after FOLDER.")
 
 
 @command("class", ClassRow, Cohort, ask=ClassAsk)
@@ -60,16 +61,19 @@ def judge_class(
 ) -> Iterator[ClassRow | Cohort]:
     """Judge everything that a class has submitted.
 
-    FOLDER holds STUDENT/KATA.py or KATA/STUDENT.py, in any language. A file of another name is for the kata
-    whose function it defines. Each result is kept at once in FOLDER.judge.sqlite3: after Ctrl-C or a crash
-    the same command goes on, and judges only what is new. If a student has several files for one kata, the
-    best counts. Equal files are judged once. What Moodle, Canvas, Gradescope, Blackboard and Brightspace hand
-    out is read as it is; zips and notebooks are opened.
+    FOLDER holds STUDENT/KATA.py or KATA/STUDENT.py, in any language, or what Moodle, Canvas, Gradescope,
+    Blackboard or Brightspace hand out. A file of another name is for the kata whose function it defines.
+    Each result is kept at once in FOLDER.judge.sqlite3: after Ctrl-C or a crash the same command goes on, and
+    judges only what is new. Of several files for one kata the best counts.
 
     Exit status: 0 all accepted, 1 not, 2 usage, 3 something could not be judged.
     """
     if ask.where is not None and ask.jobs > 1:
         raise UsageError("--on and -j contradict each other", remedy="leave one out")
+    shard = _shard(ask)
+    parts, katas = (tuple(map(Path, katas)), ()) if ask.merge else ((), katas)
+    if ask.merge and not parts:
+        raise UsageError("--merge takes files", remedy="name those that 'judge class --shard' wrote")
     root_of(folder)  # before a file is made beside it
     if ask.anonymous and common.json:
         raise UsageError("--json has names", remedy="leave out --anonymous")
@@ -79,7 +83,10 @@ def judge_class(
     csv = OutFile(ask.csv, "--csv", "a gradebook", is_gradebook)
     html = OutFile(ask.html, "--html", "a page of a class", partial(_is_page, "CLASS"))
     moment()  # what cannot be written is said before anything is judged
-    with Store.open(store_of(folder)) as store:
+    place = store_of(folder)
+    with Store.open(shard.beside(place) if shard else place) as store:
+        for said in merged(store, parts) if parts else ():
+            note(said)
         classroom = Classroom(
             folder,
             store,
@@ -90,6 +97,7 @@ def judge_class(
             level=ask.level,
             due=due,
             weights=weights,
+            shard=shard,
             say=note,
         )
         pages = _Pages(classroom, folder.resolve().name or "class", ask.anonymous, ask.feedback)
@@ -110,6 +118,17 @@ def judge_class(
         csv.write(gradebook(found, numbered=ask.anonymous))
         if ask.html:
             html.write(pages.of(found, classroom.results(found)).whole())
+
+
+def _shard(ask: ClassAsk) -> Shard | None:
+    """The part to judge; None for the whole class. Raises UsageError."""
+    if ask.shard is None:
+        return None
+    whole = {"--merge": ask.merge, "--csv": ask.csv, "--html": ask.html, "--feedback": ask.feedback}
+    for name, given in whole.items():
+        if given:
+            raise UsageError(f"{name} is for the whole class", remedy="leave it out of --shard")
+    return Shard.read(ask.shard)
 
 
 def _time(said: str) -> datetime:
