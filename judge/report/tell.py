@@ -122,14 +122,14 @@ def place_of(failure: Failure | None) -> str:
 def mistake_text(pitfall: Pitfall, submission: str) -> str:
     """`Very likely mistake: above-for-left`; without a name where it was found.
 
-    Of a routine and of another language than Python only the answers are known.
+    Of a routine, a library and another language than Python only the answers are known.
     """
     if not pitfall.names:
         if len(pitfall.steps) > 1:
             return "Several mistakes found"
         line = next((f" in line {step.line}" for step in pitfall.steps if step.line), "")
         return f"Mistake found{line}"
-    if not submission.endswith(".py"):
+    if pitfall.library or not submission.endswith(".py"):
         return f"It answers like {' and '.join(pitfall.names)}"
     likely = "Very likely" if pitfall.score >= _LIKELY else "Likely"
     return f"{likely} mistake{'s' * (len(pitfall.names) > 1)}: {' and '.join(pitfall.names)}"
