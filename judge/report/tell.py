@@ -164,7 +164,7 @@ def _happened(problem: Problem | None, result: Result, text: str) -> str:
     message, unplaced, place = failure.message, failure.input is None, fault_place(result)
     line = place.line if place else result.hurdle.line if result.hurdle else 0
     row = text.split("\n")[line - 1 : line] if line else ()
-    if verdict is Verdict.RTE and (ended := why_ended(message, "".join(row))):
+    if verdict is Verdict.RTE and (ended := why_ended(message, "".join(row), result.submission)):
         return f"line {line}: {ended}" if line else ended
     if result.hurdle is not None and problem is not None:
         return entry_text(result.hurdle, problem, result.submission, verdict, message)
