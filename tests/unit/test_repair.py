@@ -362,10 +362,10 @@ def test_what_lies_in_a_library_is_not_changed(kata):
     data = kata("segment")
     assert data.module
     for first, whole in (("import statistics", True), ("import yaml", False)):
-        with Boxes()(text.encode(), "a.py") as box:
-            with Beside(Boxes(), f"{first}\n{text}".encode(), python=True) as beside:
-                assert ("library" in beside.features()) is not whole
-                made = seek(data, judged(data, text, box), box, beside)
+        changed = f"{first}\n{text}".encode()
+        with Boxes()(text.encode(), "a.py") as box, Beside(Boxes(), changed, python=True) as beside:
+            assert ("library" in beside.features()) is not whole
+            made = seek(data, judged(data, text, box), box, beside)
         assert bool(made and made.whole) is whole
 
 
