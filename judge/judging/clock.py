@@ -117,5 +117,6 @@ class Clock(Watch):
             stderr=self._stderr,
             pass_fds=[file.fileno()],
         )
-        self._undone.enter_context(beside)  # which closes its input, and waits for it
+        self._undone.enter_context(beside)
+        self._undone.callback(beside.kill)  # a child of the routine may hold its input open
         return mmap(file.fileno(), 1)
