@@ -10,6 +10,7 @@ until a test asks for it.
 
 from __future__ import annotations
 
+import os
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
 _MARKER = "judge_problem"
 _FIXTURE = "judge_group"
 _USE = f"write @pytest.mark.{_MARKER}('count'), or any problem that 'judge list' shows"
+stderr: int | None = None  # where pytest's own goes, whatever it captures
 _PROBLEMS = pytest.StashKey[dict[Any, "JudgeProblem"]]()  # each is read and built once a session
 
 
@@ -30,11 +32,21 @@ class _Misused(Exception):  # noqa: N818
 
 def pytest_configure(config: pytest.Config) -> None:
     """Make the marker known, so that --strict-markers lets it pass."""
+    global stderr
+    stderr = os.dup(2)  # nothing is captured yet
     config.addinivalue_line(
         "markers",
         f"{_MARKER}(name, groups=None, problems=()): run the test once for each test group of this problem "
         f"of judge, with the fixture {_FIXTURE}; only for these groups; look in these folders first.",
     )
+
+
+def pytest_unconfigure() -> None:
+    """Close what is written to no more."""
+    global stderr
+    if stderr is not None:
+        os.close(stderr)
+        stderr = None
 
 
 def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:

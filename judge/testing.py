@@ -15,12 +15,12 @@ test of its own; see `judge.pytest_plugin`.
 from __future__ import annotations
 
 import os
+import sys
 from collections.abc import Iterable, Iterator, Sequence
-from contextlib import nullcontext
+from contextlib import contextmanager, suppress
 from functools import cached_property, partial
 from pathlib import Path
 from textwrap import wrap
-from time import monotonic
 from typing import Any
 
 from msgspec import Struct
@@ -30,6 +30,7 @@ from judge.data.build import target_of
 from judge.data.load import load_data
 from judge.data.model import ProblemData
 from judge.errors import UsageError
+from judge.judging.clock import Clock
 from judge.judging.inprocess import InProcess, Routine
 from judge.mistakes.told import told_mistakes
 from judge.problem import Group, Problem, Verdict
@@ -41,8 +42,8 @@ from judge.report.words import counted, printable
 from judge.run.function import FunctionRunner
 from judge.run.group import GroupRun, group_limits, one_case
 from judge.run.reference import Reference
-from judge.run.result import Result, earned
-from judge.run.settings import Settings
+from judge.run.result import Behaviour, Result, earned
+from judge.run.settings import Progress, Settings
 from judge.sandbox.boundary import Usage
 from judge.sandbox.encode import encode
 from judge.values import show
@@ -50,6 +51,7 @@ from judge.values.check import is_right
 
 __all__ = ["Case", "JudgeGroup", "JudgeProblem", "check_case", "judge_problem"]
 
+_SEARCH = 40.0  # seconds by the clock for a smaller case
 _WIDTH = 100  # columns of a failure's text: numbers are shown in full, and pytest adds its own margin
 
 
@@ -140,17 +142,20 @@ class JudgeProblem:
         (group,) = chosen_groups(self.problem, [name])
         return JudgeGroup(self, name, group.about)
 
-    def check(self, routine: Routine, groups: str | Iterable[str] | None = None) -> None:
+    def check(
+        self, routine: Routine, groups: str | Iterable[str] | None = None, seconds: float | None = None
+    ) -> None:
         """Call `routine` with every case of the groups, all of them where none are named.
 
         It takes the problem's parameters in their order, numbers as int or float and points as pairs of
         them, and returns what `judge show` says. Wrap another signature:
-        `check(lambda x, y, A, B: mine(Point(x, y), [A, B]))`.
+        `check(lambda x, y, A, B: mine(Point(x, y), [A, B]))`. For `seconds` see `judge`.
 
         Raises:
-            AssertionError: an answer is wrong, or it raised; the text shows the first such case of the first
-                such group, what was wanted and got, how many cases of each group fail, the smallest case
-                found, and the mistake's name, or the known mistakes that the group should catch.
+            AssertionError: an answer is wrong, it raised, or the time was over; the text shows the first
+                such case of the first such group, what was wanted and got, how many cases of each group fail,
+                the smallest case found, and the mistake's name, or the known mistakes that the group should
+                catch.
             UsageError: there is no such group, or none is named: nothing would be held against anything.
             ProblemError: the problem is broken.
         """
@@ -159,9 +164,13 @@ class JudgeProblem:
         chosen_groups(self.problem, chosen)
         if not chosen:
             raise UsageError("no group is named", remedy="leave groups out for all of them")
-        runs, raised = _called(self.data, routine, chosen)
-        if any(run.failure for run in runs):
-            lines = _lines(self.problem, _name(routine), runs, self._explained(routine))
+        with _Watched(self.data, routine, seconds) as watched:
+            runs, raised = watched.called(chosen)
+            failed = any(run.failure for run in runs)
+            every = runs if len(runs) == len(self.groups) else None
+            found = self._explained(watched, every) if failed else None
+        if failed:
+            lines = _lines(self.problem, _name(routine), runs, found)
             rows = (printable(row) for text in lines for row in text.splitlines() or [""])
             text = "\n".join(part for row in rows for part in wrap(row, _WIDTH) or [""])
             raise AssertionError(text) from raised
@@ -169,26 +178,14 @@ class JudgeProblem:
     def judge(self, routine: Routine, seconds: float | None = None) -> Result:
         """What the judge says of the routine: groups, smallest case, mistake; nothing is asserted.
 
-        After so many seconds by the clock no further group begins: those that are left have not `run`.
+        All of it takes so many `seconds` by the clock. What was left then is not done, and the result is
+        `cut_short`; groups that were left have not `run`. A call is ended where it stands if it is Python's,
+        in the main thread; else, if it goes on for some seconds more, this process is ended, and says so.
 
         Raises ProblemError if the problem is broken.
         """
-        end = None if seconds is None else monotonic() + seconds
-        runs, _ = _called(self.data, routine, self.groups, end)
-        if any(run.failure for run in runs) and len(runs) == len(self.groups):
-            return _explained(self.data, routine)
-        whole = [*runs]
-        for each in self.data.groups[len(runs) :]:
-            whole.append(GroupRun(self.data, each, FunctionRunner(self.problem)))
-            whole[-1].give_up(Verdict.TLE, f"{seconds:g} s are over")
-        first = next((run for run in whole if run.failure), None)
-        return Result(
-            problem=self.problem.id,
-            submission=_name(routine),
-            verdict=first.verdict if first else Verdict.AC,
-            failure=first.failure if first else None,
-            **earned([run.result() for run in whole]),
-        )
+        with _Watched(self.data, routine, seconds) as watched:
+            return watched.explained(watched.called(self.groups)[0])
 
     def cases(self, group: str | None = None) -> list[Case]:
         """The cases of the group, of all without a name. Raises UsageError if there is no such group."""
@@ -224,12 +221,15 @@ class JudgeProblem:
 
         return strategy(builder).filter(valid).map(lambda case: _case(data, chosen, case))
 
-    def _explained(self, routine: Routine) -> Result | None:
-        """The smallest case and the mistake's name, sought once for a routine; None where that went wrong."""
-        key = _sameness(routine)
+    def _explained(self, watched: _Watched, runs: Sequence[GroupRun] | None) -> Result | None:
+        """The smallest case and the mistake's name, sought once for a routine; None where that went wrong.
+
+        `runs` are those of all groups, where it was called with all.
+        """
+        key = _sameness(watched.routine)
         if key not in self._found:
             try:
-                self._found[key] = _explained(self.data, routine)
+                self._found[key] = watched.explained(runs or watched.called(self.groups)[0])
             except Exception:  # what is known of the failure is worth more than what could be
                 self._found[key] = None
         return self._found[key]
@@ -250,10 +250,10 @@ class JudgeGroup(Struct, frozen=True):
     def __repr__(self) -> str:
         return f"{self.problem!r}.group({self.name!r})"
 
-    def check(self, routine: Routine) -> None:
+    def check(self, routine: Routine, seconds: float | None = None) -> None:
         """Call `routine` with every case of the group; see `JudgeProblem.check`."""
         __tracebackhide__ = True
-        self.problem.check(routine, [self.name])
+        self.problem.check(routine, [self.name], seconds)
 
 
 def _sameness(routine: Routine) -> Any:
@@ -269,76 +269,120 @@ def _name(routine: Routine) -> str:
     return getattr(routine, "__qualname__", None) or repr(routine)
 
 
-def _called(
-    data: ProblemData, routine: Routine, groups: Sequence[str], end: float | None = None
-) -> tuple[list[GroupRun], BaseException | None]:
-    """What the routine answers in these groups, and its exception where that is the first failure.
-
-    After `end` no further group begins.
-    """
-    runs: list[GroupRun] = []
-    raised = None
-    runner = FunctionRunner(data.problem)
-    for each in data.groups:
-        if runs and end is not None and monotonic() > end:
-            break
-        if each.group.name in groups:
-            box, run = InProcess(routine=routine), GroupRun(data, each, runner)
-            run.take(runner.ask(box, each.cases, group_limits(data.problem, each.group, Usage())))
-            if run.verdict is Verdict.RTE and not any(one.failure for one in runs):
-                raised = box.raised
-            runs.append(run)
-    return runs, raised
+class _Late(Exception):  # noqa: N818
+    """The time is over while known mistakes are learnt."""
 
 
-def _explained(data: ProblemData, routine: Routine) -> Result:
-    """What `judge run` would say of the routine: every group, the smallest case, the mistake's name."""
-    from judge.diagnose.shrink import shrink  # only after a failure
-    from judge.mistakes.namer import Namer
-    from judge.repair.search import otherwise
+class _Watched:
+    """A routine, and the clock that bounds what is asked of it: a context manager."""
 
-    runs, _ = _called(data, routine, [each.group.name for each in data.groups])
-    first = next(run for run in runs if run.failure is not None)
-    result = Result(
-        problem=data.problem.id,
-        submission=_name(routine),
-        verdict=first.verdict,
-        failure=first.failure,
-        **earned([run.result() for run in runs]),
-    )
-    with Reference(data.problem, InProcess) as reference:
-        box = InProcess(routine=routine)
-        found = shrink(data, box, FunctionRunner(data.problem), result, reference=reference)
+    def __init__(self, data: ProblemData, routine: Routine, seconds: float | None) -> None:
+        self.routine = routine
+        self._data = data
+        plugin = sys.modules.get("judge.pytest_plugin")  # which knows where pytest writes
+        self._clock = Clock(_name(routine), seconds, getattr(plugin, "stderr", None))
 
-    def fails_alone(group: str, case: int) -> bool:
-        (run,), _ = _called(one_case(data, group, case), routine, [group])
-        return run.failure is not None
+    def __enter__(self) -> _Watched:
+        self._clock.start()
+        return self
 
-    try:  # the file that it is written in; it may be in none
-        has = frozenset(features(Path(routine.__code__.co_filename).read_text(encoding="utf-8")))
-    except (AttributeError, OSError, UnicodeDecodeError):
-        has = frozenset()
-    namer = Namer(data, None, Settings(measured=False), nullcontext)
-    does = {run.group.name: run.answers for run in runs}
-    repair = partial(otherwise, data, does, FunctionRunner(data.problem), InProcess(routine=routine))
-    return namer.named(replace(result, counterexample=found), does, lambda: has, fails_alone, repair)
+    def __exit__(self, *exc: object) -> None:
+        self._clock.close()
+
+    def _box(self) -> InProcess:
+        return InProcess(routine=self.routine, watch=lambda _: self._clock)
+
+    def called(
+        self, groups: Sequence[str], data: ProblemData | None = None
+    ) -> tuple[list[GroupRun], BaseException | None]:
+        """What it answers in these groups, and its exception where that is the first failure."""
+        runs: list[GroupRun] = []
+        raised = None
+        data = data or self._data
+        runner = FunctionRunner(data.problem)
+        for each in data.groups:
+            if each.group.name in groups:
+                box, run = self._box(), GroupRun(data, each, runner)
+                run.take(runner.ask(box, each.cases, group_limits(data.problem, each.group, Usage())))
+                if run.reached < len(run.cases):
+                    run.give_up(Verdict.TLE, self._clock.told)
+                if run.verdict is Verdict.RTE and not any(one.failure for one in runs):
+                    raised = box.raised
+                runs.append(run)
+        return runs, raised
+
+    def explained(self, runs: Sequence[GroupRun]) -> Result:
+        """What `judge run` would say of these runs of all groups, the smallest case, the mistake's name."""
+        from judge.diagnose.shrink import shrink  # only after a failure
+        from judge.diagnose.trial import SearchBudget
+
+        first = next((run for run in runs if run.failure is not None), None)
+        result = Result(
+            problem=self._data.problem.id,
+            submission=_name(self.routine),
+            verdict=first.verdict if first else Verdict.AC,
+            failure=first.failure if first else None,
+            cut_short=self._clock.cut_short,
+            **earned([run.result() for run in runs]),
+        )
+        if first is None or result.cut_short:
+            return result
+        runner, budget = FunctionRunner(self._data.problem), SearchBudget(wall=min(_SEARCH, self._clock.left))
+        with Reference(self._data.problem, InProcess) as reference:
+            found = shrink(self._data, self._box(), runner, result, reference=reference, budget=budget)
+        result = replace(result, counterexample=found)
+        with suppress(_Late):
+            if not self._clock.spent:
+                result = self._named(result, {run.group.name: run.answers for run in runs})
+        return replace(result, cut_short=self._clock.cut_short)
+
+    def _named(self, result: Result, does: Behaviour) -> Result:
+        from judge.mistakes.namer import Namer
+        from judge.repair.search import otherwise
+
+        def alone(group: str, case: int) -> bool:
+            (run,), _ = self.called([group], one_case(self._data, group, case))
+            return run.failure is not None
+
+        def has() -> frozenset[str]:
+            try:  # the file that it is written in; it may be in none
+                file = Path(self.routine.__code__.co_filename)
+                return frozenset(features(file.read_text(encoding="utf-8")))
+            except (AttributeError, OSError, UnicodeDecodeError):
+                return frozenset()
+
+        @contextmanager
+        def learning() -> Iterator[Progress]:
+            def learnt(_done: int, _of: int) -> None:
+                if self._clock.spent:
+                    raise _Late
+
+            yield learnt
+
+        namer = Namer(self._data, None, Settings(measured=False), learning)
+        repair = partial(otherwise, self._data, does, FunctionRunner(self._data.problem), self._box())
+        return namer.named(result, does, has, alone, repair)
 
 
 def _lines(problem: Problem, name: str, runs: Sequence[GroupRun], found: Result | None) -> Iterator[str]:
     results = [run.result() for run in runs]
-    wrong = [result for result in results if result.passed < result.cases]
-    lost = sum(result.cases - result.passed for result in wrong)
+    wrong = [result for result in results if result.run and result.passed < result.cases]
+    left = [result for result in results if not result.run]
+    lost = sum(len(run.wrong) for run in runs)
     cases = counted(sum(result.cases for result in results), "case")
-    several = len(results) > 1
-    groups = f"{len(wrong)} of {counted(len(results), 'group')}, " if several else ""
-    yield f"{problem.id}: {name} fails {groups}{lost:,} of {cases}"
-    if several:
+    several, every = len(results) > 1, counted(len(results), "group")
+    groups = f"{len(wrong)} of {every}, " if several else ""
+    done = f"is not done with {len(left)} of {every}"
+    yield f"{problem.id}: {name} {f'fails {groups}{lost:,} of {cases}' if wrong else done}"
+    if several and wrong:
         yield f"  fails  {', '.join(f'{each.name} {each.passed}/{each.cases}' for each in wrong)}"
+    if wrong and left:
+        yield f"  not run  {', '.join(each.name for each in left)}"
     run = next(run for run in runs if run.failure)
     first = Result(problem=problem.id, submission=name, verdict=run.verdict, failure=run.failure)
     told = tell(problem, found or first)
-    yield from ("", *told.lines)
-    if run.group.kills and not told.mistake:
+    yield from ("", *([run.failure.message] if run.given_up and run.failure else told.lines))
+    if run.group.kills and not told.mistake and run.verdict is not Verdict.TLE:
         mistakes = told_mistakes(problem)
         yield f"{run.group.name} should catch"
         for kill in run.group.kills:

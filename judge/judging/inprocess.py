@@ -12,6 +12,7 @@ import sys
 import warnings
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import ExitStack, contextmanager, redirect_stdout
+from pathlib import Path
 from traceback import walk_tb
 from types import CodeType, ModuleType
 from typing import Any
@@ -30,6 +31,7 @@ from judge.sandbox.encode import encode
 from judge.sandbox.inside.source import described, inspect, own_line
 
 Routine = Callable[..., Any]
+_HERE = str(Path(__file__).parent)
 _SHOWN = 10_000  # bytes of what it printed
 
 
@@ -63,15 +65,20 @@ class Watch:
         """It is over; the seconds that it took, where they are measured."""
         return 0.0
 
+    def still(self) -> bool:
+        """Whether another call may begin."""
+        return True
+
 
 class InProcess:
     """See `judge.sandbox.boundary.Box`; of a `routine` there need be no source.
 
-    Only `watch` and Ctrl-C end a call. `caught` is what costs a call alone when it is raised there.
+    Only `watch` and Ctrl-C end a call, and no more are made once it says so. `caught` is what costs a call
+    alone when it is raised there.
     """
 
     isolation = ""
-    caught: type[BaseException] = Exception
+    caught: type[BaseException] | tuple[type[BaseException], ...] = Exception
 
     def __init__(
         self,
@@ -85,6 +92,8 @@ class InProcess:
         self._name = name
         self._routine = routine
         self._watch = watch
+        if routine is not None:
+            self.caught = Exception, SystemExit, Ended  # not what a test raises to be left out
 
     def __enter__(self) -> InProcess:
         return self
@@ -102,8 +111,9 @@ class InProcess:
     def call(self, entry: str, calls: Sequence[Sequence[Any]], limits: Limits) -> CallsResult:
         """See `Box.call`; a routine finds its caller's state anew in each."""
         if self._routine is not None:
-            with as_it_was():
-                return CallsResult(tuple(self._replies(self._routine, calls, limits.items)), Usage())
+            with as_it_was(), self._watch(limits) as watch:
+                routine = _watched(self._routine, watch)
+                return CallsResult(tuple(self._replies(routine, calls, limits.items, watch)), Usage())
         with self._process("submission", limits) as (watch, names, printed):
             reply = None
             try:
@@ -117,13 +127,17 @@ class InProcess:
                 return CallsResult((reply,) * lost, Usage())
             imported = printed.tell()
             watch.begin()
-            replies = tuple(self._replies(names[entry], calls, limits.items))
+            replies = tuple(self._replies(names[entry], calls, limits.items, watch))
             spent = watch.rest()
             shown = printed.getvalue()[imported:][:_SHOWN]
             return CallsResult(replies, Usage(spent, spent), printed=shown)
 
-    def _replies(self, routine: Routine, calls: Sequence[Sequence[Any]], items: int) -> Iterator[Reply]:
+    def _replies(
+        self, routine: Routine, calls: Sequence[Sequence[Any]], items: int, watch: Watch
+    ) -> Iterator[Reply]:
         for arguments in calls:
+            if not watch.still():
+                break
             try:
                 reply = Reply(Stop.ANSWERED, encode(routine(*arguments), items))
             except self.caught as fault:  # this case is lost, the others are called
@@ -180,6 +194,8 @@ class InProcess:
     def _ended(self, fault: BaseException, where: str = "") -> Reply:
         """The end of a call that raised this."""
         if self._routine is not None:
+            if isinstance(fault, Ended):
+                return Reply(fault.stop, None, f"{fault}{_place(fault)}")
             return Reply(Stop.EXCEPTION, None, described(fault, "") + _place(fault))
         if not isinstance(fault, Ended):
             stop = Stop.MEMORY if isinstance(fault, MemoryError) else Stop.EXCEPTION
@@ -226,8 +242,19 @@ def as_it_was() -> Iterator[None]:
         yield
 
 
+def _watched(routine: Routine, watch: Watch) -> Routine:
+    def called(*arguments: Any) -> Any:
+        watch.begin()
+        try:
+            return routine(*arguments)
+        finally:
+            watch.rest()
+
+    return called
+
+
 def _place(fault: BaseException) -> str:
     """Where it was raised, as editors open it, unless that is here."""
-    *_, (frame, line) = walk_tb(fault.__traceback__)
-    file = frame.f_code.co_filename
-    return "" if file == __file__ else f" ({file}:{line})"
+    places = [(frame.f_code.co_filename, line) for frame, line in walk_tb(fault.__traceback__)]
+    theirs = [each for each in places if not each[0].startswith(_HERE)]
+    return " ({}:{})".format(*theirs[-1]) if theirs else ""

@@ -23,6 +23,7 @@ from judge.mistakes.makers import Maker, distinct, read_makers
 from judge.mistakes.repaired import LIKELY, Repaired, seen_in, with_steps
 from judge.mistakes.rights import right_outlines
 from judge.problem.model import case_of
+from judge.repair.features import LIBRARY
 from judge.repair.search import Repair
 from judge.run.result import Behaviour, Pitfall, Result
 from judge.run.settings import Settings
@@ -85,8 +86,25 @@ class Namer:
         """
         if not any(answers.wrong for answers in does.values()):
             return result
+        features = has()
+        found = self._proved(result, does, features, alone, repair)
+        library = LIBRARY in (features or ())
+        if found.pitfall is None or (result.submission.endswith(".py") and not library):
+            return found
+        advice = tuple(map(seen_in, found.pitfall.advice))  # of others the answers alone are known
+        return replace(found, pitfall=replace(found.pitfall, advice=advice, library=library))
+
+    def _proved(
+        self,
+        result: Result,
+        does: Behaviour,
+        has: frozenset[str] | None,
+        alone: Alone,
+        repair: Callable[[], Repair | None],
+    ) -> Result:
+        """The result with its name, and with what is proved."""
         with _collecting_later():
-            result, known = self._named(result, does, has(), alone)
+            result, known = self._named(result, does, has, alone)
         if known is None:
             return result
         try:
@@ -121,8 +139,7 @@ class Namer:
         state = self._maker(nearest).words.state and self._steady(does, alone)
         if state or (share < _CLEAR and not self._fails(result, nearest)):
             return result, likeness
-        read = result.submission.endswith(".py")  # of others the answers alone are known
-        text = nearest.text if read and share >= LIKELY else seen_in(nearest.text)
+        text = nearest.text if share >= LIKELY else seen_in(nearest.text)
         return replace(result, pitfall=Pitfall((name,), round(share, 3), (text,))), likeness
 
     def _maker(self, known: Known) -> Maker:

@@ -7,7 +7,7 @@ from functools import cached_property
 
 from judge.problem.solutions import LONGEST
 from judge.repair.child import NAME, SOURCE
-from judge.repair.features import FEATURES
+from judge.repair.features import FEATURES, LIBRARY
 from judge.sandbox.boundary import Box, BoxFactory, Limits, Stop
 from judge.values.wire import word
 
@@ -41,7 +41,8 @@ class Beside:
     def features(self) -> frozenset[str] | None:
         """What its syntax tree has, as far as it says so; nothing of what is no Python. Raises JudgeError.
 
-        None where it is longer than what anybody writes.
+        None where it is longer than what anybody writes. One whose work lies in a library has no text
+        any more.
         """
         if self.too_long:
             return None
@@ -49,4 +50,6 @@ class Beside:
             return frozenset()
         (reply,) = self.box.call("features", [(self.text,)], _LIMITS).replies[:1]
         said = reply.answer if reply.stop is Stop.ANSWERED and isinstance(reply.answer, list) else []
-        return frozenset(FEATURES) & {word(each) for each in said}
+        found = {*FEATURES, LIBRARY} & {word(each) for each in said}
+        self.text = None if LIBRARY in found else self.text
+        return frozenset(found)

@@ -8,6 +8,7 @@ of judge: this file is handed to the contained process.
 from __future__ import annotations
 
 import ast
+import sys
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -40,19 +41,35 @@ _FIXED = frozenset(
 _DECIMAL = frozenset(
     {"Decimal", "decimal", "getcontext", "localcontext", "mpf", "mp", "mpmath", "longdouble"}
 )
+LIBRARY = "library"
+_KNOWN = sys.stdlib_module_names | {"numpy", "__future__"}
 _MOST_VISITS = 20  # of a node, for the functions that it is in
 _SLICED = (ast.Subscript, ast.Attribute)
 
 
 def features(text: str) -> list[str]:
-    """The features of a program; what is no Python shows none: a name that speaks of one is not said."""
+    """The features of a program; what is no Python shows none: a name that speaks of one is not said.
+
+    Of one that imports what is neither Python's nor numpy only that is known: its work lies in a library.
+    """
     try:
         tree = ast.parse(text)
     except (SyntaxError, ValueError, RecursionError, MemoryError):
         return []
     nodes = list(ast.walk(tree))
+    if any(name not in _KNOWN for name in _imported(nodes)):
+        return [LIBRARY]
     names = frozenset(_named_by(nodes))
     return [name for name, has in FEATURES.items() if has(nodes, names)]
+
+
+def _imported(nodes: list[ast.AST]) -> Iterator[str]:
+    """The top of each module that is imported."""
+    for node in nodes:
+        if isinstance(node, ast.Import):
+            yield from (each.name.partition(".")[0] for each in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            yield (node.module or "").partition(".")[0]
 
 
 def _named_by(nodes: list[ast.AST]) -> Iterator[str]:

@@ -40,6 +40,8 @@ def entry_text(error: EntryError, problem: Problem, submission: str, verdict: Ve
             return _missing_module(submission, error.name)
         case Obstacle.IMPORT:
             ended = message.removesuffix(IMPORTING)
+            if library := requirement(Path(submission)):
+                return f"{ended} ends the import. It calls {library}: {install_command(library)}"
             more = ", or use 'judge run --mode program'" if ended.startswith("EOFError") else ""
             return f"{ended} ends the import; put what only you need below if __name__ == '__main__':{more}"
         case Obstacle.NESTED if error.name:

@@ -122,14 +122,14 @@ def place_of(failure: Failure | None) -> str:
 def mistake_text(pitfall: Pitfall, submission: str) -> str:
     """`Very likely mistake: above-for-left`; without a name where it was found.
 
-    Of a routine and of another language than Python only the answers are known.
+    Of a routine, a library and another language than Python only the answers are known.
     """
     if not pitfall.names:
         if len(pitfall.steps) > 1:
             return "Several mistakes found"
         line = next((f" in line {step.line}" for step in pitfall.steps if step.line), "")
         return f"Mistake found{line}"
-    if not submission.endswith(".py"):
+    if pitfall.library or not submission.endswith(".py"):
         return f"It answers like {' and '.join(pitfall.names)}"
     likely = "Very likely" if pitfall.score >= _LIKELY else "Likely"
     return f"{likely} mistake{'s' * (len(pitfall.names) > 1)}: {' and '.join(pitfall.names)}"
@@ -164,7 +164,7 @@ def _happened(problem: Problem | None, result: Result, text: str) -> str:
     message, unplaced, place = failure.message, failure.input is None, fault_place(result)
     line = place.line if place else result.hurdle.line if result.hurdle else 0
     row = text.split("\n")[line - 1 : line] if line else ()
-    if verdict is Verdict.RTE and (ended := why_ended(message, "".join(row))):
+    if verdict is Verdict.RTE and (ended := why_ended(message, "".join(row), result.submission)):
         return f"line {line}: {ended}" if line else ended
     if result.hurdle is not None and problem is not None:
         return entry_text(result.hurdle, problem, result.submission, verdict, message)

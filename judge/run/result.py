@@ -211,7 +211,8 @@ class Pitfall(Struct, frozen=True):
     """The mistake that explains the wrong answers, or the two together; `score` is between 0 and 1.
 
     `advice` says of each what is wrong. `perhaps` is empty: results of before may have another mistake in it.
-    `steps` are what was proved, the largest first: all that is known where there is no name.
+    `steps` are what was proved, the largest first: all that is known where there is no name. Where the work
+    lies in a `library`, nothing of its source is known.
     """
 
     names: tuple[str, ...]
@@ -219,6 +220,7 @@ class Pitfall(Struct, frozen=True):
     advice: tuple[str, ...]
     perhaps: tuple[str, ...] = ()
     steps: tuple[MistakeStep, ...] = ()
+    library: bool = False
 
     @property
     def name(self) -> str:
@@ -264,7 +266,8 @@ class Result(Struct, frozen=True, kw_only=True):
     nothing could be run. `failure` is the first failing case, `counterexample` the smallest one that was
     found, `pitfall` the mistake behind them; a `hurdle` keeps a submission from running at all. `isolation`
     is the level it was held at. `notes` are sentences for the person about what did not go as it should
-    beside the verdict. `out_of` is how many groups the problem has, 0 where all were run.
+    beside the verdict. `out_of` is how many groups the problem has, 0 where all were run. It was `cut_short`
+    where a bound by the clock kept something from being called, searched for or named.
     """
 
     schema: int = SCHEMA
@@ -285,6 +288,7 @@ class Result(Struct, frozen=True, kw_only=True):
     isolation: str = ""
     notes: tuple[str, ...] = ()
     out_of: int = 0
+    cut_short: bool = False
 
     def __repr__(self) -> str:
         """One line: who did what, and how it ended."""

@@ -6,9 +6,11 @@ import codecs
 import re
 import sys
 from keyword import kwlist
+from pathlib import Path
 
 from judge.errors import one_slip
 from judge.problem import Problem
+from judge.problem.solutions import install_command, requirement
 from judge.sandbox.boundary import SourceFault
 
 _KINDS = {  # by how they begin
@@ -41,11 +43,14 @@ _NEWER = re.compile(r"type \w+.* = |(def|class) \w+\[")  # what Python 3.12 brou
 _UNDEFINED = re.compile(r"NameError: name '(\w+)' is not defined")
 _NO_MODULE = re.compile(r".*Error: Cannot find module '(\.*/*)([^']*)'", re.DOTALL)  # as node says it
 _STARTS = re.compile(r"\b(Lock|Pool|Popen|Process|Queue|fork|spawn\w*|subprocess|system|popen)\b")
-_NO_FILE = ("No usable temporary directory", "Read-only file system", "writable cache directory")
+_NO_FILE = ("No usable temporary directory", "Read-only file system")
 
 
-def why_ended(message: str, line: str) -> str:
-    """What ended a program, where the `message` of its language does not say it; `line` is where it stood."""
+def why_ended(message: str, line: str, submission: str = "") -> str:
+    """What ended a program, where the `message` of its language does not say it; `line` is where it stood.
+
+    A `submission` that is the adapter of a library says which version it calls.
+    """
     if (unknown := _UNDEFINED.match(message)) and (said := _slipped(line.strip(), unknown[1])):
         return said
     error = message.partition(" (line ")[0]
@@ -53,9 +58,11 @@ def why_ended(message: str, line: str) -> str:
         if _STARTS.search(line):
             return f"{error}. A submission may start no process."
         if any(each in error for each in _NO_FILE):
-            wants = "; matplotlib wants a folder at its import" if "Matplotlib" in error else ""
-            return f"{error}. A submission may write no file{wants}."
+            return f"{error}. A submission may write no file."
     if absent := _NO_MODULE.match(message):
+        if library := "" if absent[1] else requirement(Path(submission)):
+            where = "and name its node_modules in $JUDGE_PACKAGES"
+            return f"{absent[2]} is not installed: {install_command(library)}, {where}"
         what, bundle = "another file" if absent[1] else "a package", "npx esbuild --platform=node --bundle"
         more = "" if absent[1] else ", or name a node_modules with it in $JUDGE_PACKAGES"
         return f"{absent[2]} is {what}, and a submission is one file. Bundle it: {bundle} a.js{more}"

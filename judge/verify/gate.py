@@ -108,6 +108,7 @@ def verify_problem(
         checks = [
             (fault_of(each, problem.id) for each in unsound),
             _none_accepted(problem, solutions),
+            _whose(problem),
             _time_faults(problem, solutions),
         ]
     checks += [
@@ -197,6 +198,15 @@ def _none_accepted(problem: Problem, solutions: Sequence[Solution]) -> Iterator[
         folder = problem.solutions / Kind.ACCEPTED.value
         where = f"{problem.solutions.name}/{folder.name}"
         yield Fault("there is no accepted solution", where, f"add one to {folder}")
+
+
+def _whose(problem: Problem) -> Iterator[Fault]:
+    """A license that nobody gives, which verifyproblem calls an error."""
+    source = problem.source
+    named = source.authors or source.origin or source.license.lower() in ("", "unknown", "public domain")
+    if not named:
+        what = f"the license is {source.license}, and neither authors nor an origin are named"
+        yield Fault(what, key_place(problem, ("source", "license")), "name them in [source]")
 
 
 def _time_faults(problem: Problem, solutions: Sequence[Solution]) -> Iterator[Fault]:

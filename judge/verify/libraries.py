@@ -14,6 +14,7 @@ from msgspec.structs import replace
 
 from judge.data.libraries import LibraryRow, LibraryTable, read_libraries, table_of, write_libraries
 from judge.data.model import GroupData, ProblemData
+from judge.errors import UsageError
 from judge.languages.boxes import AnyBoxes
 from judge.languages.signature import signature_of
 from judge.problem import Problem, Verdict
@@ -23,6 +24,7 @@ from judge.run.execute import judge_submission
 from judge.run.result import Behaviour
 from judge.run.settings import Settings
 from judge.sandbox import Boxes
+from judge.sandbox.boundary import IMPORTING
 from judge.sandbox.roots import package_folders
 from judge.verify.model import Progress
 
@@ -40,7 +42,10 @@ def measure_libraries(problem: Problem, data: ProblemData, boxes: Boxes, progres
         name, version = package_of(each)
         found = installed_version(name, javascript=each.language is not None)
         if found == version:
-            rows[each.path.stem] = measured(each, data, boxes)
+            try:
+                rows[each.path.stem] = measured(each, data, boxes)
+            except UsageError as fault:
+                missing.append(str(fault))
         else:
             what = f"{name} {found} is installed, {each.file} calls" if found else f"{name} is not installed"
             missing.append(
@@ -67,19 +72,24 @@ def installed_version(package: str, *, javascript: bool = False) -> str:
 
 
 def measured(adapter: Solution, data: ProblemData, boxes: Boxes) -> LibraryRow:
-    """What it answers to every case; nothing is timed."""
+    """What it answers to every case; nothing is timed. Raises UsageError where its import ends."""
     problem = replace(data.problem, limits=_LIMITS)
     data = ProblemData(problem, data.groups, loaded=data.loaded)
     settings = Settings(box_factory=AnyBoxes(boxes, signature_of(problem)), measured=False)
     result, _, behaviour = judge_submission(data, adapter.source, adapter.path.name, settings)
     library, version = package_of(adapter)
+    why = result.failure.message if result.failure else ""
+    if why.endswith(IMPORTING):
+        raise UsageError(
+            f"{library} {version} is not measured: {why.removesuffix(IMPORTING)} ends the import"
+        )
     groups = result.groups
     return LibraryRow(
         library,
         version,
         (sum(each.verdict is Verdict.AC for each in groups), len(groups)),
         (sum(each.passed for each in groups), sum(each.cases for each in groups)),
-        _smallest(data.groups, behaviour) or (result.failure.message if result.failure else ""),
+        _smallest(data.groups, behaviour) or why,
     )
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import shutil
 import subprocess
 import sys
@@ -46,12 +47,18 @@ def test_both_versions_with_programs_in_the_folder_of_their_verdict(judge):
         assert "license: unknown\n" in yaml
         assert "memory: 1024\n" in yaml
         assert (package / "submissions/wrong_answer/floor-division.py").is_file()
+        (statement,) = package.glob("*/problem.en.tex")
+        assert "the answers in the same order, one on a line" in statement.read_text()
         for case in ("sample/01-examples", "secret/02-whole", "secret/03-half"):
             base = package / "data" / case
             given = base.with_suffix(".in").read_bytes()
             right = base.with_suffix(".ans").read_bytes()
             assert validated(package, case, right) == 42
             assert validated(package, case, right.replace(b".", b".1", 1) + b"0\n") == 43
+            # `.5` and `1.`, as bc and numpy print
+            bare = re.sub(rb"(?m)^(-?)0(?=\.[1-9])|(?<=[0-9]\.)0$", rb"\1", right)
+            assert bare != right or case == "secret/03-half"
+            assert validated(package, case, bare) == 42
             words = [sys.executable, package / "input_validators/validate.py"]
             assert subprocess.run(words, input=given, check=False).returncode == 42
             assert subprocess.run(words, input=given + b"1 1\n", check=False).returncode == 43

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import signal
 import subprocess
 import sys
 from importlib.metadata import entry_points
@@ -81,6 +82,19 @@ def test_a_bad_marker_is_one_line_and_fails_its_own_test_alone(marker, said, lib
     ended.stdout.fnmatch_lines([said])
     assert "Traceback" not in ended.stdout.str()
     assert "INTERNALERROR" not in ended.stdout.str()
+
+
+def test_a_process_that_had_to_be_ended_says_so_in_spite_of_what_pytest_captures(pytester):
+    pytester.makepyfile(
+        "from judge.judging import clock\n"
+        "from judge.testing import judge_problem\n"
+        "def test_it(monkeypatch):\n"
+        "    monkeypatch.setattr(clock, 'GRACE', 0.5)\n"
+        "    judge_problem('middle').check(lambda *_: sum(range(10**18)), seconds=0.5)\n"
+    )
+    ended = pytester.runpytest_subprocess(*LOADED, *ALONE)
+    assert ended.ret == -signal.SIGKILL
+    ended.stderr.fnmatch_lines(["judge: * has not come back 0.5 s after *. This process ends."])
 
 
 def test_nothing_of_judge_is_imported_at_the_start_of_pytest():

@@ -71,6 +71,48 @@ def test_it_finds_its_problems_rejects_a_wrong_program_and_accepts_its_own_solut
         assert (status, result["verdict"]) == wanted
 
 
+AUTHOR = """
+import pytest
+from hypothesis import given, settings
+from judge.testing import judge_problem
+from mylib import line_count
+
+COUNT = judge_problem("count")
+
+@pytest.mark.judge_problem("count")
+def test_group(judge_group):
+    judge_group.check(line_count, seconds=120)
+
+@pytest.mark.parametrize("case", COUNT.cases("examples"), ids=repr)
+def test_case(case):
+    assert case.accepts(line_count(*case))
+
+@settings(max_examples=20, deadline=None)
+@given(COUNT.strategy("near"))
+def test_near(case):
+    assert case.accepts(line_count(*case))
+
+def test_result():
+    result = COUNT.judge(lambda *_: 2)
+    assert (result.verdict.value, result.cut_short) == ("WA", False)
+"""
+
+
+def test_a_library_author_tests_with_it_in_several_processes(installed, tmp_path, shared):
+    right = (ROOT / "solutions/count/accepted/tolerant.py").read_text(encoding="utf-8")
+    (tmp_path / "mylib.py").write_text(right, encoding="utf-8")
+    (tmp_path / "test_mylib.py").write_text(AUTHOR, encoding="utf-8")
+    path = os.pathsep.join(map(str, (installed, tmp_path)))
+    environment = {**os.environ, "PYTHONPATH": path, "JUDGE_CACHE": str(shared / "cache-of-the-wheel")}
+    environment.pop("JUDGE_PROBLEMS", None)
+    words = [sys.executable, "-m", "pytest", "-q", "-n", "2", "--rootdir", str(tmp_path)]
+    ended = subprocess.run(
+        words, cwd=tmp_path, env=environment, capture_output=True, text=True, timeout=300, check=False
+    )
+    groups = len(json.loads((ROOT / "problems/count/pins.json").read_text()))
+    assert f"{groups + 10} passed" in ended.stdout, ended.stdout
+
+
 @pytest.mark.nightly
 def test_its_wrong_programs_can_be_broken(judge):
     """The solutions are hidden from what runs in the box, and the one to break is read outside of it."""

@@ -11,8 +11,10 @@ from pathlib import Path
 
 import pytest
 
+import judge
 from judge.data.libraries import library_table
 from judge.manual import page
+from judge.problem import Verdict
 from judge.problem.find import find_problem
 from judge.problem.load import load_problem
 from judge.problem.solutions import Kind, read_solutions, requirement
@@ -55,6 +57,15 @@ def table_of(kata):
     return measure_libraries(kata, fresh_data(kata), Boxes(), lambda *_: None)
 
 
+def run_of(kata, adapter: str) -> str:
+    file = kata.solutions / "libraries" / adapter
+    words = ["run", "--problems", str(kata.folder.parent), "root-count", str(file), "--no-history"]
+    ended = subprocess.run(
+        [sys.executable, "-m", "judge", *words], capture_output=True, text=True, check=False
+    )
+    return " ".join(ended.stdout.split())
+
+
 def test_an_adapter_is_measured_and_its_row_is_kept(kata):
     found = table_of(kata)
     (row,) = found.libraries
@@ -87,6 +98,31 @@ def test_what_is_missing_or_too_new_is_one_line_and_the_row_stays(kata, tmp_path
     assert after.libraries == before
 
 
+def test_a_package_that_ends_its_import_is_one_line_and_the_row_stays(kata, tmp_path):
+    before = table_of(kata).libraries
+    (tmp_path / "packages" / "fakelib.py").write_text("raise ImportError('wants a display')\n")
+    after = table_of(kata)
+    said = "ImportError: wants a display (line 4) ends the import"
+    assert after.missing == (f"fakelib 1.0 is not measured: {said}",)
+    assert after.libraries == before
+    assert f"{said}. It calls fakelib==1.0: pip install fakelib==1.0" in run_of(kata, "fakelib.py")
+
+
+def test_an_adapter_that_raises_loses_that_case_alone(kata):
+    result = judge.judge(kata, kata.solutions / "libraries" / "fakelib.py")
+    (failing,) = [each for each in result.groups if each.verdict is Verdict.RTE]
+    assert (failing.name, failing.run) == ("small", True)
+    assert result.counterexample.input == {"c": -3}
+
+
+@pytest.mark.skipif(not shutil.which("node"), reason="no Node.js here")
+def test_what_npm_lacks_is_told_with_its_version(kata):
+    adapter = "// fakelib 1.0.1: roots\n//\n// It counts.\nconst f = require('fakelib');\n"
+    adapter += "function rootCount(c) {\n  return f.roots(c);\n}\n"
+    (kata.solutions / "libraries" / "other.js").write_text(adapter)
+    assert "fakelib is not installed: npm install fakelib@1.0.1" in run_of(kata, "other.js")
+
+
 def test_no_verdict_is_wanted_of_an_adapter(kata):
     report = verify_problem(kata)
     assert not report.faults
@@ -95,12 +131,7 @@ def test_no_verdict_is_wanted_of_an_adapter(kata):
 
 def test_a_run_without_the_package_says_what_to_install(kata, tmp_path):
     (tmp_path / "packages" / "fakelib.py").unlink()
-    file = kata.solutions / "libraries" / "fakelib.py"
-    words = ["run", "--problems", str(kata.folder.parent), "root-count", str(file), "--no-history"]
-    ended = subprocess.run(
-        [sys.executable, "-m", "judge", *words], capture_output=True, text=True, check=False
-    )
-    assert "fakelib is not installed: pip install fakelib==1.0" in " ".join(ended.stdout.split())
+    assert "fakelib is not installed: pip install fakelib==1.0" in run_of(kata, "fakelib.py")
 
 
 @pytest.mark.parametrize("path", ADAPTERS, ids=lambda path: f"{path.parts[-3]}-{path.stem}")

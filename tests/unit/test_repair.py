@@ -375,6 +375,19 @@ def test_the_memory_of_the_child_holds_no_right_answer(kata):
     assert [len(raw) for _, raw in pairs] == [7] * 2
 
 
+def test_what_lies_in_a_library_is_not_changed(kata):
+    """Nor is anything said of the lines that call it: it may be the library that needs the change."""
+    text = SEGMENT.replace("1e-10 * size", "1e-9")
+    data = kata("segment")
+    assert data.module
+    for first, whole in (("import statistics", True), ("import yaml", False)):
+        changed = f"{first}\n{text}".encode()
+        with Boxes()(text.encode(), "a.py") as box, Beside(Boxes(), changed, python=True) as beside:
+            assert ("library" in beside.features()) is not whole
+            made = seek(data, judged(data, text, box), box, beside)
+        assert bool(made and made.whole) is whole
+
+
 def test_the_judge_parses_no_submission(kata):
     """Neither here nor in what it imports: with a parser that refuses, one change is found all the same."""
     text = SEGMENT.replace("1e-10 * size", "1e-9")
@@ -395,6 +408,8 @@ def test_the_judge_parses_no_submission(kata):
     ("source", "found"),
     [
         (b"x = 5 // 2", {"//", "whole", "round"}),
+        (b"import math, numpy.linalg\nx = 5 // 2", {"//", "whole", "round"}),
+        (b"def f():\n    from ezdxf.math import Vec2\n    return 5 // 2", {"library"}),
         (b"def f(:", set()),
         (b"import os\nos._exit(0)", set()),
         (b"# \xff\nx = 5 // 2", {"//", "whole", "round"}),

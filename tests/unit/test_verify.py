@@ -52,3 +52,20 @@ def test_data_that_cannot_be_built_are_the_one_fault(tmp_path):
     assert "contradicts solve" in fault.what
     assert report.faults
     assert report.solutions == ()
+
+
+@pytest.mark.parametrize(
+    ("source", "faults"),
+    [
+        ('license = "cc by-sa"', 1),
+        ('license = "cc by-sa"\nauthors = ["Ada Lovelace"]', 0),
+        ('license = "cc by-sa"\norigin = "a book"', 0),
+        ('license = "public domain"', 0),
+    ],
+)
+def test_a_license_that_nobody_gives_is_a_fault(pack, source, faults):
+    file = pack / "problems" / "root-count" / "problem.toml"
+    file.write_text(f"{file.read_text()}\n[source]\n{source}\n")
+    found = [str(fault) for fault in verified(pack).faults]
+    said = "the license is cc by-sa, and neither authors nor an origin are named; name them in [source]"
+    assert [each.partition(": ")[2] for each in found] == [said] * faults

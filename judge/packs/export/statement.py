@@ -83,8 +83,8 @@ def _as_a_program(problem: Problem) -> str:
     row = " ".join(_words(parameter) for parameter in problem.parameters)
     return (
         "\\emph{A submission is a whole program here, and not a function. It reads the number of cases"
-        f" and then a line for each of them: \\texttt{{{escaped(row)}}}. It prints a line for each of them:"
-        f" \\texttt{{{escaped(meant(problem.answer))}}}.}}\n"
+        f" and then a line for each of them: \\texttt{{{escaped(row)}}}. It prints the answers in the same"
+        f" order, one on a line: \\texttt{{{escaped(meant(problem.answer))}}}.}}\n"
     )
 
 
