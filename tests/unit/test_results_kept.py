@@ -43,7 +43,7 @@ SHAPE = {
     "failure": ({"type"}, {"message"}, []),
     "error": ({"type"}, {"message"}, []),
 }
-TIME = re.compile(r"[0-9]+\.[0-9]{0,3}")
+TIME = re.compile(r"[0-9]+\.[0-9]{6}")
 EVIL = "a\x00\x08\x1b[31m]]>\n<!-- & \ud800 \ufffe </failure><system-out>'\" \u202e"
 
 
