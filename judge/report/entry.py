@@ -31,16 +31,19 @@ def entry_text(error: EntryError, problem: Problem, submission: str, verdict: Ve
     entry, count = problem.entry, len(problem.parameters)
     call = f"{entry}({', '.join(parameter.name for parameter in problem.parameters)})"
     line = f" (line {error.line})" if error.line else ""
+    library = requirement(Path(submission))
     match error.kind:
         case Obstacle.STUB:
             return f"Write the body of {entry}{line}, then save."
         case Obstacle.ARITY:
             return f"{entry} takes {error.takes} arguments and is called with {count}: {call}"
+        case Obstacle.MODULE if library:
+            return f"{library.partition('==')[0]} is not installed: {install_command(library)}"
         case Obstacle.MODULE:
             return _missing_module(submission, error.name)
         case Obstacle.IMPORT:
             ended = message.removesuffix(IMPORTING)
-            if library := requirement(Path(submission)):
+            if library:
                 return f"{ended} ends the import. It calls {library}: {install_command(library)}"
             more = ", or use 'judge run --mode program'" if ended.startswith("EOFError") else ""
             return f"{ended} ends the import; put what only you need below if __name__ == '__main__':{more}"
@@ -67,8 +70,6 @@ def entry_text(error: EntryError, problem: Problem, submission: str, verdict: Ve
 
 
 def _missing_module(submission: str, name: str) -> str:
-    if library := requirement(Path(submission)):
-        return f"{library.partition('==')[0]} is not installed: {install_command(library)}"
     top = name.partition(".")[0]
     beside = Path(submission).parent / top
     if any(os.path.lexists(path) for path in (beside, beside.with_name(file_name(top)))):
