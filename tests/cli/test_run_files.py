@@ -30,7 +30,6 @@ def test_a_file_is_written_with_every_format(form, judge, team):
     root = Xml.parse("out.xml").getroot()
     assert [suite.get("name") for suite in root] == ["middle team/a.py", "middle team/b.py"]
     assert [suite.get("failures") for suite in root] == ["0", "2"]
-    assert all(len(each.get("time").partition(".")[2]) == 6 for each in root.iter() if each.get("time"))
     assert judge("run", "middle", "team/a.py", "--junit", "out.xml").status == 0  # its own file, again
     assert len(Xml.parse("out.xml").getroot()) == 1
 
