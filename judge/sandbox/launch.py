@@ -15,6 +15,7 @@ import sys
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from judge.errors import JudgeError
 from judge.sandbox.bundle import BOOTSTRAP
 from judge.sandbox.room import Share, tasks_of_mine
 from judge.sandbox.roots import Roots, open_to_all
@@ -33,6 +34,7 @@ ENVIRONMENT = {
     "MALLOC_ARENA_MAX": "2",  # threads of a submission would each reserve 64 MB of its address space
 }
 SCRATCH = "/scratch"
+_PROCESS = Path("/proc/self")
 _AT_HOME = ("HOME", "TMPDIR", "MPLCONFIGDIR")  # matplotlib's import ends without a folder that looks writable
 _HOME_BYTES = 4096  # nothing is ever written there; 0 would be no limit
 RESULT = "out"  # the folder in it that a compiler's result goes to
@@ -232,7 +234,7 @@ def _spare_uid() -> int | None:
         return None
     wanted = _UIDS + int.from_bytes(os.urandom(3), "little")
     top = 0
-    for line in Path("/proc/self/uid_map").read_text(encoding="ascii").splitlines():
+    for line in _of_proc("uid_map"):
         first, _, length = map(int, line.split())
         if first <= wanted < first + length:
             return wanted
@@ -242,9 +244,17 @@ def _spare_uid() -> int | None:
 
 def _may_change_user() -> bool:
     """Whether this root has CAP_SETGID and CAP_SETUID, which some containers take away."""
-    status = Path("/proc/self/status").read_text(encoding="ascii", errors="replace")
-    effective = next(line.split()[1] for line in status.splitlines() if line.startswith("CapEff"))
+    effective = next(line.split()[1] for line in _of_proc("status") if line.startswith("CapEff"))
     return int(effective, 16) >> 6 & 0b11 == 0b11
+
+
+def _of_proc(name: str) -> list[str]:
+    """The lines that the kernel has of this process. Raises JudgeError where it shows none."""
+    try:
+        return (_PROCESS / name).read_text(encoding="ascii", errors="replace").splitlines()
+    except FileNotFoundError as fault:
+        remedy = "mount it: mount -t proc proc /proc"
+        raise JudgeError("nothing can be judged where there is no /proc", remedy=remedy) from fault
 
 
 def threads(level: str, share: Share, *, alone: bool) -> int:

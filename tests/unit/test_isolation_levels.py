@@ -8,6 +8,7 @@ from __future__ import annotations
 import errno
 import os
 import shutil
+import sys
 import threading
 import time
 from pathlib import Path
@@ -227,3 +228,10 @@ def test_where_no_proc_may_be_mounted_the_machines_own_is_taken(tmp_path, monkey
         assert box.call("f", [(1,)], LIMITS).replies[0].answer == 1
         assert box.isolation == "full"
     assert count(starts) == 2
+
+
+@pytest.mark.skipif(sys.platform != "linux" or os.geteuid() != 0, reason="only root changes its user")
+def test_a_machine_without_proc_is_told_in_one_line(monkeypatch, tmp_path):
+    monkeypatch.setattr(launch, "_PROCESS", tmp_path)
+    with pytest.raises(JudgeError, match=r"nothing can be judged where there is no /proc; mount it"):
+        open_box(b"", "my.py")
