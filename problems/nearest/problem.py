@@ -15,6 +15,15 @@ def solve(circles, rays):
     return nearest(circles, rays, FASTEST)
 
 
+def hurried(scene):
+    """The same with each D 1000 long along one axis: rays that start on a small circle nearly touch it."""
+    def draw_case(draw):
+        circles, rays = scene(draw)
+        far = draw.sign() * FASTEST
+        return circles, tuple((O, draw.choice(((dx and far, dy), (dx, dy and far)))) for O, (dx, dy) in rays)
+    return draw_case
+
+
 INTERVIEW = [
     group("few", "Up to ten circles of about one size, and some rays: a plain loop is good enough.", aside(fields((1, 10), (4, 9), 70, (9, 17)), 90), skills="the nearest of several"),
     group("inside", "Rays that start inside one circle or several: they meet the curve where they leave, or another circle before.", inside((1, 8), (4, 8), 40, (12, 30)), skills="origin inside"),
@@ -22,7 +31,7 @@ INTERVIEW = [
 
 PRODUCTION = [
     group("ties", "Several circles met at once, touches, and origins on a circle; others are just off.", ties((5, 9), 40), skills="ties of circles"),
-    group("grid", "The smallest numbers: origins on a circle, touches and ties come up by themselves.", either(fields((1, 2), (12, 17), 1, (1, 2), fastest=2), aside(fields((5, 9), (12, 17), 3, (1, 3), fastest=2), 4)), cases=180, skills="the small grid"),
+    group("grid", "The smallest numbers: origins on a circle, touches and ties come up by themselves.", either(fields((1, 2), (12, 17), 1, (1, 2), fastest=2), aside(fields((5, 9), (12, 17), 3, (1, 3), fastest=2), 4), hurried(fields((1, 2), (12, 17), 1, (1, 2), fastest=1))), cases=240, skills="the small grid"),
     group("near", "Rays that nearly touch a circle, nearly begin on one, or meet two at nearly one place.", nearly((3, 6), 4_000), skills="nearly is not touching"),
     group("leaving", "Rays in any direction from a place on a circle, and from its centre, there with a D of two lengths.", leaving((3, 6), 60), cases=30, skills="origin inside"),
     group("sparse", "Small circles far apart: most rays go a long way and meet nothing.", fields((150, 300), (60, 90), 20_000, (60, 110)), cases=20, skills="walk through boxes"),
