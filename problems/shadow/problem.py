@@ -32,7 +32,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("close", "The way to the light nearly touches a circle.", lights("close", "close-early", "close-large", **FINE), skills="nearly is not touching"),
     group("first-close", "The ray itself nearly touches a circle, or begins just before it.", lights("first-close", "brink", **FINE), cases=90, skills="nearly is not touching"),
     group("own-wall", "From inside, nearly along the wall: the way to the light leaves the room right beside the point.", lights("level-wall", **{**BIG, "size": 20_000}), skills="off the surface, a little"),
-    group("skin", "The point is just inside another circle: its wall is right behind the start.", lights("skin", **FINE), skills="off the surface, a little"),
+    group("skin", "The point is just inside another circle: its wall is right behind the start, or right before it.", lights("skin", **FINE), cases=120, skills="off the surface, a little"),
     group("at-the-light", "A wall a thousandth or a ten-millionth of the way before the light, or just beyond it.", lights("lamp", "lamp-thin", **{**BIG, "size": 10**7}), cases=72, skills="a ray that ends"),
     group("ledge", "The point is just outside of another circle, beside the ray: whoever starts far off the surface starts in it.", lights("ledge", **FINE), skills="off the surface, a little"),
     group("sill", "Another circle begins right before the point, on the way to the light.", either(lights("sill", **FINE), *[lights("sill", **{**FINE, "turn": "axis"})] * 2), cases=110, skills="off the surface, a little"),

@@ -15,7 +15,8 @@ A word says what the light L is to the point P that the ray hits first.
     blocked, gap                  a circle is between, or a tiny one near P
     beyond, behind                a circle is on the line, but not between
     around-light, around-point    a circle around L, or around the way to P
-    skin, ledge                   P is just inside another circle, or just outside of one beside the ray
+    skin                          P is just inside another circle, whose wall is behind P or before it
+    ledge                         P is just outside of a circle beside the ray
     sill                          the same, and the way to L goes into that one, often aslant
     pillar, moat, court           a second circle about the centre, or around all: a smaller one that blocks,
                                   a larger one that blocks, one that does not
@@ -162,6 +163,9 @@ def _laid(draw: Draw, word: str, size: int) -> tuple[list[Row], Spot]:
         up = (y > 0) - (y < 0)
         return [circle], (at + along * y + inward, -along * half + inward * up)
     if word == "skin":
+        if 2 * half < r:  # a grazing ray: the wall is right before the point, on the way to L
+            wx = abs(wx)
+            wy = -5 * wx * half // y // 4
         light = at + 3 * wx, 3 * wy
         return [circle, (near_gap(draw, max(at + half + r, *map(abs, light))), 0, at)], light
     if word in ("ledge", "sill"):
