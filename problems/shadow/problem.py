@@ -43,6 +43,6 @@ PRODUCTION = [  # the same, where rounding bites
     group("top", "The point is the top of its circle, or the bottom, or to the left or right of the centre.", shaded(either(topped(20), topped(2**28)), "lit", "lit", "own", "back"), skills="off the surface, a little"),
     group("steep", "Directions almost along an axis.", lights("open", "blocked", "room", "wall", "straight", "straight", **{**TILTED, "tilt": (20, 75)}), skills="no slopes"),
     group("tiny", "Figures of 1e-10 to 1e-20.", either(lights("blocked", "wall", "around-light", "around-point", "outdoors", "back", size=200, **SMALL), lights("level-open", "level-back", "close", **{**TINY, "size": 2**22})), cases=90, skills=("no absolute epsilon", "scale invariance")),
-    group("offset", "A small figure far from the plane's origin.", either(lights("open", "blocked", "room", **ABOUT, **OFFSET), lights("level-open", "level-back", "room", "wall", **OFFSET)), skills="far from the origin"),
+    group("offset", "A small figure far from the plane's origin.", either(lights("open", "blocked", "blocked", "room", **ABOUT, **OFFSET), lights("level-open", "level-back", "room", "wall", **OFFSET)), cases=110, skills="far from the origin"),
     group("large", "Whole numbers up to 2**30.", lights("open", "back", "blocked", "beyond", "room", "wall", **{**BIG, "size": 2**17, "shift": 0, "numbers": "int"}), skills=("whole numbers that are large", "scale invariance")),
 ]
