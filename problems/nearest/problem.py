@@ -5,7 +5,7 @@ from judge.geometry.hooks import MANY, hooks
 from judge.geometry.scenes import either
 from judge.geometry.scenes.close import nearly
 from judge.geometry.scenes.growth import crowded
-from judge.geometry.scenes.many import FASTEST, aside, clusters, fields, heaps, inside, leaving, strips, ties
+from judge.geometry.scenes.many import FASTEST, any_circle, aside, clusters, fields, heaps, inside, leaving, strips, ties, turned
 from judge.problem.declare import group
 
 HOOKS = hooks(MANY)
@@ -15,6 +15,19 @@ def solve(circles, rays):
     return nearest(circles, rays, FASTEST)
 
 
+def edges(draw):
+    """Small circles, at an axis or anywhere, and rays straight along a side of one's box or out of it; some are askew by 1:1000."""
+    u, v = (draw.choice((0, draw.integer(-99, 99))) for _ in "xy")
+    circles, rays = [any_circle(draw, draw.integer(0, 1), (1, 2)) for _ in range(draw.integer(1, 3))], []
+    circles = [(x + u, y + v, r) for x, y, r in circles]
+    for _ in range(draw.integer(24, 30)):
+        (x, y, r), far = draw.choice(circles), draw.integer(1, 9) * draw.sign()
+        O = x + r, draw.choice((0, y, y + draw.integer(-9, 9)))
+        rays.append((O, draw.choice(((far, 0), (0, far), (0, far), (draw.sign(), FASTEST * draw.sign())))))
+    quarters = draw.integer(0, 3)
+    return tuple(turned(each, quarters) for each in circles), tuple((turned(O, quarters), turned(D, quarters)) for O, D in rays)
+
+
 INTERVIEW = [
     group("few", "Up to ten circles of about one size, and some rays: a plain loop is good enough.", aside(fields((1, 10), (4, 9), 70, (9, 17)), 90), skills="the nearest of several"),
     group("inside", "Rays that start inside one circle or several: they meet the curve where they leave, or another circle before.", inside((1, 8), (4, 8), 40, (12, 30)), skills="origin inside"),
@@ -22,7 +35,7 @@ INTERVIEW = [
 
 PRODUCTION = [
     group("ties", "Several circles met at once, touches, and origins on a circle; others are just off.", ties((5, 9), 40), skills="ties of circles"),
-    group("grid", "The smallest numbers: origins on a circle, touches and ties come up by themselves.", either(fields((1, 2), (12, 17), 1, (1, 2), fastest=2), aside(fields((5, 9), (12, 17), 3, (1, 3), fastest=2), 4)), cases=180, skills="the small grid"),
+    group("grid", "The smallest numbers: origins on a circle, touches and ties come up by themselves.", either(fields((1, 2), (12, 17), 1, (1, 2), fastest=2), aside(fields((5, 9), (12, 17), 3, (1, 3), fastest=2), 4), edges, edges), cases=280, skills="the small grid"),
     group("near", "Rays that nearly touch a circle, nearly begin on one, or meet two at nearly one place.", nearly((3, 6), 4_000), skills="nearly is not touching"),
     group("leaving", "Rays in any direction from a place on a circle, and from its centre, there with a D of two lengths.", leaving((3, 6), 60), cases=30, skills="origin inside"),
     group("sparse", "Small circles far apart: most rays go a long way and meet nothing.", fields((150, 300), (60, 90), 20_000, (60, 110)), cases=20, skills="walk through boxes"),

@@ -24,7 +24,7 @@ INTERVIEW = [
     group("beyond", "A circle is on the line, but beyond the light or behind the point.", lights("beyond", "beyond", "behind", **PLAIN), skills="a ray that ends"),
     group("inside", "The ray begins inside a circle and hits its wall from there; the light is in the same room or not.", either(lights("room", "room", "wall", "wall", "outdoors", others=(0, 1), **PLAIN), lights("straight", **AXIS)), skills=("origin inside", "which side is seen")),
     group("many", "Up to thirty-two circles anywhere.", shaded(anywhere(1000, (8, 32), (16, 125), light=True), "lit", "lit", "blocked", "back"), cases=34, skills="full precision"),
-    group("repeated", "Neighbouring calls differ in one argument.", anywhere(12, (1, 3), (1, 8), light=True), turns=True, skills="nothing kept between calls"),
+    group("repeated", "Neighbouring calls differ in one argument.", anywhere(12, (1, 3), (1, 8), light=True), cases=90, turns=True, skills="nothing kept between calls"),
 ]
 
 PRODUCTION = [  # the same, where rounding bites
@@ -32,17 +32,17 @@ PRODUCTION = [  # the same, where rounding bites
     group("close", "The way to the light nearly touches a circle.", lights("close", "close-early", "close-large", **FINE), skills="nearly is not touching"),
     group("first-close", "The ray itself nearly touches a circle, or begins just before it.", lights("first-close", "brink", **FINE), cases=90, skills="nearly is not touching"),
     group("own-wall", "From inside, nearly along the wall: the way to the light leaves the room right beside the point.", lights("level-wall", **{**BIG, "size": 20_000}), skills="off the surface, a little"),
-    group("skin", "The point is just inside another circle: its wall is right behind the start.", lights("skin", **FINE), skills="off the surface, a little"),
+    group("skin", "The point is just inside another circle: its wall is right behind the start, or right before it.", lights("skin", **FINE), cases=120, skills="off the surface, a little"),
     group("at-the-light", "A wall a thousandth or a ten-millionth of the way before the light, or just beyond it.", lights("lamp", "lamp-thin", **{**BIG, "size": 10**7}), cases=72, skills="a ray that ends"),
     group("ledge", "The point is just outside of another circle, beside the ray: whoever starts far off the surface starts in it.", lights("ledge", **FINE), skills="off the surface, a little"),
     group("sill", "Another circle begins right before the point, on the way to the light.", either(lights("sill", **FINE), *[lights("sill", **{**FINE, "turn": "axis"})] * 2), cases=110, skills="off the surface, a little"),
-    group("home", "The ray begins at the centre, or level with it or upright, and so does the way to the light.", shaded(either(home(20), home(2**28)), "lit", "lit", "own"), cases=100, skills="off the surface, a little"),
+    group("home", "The ray begins at the centre, or level with it or upright, and so does the way to the light; or where the light is.", either(either(home(20), home(2**28)), lights("candle", "candle", "candle", "straight", **{**TILTED, "size": 256, "tilt": (23, 27)})), cases=160, skills="off the surface, a little"),
     group("rooms", "Circles one in another, often about one centre: a wall around everything blocks nothing, one around the point does.", either(lights("court", "court", "pillar", "moat", **PLAIN), lights("court", "pillar", "moat", **AXIS)), skills=("a second ray", "a ray that ends")),
     group("level", "The light is just above or below the surface: no distance off the surface tells.", lights("level-open", "level-back", "level-far", "level-far", **{**BIG, "size": 20_000}), cases=90, skills="which side is seen"),
     group("direction-length", "Directions up to 1e24 times longer or shorter than the figure.", either(lights("open", "back", "blocked", "blocked", "room", "wall", **{**PLAIN, "shift": -17, "stretch": (-40, -20, 0, 20, 30, 30)}), lights("open", "blocked", "room", "wall", **{**NEAR, "shift": -60, "stretch": (0, 40, 70, 82)})), cases=90, skills="t is not a distance"),
     group("top", "The point is the top of its circle, or the bottom, or to the left or right of the centre.", shaded(either(topped(20), topped(2**28)), "lit", "lit", "own", "back"), skills="off the surface, a little"),
     group("steep", "Directions almost along an axis.", lights("open", "blocked", "room", "wall", "straight", "straight", **{**TILTED, "tilt": (20, 75)}), skills="no slopes"),
     group("tiny", "Figures of 1e-10 to 1e-20.", either(lights("blocked", "wall", "around-light", "around-point", "outdoors", "back", size=200, **SMALL), lights("level-open", "level-back", "close", **{**TINY, "size": 2**22})), cases=90, skills=("no absolute epsilon", "scale invariance")),
-    group("offset", "A small figure far from the plane's origin.", either(lights("open", "blocked", "room", **ABOUT, **OFFSET), lights("level-open", "level-back", "room", "wall", **OFFSET)), skills="far from the origin"),
+    group("offset", "A small figure far from the plane's origin.", either(lights("open", "blocked", "blocked", "room", **ABOUT, **OFFSET), lights("level-open", "level-back", "room", "wall", **OFFSET)), cases=110, skills="far from the origin"),
     group("large", "Whole numbers up to 2**30.", lights("open", "back", "blocked", "beyond", "room", "wall", **{**BIG, "size": 2**17, "shift": 0, "numbers": "int"}), skills=("whole numbers that are large", "scale invariance")),
 ]

@@ -5,7 +5,7 @@ from functools import partial
 from judge.geometry import plain
 from judge.geometry.hooks import ROWS, hooks
 from judge.geometry.rows import counts
-from judge.geometry.scenes import BIG, DECIMALS, HUGE, NEAR, OFFSET, PLAIN, TINY, any_columns, columns, million, telling
+from judge.geometry.scenes import BIG, DECIMALS, HUGE, NEAR, OFFSET, PLAIN, TINY, any_columns, columns, either, million, telling
 from judge.problem.declare import group
 
 HOOKS = hooks(ROWS)
@@ -27,13 +27,13 @@ INTERVIEW = [
 ]
 
 PRODUCTION = [  # the same, where rounding bites
-    group("decimals", "Touches in short decimals, which == does not see.", telling(columns("touch", "cut", count=(1, 20), **DECIMALS), *TELLING), skills="collapse the tangent"),
-    group("touch-full", "Touches that no formula in floats can see.", columns("touch", "cut", count=(8, 24), **{**HUGE, "size": 2**36}), skills="a tangent has a width"),
+    group("decimals", "Touches in short decimals, which == does not see.", telling(columns("touch", "touch", "cut", count=(10, 30), **DECIMALS), *TELLING), skills="collapse the tangent"),
+    group("touch-full", "Touches that no formula in floats can see, also by circles beside which A and B are close together.", either(columns("touch", "cut", count=(8, 24), **{**HUGE, "size": 2**36}), columns("touch", "cut", count=(8, 24), octaves=(20, 31), **{**HUGE, "size": 2**36, "move": 0})), skills="a tangent has a width"),
     group("near", "Circles that miss or cut the line by 1e-7 of their size.", columns("touch~", "touch~", "touch", "dot~", **NEAR), cases=30, skills="nearly is not touching"),
     group("mixed-scale", "Circles of very different sizes in one array: each has a size of its own.", columns("touch~", "touch", "cut", octaves=(8, 31), **{**NEAR, "shift": -40}), cases=30, skills="each by its own size"),
     group("far-end", "A and B are thousands of sizes apart: that is the size of the circles.", columns("touch", "cut", "touch~", along=5000, **{**NEAR, "size": 2**5}), cases=30, skills="each by its own size"),
     group("tiny", "All of it tiny, down to 1e-29.", columns("touch", "touch~", "cut", **TINY), cases=30, skills=("no absolute epsilon", "scale invariance")),
-    group("offset", "Small circles far from the plane's origin.", columns("touch", "cut", "miss", **OFFSET), cases=30, skills="far from the origin"),
+    group("offset", "Small circles far from the plane's origin.", columns("touch", "touch~", "cut", "miss", **OFFSET), cases=30, skills="far from the origin"),
     group("integers", "Whole numbers as doubles: products of four do not fit into 64 bits.", columns("touch", "cut", "miss", **{**BIG, "size": 2**12, "move": 20, "shift": 0}), cases=30, skills="whole numbers that are large"),
     group("million", "A million circles, a few of which touch the line or nearly do: arithmetic on whole arrays, or too slow.", million(1_000_000, 2000, 200, 26), cases=2, size=1_000_000, time_limit=4, skills="arrays, not objects"),
 ]

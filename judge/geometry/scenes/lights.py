@@ -9,12 +9,14 @@ A word says what the light L is to the point P that the ray hits first.
     level-open, level-back        the same, nearly on the tangent at P
     level-far                     open, nearly on the tangent, and all is far from the small circle
     room, wall, level-wall        the ray begins inside: L is in the same room, or outside of it
+    candle                        the ray begins inside, where L is
     outdoors                      the same, and L is on the other side of the tangent
     straight                      the ray runs through the centre, from inside or outside; L is upright over O
     blocked, gap                  a circle is between, or a tiny one near P
     beyond, behind                a circle is on the line, but not between
     around-light, around-point    a circle around L, or around the way to P
-    skin, ledge                   P is just inside another circle, or just outside of one beside the ray
+    skin                          P is just inside another circle, whose wall is behind P or before it
+    ledge                         P is just outside of a circle beside the ray
     sill                          the same, and the way to L goes into that one, often aslant
     pillar, moat, court           a second circle about the centre, or around all: a smaller one that blocks,
                                   a larger one that blocks, one that does not
@@ -35,12 +37,14 @@ from judge.data.draw import Draw, Rejected
 from judge.geometry.level import Scene, checked, height, near_gap
 from judge.geometry.pose import Atom, Length, Point, Vector, posed
 from judge.geometry.scenes.crowds import Row, circles_of, mixed
+from judge.geometry.scenes.many import any_point
 from judge.geometry.shadow import Shade, shade
 from judge.problem.declare import InvalidCase
 
 _BLOCKED = ("blocked", "gap", "around-light", "around-point", "skin", "sill", "pillar", "moat")
 _SHADES: dict[str, tuple[Shade, ...]] = {
     "miss": (Shade.NOTHING,),
+    "candle": (Shade.LIT,),
     **dict.fromkeys(
         ("open", "brink", "torch", "room", "court", "beyond", "behind", "level-open", "level-far", "ledge"),
         (Shade.LIT,),
@@ -101,13 +105,10 @@ def _wanted(draw: Draw, case: tuple[Any, ...], shades: Sequence[Shade]) -> tuple
 def _laid(draw: Draw, word: str, size: int) -> tuple[list[Row], Spot]:
     """The circle that is hit first and what is in the way, for a ray from (0, 0) along the x axis; and L."""
 
-    def spot(reach: int) -> Spot:
-        return draw.integer(-reach, reach), draw.integer(-reach, reach)
-
     if word == "miss":
         r = draw.integer(size // 4, size)
         high = (r + draw.integer(1, size)) * draw.sign()
-        return [(draw.integer(-size, 2 * size), high, r)], spot(2 * size)
+        return [(draw.integer(-size, 2 * size), high, r)], any_point(draw, 2 * size)
     if word == "first-close":
         return _first_close(draw, size)
     if word == "straight":
@@ -120,7 +121,7 @@ def _laid(draw: Draw, word: str, size: int) -> tuple[list[Row], Spot]:
         r = draw.integer(2, size)
         y = draw.integer(1 - r, r - 1)
         half = isqrt(r * r - y * y)
-    if word in ("room", "wall", "outdoors", "level-wall", "pillar"):
+    if word in ("room", "wall", "outdoors", "level-wall", "pillar", "candle"):
         back = draw.integer(1, max(1, 2 * half - 1))  # O is so far behind the wall that is hit
         x = back - half
         if word == "pillar":
@@ -130,8 +131,8 @@ def _laid(draw: Draw, word: str, size: int) -> tuple[list[Row], Spot]:
         if word == "level-wall":
             along = draw.integer(2, 4) * draw.sign()
             return [(x, y, r)], (back + along * y - draw.integer(1, 9), along * half)
-        dx, dy = spot(r if word == "room" else 3 * size)
-        return [(x, y, r)], (x + dx, y + dy)
+        dx, dy = any_point(draw, r if word == "room" else 3 * size)
+        return [(x, y, r)], (0, 0) if word == "candle" else (x + dx, y + dy)
     if word == "brink":
         if half * 2 < r:
             draw.reject()
@@ -148,7 +149,7 @@ def _laid(draw: Draw, word: str, size: int) -> tuple[list[Row], Spot]:
     if word in ("open", "back", "brink", "torch"):
         return [circle], (0, 0) if word == "torch" else light
     if word == "court":
-        x, y = draw.choice((circle[:2], spot(size)))
+        x, y = draw.choice((circle[:2], any_point(draw, size)))
         return [circle, (x, y, draw.integer(7 * size, 9 * size))], light
     if word == "moat":
         wall = isqrt(circle[0] ** 2 + y * y) + draw.integer(2, size)
@@ -162,6 +163,9 @@ def _laid(draw: Draw, word: str, size: int) -> tuple[list[Row], Spot]:
         up = (y > 0) - (y < 0)
         return [circle], (at + along * y + inward, -along * half + inward * up)
     if word == "skin":
+        if 2 * half < r:  # a grazing ray: the wall is right before the point, on the way to L
+            wx = abs(wx)
+            wy = -5 * wx * half // y // 4
         light = at + 3 * wx, 3 * wy
         return [circle, (near_gap(draw, max(at + half + r, *map(abs, light))), 0, at)], light
     if word in ("ledge", "sill"):
@@ -231,12 +235,9 @@ def topped(reach: int) -> Scene:
     """Rays in whole numbers to the top of a circle, or its bottom, left or right; L is anywhere."""
 
     def draw_case(draw: Draw) -> tuple[Any, ...]:
-        def spot(most: int) -> Spot:
-            return draw.integer(-most, most), draw.integer(-most, most)
-
-        (px, py), (dx, dy), r = spot(reach), spot(9), draw.integer(1, reach) * draw.sign()
-        k = draw.integer(1, max(1, reach // 9))
-        case = ((px, py - r, abs(r)),), (px - k * dx, py - k * dy), (dx, dy), spot(reach)
+        (px, py), (dx, dy) = any_point(draw, reach), any_point(draw, 9)
+        r, k = draw.integer(1, reach) * draw.sign(), draw.integer(1, max(1, reach // 9))
+        case = ((px, py - r, abs(r)),), (px - k * dx, py - k * dy), (dx, dy), any_point(draw, reach)
         if draw.boolean():
             return case
         (circle,), *rest = case
@@ -250,15 +251,14 @@ def home(reach: int) -> Scene:
 
     def draw_case(draw: Draw) -> tuple[Any, ...]:
         r, axis, far = draw.integer(2, reach), draw.integer(0, 1), draw.choice((0, 0, reach))
-        O = draw.integer(-far, far), draw.integer(-far, far)
+        O = any_point(draw, far)
 
         def beside(most: int) -> Spot:
             by = draw.choice((0, 0, draw.integer(-most, most), draw.integer(-1, 1)))
             return (O[0] + by, O[1]) if axis else (O[0], O[1] + by)
 
-        D = draw.choice((0, draw.integer(-9, 9))), draw.integer(1, 9) * draw.sign()
-        if draw.integer(0, 2) == 0:
-            D = D[0] * 2.0 ** -draw.integer(10, 30), D[1]  # type: ignore[assignment]  # steep
-        return ((*beside(r - 1), r),), O, D[:: draw.sign()], beside(r)
+        steep = draw.integer(-9, 9) * 2.0 ** -draw.integer(10, 30)
+        D = draw.choice((0, draw.integer(-9, 9), steep)), draw.integer(1, 9) * draw.sign()
+        return ((*beside(r - 1), r),), O, D[:: draw.sign()], beside(2 * r)
 
     return draw_case

@@ -61,7 +61,8 @@ def columns(
 def _row(draw: Draw, word: str, size: int, end: int, fine: int) -> tuple[list[int], int]:
     kind = word.rstrip("~")
     near = draw.choice((0, end))
-    x, r = near + (draw.integer(-3 * size, 3 * size) << fine), draw.integer(size // 4 + 1, size) << fine
+    beside = draw.integer(0, 3) and draw.integer(-3 * size, 3 * size)  # or level with A or B
+    x, r = near + (beside << fine), draw.integer(size // 4 + 1, size) << fine
     y = r * draw.sign()
     if kind == "cut":
         y = draw.integer(1 - r, r - 1)
