@@ -7,8 +7,7 @@
     reference.py, measure.py, timing.py
                      the race against the reference solution, and what its turns say
     result.py        what all of it came to; tried.py: a person's own case, and what was said of it
-    stress.py, verify.py, edges.py
-                     fresh cases without end; the setter's checks; which edges no case reaches
+    stress.py        fresh cases without end
     alone.py         measuring alone on the whole machine
 
 The names below are imported when they are asked for.

@@ -22,7 +22,7 @@ _LONG_IMPORT_SECONDS = 3.0  # of CPU time in the imports of all its turns, the s
 class Duel:
     """A submission and the reference on the cases of some groups, turn by turn.
 
-    A turn is one series of calls, or one program. What a module does when it is imported is the same for all
+    A turn is some calls, or one program. What a module does when it is imported is the same for all
     cases: it is measured apart, and has no part in the ratio. The submission's answers are compared in every
     turn: one that answers otherwise than before, or not to the end, is no longer accepted, and its group says
     why.

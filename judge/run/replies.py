@@ -47,7 +47,7 @@ class Replies(NamedTuple):
     lost: bool = False  # the process was ended by force or in mid-call
     breakdown: Breakdown | None = None
     imported: Usage = Usage()  # what the import took, where that was measured apart from the calls
-    printed: bytes = b""  # the beginning of what a function printed, where there was one series only
+    printed: bytes = b""  # the beginning of what its calls printed
 
     @property
     def trouble(self) -> str:

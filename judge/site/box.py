@@ -23,7 +23,7 @@ _EACH = 512  # jumps between two looks at the clock; a power of 2
 class TabWatch(Watch):
     """Ends what goes on for too long, or takes too much memory.
 
-    `memory` tells the bytes that the interpreter has; `alive` is called at the beginning of each series.
+    `memory` tells the bytes that the interpreter has; `alive` is called when an import or the calls begin.
     Before Python 3.12, which cannot be asked to count, nothing is ended.
     """
 
