@@ -72,6 +72,13 @@ def squares(cx, cy, r, A, _B):
     return (A[0] - cx) ** 2 + (A[1] - cy) ** 2 == r * r
 
 
+def inwards(draw):
+    """A line that comes to the centre of a circle of radius 0 almost along an axis."""
+    cx, cy, far = circle(draw)
+    x, y = (far * draw.sign(), far * draw.sign() / 2 ** draw.integer(22, 40))[:: draw.choice((1, -1))]
+    return cx, cy, 0, (cx + x, cy + y), (cx, cy)
+
+
 def rounded(draw):
     """A is B, on a circle on which no root of squares puts it."""
     p, q, c = triple(draw, 4_418)
@@ -138,7 +145,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("end-full", "An end is on the circle, and rounding puts it beside.", either(lines(*ENDS, **HUGE), lines(*ENDS, **SPLIT), *[telling(BESIDE, inside, partial(inside, slack=1e-9))] * 3, radial, *[telling(lined, each, partial(each, slack=1e-9)) for each in (inside, along, along)] * 2), cases=235, skills="closed ends"),
     group("end-near", "An end stops just before the circle, or goes on just past it.", lines("chord first~ in", "chord first~ after", "chord before first~", "chord last~ after", "chord in last~", "through first~ in", "through in last~", "through before first~", "through last~ after", **CLEAR), cases=100, skills="ends no wider than rounding"),
     group("point", "A equals B: on the circle, or 1e-7 of the figure beside it.", either(telling(POINT, squares, always), rounded, lines("chord first =", "chord last =", **BIG), lines("chord first~ =", "chord last~ =", **CLEAR)), cases=80, skills="degenerate segment"),
-    group("dot-full", "The circle is a point, on a line that floats put beside it.", lines("dot before after", "dot foot after", **SPLIT), skills="r = 0"),
+    group("dot-full", "The circle is a point, on a line that floats put beside it.", either(lines("dot before after", "dot foot after", **SPLIT), telling(inwards, along, partial(along, slack=1e-9))), cases=70, skills="r = 0"),
     group("tiny", "All of it tiny, down to 1e-29.", either(lines("touch before after", "touch~ before after", "chord first~ in", "chord in last~", "chord first~ =", "chord first~ =", **TINY), lines("touch before after", "cut before in", "cut before after", **{**TINY, "turn": "axis"})), cases=90, skills=("no absolute epsilon", "scale invariance")),
     group("offset", "A small figure far from the origin.", lines(*TOUCHES, "cut before in", "cut in after", "dot-miss before after", "touch~ before after", "chord first~ in", "chord in last~", "chord last~ after", "chord before first~", "chord first~ =", **OFFSET), cases=90, skills="far from the origin"),
     group("far", "A or B is up to a hundred million radii away.", either(lines("touch foot far", "cut very-far foot", "cut -far far", "touch foot remote", "touch remote by", "touch -remote far", "touch~ far foot", **FAR), lines("touch far by", "touch -far far", **{**FAR, "size": 1 << 20, "turn": "any"}), *[lines("touch remote foot", **{**FAR, "size": 1 << 8, "turn": "any"})] * 2), cases=90, skills="the sharp discriminant"),
