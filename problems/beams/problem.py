@@ -33,9 +33,10 @@ def first_beam(circles, O, dirs, near=0.0, apart=1e-10):
 
 def close_by(draw):
     """A large circle close to O, and beams on all sides: it covers nearly half of all angles."""
-    r, quarters = draw.integer(100_000, 250_000), draw.integer(0, 3)
-    circle = turned((r + draw.integer(9, r // 20), draw.integer(-r // 5, r // 5), r), quarters)
-    return scanned([circle], any_point(draw, 750_000), [any_way(draw) for _ in range(draw.integer(8, 12))])
+    r, quarters, times = draw.integer(100_000, 250_000), draw.integer(0, 3), draw.choice((1, 50, 50))
+    circle = turned((r + draw.integer(9, r // 20 // times), draw.integer(-r // 5 // times, r // 5 // times), r), quarters)
+    past = [turned((-draw.integer(1, 9), draw.integer(70, 99) * draw.sign()), quarters) for _ in range(3)]
+    return scanned([circle], any_point(draw, 750_000), [*past, *(any_way(draw) for _ in range(draw.integer(5, 9)))])
 
 
 TOUCH = touches((1, 1), 24)

@@ -24,8 +24,8 @@ def slant(draw):
 
 
 def upright(draw):
-    """A touch of a line that leaves an axis by a millionth."""
-    n, m, *ways = draw.integer(10**6, 4 * 10**6), draw.integer(1, 30), draw.integer(-30, 30), draw.integer(-30, 30)
+    """A touch of a line that leaves an axis by a millionth, whose A often is where it touches."""
+    n, m, *ways = draw.integer(10**6, 16 * 10**6), draw.integer(1, 30), draw.choice((0, draw.integer(-30, 30))), draw.integer(-30, 30)
     p, q, scale, turn, side = 2 * n, n * n - 1, 2.0 ** -draw.integer(25, 40), draw.choice((1, -1)), draw.sign()
     A, B = (((side * (m * q + way * p)) * scale, (way * q - m * p) * scale)[::turn] for way in ways)
     return 0, 0, m * (n * n + 1) * scale, A, B
@@ -53,7 +53,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("offset", "A small figure far from the origin.", lines("touch before after", "cut before after", "miss before after", "dot-miss before after", "touch~ before after", "touch~ by foot", **OFFSET), skills="far from the origin"),
     group("far", "A or B is up to ten million radii away.", lines("touch foot far", "cut foot very-far", "cut -far far", "touch~ foot far", "dot far foot", "dot foot far", "through foot farther", "through farther by", **FAR), skills="the sharp discriminant"),
     group("long", "A and B are close together, and still two points.", closed_up("touch by", "cut by", "miss by", "through in"), skills="degenerate line"),
-    group("steep", "Directions almost along an axis.", either(lines("touch before after", "cut before after", "miss before after", **STEEP), lines("cut before after", "miss before after", "cut in in", **TILTED), telling(upright, *TELLING)), cases=90, skills="no slopes"),
+    group("steep", "Directions almost along an axis.", either(lines("touch before after", "cut before after", "miss before after", **STEEP), lines("cut before after", "miss before after", "cut in in", **TILTED), *2 * [telling(upright, *TELLING)]), cases=105, skills="no slopes"),
     group("large", "Whole numbers up to 2**30, some of them touches.", either(whole("nnrpp", 30), lines(*TOUCHES, **{**BIG, "shift": 0, "numbers": "int"})), skills=("whole numbers that are large", "scale invariance")),
     group("corners", "Whole numbers at the ends of the bounds: a difference leaves 32 bits, a sum of squares 64.", either(corners("nnrpp", 30), lambda draw: (0, 0, *corners("rpp", 30)(draw))), skills="whole numbers that are large"),
     group("repeated", "Neighbouring calls differ in one argument.", grid("nnrpp", 3), turns=True, skills="nothing kept between calls"),
