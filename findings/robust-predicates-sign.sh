@@ -2,8 +2,7 @@
 # robust-predicates and Shewchuk's orient2d answer with opposite signs, its incircle with the same.
 #
 # Asked:    what sign has orient2d of a, b, c that turn left, y upwards, and incircle of a point within their circle?
-# Guess:    both positive, as in Shewchuk's C, of which the package is a port, and as its README says of orient2d:
-#           "a positive value if the points occur in counterclockwise order".
+# Guess:    both positive, as in Shewchuk's C, of which the package is a port, and as its README says where it speaks of orient2d.
 # Seen:     robust-predicates 3.0.3: orient2d of (0, 0), (1, 0), (0, 1) is -1, as is orient3d of the unit corner. incircle of
 #           (1, 0), (0, 1), (-1, 0) and the centre is 2: with y upwards it is positive within, as Shewchuk's.
 #           One line of README tells it: y points downwards there.
