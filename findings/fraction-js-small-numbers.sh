@@ -2,11 +2,11 @@
 # fraction.js makes 0 of every number below about 5e-8.
 #
 # Asked:    what fraction is the number 1e-8, a gap or a tolerance of a geometry program?
-# Guess:    1/100000000: the nearest simple fraction, as the package finds 1/3 for 0.3333333333333333; or at worst one that is
-#           near, as relative error goes.
-# Seen:     fraction.js 5.3.4: 1e-7 is 1/10000000, but 1e-8 and 3e-9 are 0, without an error: it looks for denominators up to
-#           a limit, by absolute distance. The text "0.00000001" gives 1/100000000. 123456789.123456789 is off by 1.00.
-#           Python's Fraction(1e-8) is the double exactly.
+# Guess:    1/100000000: the nearest simple fraction, as the package finds 1/3 for 0.3333333333333333; or at
+#           worst one that is near, as relative error goes.
+# Seen:     fraction.js 5.3.4: 1e-7 is 1/10000000, but 1e-8 and 3e-9 are 0, without an error: it looks for
+#           denominators up to a limit, by absolute distance. The text "0.00000001" gives 1/100000000.
+#           123456789.123456789 is off by 1.00. Python's Fraction(1e-8) is the double exactly.
 # So:       whoever turns to fractions so that a touch is decided exactly must pass numbers as texts, or as
 #           [numerator, denominator]; README speaks of large numbers only.
 set -eu
@@ -27,5 +27,8 @@ before='0.3333333333333333 1/3
 3e-9 0
 0.00000001 1/100000000
 1.00'
-[ "$seen" = "$before" ] || { printf 'fraction-js-small-numbers: was\n%s\nis now\n%s\n' "$before" "$seen"; exit 1; }
+if [ "$seen" != "$before" ]; then
+    printf '%s has changed: was\n%s\nis now\n%s\n' "$0" "$before" "$seen"
+    exit 1
+fi
 echo 'fraction-js-small-numbers: as before, fraction.js 5.3.4 makes 0 of 1e-8'
