@@ -1,5 +1,6 @@
 #!/bin/sh
 # How far is a point from the square around it? 0 in shapely, 1 in flatten-js and in sympy, in which it lies
+#
 # inside too.
 #
 # Asked:    the distance from (1, 1) to the square from (0, 0) to (4, 4), by the three libraries, and whether

@@ -6,8 +6,7 @@
 # Guess:    a set of contacts that is empty at 3, with one contact of distance 0 at 2, as the documents name
 #           no error; and Space.shape_query finds the neighbour at 1.9 and 2.
 # Seen:     pymunk 7.3.1: at 1.9 one contact; at 2 and 3 an AssertionError ("This is likely a bug in Pymunk,
-#           please report."). shape_query finds the neighbour at 1.9 alone: a touch is no collision. With
-#           python -O the assertion is gone.
+#           please report."). shape_query finds the neighbour at 1.9 alone: a touch is no collision.
 # So:       ask Space.shape_query, or catch the error; and decide a touch from centres and radii.
 set -eu
 

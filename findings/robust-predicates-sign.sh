@@ -8,9 +8,9 @@
 # Seen:     robust-predicates 3.0.3: orient2d of (0, 0), (1, 0), (0, 1) is -1, as is orient3d of the unit
 #           corner. incircle of (1, 0), (0, 1), (-1, 0) and the centre is 2: with y upwards it is positive
 #           within, as Shewchuk's. One line of README tells it: y points downwards there.
-# So:       whoever moves a program between C or Python and JavaScript turns the sign of orient2d alone. A
-#           program that asks orient2d first, to put a, b, c in order for incircle, is right only if it turns
-#           none or both.
+# So:       whoever moves a program between C or Python and JavaScript turns the sign of orient2d, but not of
+#           incircle. README's "positive outside" holds for points in its own counterclockwise order, which is
+#           clockwise with y upwards.
 set -eu
 
 folder=$(mktemp -d)

@@ -1,5 +1,6 @@
 #!/bin/sh
 # A ball of scipy's KDTree whose radius is the distance that it found does not always hold the neighbour
+#
 # found.
 #
 # Asked:    does tree.query_ball_point(q, d) hold the nearest point, where d is the distance that
