@@ -1,13 +1,16 @@
 #!/bin/sh
 # robust-predicates and Shewchuk's orient2d answer with opposite signs, its incircle with the same.
 #
-# Asked:    what sign has orient2d of a, b, c that turn left, y upwards, and incircle of a point within their circle?
-# Guess:    both positive, as in Shewchuk's C, of which the package is a port, and as its README says where it speaks of orient2d.
-# Seen:     robust-predicates 3.0.3: orient2d of (0, 0), (1, 0), (0, 1) is -1, as is orient3d of the unit corner. incircle of
-#           (1, 0), (0, 1), (-1, 0) and the centre is 2: with y upwards it is positive within, as Shewchuk's.
-#           One line of README tells it: y points downwards there.
-# So:       whoever moves a program between C or Python and JavaScript turns the sign of orient2d alone. A program
-#           that asks orient2d first, to put a, b, c in order for incircle, is right only if it turns none or both.
+# Asked:    what sign has orient2d of a, b, c that turn left, y upwards, and incircle of a point within their
+#           circle?
+# Guess:    both positive, as in Shewchuk's C, of which the package is a port, and as its README
+#           says where it speaks of orient2d.
+# Seen:     robust-predicates 3.0.3: orient2d of (0, 0), (1, 0), (0, 1) is -1, as is orient3d of the unit
+#           corner. incircle of (1, 0), (0, 1), (-1, 0) and the centre is 2: with y upwards it is positive
+#           within, as Shewchuk's. One line of README tells it: y points downwards there.
+# So:       whoever moves a program between C or Python and JavaScript turns the sign of orient2d, but not of
+#           incircle. What README says of points outside holds for points in its own counterclockwise order, which
+#           is clockwise with y upwards.
 set -eu
 
 folder=$(mktemp -d)
@@ -22,5 +25,8 @@ console.log(left, corner, incircle(1, 0, 0, 1, -1, 0, 0, 0));
 JS
 seen=$(node sign.mjs)
 before='-1 -1 2'
-[ "$seen" = "$before" ] || { printf 'robust-predicates-sign: was\n%s\nis now\n%s\n' "$before" "$seen"; exit 1; }
+if [ "$seen" != "$before" ]; then
+    printf '%s has changed: was\n%s\nis now\n%s\n' "$0" "$before" "$seen"
+    exit 1
+fi
 echo 'robust-predicates-sign: as before, robust-predicates 3.0.3 gives -1 for a left turn, 2 within'

@@ -1,13 +1,14 @@
 #!/bin/sh
 # In three.js a segment that ends on a plane meets it, and does not.
 #
-# Asked:    do Plane.intersectsLine and Plane.intersectLine agree on the segment from (0, 0, 0) to (0, 0, 5) and the plane z = 0?
+# Asked:    do Plane.intersectsLine and Plane.intersectLine agree on the segment from (0, 0, 0) to (0, 0, 5)
+#           and the plane z = 0?
 # Guess:    yes, whatever they answer: one says whether, the other where.
-# Seen:     three 0.187.0: intersectsLine is false, intersectLine gives (0, 0, 0). In the plane itself, from (0, 0, 0) to
-#           (5, 0, 0), again false and a point. Spheres and boxes that touch do meet: intersectsPlane and intersectsBox
-#           are true.
-# So:       whoever skips the second call where the first says no loses touches and segments in the plane; ask intersectLine
-#           alone, and compare with null.
+# Seen:     three 0.187.0: intersectsLine is false, intersectLine gives (0, 0, 0). In the plane itself, from
+#           (0, 0, 0) to (5, 0, 0), again false and a point. Spheres and boxes that touch do meet:
+#           intersectsPlane and intersectsBox are true.
+# So:       whoever skips the second call where the first says no loses touches and segments in the plane; ask
+#           intersectLine alone, and compare with null.
 set -eu
 
 folder=$(mktemp -d)
@@ -22,11 +23,15 @@ for (const end of [at(0, 0, 5), at(5, 0, 0)]) {
     const segment = new Line3(at(0, 0, 0), end);
     console.log(plane.intersectsLine(segment), plane.intersectLine(segment, at(0, 0, 0))?.toArray().join());
 }
-console.log(new Sphere(at(0, 0, 1), 1).intersectsPlane(plane), new Box3(at(0, 0, 0), at(1, 1, 1)).intersectsPlane(plane));
+const sphere = new Sphere(at(0, 0, 1), 1), box = new Box3(at(0, 0, 0), at(1, 1, 1));
+console.log(sphere.intersectsPlane(plane), box.intersectsPlane(plane));
 JS
 seen=$(node touch.mjs)
 before='false 0,0,0
 false 0,0,0
 true true'
-[ "$seen" = "$before" ] || { printf 'three-plane-touch: was\n%s\nis now\n%s\n' "$before" "$seen"; exit 1; }
+if [ "$seen" != "$before" ]; then
+    printf '%s has changed: was\n%s\nis now\n%s\n' "$0" "$before" "$seen"
+    exit 1
+fi
 echo 'three-plane-touch: as before, three 0.187.0 says no and gives the point'
