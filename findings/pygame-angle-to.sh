@@ -7,8 +7,8 @@
 # Seen:     pygame-ce 2.5.8: Vector2.angle_to gives 359.885, the difference of two arctangents, anywhere
 #           between -360 and 360. pymunk 7.3.1: Vec2d.get_angle_between gives -0.002 radians, which is -0.115
 #           degrees. Away from that axis they agree.
-# So:       a test of a field of view, `abs(a.angle_to(b)) < 30`, is wrong for whoever looks to the left, and
-#           right in all other tests. Use atan2 of the cross and the dot product.
+# So:       a test of a field of view, `abs(a.angle_to(b)) < 30`, fails for whoever looks to the left, and is
+#           right in the other directions, so that tests pass. Use atan2 of the cross and the dot product.
 set -eu
 
 folder=$(mktemp -d)
