@@ -1,7 +1,5 @@
 #!/bin/sh
-# How far is a point from the square around it? 0 in shapely, 1 in flatten-js and in sympy, in which it lies
-#
-# inside too.
+# A point inside a polygon is at distance 0 from it in shapely, but not in flatten-js or sympy.
 #
 # Asked:    the distance from (1, 1) to the square from (0, 0) to (4, 4), by the three libraries, and whether
 #           it is inside.

@@ -1,12 +1,12 @@
 #!/bin/sh
-# pymunk raises an error, and asks to report a bug, where two circles do not overlap.
+# pymunk raises an error where two circles do not overlap.
 #
 # Asked:    what does Circle.shapes_collide answer for two unit circles whose centres are 1.9, exactly 2, and
 #           3 apart?
 # Guess:    a set of contacts that is empty at 3, with one contact of distance 0 at 2, as the documents name
 #           no error; and Space.shape_query finds the neighbour at 1.9 and 2.
-# Seen:     pymunk 7.3.1: at 1.9 one contact; at 2 and 3 an AssertionError ("This is likely a bug in Pymunk,
-#           please report."). shape_query finds the neighbour at 1.9 alone: a touch is no collision.
+# Seen:     pymunk 7.3.1: at 1.9 one contact; at 2 and 3 an AssertionError that speaks of a bug in pymunk.
+#           shape_query finds the neighbour at 1.9 alone: a touch is no collision.
 # So:       ask Space.shape_query, or catch the error; and decide a touch from centres and radii.
 set -eu
 

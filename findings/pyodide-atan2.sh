@@ -2,11 +2,11 @@
 # Every sixth angle that Python computes in a browser tab differs from Python's in a terminal.
 #
 # Asked:    is math.atan2(y, x) for whole 1 <= x, y <= 40 the double nearest to the angle, in Pyodide too?
-# Guess:    in all but a few, as in CPython on Linux (3 of 1600 with glibc 2.36): it is the same CPython, and
-#           WebAssembly's doubles are IEEE's.
-# Seen:     pyodide 314.0.7 (Python 3.14.2): 248 of 1600 are the double beside it. Its mathematical library is
-#           another one, of the family that JavaScript engines use: Math.atan2 of node 24.11.1 gives the same
-#           bits in all 1600.
+# Guess:    in all but a few, as in CPython on Linux: it is the same CPython, and WebAssembly's doubles are
+#           IEEE's.
+# Seen:     pyodide 314.0.7 (Python 3.14.2): 248 of 1600 are the double beside it; in CPython with glibc 2.36
+#           it is 3. Its mathematical library is another one, of the family that JavaScript engines use:
+#           Math.atan2 of node 24.11.1 gives the same bits in all 1600.
 # So:       angles that are compared with ==, sorted, or hashed as keys can come out otherwise on a web page
 #           than in a terminal: compare directions by cross products, and angles with a tolerance. math.hypot
 #           and sqrt gave the same bits.

@@ -3,14 +3,14 @@
 #
 # Asked:    what sign has orient2d of a, b, c that turn left, y upwards, and incircle of a point within their
 #           circle?
-# Guess:    both positive, as in Shewchuk's C, of which the package is a port, and as its README
-#           says where it speaks of orient2d.
+# Guess:    both positive, as in Shewchuk's C, of which the package is a port, and as its README says where it
+#           speaks of orient2d.
 # Seen:     robust-predicates 3.0.3: orient2d of (0, 0), (1, 0), (0, 1) is -1, as is orient3d of the unit
 #           corner. incircle of (1, 0), (0, 1), (-1, 0) and the centre is 2: with y upwards it is positive
 #           within, as Shewchuk's. One line of README tells it: y points downwards there.
 # So:       whoever moves a program between C or Python and JavaScript turns the sign of orient2d, but not of
-#           incircle. What README says of points outside holds for points in its own counterclockwise order, which
-#           is clockwise with y upwards.
+#           incircle. What README says of points outside holds for points in its own counterclockwise order,
+#           which is clockwise with y upwards.
 set -eu
 
 folder=$(mktemp -d)

@@ -1,7 +1,5 @@
 #!/bin/sh
-# A ball of scipy's KDTree whose radius is the distance that it found does not always hold the neighbour
-#
-# found.
+# scipy's KDTree does not always find the nearest point within the distance that it gave for it.
 #
 # Asked:    does tree.query_ball_point(q, d) hold the nearest point, where d is the distance that
 #           tree.query(q) gives?

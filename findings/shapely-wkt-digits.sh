@@ -1,9 +1,9 @@
 #!/bin/sh
-# shapely's WKT of "full precision" gives every third point back as another one.
+# shapely's WKT gives every third point back as another one, in its most precise form too.
 #
 # Asked:    is from_wkt(point.wkt) the same point, for every double?
-# Guess:    yes: no rounding was asked for, the text has up to 17 digits, and to_wkt says of
-#           rounding_precision=-1 that it is full precision.
+# Guess:    yes: no rounding was asked for, the text has up to 17 digits, and to_wkt promises with
+#           rounding_precision=-1 to lose nothing.
 # Seen:     shapely 2.2.0 with GEOS 3.14.1: 0.30000000000000004 is written as 0.3, 1/60 as 0.0166666666666667:
 #           16 places after the point, not 17 digits. Of the 996 numbers k/997 below 1, 319 come back changed,
 #           with -1 too, with 17 places 33, with 20 none. to_geojson and to_wkb keep all.

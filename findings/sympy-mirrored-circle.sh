@@ -4,7 +4,7 @@
 # Asked:    what is the circle of centre (0, 0) and radius 1 after a reflection in the line x = 5?
 # Guess:    Circle((10, 0), 1), equal to one that is made so.
 # Seen:     sympy 1.14.0: its radius is -1. It is not equal to that circle, its area is -pi, and it does not
-#           enclose its own centre; only intersections with it are right.
+#           enclose its own centre; its intersection with a line is right.
 # So:       whoever mirrors a figure with sympy compares, sorts or tests circles by `abs(circle.radius)`, or
 #           makes them anew from the mirrored centre and the old radius.
 set -eu
