@@ -220,10 +220,15 @@ WORDS = {  # how what is said of an answer begins, where it is no real number
 CUT = {"rows", "many"}  # kinds whose `solve` asks only where doubles leave a doubt
 
 
-def moved(case, chance):
-    """The case with one number off by so little that the promise may notice."""
+def moved(problem, case, chance):
+    """The case with one number off by so little that the promise may notice; no word of a program is."""
     flat, integers = list(explore._flat(case)), all(isinstance(x, int) for x in explore._flat(case))
-    place, size = chance.randrange(len(flat)), max(map(abs, flat)) or 1
+    words = [
+        "integer" in parameter.type.text and not integers
+        for parameter, value in zip(problem.parameters, case, strict=True)
+        for _ in explore._flat((value,))
+    ]
+    place, size = chance.choice([at for at, word in enumerate(words) if not word]), max(map(abs, flat)) or 1
     off = (
         chance.choice((-1, 1))
         if integers
@@ -262,7 +267,7 @@ def asked():
             for case, *_ in draw_cases(problem, module, msgspec.structs.replace(group, count=CASES)):
                 if sum(1 for _ in explore._flat(case)) > 120:
                     continue
-                for each in (case, moved(case, chance), *merged(case)):
+                for each in (case, moved(problem, case, chance), *merged(case)):
                     with decisions() as made:
                         try:
                             found = module.solve(*each)

@@ -254,7 +254,7 @@ def test_another_site_at_the_same_address_is_shown_at_once(page, site, tmp_path)
             text = (out / name).read_text(encoding="utf-8")
             (out / name).write_text(text.replace(old, new, 1), encoding="utf-8")
         tab.go(f"{address}/?again")
-        tab.until("document.body.textContent.includes('Another site')")
+        tab.until("(document.body?.textContent ?? '').includes('Another site')")
         assert not tab.faults
 
 
