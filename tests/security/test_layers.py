@@ -12,6 +12,7 @@ import pytest
 from attackers import USERS, Attacker
 from sampling import nightly
 from table import ATTACKS, READING
+from without import LAYERS, source_of
 
 from judge.sandbox.linux import landlock
 
@@ -100,3 +101,9 @@ def test_without_landlock_nothing_is_run_at_all(attacker: Attacker) -> None:
     attacker.require("strong")
     found = attacker.run("without.py", "landlock", "strong", given=json.dumps(["read_answers"]))
     assert "isolation strong would let a submission read" in found[0]["fault"]
+
+
+def test_every_layer_is_where_it_is_taken_out():
+    """By day too, when few layers are."""
+    for name, here, _ in {change for changes in LAYERS.values() for change in changes}:
+        assert source_of(name).count(here) == 1, here

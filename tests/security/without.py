@@ -19,7 +19,7 @@ _RULES = (
     'landlock.restrict(config["readable"], config["writable"], runnable, filled)',
     "pass",
 )
-_LOOK = (f"{INSIDE}server", "        _look_around(region, line, config)\n", "")
+_LOOK = (f"{INSIDE}server", '        _look_around(region, line, config["unseen"])\n', "")
 _SERVERS = (f"{INSIDE}confine", "seccomp.Filter(seccomp.server_filter(machine, profile)).load()", "pass")
 _CHILDS = (
     f"{LINUX}seccomp",
@@ -44,6 +44,11 @@ LAYERS = {
 }
 
 
+def source_of(name: str) -> str:
+    """The text of a module of the container."""
+    return Path(str(bundle.find_spec(name).origin)).read_text()
+
+
 def leave_out(layer: str) -> None:
     """Send the container code that lacks the layer."""
     whole = bundle._code_of
@@ -52,7 +57,7 @@ def leave_out(layer: str) -> None:
         changes = [change for change in LAYERS[layer] if change[0] == name]
         if not changes:
             return whole(name)
-        source = Path(str(bundle.find_spec(name).origin)).read_text()
+        source = source_of(name)
         for _, here, instead in changes:
             assert source.count(here) == 1, here
             source = source.replace(here, instead)
