@@ -30,7 +30,6 @@ from judge.diagnose.simplify import rounded, simplified
 from judge.diagnose.trial import LIMITED, FailingCase, Outcome, SearchBudget, Trial, answer_class
 from judge.problem import Case, Group, Problem, Verdict
 from judge.problem.model import EXAMPLES
-from judge.run.group import named_input
 from judge.run.reference import Reference
 from judge.run.result import Failure, Result, short_answer
 from judge.run.runner import Runner
@@ -93,7 +92,7 @@ def shrink(
     if verdict not in LIMITED:
         asked = [trial.ask(case, group_data.group) for _ in range(2)]  # twice: it may answer at random
         if verdict is Verdict.WA and any(answer.outcome is Outcome.PASSES for answer in asked):
-            return replace(failure, input=named_input(problem, case), message=_PASSING)
+            return replace(failure, input=problem.named(case), message=_PASSING)
         first = asked[0].failing if asked[1].failing else None
     if first is None:
         return None
@@ -184,7 +183,7 @@ class _Search(NamedTuple):
             message,
             group=best.group.name,
             case=None,
-            input=named_input(self.trial.runner.problem, best.case),
+            input=self.trial.runner.problem.named(best.case),
             expected=best.expected,
             got=best.got,
             given=short_answer(best.given),

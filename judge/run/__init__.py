@@ -20,15 +20,9 @@ from typing import Any
 _FROM = {
     "Failure": "result",
     "GroupResult": "result",
-    "LevelResult": "result",
-    "Pitfall": "result",
-    "Ratio": "result",
     "Reference": "reference",
     "Result": "result",
     "Settings": "settings",
-    "Timing": "result",
-    "exit_code": "result",
-    "judge_fault": "result",
     "judge_submission": "execute",
 }
 

@@ -187,13 +187,7 @@ class _Judging:
 
     def groups(self, box: Box, runs: Sequence[GroupRun]) -> None:
         """Judge these of the groups in the box."""
-        run_groups(
-            self.runner,
-            box,
-            runs,
-            budget=self.budget,
-            on_group=self._after_group,
-        )
+        run_groups(self.runner, box, runs, self.budget, self._after_group)
         self._give_up(runs)
 
     def growing(self, box: Box, runs: Sequence[GroupRun], reference: Reference) -> Timed | None:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 from msgspec.structs import replace
 
 from judge.data.model import GroupData, ProblemData
-from judge.problem import Case, Group, Problem, Verdict
+from judge.problem import Group, Problem, Verdict
 from judge.run.replies import VERDICTS, Replies
 from judge.run.result import Answers, Failure, GroupResult, short_answer
 from judge.sandbox.boundary import Limits, Stop, Usage
@@ -117,7 +117,7 @@ class GroupRun:
 
     def _shown_input(self, index: int) -> dict[str, Any] | None:
         """A case's arguments by name; None for a big case, which nobody could read."""
-        return named_input(self.problem, self.cases[index]) if self.group.size is None else None
+        return self.problem.named(self.cases[index]) if self.group.size is None else None
 
     def give_up(self, verdict: Verdict, reason: str) -> None:
         """Record that the rest of it is not run: those cases are undecided."""
@@ -201,11 +201,6 @@ def failure_of(outcome: Rejection, given: Raw) -> Failure:
         relative=relative,
         ulps=ulps,
     )
-
-
-def named_input(problem: Problem, case: Case) -> dict[str, Any]:
-    """A case's arguments by parameter name."""
-    return problem.named(case)
 
 
 def group_limits(problem: Problem, group: Group, used: Usage) -> Limits:

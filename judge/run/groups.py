@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import marshal
 from collections.abc import Callable, Iterator, Sequence
-from itertools import takewhile
+from itertools import accumulate, takewhile
 from math import inf
 from typing import NamedTuple
 
@@ -16,6 +17,7 @@ from judge.run.runner import Runner
 from judge.sandbox.boundary import Box, Stop, Usage
 
 MOST_LOSSES = 3  # calls of a group that may end their process before the rest is given up
+MOST_ARGUMENTS = 16 << 20  # bytes of the arguments that one process is handed, unless a group has more
 SEARCHED_SECONDS = 1.0  # the longest run that is worth repeating to find the case it breaks at
 _TIME = (Stop.CPU, Stop.WALL, Stop.WAITING)
 _OF_A_PROCESS = (Stop.MEMORY, Stop.OUTPUT)  # limits that all calls before may have passed together
@@ -26,7 +28,6 @@ def run_groups(
     runner: Runner,
     box: Box,
     groups: Sequence[GroupRun],
-    *,
     budget: Budget,
     on_group: Callable[[GroupRun], None],
 ) -> None:
@@ -63,9 +64,9 @@ def run_groups(
 
 def _is_nobodys(replies: Replies, batch: Sequence[_Progress]) -> bool:
     """Whether a limit was passed by several groups together, so that none may be blamed."""
-    if len(batch) == 1 or replies.stop in _OF_A_PROCESS:
+    if replies.stop in _OF_A_PROCESS:
         return len(batch) > 1
-    return replies.stop in (Stop.CPU, Stop.WALL) and len(replies.replies) > len(batch[0].rest)
+    return replies.stop in _TIME[:2] and len(replies.replies) > len(batch[0].rest)
 
 
 def _shares(replies: Replies, batch: Sequence[_Progress]) -> list[Replies]:
@@ -197,8 +198,11 @@ class _Progress:
         return replies.stop is not Stop.ANSWERED
 
 
-def _of_equal_limits(waiting: Sequence[_Progress]) -> list[_Progress]:
-    """The first ones that the same limits hold for."""
-    first = waiting[0].group
-    limits = first.problem.limits_of(first.group)
-    return list(takewhile(lambda each: first.problem.limits_of(each.group.group) == limits, waiting))
+def _of_equal_limits(waiting: Sequence[_Progress]) -> Sequence[_Progress]:
+    """The first ones that the same limits hold for, as far as their arguments fit into one process."""
+    limits_of = waiting[0].group.problem.limits_of
+    limits = limits_of(waiting[0].group.group)
+    small = takewhile(lambda each: each.group.group.size is None, waiting)
+    alike = [*takewhile(lambda each: limits_of(each.group.group) == limits, small)]
+    sizes = accumulate(len(marshal.dumps([*each.rest])) for each in alike)
+    return [each for each, size in zip(alike, sizes, strict=True) if size <= MOST_ARGUMENTS] or waiting[:1]

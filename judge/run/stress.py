@@ -164,8 +164,8 @@ class _Run:
             self._runner,
             self._box,
             [run for _, run in self._now],
-            budget=_Turn(self._data.problem, lambda: self.over),
-            on_group=_note,
+            _Turn(self._data.problem, lambda: self.over),
+            _note,
         )
         self.close()
         took = self._clock() - begun

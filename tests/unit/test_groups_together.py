@@ -7,6 +7,7 @@ from judging import GOOD, judged, make_data
 
 from judge.problem import Verdict
 from judge.problem.model import GroupLimits
+from judge.run import groups
 from judge.sandbox import Limits, open_box
 
 pytestmark = pytest.mark.slow
@@ -27,6 +28,14 @@ def verdicts(deed, before=""):
 def test_all_groups_have_one_process():
     found, _ = verdicts("asked.append(n)\n    if n > 30 and len(asked) < 12: return 7", "asked = []\n")
     assert found == ["AC"] * 4
+
+
+@pytest.mark.parametrize(("most", "ends"), [(1, "WA"), (1 << 20, "AC")])
+def test_they_do_not_share_it_where_their_arguments_are_too_many(monkeypatch, most, ends):
+    """The memory that arguments are handed over in is bounded: what fits alone must not fail together."""
+    monkeypatch.setattr(groups, "MOST_ARGUMENTS", most)
+    found, _ = verdicts("asked.append(n)\n    if n >= 30 and len(asked) < 12: return 7", "asked = []\n")
+    assert found == [*["AC"] * 3, ends]
 
 
 def test_each_has_the_whole_of_its_limit_where_all_together_pass_it():
