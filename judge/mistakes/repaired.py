@@ -97,9 +97,14 @@ class Repaired:
         return worth
 
     def _steps(self, chain: Steps) -> list[_Named]:
-        found, before = [], frozenset[int]()
+        """Each with its name: that of a step before it, where what goes is as alike to that mistake."""
+        found, before = list[_Named](), frozenset[int]()
         for step in chain:
-            found.append(self._named(step, before))
+            one = self._named(step, before)
+            same = (
+                each.name for each in found if each.name and self.share(each.name, step.gone) >= one.share
+            )
+            found.append(one._replace(name=next(same, one.name)) if one.name else one)
             before |= step.gone
         return found
 
