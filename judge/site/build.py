@@ -246,7 +246,9 @@ def _listed(problem: Problem) -> dict[str, Any]:
         "id": problem.id,
         "title": problem.title,
         "summary": problem.summary,
-        "stub": f"def {problem.entry}({names}):\n    raise NotImplementedError\n",
+        "stub": f"def {problem.entry}({names}):\n    raise NotImplementedError\n"
+        if problem.entry
+        else "import sys\n\n",
         "levels": bool(problem.levels),
         "elsewhere": _elsewhere(problem),
         "figure": has_figure(problem),
