@@ -18,9 +18,13 @@ def folders() -> list[Path]:
 
 def is_described(language: str) -> bool:
     """Whether there is a language of that id; none is read for that."""
-    return language.isidentifier() and any((each / f"{language}.toml").is_file() for each in folders())
+    return language.isidentifier() and any(
+        (each / f"{language}.toml").is_file() or (each / language / "language.toml").is_file()
+        for each in folders()
+    )
 
 
 def described() -> list[str]:
     """The ids of all languages that are described, by name."""
-    return sorted({path.stem for each in folders() for path in each.glob("*.toml")})
+    old = {path.stem for each in folders() for path in each.glob("*.toml")}
+    return sorted(old | {path.parent.name for each in folders() for path in each.glob("*/language.toml")})

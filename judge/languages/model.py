@@ -13,7 +13,7 @@ from __future__ import annotations
 import re
 from functools import cache
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Literal
 
 import msgspec
 from msgspec import Meta, Struct
@@ -27,6 +27,7 @@ from judge.languages.steps import check_pattern, check_tokens
 _HERE = Path(__file__).parent
 _Words = tuple[str, ...]
 _Name = Annotated[str, Meta(min_length=1)]
+_Over = Literal["parameters", "structs", "lacking", "fields", "parts", "big"]
 
 
 class Compiling(Struct, frozen=True, forbid_unknown_fields=True):
@@ -102,6 +103,7 @@ class Language(
     folders: dict[str, str] = {}
     probes: dict[str, _Words] = {}
     prepared: dict[str, _Words] = {}
+    spell: dict[str, str | dict[str, str] | tuple[_Over, str, str]] = {}
     id: str = ""
     folder: str = ""  # of its file, where it is none of the judge's own
     digest: str = ""
@@ -163,7 +165,7 @@ def named_language(name: str) -> Language | None:
 
 
 def _read_all(folder: Path) -> list[Language]:
-    paths = sorted(folder.glob("*.toml"))
+    paths = sorted([*folder.glob("*.toml"), *folder.glob("*/language.toml")])
     if not paths:
         remedy = f"correct ${VARIABLE}"
         raise JudgeError("no language is described here", where=str(folder), remedy=remedy)
@@ -177,9 +179,8 @@ def _read(path: Path) -> Language:
         content = path.read_bytes()
         table = tomllib.loads(content.decode())
         own = "" if path.parent == _HERE else str(path.parent)
-        found = msgspec.convert(
-            {**table, "id": path.stem, "folder": own, "digest": digest(content)}, Language
-        )
+        name = path.parent.name if path.stem == "language" else path.stem
+        found = msgspec.convert({**table, "id": name, "folder": own, "digest": digest(content)}, Language)
         _check_patterns(found)
     except OSError as fault:
         raise JudgeError(

@@ -10,7 +10,7 @@ from sandboxed import require
 
 from judge import languages as face
 from judge.errors import JudgeError
-from judge.languages import draft, find, model
+from judge.languages import find, model, spec
 
 C = (model._HERE / "c.toml").read_text(encoding="utf-8")
 
@@ -18,7 +18,7 @@ C = (model._HERE / "c.toml").read_text(encoding="utf-8")
 @pytest.fixture(autouse=True)
 def fresh(monkeypatch, tmp_path):
     """Descriptions, drivers and tools are looked for anew, and nothing is kept elsewhere."""
-    caches = (model.languages, draft.driver_of, find.toolchain)
+    caches = (model.languages, spec.driver_of, find.toolchain)
     monkeypatch.delenv("JUDGE_LANGUAGES", raising=False)
     monkeypatch.setenv("JUDGE_CACHE", str(tmp_path / "cache"))
     for cache in caches:

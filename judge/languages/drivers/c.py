@@ -10,8 +10,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from judge.languages.draft import Draft, joined, listed
 from judge.languages.shapes import Shape, Unsupported
+from judge.languages.spec import Spec as Draft
+from judge.languages.spec import joined, listed
 
 _ATOMS = {"real": "double", "int": "long long", "word": "const char *", "big": "const char *"}
 _READS = {"real": "judge_real()", "int": "judge_int()", "word": "judge_token()", "big": "judge_token()"}

@@ -6,9 +6,10 @@ import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import groupby
 
-from judge.languages.draft import Draft, joined, listed, small
 from judge.languages.scan import changed, usual_tokens
 from judge.languages.shapes import Shape, atom
+from judge.languages.spec import Spec as Draft
+from judge.languages.spec import joined, listed, small
 
 _ATOMS = {"real": "float64", "int": "int", "big": "*big.Int", "word": "string"}
 _PACKAGE = r"\b(package\s++)\w++"

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import re
 
-from judge.languages.draft import Draft, around, joined, listed
 from judge.languages.scan import PARAMETERS, met
 from judge.languages.shapes import Shape
+from judge.languages.spec import Spec as Draft
+from judge.languages.spec import around, joined, listed
 
 _ATOMS = {"real": "double", "int": "long", "big": "java.math.BigInteger", "word": "String"}
 _BOXED = {"real": "Double", "int": "Long"}

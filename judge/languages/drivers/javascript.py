@@ -6,9 +6,10 @@ import json
 import re
 from typing import Any
 
-from judge.languages.draft import Draft, listed
 from judge.languages.scan import changed, usual_tokens
 from judge.languages.shapes import Shape
+from judge.languages.spec import Spec as Draft
+from judge.languages.spec import listed
 
 _NAMES = r"(?>(?:\*\s*+as\s++)?)([\w$]++|\{[^{}]{0,1500}+\})"
 _FROM = rf"(?>(?:(?>(?:([\w$]++)\s*+,\s*+)?){_NAMES}\s*+from\s*+)?)"

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from judge.languages.draft import Draft, listed
 from judge.languages.shapes import Shape
+from judge.languages.spec import Spec as Draft
+from judge.languages.spec import listed
 
 
 def declared(draft: Draft) -> str:

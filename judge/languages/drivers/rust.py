@@ -9,8 +9,9 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 
-from judge.languages.draft import Draft, joined, listed, small
 from judge.languages.shapes import Shape, Unsupported, atom
+from judge.languages.spec import Spec as Draft
+from judge.languages.spec import joined, listed, small
 
 _ATOMS = {"real": "f64", "int": "i64", "word": "String", "big": "String"}
 _TAKEN = {**_ATOMS, "big": "_"}  # whatever the function takes

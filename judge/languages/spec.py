@@ -21,7 +21,7 @@ _BRACES = re.compile(r"'.'|[{}]|\b(?:class|record|interface|enum)\s++(\w++)")
 _TYPEDEFS = re.compile(r"\btypedef\b([^;{}]*+)(;?)")
 
 
-class Draft(NamedTuple):
+class Spec(NamedTuple):
     """One function in one language.
 
     `structs` are the tuples that it needs; those that the source defines itself are in `own`. `text` is the
@@ -52,13 +52,13 @@ class Draft(NamedTuple):
         return [f"judge{place}" for place in range(len(self.parameters))]
 
 
-def draft_of(language: Language, signature: Signature, text: str = "", file: str = "") -> Draft:
-    """The draft of a problem's function. Raises Unsupported for a type that no driver knows."""
+def spec_of(language: Language, signature: Signature, text: str = "", file: str = "") -> Spec:
+    """A problem's function. Raises Unsupported for a type that no driver knows."""
     parameters = tuple((name, shape_of(type_, big=signature.big)) for name, type_ in signature.parameters)
     answer = shape_of(signature.answer, big=signature.big)
     named = tuple(structs([*(shape for _, shape in parameters), answer]))
     own = frozenset(each.name for each in named if _defines(each.name, text))
-    return Draft(language.spelt(signature.entry), parameters, answer, named, own, text, file)
+    return Spec(language.spelt(signature.entry), parameters, answer, named, own, text, file)
 
 
 def small(answer: Shape) -> Shape:
