@@ -161,6 +161,7 @@ def _native(problem: Problem, language: Language, about: Iterable[str]) -> str:
         spec = spec_of(language, signature_of(problem))
         writer = writer_of(language, spec)
         head, before, body = map(writer.text, ("head", "before", "body"))
+        before = before.rstrip()
     except Unsupported as why:
         what = f"{problem.id} has a type that functions in {language.name} are not called with: {why}"
         remedy = f"write a program that reads standard input; see 'judge show {problem.id}'"

@@ -12,7 +12,7 @@ from judge import languages as face
 from judge.errors import JudgeError
 from judge.languages import find, model, spec
 
-C = (model._HERE / "c.toml").read_text(encoding="utf-8")
+C = (model._HERE / "c" / "language.toml").read_text(encoding="utf-8")
 
 
 @pytest.fixture(autouse=True)
