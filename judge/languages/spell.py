@@ -26,7 +26,7 @@ from judge.languages.spec import Spec, small
 
 _HOLE = re.compile(r"\{(?:(inner|answer)\.)?(\w+)\}")
 _DRIVER_HOLE = re.compile(r"@(?:(inner|answer)\.)?(\w+)@")
-_SECTION = re.compile(r"^\W*@if (not )?(\w+)\n(.*?)^\W*@end\n", re.MULTILINE | re.DOTALL)
+_SECTION = re.compile(r"^[^\w\n]*@if (not )?big\n(.*?)^[^\w\n]*@end\n", re.MULTILINE | re.DOTALL)
 _MOST = 100_000  # items of an answer, where room for them is made before
 _Values = Mapping[str, str]
 
@@ -35,7 +35,8 @@ class Writer:
     """The texts of one function in one language.
 
     A hook is a module beside the description. Each function of it is a rule: it is given this writer and the
-    type at hand. Its `adapted` is none: it is given the submission's bytes, and returns what is compiled.
+    type at hand. Two are none: `adapted` is given the submission's bytes and returns what is compiled,
+    `finished` does so with the driver's text.
     """
 
     def __init__(self, language: Language, spec: Spec) -> None:
@@ -120,9 +121,10 @@ class Writer:
 
     def _filled_driver(self, answer: Shape) -> str:
         def section(found: re.Match[str]) -> str:
-            return found[3] if self.spec.is_big != bool(found[1]) else ""
+            return found[2] if self.spec.is_big != bool(found[1]) else ""
 
-        return self._filled(_DRIVER_HOLE, _SECTION.sub(section, self._driver), answer, {})
+        text = self._filled(_DRIVER_HOLE, _SECTION.sub(section, self._driver), answer, {})
+        return str(self._hook.get("finished", str)(text))
 
     def _guarded(self, what: str, made: Callable[[], str | None]) -> str:
         """What is made; its own faults are one clear line."""
