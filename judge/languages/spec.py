@@ -44,7 +44,7 @@ class Spec(NamedTuple):
     @property
     def is_big(self) -> bool:
         """Whether some of its integers may be of any size."""
-        return any(map(_is_big, (*(shape for _, shape in self.parameters), self.answer)))
+        return any(map(is_big, (*(shape for _, shape in self.parameters), self.answer)))
 
     @property
     def arguments(self) -> list[str]:
@@ -68,8 +68,9 @@ def small(answer: Shape) -> Shape:
     return Shape("int") if answer.kind == "big" else answer
 
 
-def _is_big(shape: Shape) -> bool:
-    return shape.kind == "big" or any(map(_is_big, shape.parts))
+def is_big(shape: Shape) -> bool:
+    """Whether an int of any size is within."""
+    return shape.kind == "big" or any(map(is_big, shape.parts))
 
 
 def _defines(name: str, text: str) -> bool:
