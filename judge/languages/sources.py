@@ -17,7 +17,7 @@ from judge.languages.scan import changed, met, reading, stripped
 from judge.languages.shapes import Unsupported
 from judge.languages.signature import Signature
 from judge.languages.spec import around, spec_of
-from judge.languages.spell import writer_of
+from judge.languages.spell import Writer
 from judge.sandbox.boundary import SourceFault
 from judge.sandbox.recipe import Sources
 
@@ -77,7 +77,7 @@ def _called(language: Language, signature: Signature, source: bytes, text: str, 
     """The submission's function with the driver that calls it. Raises Unsupported."""
     own = own_file(language, text, signature.entry)
     spec = spec_of(language, signature, text, own)
-    writer = writer_of(language, spec)
+    writer = Writer(language, spec)
     name, content = writer.driver()
     mismatch = f"{spec.entry} is not declared as the problem says: {writer.text('head')}"
     if spec.own and "struct" in writer:

@@ -1,28 +1,21 @@
-"""What a driver is made from: the function as its language spells it, and what the source brings itself."""
+"""What a driver is written from: a problem's function, and what the source brings itself."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable
-from functools import cache
-from importlib import import_module
-from pathlib import Path
-from types import ModuleType
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
-from judge.errors import JudgeError
 from judge.languages.model import Language
 from judge.languages.scan import met
-from judge.languages.shapes import Shape, Unsupported, shape_of, structs
+from judge.languages.shapes import Shape, shape_of, structs
 from judge.languages.signature import Signature
 
-DRIVER = ("declared", "frame", "driver")  # what its module defines, see judge.languages.drivers
 _BRACES = re.compile(r"'.'|[{}]|\b(?:class|record|interface|enum)\s++(\w++)")
 _TYPEDEFS = re.compile(r"\btypedef\b([^;{}]*+)(;?)")
 
 
 class Spec(NamedTuple):
-    """One function in one language.
+    """One function, for one source in one language.
 
     `structs` are the tuples that it needs; those that the source defines itself are in `own`. `text` is the
     source without comments and strings, `file` what it is called where it is compiled.
@@ -45,11 +38,6 @@ class Spec(NamedTuple):
     def is_big(self) -> bool:
         """Whether some of its integers may be of any size."""
         return any(map(is_big, (*(shape for _, shape in self.parameters), self.answer)))
-
-    @property
-    def arguments(self) -> list[str]:
-        """A name in the driver for each argument."""
-        return [f"judge{place}" for place in range(len(self.parameters))]
 
 
 def spec_of(language: Language, signature: Signature, text: str = "", file: str = "") -> Spec:
@@ -94,60 +82,3 @@ def around(text: str, place: int) -> str:
         elif found[0] in "{}":
             depth += 1 if found[0] == "{" else -1
     return name if depth else ""
-
-
-@cache
-def driver_of(language: Language) -> Any:
-    """The module that writes a language's drivers, of one's own language the file beside its description.
-
-    Raises Unsupported where there is none, and JudgeError where it cannot be used.
-    """
-    if language.folder:
-        return _foreign(language, Path(language.folder) / f"{language.id}.py")
-    if not (Path(__file__).parent / "drivers" / f"{language.id}.py").is_file():
-        raise Unsupported(language.id)
-    return import_module(f"judge.languages.drivers.{language.id}")
-
-
-def _foreign(language: Language, path: Path) -> Any:
-    if not path.is_file():
-        raise Unsupported(language.id)
-    module = ModuleType(f"judge_driver_{language.id}")
-    module.__file__ = str(path)
-    try:
-        exec(compile(path.read_bytes(), path, "exec"), vars(module))
-    except Exception as fault:  # foreign code: whatever it raises is one clear line
-        what = f"the driver of {language.name} cannot be loaded: {type(fault).__name__}: {fault}"
-        raise JudgeError(what, where=str(path), remedy="correct it") from fault
-    lacking = [name for name in DRIVER if not callable(getattr(module, name, None))]
-    if lacking:
-        what = f"the driver of {language.name} has no {' and no '.join(lacking)}"
-        raise JudgeError(what, where=str(path), remedy="define what 'judge help programs' says")
-    for name in DRIVER:
-        setattr(module, name, _guarded(getattr(module, name), f"{language.name}'s {name}", path))
-    return module
-
-
-def _guarded(made: Callable[..., Any], what: str, path: Path) -> Callable[..., Any]:
-    """The function, whose own faults are one clear line."""
-
-    def called(*arguments: Any) -> Any:
-        try:
-            return made(*arguments)
-        except (Unsupported, JudgeError):
-            raise
-        except Exception as fault:
-            told = f"{what} fails: {type(fault).__name__}: {fault}"
-            raise JudgeError(told, where=str(path), remedy="correct it") from fault
-
-    return called
-
-
-def listed(words: Iterable[str]) -> str:
-    """The words with commas between them."""
-    return ", ".join(words)
-
-
-def joined(shapes: Iterable[Shape], write: Callable[[Shape], str], between: str = "\n") -> str:
-    """What is written for each shape, one after the other."""
-    return between.join(map(write, shapes))

@@ -17,7 +17,7 @@ import re
 from collections.abc import Callable, Iterator, Mapping
 from functools import cache
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 from judge.errors import JudgeError
 from judge.languages.model import Language
@@ -29,6 +29,7 @@ _DRIVER_HOLE = re.compile(r"@(?:(inner|answer)\.)?(\w+)@")
 _SECTION = re.compile(r"^[^\w\n]*@if (not )?big\n(.*?)^[^\w\n]*@end\n", re.MULTILINE | re.DOTALL)
 _MOST = 100_000  # items of an answer, where room for them is made before
 _Values = Mapping[str, str]
+T = TypeVar("T")
 
 
 class Writer:
@@ -60,13 +61,12 @@ class Writer:
 
     def driver(self) -> tuple[str, str]:
         """The driver's file name and its text. Raises as `text`."""
-        name = self._language.spell.get("file", f"judge_{self._path.name}")
-        return str(name), self._guarded("driver", lambda: self._filled_driver(small(self.spec.answer)))
+        name = str(self._language.spell.get("file", f"judge_{self._path.name}"))
+        return name, self._guarded("driver", lambda: self._filled_driver(small(self.spec.answer)))
 
     def adapted(self, source: bytes) -> bytes:
         """The submission's own file as it is compiled beside the driver."""
-        made: bytes = self._hook.get("adapted", bytes)(source)
-        return made
+        return self._guarded("file", lambda: bytes(self._hook.get("adapted", bytes)(source)))
 
     def write(self, rule: str, shape: Shape, **values: str) -> str | None:
         """What a rule comes to for a type; None where there is none. `values` are names of the place.
@@ -126,7 +126,7 @@ class Writer:
         text = self._filled(_DRIVER_HOLE, _SECTION.sub(section, self._driver), answer, {})
         return str(self._hook.get("finished", str)(text))
 
-    def _guarded(self, what: str, made: Callable[[], str | None]) -> str:
+    def _guarded(self, what: str, made: Callable[[], T | None]) -> T:
         """What is made; its own faults are one clear line."""
         try:
             found = made()
@@ -163,33 +163,3 @@ def _hook(language: Language) -> dict[str, Any]:
     return {
         name: made for name, made in names.items() if getattr(made, "__module__", "") == names["__name__"]
     }
-
-
-class _Old:
-    def __init__(self, language: Language, spec: Spec) -> None:
-        from judge.languages.spec import driver_of
-
-        self._maker, self._spec = driver_of(language), spec
-
-    def __contains__(self, rule: str) -> bool:
-        return hasattr(self._maker, "defined")
-
-    def text(self, rule: str, shape: Shape | None = None) -> str:
-        made = self._maker
-        if rule == "head":
-            return str(made.declared(self._spec))
-        if rule == "struct":
-            return str(made.defined(shape))
-        return str(made.frame(self._spec, f"{self._spec.entry} is still to be written")[rule == "body"])
-
-    def driver(self) -> tuple[str, str]:
-        return self._maker.driver(self._spec)  # type: ignore[no-any-return]
-
-    def adapted(self, source: bytes) -> bytes:
-        return self._maker.adapted(source) if hasattr(self._maker, "adapted") else source
-
-
-def writer_of(language: Language, spec: Spec) -> Any:
-    """Who writes its texts."""
-    new = (Path(language.folder) / "language.toml").is_file()
-    return Writer(language, spec) if language.folder and new else _Old(language, spec)

@@ -155,11 +155,11 @@ def _native(problem: Problem, language: Language, about: Iterable[str]) -> str:
     from judge.languages.shapes import Unsupported
     from judge.languages.signature import signature_of
     from judge.languages.spec import spec_of
-    from judge.languages.spell import writer_of
+    from judge.languages.spell import Writer
 
     try:
         spec = spec_of(language, signature_of(problem))
-        writer = writer_of(language, spec)
+        writer = Writer(language, spec)
         head, before, body = map(writer.text, ("head", "before", "body"))
         before = before.rstrip()
     except Unsupported as why:

@@ -1,4 +1,4 @@
-"""Rust: what is copied, which names the submission's own types have for their fields, and its inner attributes."""
+"""Rust: what is copied, the fields of the submission's own types, and its inner attributes."""
 
 from __future__ import annotations
 
