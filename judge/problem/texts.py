@@ -28,6 +28,8 @@ from judge.problem.model import Case, Example, GroupLimits, Problem, tupled
 from judge.problem.toml import TomlFile, read_text
 from judge.values import parameters
 from judge.values.answers import Tolerance
+from judge.values.letters import TextType
+from judge.values.types import lasting
 
 _STEP = "begin each step with a line '## Its title', and write its text below"
 _BRIEF = 80  # characters of what is wrong: a message is one line, whatever stands in the file
@@ -54,7 +56,7 @@ def read_statement(problem: Problem, raw: Mapping[str, Any]) -> tuple[str, tuple
 
 def _filled(problem: Problem, file: str, raw: Mapping[str, Any]) -> list[str]:
     """The file's lines, their placeholders replaced by what `raw` says. Raises ProblemError."""
-    words, lines = _words(raw), []
+    words, lines = _words(problem, raw), []
     for number, line in enumerate(read_text(problem.folder / file).splitlines(), 1):
         for found in _PLACEHOLDER.finditer(line):
             if found[1] not in words:
@@ -65,10 +67,14 @@ def _filled(problem: Problem, file: str, raw: Mapping[str, Any]) -> list[str]:
     return lines
 
 
-def _words(raw: Mapping[str, Any]) -> dict[str, str]:
-    """What the placeholders of texts stand for: each number as the file writes it."""
-    bounds = {"low": -(2**30), "high": 2**30, "smallest": 0}
-    tables = {name: bounds | row for name, row in raw.get("parameters", {}).items()}
+def _words(problem: Problem, raw: Mapping[str, Any]) -> dict[str, str]:
+    """What the placeholders of texts stand for: each number as the file writes it, or a parameter's type."""
+    tables = {}
+    for each in problem.parameters:
+        inner = lasting(each.type)
+        own = inner if isinstance(inner, TextType) else each
+        bounds = {"low": own.low, "high": own.high, "smallest": 0, "letters": each.type.letters}
+        tables[each.name] = bounds | raw["parameters"][each.name]
     tables["limits"] = to_builtins(GroupLimits()) | raw.get("limits", {})
     if tolerance := raw.get("tolerance"):
         tables["tolerance"] = dict.fromkeys(Tolerance.__struct_fields__, 0) | tolerance
@@ -109,7 +115,7 @@ def _wanted(text: str, problem: Problem, line: int) -> Any:
         answer = tupled(ast.literal_eval(text))
     except _UNREADABLE:
         what = f"the example's answer {_brief(text)!r} is not a plain value"
-        remedy = "write numbers, words, tuples, lists or None"
+        remedy = "write numbers, texts, True, False, tuples, lists or None"
         if not text:
             what, remedy = "the example shows no answer", "write it on the next line (None as None)"
     else:

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from judge.values.answers import NO_WORDS, Words
-from judge.values.atoms import ROOT, Atom, Place, Type, Value
+from judge.values.atoms import ROOT, Atom, IntType, Place, Type, Value
+from judge.values.letters import TextType
 from judge.values.show import is_one_item, shown
 from judge.values.types import Composite, ListType, OptionalType, TupleType, lasting
 from judge.values.wire import Raw, Tokens, Unreadable, collecting, fault, items, quoted, show
@@ -27,7 +28,7 @@ def read(type_: Type, raw: Raw, place: Place = ROOT, *, bounded: bool = True) ->
     count = len(found)
     if (bounded or isinstance(inner, TupleType)) and (wrong := inner.wrong_count(count)):
         raise Unreadable(f"{place.name() or 'the answer'} has {wrong}")
-    if isinstance(inner, ListType) and inner.item.text == "int" and set(map(type, found)) <= {int}:
+    if isinstance(inner, ListType) and isinstance(inner.item, IntType) and set(map(type, found)) <= {int}:
         return list(found)  # a million of them, perhaps
     return inner.kind(
         [
@@ -55,7 +56,8 @@ def read_line(type_: Type, text: str) -> tuple[Raw] | str:
         line = Tokens(text, meant(type_))
         raw = line.next() if type_.width == 1 and line.words[1:] else _take(type_, line, whole=True)
         if line.words:
-            raise Unreadable(f"{quoted(line.ahead)} after the answer: one line holds {line.meant}")
+            hint = "; print it in double quotes" if isinstance(lasting(type_), TextType) else ""
+            raise Unreadable(f"{quoted(line.ahead)} after the answer: one line holds {line.meant}{hint}")
     except Unreadable as why:
         return str(why)
     return (raw,)
@@ -73,6 +75,8 @@ def _take(type_: Type, line: Tokens, *, whole: bool = False) -> Raw:
         if ahead == "none":
             line.next()
             return None
+        if isinstance(inner, TextType):
+            return inner.take(line, line.meant)
         what = line.meant if whole and type_.width == 1 else _hint(type_)
         raise Unreadable(f"{quoted(ahead)} where {what} is expected: write none in lower case")
     if isinstance(inner, Atom):
