@@ -43,8 +43,8 @@ class TextType(Atom):
         self.text = f"text({low})" if low == high else f"text({low}..{high})"
 
     @cached_property
-    def _known(self) -> str:
-        """The letters, the simplest first."""
+    def signs(self) -> str:
+        """Its letters one by one, the simplest first."""
         return "".join(sorted(expanded(self.letters) if self.letters else _ALL, key=rank))
 
     @cached_property
@@ -64,7 +64,7 @@ class TextType(Atom):
     def beyond(self, value: Any) -> str | None:
         """Other characters than its letters."""
         if self.letters:
-            known = frozenset(self._known)
+            known = frozenset(self.signs)
             at = next((at for at, each in enumerate(value) if each not in known), -1)
             return None if at < 0 else f"{value[at]!a}, none of its letters {self.letters!r}"
         found = _FOREIGN.search(value)
@@ -88,12 +88,13 @@ class TextType(Atom):
 
     def _simpler_letters(self, letter: str) -> str:
         """The simplest ones, and the next simpler."""
-        at = self._known.find(letter)
-        return "".join(dict.fromkeys((*self._known[: min(at, _PIECE)], *self._known[max(at - 1, 0) : at])))
+        at = self.signs.find(letter)
+        return "".join(dict.fromkeys((*self.signs[: min(at, _PIECE)], *self.signs[max(at - 1, 0) : at])))
 
     def simple(self, integer: Callable[[int, int], int]) -> Any:
-        """A short text of the two simplest letters and any third."""
-        pool = [*self._known[:2], self._known[integer(0, len(self._known) - 1)]]
+        """A short text of three letters, two of them perhaps the simplest."""
+        pool = [self.signs[integer(0, len(self.signs) - 1)] for _ in range(3)]
+        pool[:2] = self.signs[:2] if integer(0, 1) else pool[:2]
         length = integer(self.low, min(self.high, self.low + _SIMPLE))
         return "".join([pool[integer(0, len(pool) - 1)] for _ in range(length)])
 

@@ -215,7 +215,7 @@ def show(raw: Raw, depth: int = 3) -> str:
         return f"({', '.join(parts)})" if point else f"[{', '.join(parts)}]"
     if text is not None or kind is str:
         return brief(raw if text is None else text)
-    if raw is None or kind is float:
+    if raw is None or kind is float or kind is bool:
         return repr(raw)
     read = number(raw)
     if isinstance(read, Fault):
