@@ -267,7 +267,7 @@ def _stepped(random: Random, numbers: Sequence[Number], at: int, way: int, whole
 
 
 def _changed(random: Random, value: Any, type_: TextType | None) -> Any:
-    """A list with an item dropped, doubled, exchanged, or one of its texts changed; a text; the other bool."""
+    """A list with an item dropped, doubled or exchanged, or a text changed; the other bool."""
     if isinstance(value, bool):
         return not value
     if isinstance(value, str) and type_ is not None:

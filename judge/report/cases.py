@@ -38,6 +38,7 @@ from judge.run.tried import Tried
 from judge.values import show
 from judge.values.answers import Target
 from judge.values.atoms import Type
+from judge.values.letters import texts_of
 from judge.values.types import Composite, lasting
 
 _MOST = 12  # numbers whose interval is shown
@@ -86,7 +87,8 @@ def _facts(tried: Tried, why: str, brief: bool) -> Iterator[tuple[Cell, Cell]]:
         yield "case", arguments(problem.named(tried.case))
     if tried.case and not brief:
         yield "as program input", line_of(problem, tried.case)
-    yield "exact answer", good(_plain(show.exact_text(tried.exact)))
+    shown = tried.expected if texts_of(problem.answer) else _plain(show.exact_text(tried.exact))
+    yield "exact answer", good(shown)
     ends = list(islice(_intervals(problem.answer, tried.target), _MOST + 1))
     if ends and not brief:
         yield "in doubles", good(tried.expected)

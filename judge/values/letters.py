@@ -62,7 +62,9 @@ class TextType(Atom):
         return f"a text of {len(value):,} characters where {bounds} are expected"
 
     def beyond(self, value: Any) -> str | None:
-        """Other characters than its letters."""
+        """The same, and other characters than its letters."""
+        if wrong := self.why_not(value):
+            return wrong
         if self.letters:
             known = frozenset(self.signs)
             at = next((at for at, each in enumerate(value) if each not in known), -1)
@@ -134,7 +136,7 @@ class TextType(Atom):
 
     def why(self, value: Any, target: Target, words: Words, place: Place) -> Mismatch:
         """Its form, or where it differs."""
-        why = self.why_not(value) or self.beyond(value)
+        why = self.beyond(value)
         if why is None and max(len(value), len(target)) <= _WHOLE:
             why = f"{target!r} expected, {value!r} given"
         elif why is None:

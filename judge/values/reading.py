@@ -56,8 +56,7 @@ def read_line(type_: Type, text: str) -> tuple[Raw] | str:
         line = Tokens(text, meant(type_))
         raw = line.next() if type_.width == 1 and line.words[1:] else _take(type_, line, whole=True)
         if line.words:
-            hint = "; print it in double quotes" if isinstance(lasting(type_), TextType) else ""
-            raise Unreadable(f"{quoted(line.ahead)} after the answer: one line holds {line.meant}{hint}")
+            raise Unreadable(f"{quoted(line.ahead)} after the answer: one line holds {line.meant}")
     except Unreadable as why:
         return str(why)
     return (raw,)
@@ -112,4 +111,5 @@ def _hint(type_: Type, words: Words = NO_WORDS) -> str:
             return f"k {' '.join(f'{name}1' for name in type_.item.names)} …"
         item = _hint(type_.item)
         return f"k and then k times {item if isinstance(lasting(type_.item), Atom) else f'({item})'}"
-    return words.answer or type_.noun
+    quotes = " (in double quotes if it is empty or has a blank)" * isinstance(type_, TextType)
+    return f"{words.answer or type_.noun}{quotes}"

@@ -169,7 +169,7 @@ def fault(raw: Raw) -> Fault:
 
 def _typed(name: str, text: str) -> Fault:
     if text.startswith("a text of"):  # that is too long to be sent
-        return Fault(text, "", name)
+        return Fault(f"{text},", "", name)
     if text.startswith("a subclass"):
         return Fault(f"{name}, {text},", "return a plain one", name)
     if name == "float":

@@ -6,7 +6,6 @@ def counted(s):
     parts, count = [], 0
     # ? stripped: parts, count, s = [], 0, s.strip()
     # : Blanks at the ends are removed, but a blank is a letter too. Leave out strip().
-    # @ A blank is a letter too
     for at, letter in enumerate(s):
         count += 1
         # ? nine-at-most: count = min(count + 1, 9)
