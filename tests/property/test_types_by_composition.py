@@ -55,9 +55,8 @@ reals = st.tuples(surds, st.fractions(0, 1000, max_denominator=64)).map(lambda p
 floats = st.floats(allow_nan=False, allow_infinity=False)
 numbers = st.one_of(floats, ints)
 words = st.sampled_from(WORDS)
-texts = st.text(
-    st.sampled_from('ab "\\%,:=-~\n') | st.characters(min_codepoint=32, max_codepoint=126), max_size=9
-)
+signs = st.sampled_from('ab "\\%,:=-~\n') | st.characters(min_codepoint=32, max_codepoint=126)
+texts = st.text(signs, max_size=9)
 small = st.integers(-5, 9)
 unit = st.floats(0, 1)
 
@@ -65,7 +64,7 @@ ATOMS = [
     Kind("text(0..9)", texts, texts),
     Kind("bool", st.booleans(), st.booleans()),
     Kind("int(-5..9)", small, small),
-    Kind("real(0..1)", st.builds(Real, st.fractions(0, 1)), unit),
+    Kind("real(0..1)", st.fractions(0, 1).map(Real), unit),
     Kind("int", ints, ints),
     Kind("real", reals, numbers),
     Kind(f"word({'|'.join(WORDS)})", words, words),

@@ -111,7 +111,7 @@ def test_a_text_is_sent_whole_or_said_to_be_too_long():
     assert through(whole) == {"word": whole}
     said = "a text of 1,000,001 characters, more than 1,000,000"
     assert through(f"{whole}b") == wrong("str", said)
-    assert fault(through(f"{whole}b")).text == said
+    assert fault(through(f"{whole}b")).text == f"{said},"
     assert through(b"a" * 10**7)["text"].startswith("b'aaa")
 
 
@@ -119,7 +119,7 @@ def test_the_texts_of_an_answer_share_what_may_be_sent():
     half = "a" * (MOST_CHARACTERS // 2)
     first, second, third = through([half, half, "b"])
     assert first == second == {"word": half}
-    assert fault(third).text == "a text of more than 1,000,000 characters in all its parts"
+    assert fault(third).text == "a text of more than 1,000,000 characters in all its parts,"
     assert through([["a"], "b"]) == [[{"word": "a"}], {"word": "b"}]  # nor is that kept for the next answer
 
 
