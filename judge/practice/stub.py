@@ -152,25 +152,26 @@ def rounded(answer: object) -> object:
 
 
 def _native(problem: Problem, language: Language, about: Iterable[str]) -> str:
-    from judge.languages.draft import draft_of, driver_of
     from judge.languages.shapes import Unsupported
     from judge.languages.signature import signature_of
+    from judge.languages.spec import spec_of
+    from judge.languages.spell import Writer
 
     try:
-        maker = driver_of(language)
-        draft = draft_of(language, signature_of(problem))
-        head = maker.declared(draft)
+        spec = spec_of(language, signature_of(problem))
+        writer = Writer(language, spec)
+        head, before, body = map(writer.text, ("head", "before", "body"))
+        before = before.rstrip()
     except Unsupported as why:
         what = f"{problem.id} has a type that functions in {language.name} are not called with: {why}"
         remedy = f"write a program that reads standard input; see 'judge show {problem.id}'"
         raise UsageError(what, remedy=remedy) from None
-    before, body = maker.frame(draft, f"{draft.entry} is still to be written")
     indent = _INDENT if head.startswith("static") else ""
 
     def told(problem: Problem, example: Example) -> list[str]:
         literals = zip(problem.parameters, _literals(problem, example), strict=True)
         given = ", ".join(f"{each.name} = {literal}" for each, literal in literals)
-        return [f"{_INDENT}{draft.entry}: {given}  gives  {_wanted(problem, example)!r}"]
+        return [f"{_INDENT}{spec.entry}: {given}  gives  {_wanted(problem, example)!r}"]
 
     def comments(lines: Iterable[str], indent: str = "") -> list[str]:
         return [f"{indent}{language.comment} {line}".rstrip() for line in lines]
