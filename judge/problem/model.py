@@ -16,7 +16,7 @@ from judge.errors import ProblemError, UsageError
 from judge.values.answers import Tolerance
 from judge.values.atoms import Type
 
-Argument = Any  # a number, a word, None, or a tuple of such: what the parameter's type says
+Argument = Any  # a number, a word, a text, a bool, None, or a tuple of such: what the parameter's type says
 Case = tuple[Argument, ...]  # the arguments of one call, in the order of the problem's parameters
 
 EXAMPLES = "examples"  # the group of the statement's worked examples
@@ -129,8 +129,9 @@ class Tier(Enum):
 class Parameter(Struct, frozen=True, forbid_unknown_fields=True, cache_hash=True):
     """A row of `[parameters]`: `cx = { type = "number", about = "x of the centre" }`.
 
-    `low` and `high` bound each of its numbers, ends included. A real number other than 0 is at least
-    `smallest` in magnitude: 1e-30 where nothing is said of it.
+    `low` and `high` bound each of its numbers, ends included, and are those of its type where that has such.
+    A real number other than 0 is at least `smallest` in magnitude: 1e-30 where nothing is said of it.
+    `letters` are those of its texts, `a-z` for a range; None where the setter names none.
     """
 
     name: PythonName
@@ -139,6 +140,7 @@ class Parameter(Struct, frozen=True, forbid_unknown_fields=True, cache_hash=True
     low: Fraction = Fraction(-(2**30))
     high: Fraction = Fraction(2**30)
     smallest: Fraction = Fraction(1, 10**30)
+    letters: str | None = None
 
 
 class GroupLimits(Struct, frozen=True, forbid_unknown_fields=True):

@@ -38,9 +38,10 @@ from judge.problem.texts import read_statement
 from judge.problem.toml import TomlFile, refusal, told
 from judge.problem.types import parsed_type
 from judge.values.answers import Tolerance, Words
-from judge.values.atoms import Type
+from judge.values.atoms import NumberType, Type
 from judge.values.grammar import TypeFault
-from judge.values.types import ArrayType, lasting
+from judge.values.letters import USUAL, expanded, texts_of
+from judge.values.types import ArrayType, atoms, lasting
 
 _MOST_DIGITS = 4_000  # of a number's exponent: Python reads and writes no integer above 4,300 digits
 _REFERENCED = "add a [time] table that names one"
@@ -78,8 +79,7 @@ def read_problem(folder: Path, solutions: Path) -> Problem:
     for name, row in head.parameters.items():
         if isinstance(row, dict):
             row["name"] = name
-        each = file.read(Parameter, hook, "parameters", name)
-        parameters.append(each if each.type.measured else replace(each, smallest=Fraction(0)))
+        parameters.append(_bounded(file.read(Parameter, hook, "parameters", name), row))
     for what, remedy, *path in _faults(head, parameters):
         raise file.fault(what, remedy, *path)
     problem = Problem(
@@ -88,7 +88,7 @@ def read_problem(folder: Path, solutions: Path) -> Problem:
         solutions=solutions,
         groups=(),
         answer=parsed_type(head.answer.text, types, head.words),
-        parameters=tuple(parameters),
+        parameters=tuple([_lettered(each, types) for each in parameters]),
         **{key: getattr(head, key) for key in (*Titled.__struct_fields__, "limits", "time", "source")},
     )
     module = load_module(problem)
@@ -104,6 +104,43 @@ def read_problem(folder: Path, solutions: Path) -> Problem:
             raise problem.fault(what, "add a group with size = …")
         growth = GrowthRule(tuple(each.name for each in sized), head.growth)
     return replace(problem, groups=groups, growth=growth)
+
+
+def _bounded(parameter: Parameter, row: Mapping[str, Any]) -> Parameter:
+    """The parameter with the bounds of its type, where its `row` has none; ints are as small as they like."""
+    if not parameter.type.measured:
+        parameter = replace(parameter, smallest=Fraction(0))
+    numbers = [each for each in atoms(parameter.type) if isinstance(each, NumberType)]
+    for key, widest in (("low", min), ("high", max)):
+        own = [bound for each in numbers if (bound := getattr(each, key)) is not None]
+        if own and key not in row:
+            usual = [getattr(parameter, key)] if len(own) < len(numbers) else []
+            parameter = replace(parameter, **{key: Fraction(widest(own + usual))})
+    return parameter
+
+
+def _lettered(parameter: Parameter, types: Path) -> Parameter:
+    """The parameter with its letters in its type."""
+    if not texts_of(parameter.type):
+        return parameter
+    letters = parameter.letters or USUAL
+    return replace(parameter, type=parsed_type(parameter.type.text, types, letters=letters))
+
+
+def _letter_faults(parameter: Parameter) -> Iterator[tuple[str, str]]:
+    """What is wrong with a parameter's letters, and what to do about it."""
+    letters = parameter.letters
+    if letters is None:
+        return
+    if not texts_of(parameter.type):
+        yield f"{parameter.name} has letters, and no text", "remove them"
+    elif not letters:
+        yield "letters is empty", "name at least one, or leave the key out"
+    else:
+        try:
+            expanded(letters)
+        except ValueError as why:
+            yield f"letters = {letters!r}: {why}", 'write single ones and ranges, such as "a-z "'
 
 
 def _exact(wanted: Any, value: Any, types: Path) -> Any:
@@ -153,6 +190,8 @@ def _faults(head: Head, parameters: Sequence[Parameter]) -> Iterator[Sequence[st
         if not each.type.is_parameter:
             what = f"no parameter can be of the type {each.type}"
             yield what, "an array is a whole parameter", *path, "type"
+        for what, remedy in _letter_faults(each):
+            yield what, remedy, *path, "letters"
         if not 0 <= each.smallest <= 1:
             what = f"the smallest number of {each.name!r} other than 0 is not from 0 to 1"
             yield what, "an int other than 0 is never smaller than 1", *path, "smallest"

@@ -34,6 +34,8 @@ from judge.problem.module import Module
 from judge.problem.toml import TomlFile, read_text
 from judge.values import check, parameters, show
 from judge.values.answers import Tolerance
+from judge.values.letters import TextType
+from judge.values.types import lasting
 
 _NEARLY = Tolerance(relative=Fraction(1, 10**9))  # of an example, whose answer is only shown
 _STEP = "begin each step with a line '## Its title', and write its text below"
@@ -92,7 +94,7 @@ def _of_programs(problem: Problem, module: Module, raw: Mapping[str, Any]) -> tu
 
 def _filled(problem: Problem, file: str, raw: Mapping[str, Any], **more: str) -> list[str]:
     """The file's lines, their placeholders replaced by what `raw` and `more` say. Raises ProblemError."""
-    words, lines = _words(raw) | more, []
+    words, lines = _words(problem, raw) | more, []
     for number, line in enumerate(read_text(problem.folder / file).splitlines(), 1):
         for found in _PLACEHOLDER.finditer(line):
             if found[1] not in words:
@@ -103,10 +105,14 @@ def _filled(problem: Problem, file: str, raw: Mapping[str, Any], **more: str) ->
     return lines
 
 
-def _words(raw: Mapping[str, Any]) -> dict[str, str]:
-    """What the placeholders of texts stand for: each number as the file writes it."""
-    bounds = {"low": -(2**30), "high": 2**30, "smallest": 0}
-    tables = {name: bounds | row for name, row in raw.get("parameters", {}).items()}
+def _words(problem: Problem, raw: Mapping[str, Any]) -> dict[str, str]:
+    """What the placeholders of texts stand for: each number as the file writes it, or a parameter's type."""
+    tables = {}
+    for each in problem.parameters:
+        inner = lasting(each.type)
+        own = inner if isinstance(inner, TextType) else each
+        bounds = {"low": own.low, "high": own.high, "smallest": 0, "letters": each.type.letters}
+        tables[each.name] = bounds | raw["parameters"][each.name]
     tables["limits"] = to_builtins(GroupLimits()) | raw.get("limits", {})
     if tolerance := raw.get("tolerance"):
         tables["tolerance"] = dict.fromkeys(Tolerance.__struct_fields__, 0) | tolerance
@@ -147,7 +153,7 @@ def _wanted(text: str, problem: Problem, line: int) -> Any:
         answer = tupled(ast.literal_eval(text))
     except _UNREADABLE:
         what = f"the example's answer {_brief(text)!r} is not a plain value"
-        remedy = "write numbers, words, tuples, lists or None"
+        remedy = "write numbers, texts, True, False, tuples, lists or None"
         if not text:
             what, remedy = "the example shows no answer", "write it on the next line (None as None)"
     else:

@@ -39,6 +39,7 @@ from judge.run.tried import Tried
 from judge.values import show
 from judge.values.answers import Target
 from judge.values.atoms import Type
+from judge.values.letters import texts_of
 from judge.values.types import Composite, lasting
 
 _MOST = 12  # numbers whose interval is shown
@@ -89,7 +90,8 @@ def _facts(tried: Tried, why: str, brief: bool) -> Iterator[tuple[Cell, Cell]]:
         own = tried.module.format
         given = input_of(problem, own, tried.case).rstrip() if own else line_of(problem, tried.case)
         yield from under("as program input", given.split("\n"))
-    yield "exact answer", good(_plain(show.exact_text(tried.exact)))
+    shown = tried.expected if texts_of(problem.answer) else _plain(show.exact_text(tried.exact))
+    yield "exact answer", good(shown)
     ends = list(islice(_intervals(problem.answer, tried.target), _MOST + 1))
     if ends and not brief:
         yield "in doubles", good(tried.expected)

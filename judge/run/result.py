@@ -102,9 +102,13 @@ class Failure(Struct, frozen=True):
 
 
 def short_answer(given: Raw) -> Raw:
-    """The answer as it was sent, for a `Failure`: a program's numbers as doubles; None for a long one."""
+    """The answer as it was sent, for a `Failure`: a program's numbers as doubles.
+
+    None for a long one, and for one that holds what no JSON of ours can: half of a surrogate pair.
+    """
     try:
-        text = json.dumps(given, allow_nan=False, default=lambda written: written.approx)
+        text = json.dumps(given, allow_nan=False, default=lambda written: written.approx, ensure_ascii=False)
+        text.encode()
     except (ValueError, RecursionError):  # an infinite number, or a list in itself
         return None
     return json.loads(text) if len(text) <= _LONGEST else None

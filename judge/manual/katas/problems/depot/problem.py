@@ -1,3 +1,5 @@
+"""Boxes on shelves: a list of numbers is all that is kept."""
+
 from judge.problem.declare import Format, InvalidCase, group
 
 
