@@ -106,7 +106,19 @@ def make_stub(problem: Problem, language: Language | None = None) -> str:
         f"`judge show {problem.id}` shows the whole statement, `judge hint` the next hint.",
         f"`judge start {problem.id}` judges this file on every save.",
     ]
+    if not problem.entry:
+        return _program(problem, language, about)
     return _python(problem, about) if language is None else _native(problem, language, about)
+
+
+def _program(problem: Problem, language: Language | None, about: Iterable[str]) -> str:
+    """The text of a program that is still to be written: its task, as a comment where it has no docstring."""
+    width = _WIDTH if language is None else _WIDTH - len(language.comment) - 1
+    lines = [*about, "", *_wrapped(problem.summary, width), *_contract(problem, width, _doctest)]
+    if language is not None:
+        return "\n".join(f"{language.comment} {line}".rstrip() for line in lines) + "\n"
+    raised = f'raise NotImplementedError("{problem.id} is still to be written")'
+    return f"{_docstring(lines)}\n\nimport sys\n\n{raised}\n"
 
 
 def _python(problem: Problem, about: Iterable[str]) -> str:

@@ -45,6 +45,10 @@ from judge.values.types import ArrayType, atoms, lasting
 
 _MOST_DIGITS = 4_000  # of a number's exponent: Python reads and writes no integer above 4,300 digits
 _REFERENCED = "add a [time] table that names one"
+_CASES = 60  # of a group, twice as many that take turns
+_RUNS = 12  # of a group whose cases are a run each
+
+Rows = Sequence[tuple[KataLevel | None, Declared]]
 
 
 class Head(Titled, frozen=True, kw_only=True, forbid_unknown_fields=True):
@@ -87,9 +91,11 @@ def read_problem(folder: Path, solutions: Path) -> Problem:
         parameters=tuple([_lettered(each, types) for each in parameters]),
         **{key: getattr(head, key) for key in (*Titled.__struct_fields__, "limits", "time", "source")},
     )
-    statement, examples = read_statement(problem, file.raw)
+    module = load_module(problem)
+    problem = replace(problem, formatted=module.format is not None)
+    statement, examples = read_statement(problem, module, file.raw)
     problem = replace(problem, statement=statement, examples=examples)
-    groups = _groups(problem, head.tolerance if head.answer.measured else Tolerance())
+    groups = _groups(problem, module.rows, head.tolerance if head.answer.measured else Tolerance())
     growth = None
     if head.growth is not None:
         sized = sorted((each for each in groups if each.size), key=lambda each: each.size or 0)
@@ -163,6 +169,11 @@ def _faults(head: Head, parameters: Sequence[Parameter]) -> Iterator[Sequence[st
         yield what, "an array is a parameter's; write a list, which may be one too", "answer"
     if head.growth is not None and head.time is None:
         yield "growth is measured beside a reference solution, and there is none", _REFERENCED, "growth"
+    if head.time is not None and not head.entry and (head.time.function or not head.time.program):
+        what = "a kata without entry has programs alone"
+        yield what, 'write program = "a file of solutions/accepted" in [time], and no function', "time"
+    if head.time is not None and head.entry and not head.time.function:
+        yield "[time] names no function", 'add function = "a file of solutions/accepted"', "time"
     for name in head.sets:
         if head.sets.count(name) > 1:
             yield f"{name!r} is there twice in sets", "remove one", "sets"
@@ -202,14 +213,13 @@ def _tolerance_faults(tolerance: Tolerance, answer: Type) -> Iterator[Sequence[s
 # -- groups ------------------------------------------------------------------------------------------------
 
 
-def _groups(problem: Problem, usual: Tolerance | None) -> tuple[Group, ...]:
-    """The problem's groups; `usual` is the tolerance of one that has none of its own. Raises ProblemError."""
-    rows = load_module(problem).rows
+def _groups(problem: Problem, rows: Rows, usual: Tolerance | None) -> tuple[Group, ...]:
+    """The groups of the rows; `usual` is the tolerance of one without its own. Raises ProblemError."""
     levels = list(dict.fromkeys(level for level, _ in rows)) or [None]
     if len(levels) == 1 and levels[0] is not None:
         remedy = "declare groups of both, or all of them in GROUPS"
         raise problem.fault(f"every group is in {levels[0].name}", remedy, rows[0][1].line)
-    if not problem.examples:
+    if not problem.examples and problem.entry:
         remedy = f"add a line >>> {problem.entry}(…) and the answer below it"
         raise problem.fault("there are no worked examples", remedy, file="statement.md")
     about = "The worked examples of the statement."
@@ -237,12 +247,14 @@ def _groups(problem: Problem, usual: Tolerance | None) -> tuple[Group, ...]:
 def _group(problem: Problem, declared: Declared, level: KataLevel | None, usual: Any) -> Group:
     """The group of a row, without its share of the points; `usual` is the tolerance where it has none."""
     own = {key: value for key, value in declared.row.items() if value is not None}
-    raw = {"points": 0, "tolerance": usual or Tolerance(), **own, "seed": problem.id, "line": declared.line}
+    cases = _RUNS if problem.formatted else 2 * _CASES if own["turns"] else _CASES
+    usually = {"points": 0, "cases": cases, "tolerance": usual or Tolerance()}
+    raw = {**usually, **own, "seed": problem.id, "line": declared.line}
     if isinstance(limits := raw.get("limits"), Mapping):
-        usually, wall = problem.limits, {}
+        bounds, wall = problem.limits, {}
         if isinstance(cpu := limits.get("cpu_seconds"), int | float):
-            wall = {"wall_seconds": usually.wall_seconds * cpu / usually.cpu_seconds}
-        raw["limits"] = {**msgspec.to_builtins(usually), **wall, **limits}
+            wall = {"wall_seconds": bounds.wall_seconds * cpu / bounds.cpu_seconds}
+        raw["limits"] = {**msgspec.to_builtins(bounds), **wall, **limits}
     what = f"group {raw['name']!r}"
 
     def fault(what: str, remedy: str) -> ProblemError:

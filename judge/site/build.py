@@ -37,7 +37,7 @@ from judge.files import replace_file
 from judge.mistakes.namer import Namer
 from judge.practice.cards import NONE, Card, Count, Drawn, Number, read_decks
 from judge.practice.questions import Question, Sources, ask
-from judge.practice.syllabus import USUAL, PracticeSet, read_checklist, sound_sets
+from judge.practice.syllabus import USUAL, PracticeSet, read_checklist, read_pack, sound_sets
 from judge.problem import Problem
 from judge.problem.module import load_module
 from judge.report.published_setter import SiteBuilt
@@ -160,7 +160,14 @@ class Site:
             _listed(each) | {"skills": [one.name for one in each.skills if one.name in skills]}
             for each in self.problems
         ]
-        found = {"editor": (parts / "ace").is_dir(), "sets": sets, "katas": katas, "topics": topics}
+        packs = dict.fromkeys(read_pack(each.folder.parent).title for each in self.problems)
+        found = {
+            "title": ", ".join(packs),
+            "editor": (parts / "ace").is_dir(),
+            "sets": sets,
+            "katas": katas,
+            "topics": topics,
+        }
         _write(out / "katas.json", found)
         _write(out / "mine.json", {})
         _write_worker(out, repr(self._keys))
@@ -246,7 +253,9 @@ def _listed(problem: Problem) -> dict[str, Any]:
         "id": problem.id,
         "title": problem.title,
         "summary": problem.summary,
-        "stub": f"def {problem.entry}({names}):\n    raise NotImplementedError\n",
+        "stub": f"def {problem.entry}({names}):\n    raise NotImplementedError\n"
+        if problem.entry
+        else "import sys\n\n",
         "levels": bool(problem.levels),
         "elsewhere": _elsewhere(problem),
         "figure": has_figure(problem),

@@ -79,6 +79,8 @@ def _ends(low: Surd, high: Surd) -> list[int]:
 
 def check_forms(problem: Problem) -> None:
     """Raises NoForm where a problem cannot be a package, as far as its toml tells."""
+    if problem.formatted:
+        raise NoForm("its programs have a format of their own")
     if problem.growth is not None:
         raise NoForm("a package cannot measure how the time grows")
     if any(group.size is not None for group in problem.groups):
