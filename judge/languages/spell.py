@@ -4,7 +4,8 @@ A rule is a text with holes; or a text for each kind of type, `any` for the othe
 for each of the `parameters`, `structs`, `lacking` structs, `fields` or `parts`, or once where there are `big`
 integers, or `digits` or `bools` in the answer, and what stands between. A hole `{rule}` is written for the
 type at hand, `{inner.rule}` for what a list or an optional value is of, `{answer.rule}` for the answer as the
-problem has it. What no rule and no name of `Writer` fits stays as it is. A driver has its holes as `@rule@`, and parts for some functions alone:
+problem has it. What no rule and no name of `Writer` fits stays as it is. A driver has its holes as `@rule@`,
+and parts for some functions alone:
 
     // @if big        or // @if not big, digits, bools
     …
