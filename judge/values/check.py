@@ -267,12 +267,11 @@ def check_line(type_: Type, text: str, target: Target, exact: ExactOf) -> Outcom
     """Decide one line of a program's output (without its newline, whatever it holds); see `check`."""
     answer = read_line(type_, text)
     got = quoted(text)[1:-1]
-    right = wanted_line(type_, target)
     if isinstance(answer, str):
-        return Rejection(answer, right, got)
+        return Rejection(answer, wanted_line(type_, target), got)
     outcome = check(type_, answer[0], target, exact)
     if isinstance(outcome, Accepted):
         return outcome
     # The answers are shown as programs write them; what stands in quotation marks is a text.
     message = _NONE.sub(lambda found: found[0] if found[0] != "None" else "none", outcome.message)
-    return replace(outcome, message=message, wanted=right, got=got)
+    return replace(outcome, message=message, wanted=wanted_line(type_, target), got=got)

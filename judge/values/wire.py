@@ -262,7 +262,7 @@ def collecting(type_name: str) -> str:
 
 def tokens(line: str) -> list[str]:
     """What a line is made of: words, numbers, JSON strings."""
-    return _TOKEN.findall(line)
+    return _TOKEN.findall(line) if '"' in line else line.split()
 
 
 class Tokens:

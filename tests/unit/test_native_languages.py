@@ -197,6 +197,78 @@ def test_a_function_may_take_them_as_numbers_of_the_machine_while_they_fit():
     assert found[2].detail == f"{2**63} does not fit into long long"
 
 
+# -- texts and truth values ---------------------------------------------------------
+
+TEXTS = signature("(text, bool, [text], text?)", s="text", b="bool", items="[text; 0..9]", more="text?")
+TURNED = sources("texts")
+SIGNS = "".join(map(chr, range(32, 127)))
+ROWS_OF_TEXTS = [
+    ("", True, [], None),
+    ("a", False, ["", "a b", "none"], "none"),
+    (SIGNS, True, ['"', "\\", "\n", "=", "=61", "true", "1"], ""),
+    ("ab" * 2000, False, [" "] * 9, "x\n"),
+]
+
+
+def word(text):
+    return {"word": text}
+
+
+@pytest.mark.parametrize("name", daily(TURNED, ["a.cpp", "a.js", "a.pypy"]))
+def test_texts_and_truth_values_pass_unchanged(name):
+    assert answers(name, TURNED[name], TEXTS, ROWS_OF_TEXTS) == [
+        [word(s[::-1]), not b, [*map(word, items[::-1])], more if more is None else word(more)]
+        for s, b, items, more in ROWS_OF_TEXTS
+    ]
+
+
+IN_C = {  # what is returned, the body, and what comes of it
+    "text": ("const char *", 'return b ? s : "";', lambda s, b: word(s if b else "")),
+    "bool": ("bool ", "return b;", lambda s, b: b),
+    "bool?": ("bool ", "*out = b; return *s != 0;", lambda s, b: b if s else None),
+    "text?": ("bool ", "*out = s; return b;", lambda s, b: word(s) if b else None),
+}
+
+
+@pytest.mark.parametrize("answer", IN_C)
+def test_texts_and_truth_values_in_c(answer):
+    kind, body, right = IN_C[answer]
+    out = {"bool?": ", bool *out", "text?": ", const char **out"}.get(answer, "")
+    source = f"#include <stdbool.h>\n{kind}mirror_all(const char *s, bool b{out}) {{ {body} }}"
+    given = [(s, b) for s, b, *_ in ROWS_OF_TEXTS]
+    found = answers("a.c", source, signature(answer, s="text", b="bool"), given)
+    assert found == [right(*each) for each in given]
+
+
+COUNTED = {
+    "a.cpp": "bool mirror_all(double x) { return x > 1; }",
+    "a.js": "const mirrorAll = x => x > 1;",
+}
+
+
+@pytest.mark.parametrize("name", COUNTED)
+def test_a_count_that_is_returned_as_a_truth_value(name):
+    """C++ makes an int of it; JavaScript tells them apart."""
+    found = answers(name, COUNTED[name], signature("int", x="real"), [(1.0,), (2.0,)])
+    assert found == ([0, 1] if name == "a.cpp" else [False, True])
+    assert list(map(type, found)) == [int if name == "a.cpp" else bool] * 2
+
+
+def test_a_text_beside_integers_of_any_size():
+    given = signature("text", n="int", s="text")._replace(big=True)
+    source = "std::string mirror_all(std::string n, std::string s) { return s + n; }"
+    assert answers("a.cpp", source, given, [(10**30, ""), (12, "")]) == [word(str(10**30)), word("12")]
+
+
+def test_a_text_that_is_too_long_is_told():
+    source = "#include <string>\nstd::string mirror_all(double x) { return std::string(size_t(x), 'a'); }"
+    whole, long = answers(
+        "a.cpp", source, signature("text", x="real"), [(1e6,), (1000001.0,)], output_bytes=1 << 24
+    )
+    assert whole == word("a" * 10**6)
+    assert long == {"type": "str", "text": "a text of 1,000,001 characters, more than 1,000,000"}
+
+
 # -- what goes between ------------------------------------------------------------
 
 

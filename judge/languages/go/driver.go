@@ -1,7 +1,7 @@
 package main
 
 import (
-	judgeJSON "encoding/json"; judgeFmt "fmt"; judgeIO "io"; judgeMath "math"; judgeOS "os"
+	judgeHex "encoding/hex"; judgeJSON "encoding/json"; judgeFmt "fmt"; judgeIO "io"; judgeMath "math"; judgeOS "os"
 	judgeDebug "runtime/debug"; judgeConv "strconv"; judgeStrings "strings"; @bigs@
 )
 
@@ -19,6 +19,12 @@ func judgeToken() string {
 	word := judgeIn[i:j]
 	judgeIn = judgeIn[j:]
 	return word
+}
+func judgeText() string {
+	word := judgeToken()
+	if word == "" || word[0] != '=' { return word }
+	text, _ := judgeHex.DecodeString(word[1:])
+	return string(text)
 }
 func judgeReal() float64 { v, _ := judgeConv.ParseFloat(judgeToken(), 64); return v }
 func judgeInt() int { v, _ := judgeConv.Atoi(judgeToken()); return v }
@@ -59,6 +65,7 @@ func judgeClose() {
 	judgeOut = append(judgeOut, ']')
 }
 func judgePutWord(v string) { text, _ := judgeJSON.Marshal(v); judgeOut = append(judgeOut, text...) }
+func judgePutBool(v bool) { judgeOut = judgeConv.AppendBool(judgeOut, v) }
 func judgePutInt[T int | int64 | int32](v T) { judgeOut = judgeConv.AppendInt(judgeOut, int64(v), 10) }
 func judgePutReal(v float64) {
 	if judgeMath.IsNaN(v) || judgeMath.IsInf(v, 0) {

@@ -13,7 +13,15 @@ trait Put { fn put(&self, out: &mut String); }
 impl Get for f64 { fn get(w: &mut Words) -> Self { w.next().unwrap().parse().unwrap() } }
 macro_rules! whole { ($($t:ty)*) => { $(impl Get for $t { fn get(w: &mut Words) -> Self { let word = w.next().unwrap(); word.parse().unwrap_or_else(|_| panic!("{} does not fit into {}", word, stringify!($t))) } })* } }
 whole!(i64 i128);
-impl Get for String { fn get(w: &mut Words) -> Self { w.next().unwrap().to_string() } }
+impl Get for String {
+    fn get(w: &mut Words) -> Self {
+        let word = w.next().unwrap();
+        if !word.starts_with('=') { return word.to_string() }
+        (1..word.len()).step_by(2).map(|i| u8::from_str_radix(&word[i..i + 2], 16).unwrap() as char).collect()
+    }
+}
+impl Get for bool { fn get(w: &mut Words) -> Self { w.next() == Some("true") } }
+impl Put for bool { fn put(&self, out: &mut String) { out.push_str(if *self { "true" } else { "false" }) } }
 impl<T: Get> Get for Vec<T> { fn get(w: &mut Words) -> Self { let n = i64::get(w); (0..n).map(|_| T::get(w)).collect() } }
 impl<T: Get> Get for Option<T> { fn get(w: &mut Words) -> Self { if w.peek() == Some(&"none") { w.next(); None } else { Some(T::get(w)) } } }
 impl Put for f64 { fn put(&self, out: &mut String) { if self.is_finite() { out.push_str(&format!("{:?}", self)) } else { out.push_str(&format!("{{\"type\":\"float\",\"text\":\"{}\"}}", self.to_string().to_lowercase())) } } }
