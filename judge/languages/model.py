@@ -112,6 +112,11 @@ class Language(
         return hash(self.digest)
 
     @property
+    def is_ours(self) -> bool:
+        """Whether the judge itself describes it."""
+        return Path(self.folder).parent == folders()[0]
+
+    @property
     def tokens(self) -> Tokens:
         """What begins and ends its comments and strings."""
         return self.unsaid or usual_tokens(self.comment)
