@@ -18,6 +18,7 @@ from judge.errors import ShortageError
 from judge.sandbox import calls, ends, launch, room, shared
 from judge.sandbox.boundary import (
     CallsResult,
+    Defined,
     Inspection,
     Limits,
     ProgramResult,
@@ -117,8 +118,10 @@ class NativeBox:
                 if fault is None:
                     self._store.keep_artifact(key, found)
             self._artifact = found
-        names = ((sources.entry, sources.line),) if sources.entry else ()
-        return Inspection(fault, names, language=self._recipe.name)
+        entry, line = sources.entry, sources.line
+        names = ((entry, line),) if entry else ()
+        functions = (Defined(entry, line, 0, -1, sources.empty),) if entry else ()
+        return Inspection(fault, names, functions, language=self._recipe.name)
 
     def _key(self) -> str:
         digest = hashlib.blake2b(self._recipe.key.encode(), digest_size=16)

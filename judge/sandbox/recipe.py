@@ -45,7 +45,8 @@ class Sources(NamedTuple):
 
     `own` is the submission's own file. Where it has a function to be called, `entry` is that function's name
     in the problem, `line` its line; the start is then a driver, and `mismatch` is what is to be said where
-    the compiler finds the fault in that. A `fault` is one that is seen without any compiler.
+    the compiler finds the fault in that. A `fault` is one that is seen without any compiler; a function is
+    `empty` as long as nothing is written in it.
     """
 
     files: Files
@@ -54,6 +55,7 @@ class Sources(NamedTuple):
     line: int = 0
     mismatch: str = ""
     fault: SourceFault | None = None
+    empty: bool = False
 
     @property
     def main(self) -> str:
