@@ -191,6 +191,8 @@ class NativeBox:
             out, err = shared.head(stdio[1], limits.output_bytes), shared.tail(stdio[2], _STDERR)
         usage = Usage(done.cpu_ns / 1e9, done.wall_ns / 1e9, done.peak_bytes)
         stop, detail = ends.end_of(done, limits, idle, printed, err, self._recipe)
+        if stop is Stop.EXITED:
+            detail = ends.placed(detail, err, self._sources)
         return ProgramResult(stop, out, err, detail, usage)
 
     def _ask(self, stdio: Sequence[int], limits: Limits, idle: Usage) -> Done:
@@ -268,11 +270,11 @@ class NativeBox:
         if not cases:
             return CallsResult((), _NOTHING)
         done = self.run_program(calls.text(cases), limits)
-        replies, kept_form = calls.replies(done.stdout, len(cases))
+        replies, kept_form = self._replies(done, len(cases))
         if kept_form and len(replies) < len(cases):
             # It ended early: at which call shows where each answer is written at once.
             again = self.run_program(calls.text(cases, at_once=True), limits)
-            replies, kept_form = calls.replies(again.stdout, len(cases))
+            replies, kept_form = self._replies(again, len(cases))
             done = done if done.stop is not Stop.ANSWERED else again
             if done.stop is Stop.ANSWERED:
                 done = done._replace(stop=Stop.EXITED, detail="it ended the process in mid-call")
@@ -283,6 +285,13 @@ class NativeBox:
             return CallsResult(tuple(replies), done.usage, printed=printed)
         del replies[len(cases) - 1 :]
         return CallsResult((*replies, Reply(done.stop, detail=done.detail)), done.usage)
+
+    def _replies(self, done: ProgramResult, most: int) -> tuple[list[Reply], bool]:
+        found, kept_form = calls.replies(done.stdout, most)
+        raised = {place: each for place, each in enumerate(found) if each.detail}
+        for place, each in raised.items():
+            found[place] = each._replace(detail=ends.within(each.detail, self._sources))
+        return found, kept_form
 
 
 def measured(recipe: Recipe, boxes: Boxes, store: Store) -> Usage:
