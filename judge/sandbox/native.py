@@ -38,6 +38,7 @@ from judge.sandbox.roots import find_roots
 from judge.sandbox.temporary import TemporaryFolder
 
 _BOX = "/box"
+_WARNED = "judge-warnings"  # a file beside what was compiled, for whoever takes that from the cache
 _STACK = 64 << 20  # at most, where it may be as large as the memory
 _STDERR = 32 << 10  # what says why comes before a hundred frames of the stack
 _NOTHING = Usage()
@@ -113,15 +114,17 @@ class NativeBox:
             key = self._key()
             found = self._store.artifact(key)
             if found is None:
-                done = self._compile()
-                found, fault = done
+                found, fault = self._compile()
                 if fault is None:
                     self._store.keep_artifact(key, found)
             self._artifact = found
+        warned = dict(self._artifact).get(_WARNED, b"").decode()
         entry, line = sources.entry, sources.line
         names = ((entry, line),) if entry else ()
         functions = (Defined(entry, line, 0, -1, sources.empty),) if entry else ()
-        return Inspection(fault, names, functions, language=self._recipe.name)
+        return Inspection(
+            fault, names, functions, language=self._recipe.name, warnings=tuple(warned.splitlines())
+        )
 
     def _key(self) -> str:
         digest = hashlib.blake2b(self._recipe.key.encode(), digest_size=16)
@@ -153,7 +156,8 @@ class NativeBox:
                 holder.close(at_once=False)
                 holder.drop()
             self._level = self._held = holder.level
-        return made.files, made.fault
+        warned = (_WARNED, "\n".join(made.warnings).encode())
+        return (*made.files, warned) if made.warnings else made.files, made.fault
 
     def _processes(self) -> int:
         """A bound that leaves the compiler its own; the kernel counts all processes of a user together."""

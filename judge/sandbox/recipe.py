@@ -18,7 +18,7 @@ class Recipe(NamedTuple):
     """How a language is compiled and run; `key` changes with its description and its tools.
 
     `empty` is a program that does nothing, by its file's name; `stack`, `allowance` are bytes, `stack` 0 for
-    as much as the memory limit. `complaint` is a pattern of a compiler's fault, as `Compiling` has it.
+    as much as the memory limit. `complaint` and `warning` are patterns of what a compiler says.
     """
 
     name: str
@@ -37,6 +37,7 @@ class Recipe(NamedTuple):
     out_of_memory: str
     empty: tuple[str, bytes]
     complaint: str = ""
+    warning: str = ""
     help: Files = ()  # files for the compiler, that no program is made of
 
 

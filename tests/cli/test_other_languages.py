@@ -79,6 +79,19 @@ def test_a_missing_compiler_costs_one_submission(judge, submit, monkeypatch, tmp
     assert any("AC" in line and "good.py" in line for line in ended.lines), ended.out
 
 
+def test_warnings_stand_beside_a_wrong_answer_alone(judge, submit):
+    need("cpp")
+    head = "double middle(double a, double b) {\n    int whole = (a + b) / 2;\n"
+    warned = "the compiler warns: conversion from ‘double’ to ‘int’ may change value (line 2)"
+    ended = judge("run", "middle", submit(f"{head}    return whole; }}", "wrong.cpp"))
+    assert ended.out.startswith("WA")
+    assert warned in ended.err
+    assert warned in json.loads(judge("run", "middle", "wrong.cpp", "--json").out)["notes"]
+    ended = judge("run", "middle", submit(f"{head}    return (a + b) / 2 + whole * 0; }}", "right.cpp"))
+    assert ended.status == 0
+    assert "warns" not in ended.err
+
+
 # -- the race --------------------------------------------------------------------------------------------
 
 

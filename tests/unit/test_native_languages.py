@@ -45,6 +45,36 @@ def test_what_does_not_compile_is_told_with_its_place(name):
     assert "/" not in fault.message.replace("//", "")
 
 
+DOUBTFUL = """double half(double x) {
+    if (x > 0) return x / 2;
+}
+double mirror_all(double x) {
+    long long sum;
+    int whole = x;
+    for (int i = 0; i < whole; i++) sum += i;
+    return half(x) + sum;
+}
+"""
+WARNED = {
+    "the compiler warns: control reaches end of non-void function (line 3)",
+    "the compiler warns: conversion from ‘double’ to ‘int’ may change value (line 6)",
+}
+
+
+@pytest.mark.parametrize("name", ["a.c", "a.cpp"])
+def test_what_a_compiler_warns_of_is_told_whether_it_is_compiled_or_kept(name, monkeypatch, tmp_path):
+    monkeypatch.setenv("JUDGE_CACHE", str(tmp_path))
+    for _ in range(2):
+        with box_of(name, DOUBTFUL, signature=REAL) as box:
+            warned = box.inspect().warnings
+        assert set(warned) > WARNED
+        assert "uninitialized" in "".join(warned)
+        monkeypatch.setattr("judge.sandbox.native.compiled", None)
+    monkeypatch.undo()
+    with box_of(name, "double mirror_all(double x) { return x; }", signature=REAL) as box:
+        assert box.inspect().warnings == ()
+
+
 def test_what_was_compiled_is_taken_from_the_cache(monkeypatch, tmp_path):
     monkeypatch.setenv("JUDGE_CACHE", str(tmp_path))
     assert ran("a.c", ADDING["a.c"], b"1 1").stdout == b"2\n"
