@@ -8,7 +8,7 @@ import sys
 from pathlib import Path
 
 from judge.errors import one_slip
-from judge.languages import file_name, language_of
+from judge.languages import file_name, spelt
 from judge.problem import Problem, Verdict
 from judge.problem.solutions import install_command, requirement
 from judge.run.result import EntryError, Obstacle
@@ -34,8 +34,7 @@ def entry_text(error: EntryError, problem: Problem, submission: str, verdict: Ve
     library = requirement(Path(submission))
     match error.kind:
         case Obstacle.STUB:
-            language = language_of(submission)
-            return f"Write the body of {language.spelt(entry) if language else entry}{line}, then save."
+            return f"Write the body of {spelt(entry, submission)}{line}, then save."
         case Obstacle.ARITY:
             return f"{entry} takes {error.takes} arguments and is called with {count}: {call}"
         case Obstacle.MODULE if library:
