@@ -8,7 +8,7 @@ import sys
 from pathlib import Path
 
 from judge.errors import one_slip
-from judge.languages import file_name
+from judge.languages import file_name, spelt
 from judge.problem import Problem, Verdict
 from judge.problem.solutions import install_command, requirement
 from judge.run.result import EntryError, Obstacle
@@ -35,7 +35,7 @@ def entry_text(error: EntryError, problem: Problem, submission: str, verdict: Ve
     library = requirement(Path(submission))
     match error.kind:
         case Obstacle.STUB:
-            return f"Write {f'the body of {entry}' if entry else 'the program'}{line}, then save."
+            return f"Write {f'the body of {spelt(entry, submission)}' if entry else 'the program'}{line}, then save."
         case Obstacle.NO_CLASS:
             return f"{entry} is a function{line}; the kata asks for a class with {error.name}."
         case Obstacle.NO_ENTRY if problem.methods:
