@@ -35,7 +35,8 @@ def entry_text(error: EntryError, problem: Problem, submission: str, verdict: Ve
     library = requirement(Path(submission))
     match error.kind:
         case Obstacle.STUB:
-            return f"Write {f'the body of {spelt(entry, submission)}' if entry else 'the program'}{line}, then save."
+            what = f"the body of {spelt(entry, submission)}" if entry else "the program"
+            return f"Write {what}{line}, then save."
         case Obstacle.NO_CLASS:
             return f"{entry} is a function{line}; the kata asks for a class with {error.name}."
         case Obstacle.NO_ENTRY if problem.methods:
