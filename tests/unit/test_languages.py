@@ -53,6 +53,9 @@ def test_a_suffix_says_the_language(language, names):
         found = face.language_of(name)
         assert (found.id if found else None) == (None if language == "python" else language), name
         assert face.is_program(name) == (language is not None), name
+        assert face.spelt("signed_area", name) == (
+            "signedArea" if language == "javascript" else "signed_area"
+        )
     assert not face.is_program(".a.cpp"), "it is hidden"
 
 

@@ -58,6 +58,7 @@ fn drive() {
         let (cases, at_once) = (i64::get(&mut head), i64::get(&mut head));
         for left in (0..cases).rev() {
             let line = lines.next().unwrap();
+            LINE.store(0, std::sync::atomic::Ordering::Relaxed);
             let found = std::panic::catch_unwind(move || { let mut all: Words = line.split_ascii_whitespace().peekable(); let words = &mut all; @reads@ super::@entry@(@arguments@) });
             match found { Ok(v) => { out.push_str("[0,"); v.put(&mut out) } Err(fault) => { out.push_str("[1,"); format!("panic: {}{}", text_of(fault), place()).put(&mut out) } }
             out.push_str("]\n");
