@@ -33,8 +33,11 @@ _TEMPLATES = Path(__file__).resolve().parent.parent / "manual" / "katas" / "prob
 KINDS = {
     "numbers": "two-points",
     "text": "runs",
+    "list": "knapsack",
     "class": "least-recently-used",
     "program": "depot",
+    "judged": "tasks-in-order",
+    "growth": "hops",
 }  # katas of these, the usual one first
 _LEFT_OUT = {"pins.json", "libraries", "libraries.json", "same.toml", "__pycache__"}
 _LETTERS = "small letters, digits and single hyphens"
