@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
+
 from judge.cli.options import Common
 from judge.cli.resolve import current, history_at, is_there, seen_cards, this_folder
+from judge.errors import ProblemError
 from judge.practice import events
 from judge.practice.progress import skills
 from judge.practice.review import read_learner
 from judge.practice.syllabus import Skill, read_pack
-from judge.problem.find import problem_roots
+from judge.problem.find import problem_roots, shipped_problems
 from judge.report.published_look import Home, Standing
 
 
@@ -26,8 +29,18 @@ def home(common: Common) -> Home:
         now=None if done else at,
         here=here is not None,
         next=mine.next(at.problem if at else ""),
-        topic=", ".join(read_pack(root).title for root in problem_roots(common.problems, installed=False)),
+        topic=_topic(common),
     )
+
+
+def _topic(common: Common) -> str:
+    """What the katas are about, the judge's own first: the titles of packs that have one."""
+    own, titles = shipped_problems(), list[str]()
+    for root in sorted(problem_roots(common.problems, installed=False), key=lambda root: root != own):
+        with suppress(ProblemError):
+            if (root / "pack.toml").is_file():
+                titles.append(read_pack(root).title)
+    return " and ".join(f"{each[:1].lower()}{each[1:]}" for each in titles) or "katas"
 
 
 def standing(problem: str, common: Common) -> Standing:

@@ -23,6 +23,8 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 from contextlib import suppress
+from functools import cache
+from pathlib import Path
 from typing import Any
 
 import msgspec
@@ -35,6 +37,7 @@ from judge.problem.toml import parse_toml, read_text
 from judge.repair.features import FEATURES
 
 FILE = "mistakes.toml"
+_USUAL = "usual.toml"
 EXAMPLE = "For example,"  # what begins so speaks of code, and may be otherwise in a program
 _KIND = "kind"  # the table of what is said of repairs
 
@@ -69,13 +72,20 @@ Kinds = Mapping[str, KindWords]
 
 
 def read_catalogue(problem: Problem) -> Catalogue:
-    """Every mistake's words in this problem; none where the pack has no such file. Raises ProblemError."""
-    return _read(problem)[0]
+    """Every mistake's words in this problem, those of no topic too. Raises ProblemError."""
+    return {**_usual(), **_read(problem)[0]}
 
 
 def read_kinds(problem: Problem) -> Kinds:
     """What is said of each kind of repair; nothing where the pack has no such file. Raises ProblemError."""
     return _read(problem)[1]
+
+
+@cache
+def _usual() -> Catalogue:
+    """The words that the judge has for any kata."""
+    tables = parse_toml(read_text(Path(__file__).with_name(_USUAL)), _USUAL)
+    return msgspec.convert(tables, dict[str, Words])
 
 
 def _read(problem: Problem) -> tuple[Catalogue, Kinds]:

@@ -20,7 +20,7 @@ from tempfile import TemporaryDirectory
 from judge.data.pins import pins_file
 from judge.errors import UnknownKataError, UsageError, meant, unwritable
 from judge.files import new_file
-from judge.languages.model import languages
+from judge.languages import language_of
 from judge.problem import Problem
 from judge.problem.find import find_problem, problem_folders
 from judge.problem.load import load_problem
@@ -33,8 +33,11 @@ _TEMPLATES = Path(__file__).resolve().parent.parent / "manual" / "katas" / "prob
 KINDS = {
     "numbers": "two-points",
     "text": "runs",
+    "list": "knapsack",
     "class": "least-recently-used",
     "program": "depot",
+    "judged": "tasks-in-order",
+    "growth": "hops",
 }  # katas of these, the usual one first
 _LEFT_OUT = {"pins.json", "libraries", "libraries.json", "same.toml", "__pycache__"}
 _LETTERS = "small letters, digits and single hyphens"
@@ -116,7 +119,6 @@ def _renamed(model: Problem, name: str) -> Iterator[tuple[str, str, str]]:
     types = (model.folder.parent / "types").glob("*.py")
     shared = [("problems", each) for each in types if re.search(rf"\b{each.stem}\b", toml)]
     shared += [("solutions", each) for each in model.solutions.parent.glob("mistakes.toml")]
-    spelt = {model.entry: entry} | {each.spelt(model.entry): each.spelt(entry) for each in languages()}
     homes = {"problems": model.folder, "solutions": model.solutions}
     found = [
         (kind, f"{name}/{path.relative_to(home)}", path)
@@ -130,7 +132,9 @@ def _renamed(model: Problem, name: str) -> Iterator[tuple[str, str, str]]:
         if path.name == "problem.toml":
             text = re.sub(r"^(sets|place) *=.*\n", "", text, flags=re.M)
             text = text.replace(f'entry = "{model.entry}"', f'entry = "{entry}"')
-        for old, new in spelt.items() if model.entry else ():
+        if model.entry:
+            language = language_of(path)
+            old, new = map(language.spelt, (model.entry, entry)) if language else (model.entry, entry)
             called = r"\b" if old[:1].isupper() else r" *\("  # else it may be a word of the text
             text = re.sub(rf"\b{old}(?={called})", new, text)
         if "-" in model.id:

@@ -81,7 +81,9 @@ def listed(name: str | None, ask: ListAsk, common: Common) -> KataList:
         raise UsageError(f"There is no set {name!r}", remedy=meant(name, list(shelves)))
     if name != USUAL:
         shelves.pop(USUAL, None)
-    shown = name or ("" if common.json or ask.whole else next(iter(packs), "") or _opened(shelves, at))
+    named = next(iter(packs), "") if common.problems else ""
+    opened = named or _opened({**{key: shelves[key] for key in shelves if key not in packs}, **shelves}, at)
+    shown = name or ("" if common.json or ask.whole else opened)
     status = ExitCode.FAULT if faults else ExitCode.ACCEPTED
     every = [*rows.values()]
     firsts = first_sets(sets)

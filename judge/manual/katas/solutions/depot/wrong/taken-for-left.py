@@ -1,0 +1,21 @@
+"""taken-for-left
+
+The boxes that were taken are printed. Print how many are left.
+"""
+
+import sys
+
+first, *steps = sys.stdin.read().splitlines()
+boxes = [0] * (int(first.split()[0]) + 1)
+for step in steps[:-1]:
+    words = step.split()
+    shelf = int(words[-1])
+    if words[0] == "put":
+        boxes[shelf] += int(words[1])
+    elif words[0] == "how":
+        print(boxes[shelf])
+    elif boxes[shelf] < int(words[1]):
+        print("refused")
+    else:
+        boxes[shelf] -= int(words[1])
+        print(words[1])
