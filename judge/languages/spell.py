@@ -4,8 +4,9 @@ A rule is a text with holes; or a text for each kind of type, `any` for the othe
 for each of the `parameters`, `structs`, `lacking` structs, `fields` or `parts`, or once where there are `big`
 integers, or `digits` or `bools` in the answer, and what stands between. A hole `{rule}` is written for the
 type at hand, `{inner.rule}` for what a list or an optional value is of, `{answer.rule}` for the answer as the
-problem has it. What no rule and no name of `Writer` fits stays as it is. A driver has its holes as `@rule@`,
-and parts for some functions alone:
+problem has it. What no rule and no name of `Writer` fits stays as it is. The rule `driver` is what the
+driver's file is called where it is compiled, `judge_driver.*` without it. The driver has holes `@rule@`, and
+parts for some functions alone:
 
     // @if big        or // @if not big, digits, bools
     …
@@ -62,7 +63,7 @@ class Writer:
 
     def driver(self) -> tuple[str, str]:
         """The driver's file name and its text. Raises as `text`."""
-        name = str(self._language.spell.get("file", f"judge_{self._path.name}"))
+        name = str(self._language.spell.get("driver", f"judge_{self._path.name}"))
         return name, self._guarded("driver", lambda: self._filled_driver(small(self.spec.answer)))
 
     def adapted(self, source: bytes) -> bytes:

@@ -14,10 +14,11 @@ from judge.sandbox import outcome
 from judge.sandbox.boundary import Limits, Stop, Usage
 from judge.sandbox.container import Done
 from judge.sandbox.inside import wire
-from judge.sandbox.recipe import Recipe
+from judge.sandbox.recipe import Recipe, Sources
 
 _SHOWN = 200
 _WORDS = re.compile(r"panic|Exception|[Ee]rror|terminate|what\(\)|fatal|Assertion")
+_LINE = re.compile(r" \(line (\d{1,9})\)$")
 _DEEP = " (did it call itself too deeply, or read past an array?)"
 
 
@@ -72,3 +73,22 @@ def last_words(stderr: bytes) -> str:
     if after and (found.endswith(":") or after[0].startswith("what()")):
         found = f"{found} {after[0]}"
     return found[:_SHOWN]
+
+
+def placed(detail: str, stderr: bytes, sources: Sources) -> str:
+    """How it ended, with the line of the submission that its stderr tells.
+
+    That is the first one in a trace that begins where it ended, and the last in one of Python's.
+    """
+    place = re.compile(rf'\b{re.escape(sources.own)}(?::|(", line ))(\d{{1,9}})')
+    found = place.findall(stderr.decode(errors="replace"))
+    if not found:
+        return detail
+    return within(f"{detail} (line {found[-1 if found[0][0] else 0][1]})", sources)
+
+
+def within(detail: str, sources: Sources) -> str:
+    """The same without a line at its end that the submission has not."""
+    found = _LINE.search(detail)
+    lines = dict(sources.files)[sources.own].count(b"\n") + 1
+    return detail[: found.start()] if found and int(found[1]) > lines else detail

@@ -18,6 +18,7 @@ from judge.errors import ShortageError
 from judge.sandbox import calls, ends, launch, room, shared
 from judge.sandbox.boundary import (
     CallsResult,
+    Defined,
     Inspection,
     Limits,
     ProgramResult,
@@ -37,6 +38,7 @@ from judge.sandbox.roots import find_roots
 from judge.sandbox.temporary import TemporaryFolder
 
 _BOX = "/box"
+_WARNED = "judge-warnings"  # a file beside what was compiled, for whoever takes that from the cache
 _STACK = 64 << 20  # at most, where it may be as large as the memory
 _STDERR = 32 << 10  # what says why comes before a hundred frames of the stack
 _NOTHING = Usage()
@@ -112,13 +114,17 @@ class NativeBox:
             key = self._key()
             found = self._store.artifact(key)
             if found is None:
-                done = self._compile()
-                found, fault = done
+                found, fault = self._compile()
                 if fault is None:
                     self._store.keep_artifact(key, found)
             self._artifact = found
-        names = ((sources.entry, sources.line),) if sources.entry else ()
-        return Inspection(fault, names, language=self._recipe.name)
+        warned = dict(self._artifact).get(_WARNED, b"").decode()
+        entry, line = sources.entry, sources.line
+        names = ((entry, line),) if entry else ()
+        functions = (Defined(entry, line, 0, -1, sources.empty),) if entry else ()
+        return Inspection(
+            fault, names, functions, language=self._recipe.name, warnings=tuple(warned.splitlines())
+        )
 
     def _key(self) -> str:
         digest = hashlib.blake2b(self._recipe.key.encode(), digest_size=16)
@@ -150,7 +156,8 @@ class NativeBox:
                 holder.close(at_once=False)
                 holder.drop()
             self._level = self._held = holder.level
-        return made.files, made.fault
+        warned = (_WARNED, "\n".join(made.warnings).encode())
+        return (*made.files, warned) if made.warnings else made.files, made.fault
 
     def _processes(self) -> int:
         """A bound that leaves the compiler its own; the kernel counts all processes of a user together."""
@@ -188,6 +195,8 @@ class NativeBox:
             out, err = shared.head(stdio[1], limits.output_bytes), shared.tail(stdio[2], _STDERR)
         usage = Usage(done.cpu_ns / 1e9, done.wall_ns / 1e9, done.peak_bytes)
         stop, detail = ends.end_of(done, limits, idle, printed, err, self._recipe)
+        if stop is Stop.EXITED:
+            detail = ends.placed(detail, err, self._sources)
         return ProgramResult(stop, out, err, detail, usage)
 
     def _ask(self, stdio: Sequence[int], limits: Limits, idle: Usage) -> Done:
@@ -265,11 +274,11 @@ class NativeBox:
         if not cases:
             return CallsResult((), _NOTHING)
         done = self.run_program(calls.text(cases), limits)
-        replies, kept_form = calls.replies(done.stdout, len(cases))
+        replies, kept_form = self._replies(done, len(cases))
         if kept_form and len(replies) < len(cases):
             # It ended early: at which call shows where each answer is written at once.
             again = self.run_program(calls.text(cases, at_once=True), limits)
-            replies, kept_form = calls.replies(again.stdout, len(cases))
+            replies, kept_form = self._replies(again, len(cases))
             done = done if done.stop is not Stop.ANSWERED else again
             if done.stop is Stop.ANSWERED:
                 done = done._replace(stop=Stop.EXITED, detail="it ended the process in mid-call")
@@ -280,6 +289,13 @@ class NativeBox:
             return CallsResult(tuple(replies), done.usage, printed=printed)
         del replies[len(cases) - 1 :]
         return CallsResult((*replies, Reply(done.stop, detail=done.detail)), done.usage)
+
+    def _replies(self, done: ProgramResult, most: int) -> tuple[list[Reply], bool]:
+        found, kept_form = calls.replies(done.stdout, most)
+        raised = {place: each for place, each in enumerate(found) if each.detail}
+        for place, each in raised.items():
+            found[place] = each._replace(detail=ends.within(each.detail, self._sources))
+        return found, kept_form
 
 
 def measured(recipe: Recipe, boxes: Boxes, store: Store) -> Usage:

@@ -157,8 +157,11 @@ def _off(type_: Type, value: Value, target: Target, ask: _Ask, place: Place) -> 
     if inner is not type_ and (value is None or target is None):
         return NOTHING if value is target else _Miss(place, partial(_none, inner, value, target, ask, place))
     if isinstance(inner, Atom):
-        off = inner.off(value, target, lambda: ask.at(place))
-        return _Miss(place, partial(inner.why, value, target, ask.words, place)) if off is None else off
+        leaf = partial(ask.at, place)
+        off = inner.off(value, target, leaf)
+        return (
+            _Miss(place, partial(inner.miss, value, target, leaf, ask.words, place)) if off is None else off
+        )
     count, worst = len(value), NOTHING
     if count != len(target) and isinstance(inner, ListType):
         return _Miss(place, partial(_other_count, inner, value, target, ask, place))

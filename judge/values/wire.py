@@ -77,6 +77,13 @@ class Written(Struct, frozen=True):
 Given = int | float | Fraction | Written
 Raw = Any  # JSON of any shape
 
+
+def in_order(low: int, high: int) -> None:
+    """Raise ValueError for bounds that leave nothing."""
+    if low > high:
+        raise ValueError("low is above high")
+
+
 # -- JSON --------------------------------------------------------------------------------------------------
 
 

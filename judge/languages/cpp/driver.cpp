@@ -3,12 +3,14 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <cxxabi.h>
 #include <exception>
 #include <new>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
+#include <typeinfo>
 #include <vector>
 namespace judge_driver {
 #ifdef __GLIBC__
@@ -68,6 +70,7 @@ template <> struct Put<bool> { static void it(bool v) { judge_out += v ? "true" 
 // @end
 template <class T> struct Put<std::vector<T>> { static void it(const std::vector<T>& v) { judge_out += '['; for (size_t i = 0; i < v.size(); ++i) { if (i) judge_out += ','; judge_put<T>(v[i]); } judge_out += ']'; } };
 template <class T> struct Put<std::optional<T>> { static void it(const std::optional<T>& v) { if (v) judge_put(*v); else judge_out += "null"; } };
+static std::string name_of(const std::type_info& type) { char* name = abi::__cxa_demangle(type.name(), nullptr, nullptr, nullptr); std::string all = name ? name : type.name(); std::free(name); return all; }
 static void flush() { if (std::fwrite(judge_out.data(), 1, judge_out.size(), answers) != judge_out.size() || std::fflush(answers)) _exit(1); judge_out.clear(); }
 static int drive(void (*answer)()) {
     char block[1 << 16];
@@ -80,8 +83,8 @@ static int drive(void (*answer)()) {
             char* line = std::find(at, end, '\n');
             try { answer(); }
             catch (const std::bad_alloc&) { flush(); throw; }
-            catch (const std::exception& e) { judge_out += "[1,"; text(e.what()); }
-            catch (...) { judge_out += "[1,"; text("an exception that is no std::exception"); }
+            catch (const std::exception& e) { judge_out += "[1,"; text(name_of(typeid(e)) + ": " + e.what()); }
+            catch (...) { judge_out += "[1,"; text("an exception of type " + name_of(*abi::__cxa_current_exception_type())); }
             at = line + 1;
             judge_out += "]\n";
             if (at_once) flush();

@@ -2,7 +2,7 @@ package main
 
 import (
 	judgeHex "encoding/hex"; judgeJSON "encoding/json"; judgeFmt "fmt"; judgeIO "io"; judgeMath "math"; judgeOS "os"
-	judgeDebug "runtime/debug"; judgeConv "strconv"; judgeStrings "strings"; @bigs@
+	judgeRuntime "runtime"; judgeDebug "runtime/debug"; judgeConv "strconv"; judgeStrings "strings"; @bigs@
 )
 
 @lacking@
@@ -74,11 +74,22 @@ func judgePutReal(v float64) {
 		judgeOut = judgeConv.AppendFloat(judgeOut, v, 'g', -1, 64)
 	}
 }
+func judgeTold(fault any) string {
+	text := judgeFmt.Sprint(fault)
+	if _, known := fault.(judgeRuntime.Error); !known { text = "panic: " + text }
+	places := make([]uintptr, 64)
+	frames := judgeRuntime.CallersFrames(places[:judgeRuntime.Callers(0, places)])
+	for {
+		frame, more := frames.Next()
+		if judgeStrings.HasSuffix(frame.File, "@file@") { return judgeFmt.Sprintf("%s (line %d)", text, frame.Line) }
+		if !more { return text }
+	}
+}
 func judgeAnswer(start int) {
 	defer func() {
 		if fault := recover(); fault != nil {
 			judgeOut = append(judgeOut[:start], "[1,"...)
-			judgePutWord(judgeFmt.Sprint(fault))
+			judgePutWord(judgeTold(fault))
 		}
 	}()
 	@reads@

@@ -41,6 +41,10 @@ final class JudgeDriver {
         for (char c : word.toCharArray()) if (c == '"' || c == '\\' || c < 32 || c > 126) out.append(String.format("\\u%04x", (int) c)); else out.append(c);
         out.append('"');
     }
+    private static String told(Throwable fault) {
+        for (var frame : fault.getStackTrace()) if ("@file@".equals(frame.getFileName())) return fault + " (line " + frame.getLineNumber() + ")";
+        return fault.toString();
+    }
     private static void answer() throws Throwable { @reads@ Object found = @holder@.@entry@(@arguments@); out.append("[0,"); put(found); }
     public static void main(String[] words) throws java.io.IOException {
         var answers = new java.io.FileOutputStream(java.io.FileDescriptor.out);
@@ -55,7 +59,7 @@ final class JudgeDriver {
                 while (line < in.length && in[line] != '\n') line++;
                 try { answer(); }
                 catch (OutOfMemoryError fault) { throw fault; }
-                catch (Throwable fault) { out.setLength(start); out.append("[1,"); text((fault instanceof ExceptionInInitializerError && fault.getCause() != null ? fault.getCause() : fault).toString()); }
+                catch (Throwable fault) { out.setLength(start); out.append("[1,"); text(told(fault instanceof ExceptionInInitializerError && fault.getCause() != null ? fault.getCause() : fault)); }
                 at = line;
                 out.append("]\n");
                 if (atOnce || cases == 1) { answers.write(out.toString().getBytes()); out.setLength(0); }

@@ -17,6 +17,10 @@ function read(shape, words) {
   if (shape.kind === 'word' || shape.kind === 'text') return word[0] === '=' ? Buffer.from(word.slice(1), 'hex').toString('latin1') : word;
   return shape.kind === 'big' ? BigInt(word) : +word;
 }
+function told(fault) {
+  const place = /@file@:(\d+)/.exec(fault && fault.stack);
+  return String(fault) + (place ? ` (line ${place[1]})` : '');
+}
 const odd = (type, text) => JSON.stringify({ type, text: String(text).slice(0, 80) });
 function put(value, shape) {
   if (value === null || value === undefined) return 'null';
@@ -36,7 +40,7 @@ for (let at = 0; at < lines.length && lines[at] !== '';) {
       const words = lines[at++].split(' ');
       out += '[0,' + put(entry(...parameters.map(shape => read(shape, words))), answer) + ']\n';
     } catch (fault) {
-      out += '[1,' + JSON.stringify(String(fault)) + ']\n';
+      out += '[1,' + JSON.stringify(told(fault)) + ']\n';
     }
     if (atOnce || left === 1) for (let bytes = Buffer.from(out); (out = '', bytes.length); ) bytes = bytes.subarray(fs.writeSync(1, bytes));
   }
