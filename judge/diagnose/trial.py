@@ -348,4 +348,4 @@ def answer_class(answer: Outline) -> str:
         return "a number" if numbers[0] else "zero"
     if form in ("count", "type float"):
         return f"{numbers[0]:.0f}" if form == "count" else f"type float{numbers[:1]}"
-    return " ".join(form.split()[:2])
+    return " ".join(form.split()[:2]).rstrip(",)")

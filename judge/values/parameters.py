@@ -102,8 +102,9 @@ def simpler(type_: Type, value: Value) -> Iterator[Value]:
     if isinstance(type_, OptionalType):
         yield None
     inner = lasting(type_)
-    if isinstance(inner, ListType):  # half of the items, all but one
-        count = size = len(value)
+    if isinstance(inner, ListType):  # none of the items, half of them, all but one
+        count = len(value)
+        size = 2 * count
         while size := size // 2:
             if count - size >= inner.low:
                 for start in range(0, count, size):

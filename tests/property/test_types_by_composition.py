@@ -6,7 +6,7 @@ import ast
 import json
 import math
 from fractions import Fraction
-from re import ASCII, fullmatch
+from re import ASCII, fullmatch, search
 from types import SimpleNamespace
 from typing import Any, NamedTuple
 
@@ -187,8 +187,10 @@ def test_one_ulp_outside_is_refused_and_its_place_is_named(answer, data):
         outcome = judged(text, exact, changed(outside))
         assert isinstance(outcome, Rejection)
         if outcome.where:  # not the right items in another order
-            alone = words[-1:] == ("point 1",) and len(given) == 1
-            assert outcome.where == (" of ".join(words[: -1 if alone else None]) or "the answer")
+            around = given
+            while words[-1:] == ("point 1",) and len(around) == 1:  # an only point needs no number
+                words, around = words[:-1], around[0]
+            assert outcome.where == (" of ".join(words) or "the answer")
             assert outcome.absolute is not None
 
 
@@ -242,6 +244,7 @@ def test_parameters_go_through_text_and_json(parameter):
     for simpler in own.simpler(type_, value):
         assert own.fault(type_, "p", simpler) is None
         assert not [each for atom, each in own.leaves(type_, simpler) if atom.beyond(each)]
-        assert measure((simpler,)) <= measure((value,))
+        if not search(r"real|vec|array", type_.text):  # of numbers as large as these nothing is summed
+            assert measure((simpler,)) <= measure((value,))
     for atom, leaf in own.leaves(type_, value):
         assert all(measure((each,)) < measure((leaf,)) for each in atom.simpler(leaf))

@@ -457,3 +457,104 @@ def test_a_planted_hole_in_texts_is_found(tmp_path, monkeypatch):
     data = load_data(problem, store=None)
     found = look_for_holes(problem, [data], Boxes(), Search(seconds=1e9, cases=20_000), DISK)
     assert any("{" in hole.case and hole.kind == "text" for hole in found.holes)
+
+
+# -- every form at once ------------------------------------------------------------------------------------
+
+FORMS_TOML = """
+title = "Forms"
+tier = "junior"
+summary = "Words in order, and the rest."
+entry = "forms"
+answer = "([text], bool, text?)"
+
+[parameters]
+words = { type = "[text(0..4); 0..3]", letters = "ab ", about = "words" }
+flag = { type = "bool", about = "either" }
+rest = { type = "text(0..3)?", letters = "x-z\\n", about = "a text, or None" }
+"""
+FORMS_STATEMENT = """# Forms
+
+    >>> forms(['b', 'a b', ''], True, 'x\\ny')
+    (['', 'a b', 'b'], True, 'x\\ny')
+    >>> forms([], False, None)
+    ([], False, None)
+"""
+FORMS_MODULE = """
+from judge.problem.declare import group
+
+def solve(words, flag, rest):
+    return sorted(words), flag, rest
+
+def text(draw, letters, most):
+    return "".join(draw.choice(letters) for _ in range(draw.integer(0, most)))
+
+def some(draw):
+    words = tuple([text(draw, "ab ", 4) for _ in range(draw.integer(0, 3))])
+    return words, draw.boolean(), text(draw, "xyz\\n", 3) if draw.boolean() else None
+
+GROUPS = [group("some", "Some.", some)]
+"""
+PROGRAM = """
+import json, re, sys
+for line in sys.stdin.read().split(chr(10))[1:-1]:
+    raw = re.findall(r'"(?:[^"\\\\]|\\\\.)*"|[^ ]+', line)
+    found = [json.loads(each) if each[0] == '"' else each for each in raw]
+    n = int(found[0])
+    words, flag, rest = sorted(found[1 : n + 1]), found[n + 1], raw[n + 2]
+    {}
+    print(len(words), *map(json.dumps, words), flag, rest)
+"""
+
+
+@pytest.mark.parametrize(
+    ("source", "name", "smallest", "message"),
+    [
+        ("def forms(words, flag, rest): return sorted(words), flag, rest", "a.py", None, ""),
+        (
+            "def forms(words, flag, rest): return sorted(filter(None, words)), flag, rest",
+            "a.py",
+            {"words": [""], "flag": False, "rest": None},
+            "part 1: 1 item expected, none given",
+        ),
+        (
+            "def forms(words, flag, rest): return sorted(words), flag or rest == 'z', rest",
+            "a.py",
+            {"words": [], "flag": False, "rest": "z"},
+            "part 2: False expected, True given",
+        ),
+        (
+            "def forms(words, flag, rest): return sorted(words), flag, rest or None",
+            "a.py",
+            {"words": [], "flag": False, "rest": ""},
+            "part 3: '' expected, None given",
+        ),
+        (
+            "def forms(words, flag, rest): return sorted(words), flag, rest and rest.replace('\\n', '')",
+            "a.py",
+            {"words": [], "flag": False, "rest": "\n"},
+            r"part 3: '\n' expected, '' given",
+        ),
+        (PROGRAM.format(""), "program.py", None, ""),
+        (
+            PROGRAM.format("words = [each.strip() for each in words]"),
+            "program.py",
+            {"words": [" "], "flag": False, "rest": None},
+            "item 1 of part 1: ' ' expected, '' given",
+        ),
+    ],
+)
+def test_texts_and_truth_values_in_every_form(tmp_path, monkeypatch, source, name, smallest, message):
+    monkeypatch.setenv("JUDGE_CACHE", str(tmp_path / "cache"))
+    folder = tmp_path / "problems" / "forms"
+    folder.mkdir(parents=True)
+    (folder / "problem.toml").write_text(FORMS_TOML)
+    (folder / "statement.md").write_text(FORMS_STATEMENT)
+    (folder / "problem.py").write_text(FORMS_MODULE)
+    result = judge(load_problem(folder), source, name=name)
+    if smallest is None:
+        assert (result.verdict.value, result.failure) == ("AC", None)
+        return
+    assert result.verdict.value == "WA"
+    assert (result.counterexample or result.failure).input == smallest
+    assert message in (result.counterexample or result.failure).message
