@@ -29,11 +29,7 @@ _EXEC = "judge.sandbox.inside.exec"  # the server of what is no Python
 _ON_LINUX = (
     "judge.sandbox.linux.foreign",
     "judge.sandbox.linux.kernel",
-    "judge.sandbox.linux.syscalls",
-    "judge.sandbox.linux.bpf",
     "judge.sandbox.linux.landlock",
-    "judge.sandbox.linux.profiles",
-    "judge.sandbox.linux.seccomp",
 )
 
 # argv: the bundle's descriptor, the channel's, the region's
@@ -57,7 +53,7 @@ module.start(channel, region, config, source)
 
 def pack(config: dict[str, Any], source: bytes) -> bytes:
     """The bundle's bytes; the last of its modules is the server. `config` holds plain values only."""
-    modules = (*_modules(), _started()) if "profile" in config else _modules()
+    modules = (*_modules(), _started()) if "folders" in config else _modules()
     return marshal.dumps((modules, config, source))
 
 

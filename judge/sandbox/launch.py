@@ -17,6 +17,7 @@ from typing import Any, NamedTuple
 
 from judge.errors import JudgeError
 from judge.sandbox.bundle import BOOTSTRAP
+from judge.sandbox.filters import filters
 from judge.sandbox.room import Share, tasks_of_mine
 from judge.sandbox.roots import Roots, open_to_all
 
@@ -59,7 +60,7 @@ class Workplace(NamedTuple):
     filled instead. `runnable` are real paths from which programs may be started, `reads` others it needs.
     """
 
-    profile: str  # of judge.sandbox.linux.profiles
+    profile: str  # of judge.sandbox.filters
     shown: tuple[tuple[str, str], ...] = ()
     scratch: str = ""
     runnable: tuple[str, ...] = ()
@@ -118,6 +119,8 @@ def plan(
         "cores": os.cpu_count() or 1,
         "unseen": len(hidden),
     }
+    if level != "limits":
+        config["filters"] = tuple(filters(os.uname().machine, place.profile if place else "python"))
     environment = dict(ENVIRONMENT)
     if place is not None:
         _settle(place, level, roots, config)
@@ -138,7 +141,7 @@ def _settle(place: Workplace, level: str, roots: Roots, config: dict[str, Any]) 
     """What the server is told besides."""
     shown = [place.where(name, level) for name, _ in place.shown]
     readable = [*config["readable"], *shown]
-    config["profile"], config["descriptors"] = place.profile, place.descriptors
+    config["descriptors"] = place.descriptors
     config["readable"] = [path for path in readable if place.random or path != _RANDOM]
     config["runnable"] = [*roots.around(place.runnable), *shown, *_loaders()]
     config["filled"] = [place.where(SCRATCH, level)] if place.scratch else []

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import platform
 import sys
 from functools import cache
@@ -37,11 +38,13 @@ def missing(level: str) -> str:
         return "bubblewrap is not installed"
     if level == "full":
         return ""  # the rest shows when it starts: looking here would cost every run some milliseconds
-    from judge.sandbox.linux import landlock, seccomp, syscalls
+    from judge.sandbox import filters
+    from judge.sandbox.linux import kernel, landlock
 
-    if not syscalls.supported(syscalls.machine()):
-        return f"there is no table of system calls for {syscalls.machine()}"
-    if not seccomp.available():
+    machine = os.uname().machine
+    if machine not in filters.MACHINES:
+        return f"there is no table of system calls for {machine}"
+    if not kernel.filters_calls(filters.filters(machine, "python").load):
         return "the kernel does not filter system calls (seccomp)"
     return "" if landlock.abi() else "the kernel has no landlock (Linux 5.13 or newer with lsm=landlock)"
 

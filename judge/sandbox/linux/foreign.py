@@ -9,7 +9,7 @@ Every function gives a C long; `get_errno()` is errno as the last of them left i
 from __future__ import annotations
 
 import _ctypes as core
-from _ctypes import Structure, addressof, byref, get_errno
+from _ctypes import addressof, get_errno
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -23,13 +23,9 @@ __all__ = [
     "Byte",
     "Int",
     "Long",
-    "Pointer",
-    "Structure",
     "UInt",
     "ULong",
-    "UShort",
     "addressof",
-    "byref",
     "function",
     "get_errno",
 ]
@@ -39,12 +35,6 @@ class Byte(_Simple):
     """A char."""
 
     _type_ = "c"
-
-
-class UShort(_Simple):
-    """An unsigned short."""
-
-    _type_ = "H"
 
 
 class Int(_Simple):
@@ -69,12 +59,6 @@ class ULong(_Simple):
     """An unsigned long, as wide as a size_t on every machine that Linux knows."""
 
     _type_ = "L"
-
-
-class Pointer(_Simple):
-    """A void pointer."""
-
-    _type_ = "P"
 
 
 class _Library:
