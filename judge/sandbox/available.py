@@ -46,7 +46,7 @@ class Level:
     visible: str | None = None
 
 
-def levels(hide: Iterable[Path] = ()) -> tuple[Level, ...]:
+def levels_here(hide: Iterable[Path] = ()) -> tuple[Level, ...]:
     """Try each level, the best first, with a submission that looks for the judge, its problems and solutions.
 
     `hide` are more folders that it looks for.

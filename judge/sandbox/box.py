@@ -6,7 +6,6 @@ import contextlib
 import errno
 import marshal
 import os
-import re
 import signal
 import threading
 from collections.abc import Sequence
@@ -25,8 +24,7 @@ from judge.sandbox.boundary import (
     Stop,
     Usage,
 )
-from judge.sandbox.container import Done, Lost
-from judge.sandbox.holder import Holder
+from judge.sandbox.container import Done, Holder, Lost
 from judge.sandbox.inside import wire
 
 STDERR_BYTES = 4096
@@ -223,9 +221,10 @@ class ForkServerBox:
         note, text = self._note()
         # Once foreign code runs, notes are its own.
         if note == wire.BROKEN_BOX and done.stage == wire.NOT_STARTED:
+            code = self._holder.here().region.code()
             self._holder.drop()
-            if lacking := re.search(r"\[Errno (\d+)\]", text):
-                raise shortage_of(int(lacking[1]), "the container failed")
+            if code:
+                raise shortage_of(code, "the container failed")
             raise ShortageError(f"the container failed: {text}", remedy=_BUSY)
         if not done.reason and _killed(done) and done.peak_bytes <= limits.memory_bytes:
             self._check_kills()

@@ -15,19 +15,21 @@ import subprocess
 import sys
 import threading
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from queue import SimpleQueue
 from typing import Any, NamedTuple
 
 from judge.errors import JudgeError, shortage_of
-from judge.sandbox import bundle, launch, refusal, shared
+from judge.sandbox import bundle, launch, levels, shared
 from judge.sandbox.boundary import Limits
 from judge.sandbox.inside import wire
+from judge.sandbox.levels import Levels, StartError
 from judge.sandbox.room import Share
 from judge.sandbox.roots import Roots
 from judge.sandbox.temporary import TemporaryFolder
 
 START_SECONDS = 20.0  # a loaded machine, a cold disk
+SLOW_TRIES = 2  # each takes as long as that
 GRACE_SECONDS = 5.0  # beyond a request's own wall limit
 END_SECONDS = 1.0
 REASON_BYTES = 2000
@@ -137,19 +139,19 @@ class Container:
     ) -> None:
         """Start it, with `place` the server of what is no Python.
 
-        Raises NotStarted where there is no room for it or the command itself is missing.
+        Raises StartError where there is no room for it or the command itself is missing.
         """
         self.region: wire.Region
         self._closing = contextlib.ExitStack()
         self._process: subprocess.Popen[bytes] | None = None
         self._ready = False
-        self._level = level
+        self.level = level
         self._exposed = ""  # a path
         try:
             self._start(level, name, source, roots, share, place)
         except (OSError, MemoryError, RuntimeError) as fault:
             self.close()
-            not_started = refusal.of_fault(fault)
+            not_started = levels.of_fault(fault)
             if not_started is None:
                 raise
             raise not_started from fault
@@ -195,7 +197,7 @@ class Container:
                     start_new_session=True,  # Ctrl-C is for the judge, which ends this in its own way
                 )
             except OSError as fault:
-                not_started = refusal.of_fault(fault, plan.command[0])
+                not_started = levels.of_fault(fault, plan.command[0])
                 assert not_started is not None
                 raise not_started from fault
 
@@ -208,7 +210,7 @@ class Container:
         return str(home)
 
     def await_ready(self) -> None:
-        """Wait until it has confined itself. Raises NotStarted, the container then being closed.
+        """Wait until it has confined itself. Raises StartError, the container then being closed.
 
         Raises JudgeError where a submission in it could read what none may see: a lower level is no way out.
         """
@@ -220,20 +222,22 @@ class Container:
         frame = self._receive(START_SECONDS)
         if not frame.startswith(wire.READY):
             silent = time.monotonic() - began >= START_SECONDS
-            kind, note = self.region.note()
+            (kind, note), code = self.region.note(), self.region.code()
             process = self._process
             self._hang_up()  # ends it, so that it has said all
-            said = note or shared.tail(self._complaints, REASON_BYTES).decode(errors="replace")
+            said = shared.tail(self._complaints, REASON_BYTES).decode(errors="replace")
             self.close()
             if kind == wire.EXPOSED:
                 self._exposed = note
                 raise self._refusal()
             status = process.returncode if process is not None else 0
-            raise refusal.of_silence(START_SECONDS) if silent else refusal.of_end(said, status)
+            if silent:
+                raise StartError(f"it was not ready after {START_SECONDS:g} s", SLOW_TRIES)
+            raise levels.of_code(code, note) if note else levels.of_end(said, status)
         self._ready = True
 
     def _refusal(self) -> JudgeError:
-        what = f"isolation {self._level} would let a submission read {self._exposed}"
+        what = f"isolation {self.level} would let a submission read {self._exposed}"
         return JudgeError(what, remedy="install the judge in a virtual environment of its own")
 
     def _receive(self, seconds: float) -> bytes:
@@ -251,7 +255,7 @@ class Container:
         limits: Limits,
         memory: int,
     ) -> Done:
-        """One request and its answer. Raises Lost and NotStarted; ShortageError before anything foreign runs.
+        """One request and its answer. Raises Lost and StartError; ShortageError before anything foreign runs.
 
         `memory` is the bytes that the process may have in all, more than the limit of the submission.
         """
@@ -345,3 +349,49 @@ def _kill(process: subprocess.Popen[bytes]) -> None:
             os.killpg(process.pid, signal.SIGKILL)
         process.kill()
         process.wait()
+
+
+class Holder:
+    """The container of one box: started ahead, and another after one that has ended."""
+
+    def __init__(self, levels: Levels, start: Callable[[str], Container]) -> None:
+        """Start a container ahead; what goes wrong with that shows when it is asked for."""
+        self.level = levels.level
+        self.prepared = False  # whether the container has compiled the source
+        self._levels = levels
+        self._start = start
+        self._closed = threading.Event()
+        self._container: Container | None = None
+        with contextlib.suppress(StartError):
+            self._container = start(self.level)
+
+    def here(self) -> Container:
+        """The running container, ready for a request. Raises as `Levels.open`, and Lost once it is closed."""
+        return self._levels.open(self._ready, self._closed.wait)
+
+    def _ready(self, level: str) -> Container:
+        if self._closed.is_set():
+            raise Lost
+        if self._container is None or self.level != level:
+            self.drop()
+            self.level = level
+            self._container = self._start(level)
+        try:
+            self._container.await_ready()
+        except StartError:
+            self._container = None
+            raise
+        return self._container
+
+    def drop(self) -> None:
+        """End the container; the next request starts another."""
+        container, self._container = self._container, None
+        self.prepared = False
+        if container is not None:
+            container.close()
+
+    def close(self, *, at_once: bool) -> None:
+        """Start no other container; with `at_once` what runs in this one ends, whoever waits for it."""
+        self._closed.set()
+        if at_once and self._container is not None:
+            self._container.kill()

@@ -27,9 +27,8 @@ from judge.sandbox.boundary import (
     Usage,
 )
 from judge.sandbox.compile import PROCESSES, compiled, place_of
-from judge.sandbox.container import Container, Done, Lost
+from judge.sandbox.container import Container, Done, Holder, Lost
 from judge.sandbox.factory import Boxes
-from judge.sandbox.holder import Holder
 from judge.sandbox.inside import wire
 from judge.sandbox.launch import Workplace
 from judge.sandbox.recipe import Files, Recipe, Sources, Store, filled, written
@@ -56,7 +55,7 @@ class NativeBox:
         self._boxes = boxes
         self._store = store
         self._subtracts = idle
-        self._level = boxes.first()  # to be begun with
+        self._level = boxes.levels.level  # to be begun with
         self._held = ""  # the level of the last container that was had
         self._inspection: Inspection | None = None
         self._artifact: Files = ()
@@ -141,9 +140,9 @@ class NativeBox:
             (folder / "scratch").mkdir(mode=0o755)
             place = place_of(self._recipe, folder)
             more = (*self._recipe.compile_reads, *self._recipe.compile_runs)
-            holder = self._holder(self._level, place, more)
+            holder = Holder(self._boxes.levels, self._starts(place, more))
             try:
-                made = compiled(self._recipe, sources, holder, place, self._processes())
+                made = compiled(self._recipe, sources, holder.here(), place, self._processes())
             except Lost:
                 raise ShortageError("the compiler's container has ended", remedy=_BUSY) from None
             finally:
@@ -158,10 +157,11 @@ class NativeBox:
             return PROCESSES
         return room.tasks_of_mine() + PROCESSES
 
-    def _holder(self, level: str, place: Workplace, more: Sequence[str]) -> Holder:
+    def _starts(self, place: Workplace, more: Sequence[str]) -> Callable[[str], Container]:
+        """What starts a container at a level."""
         share = self._boxes.share
         roots = find_roots(self._boxes.hide, more, modules=False)
-        return Holder(level, self._boxes, lambda level: Container(level, "", b"", roots, share, place))
+        return lambda level: Container(level, "", b"", roots, share, place)
 
     # -- running
 
@@ -240,7 +240,8 @@ class NativeBox:
             runnable = tuple(map(os.path.realpath, recipe.runs))
             shown = ((_BOX, str(box)),)
             self._place = Workplace("run", shown, runnable=runnable, reads=tuple(recipe.reads))
-            self._running = self._holder(self._level, self._place, (*recipe.reads, *recipe.runs))
+            more = (*recipe.reads, *recipe.runs)
+            self._running = Holder(self._boxes.levels, self._starts(self._place, more))
         return self._running
 
     @property

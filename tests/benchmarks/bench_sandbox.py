@@ -23,7 +23,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
-from judge.sandbox import levels, open_box
+from judge.sandbox import levels_here, open_box
 from judge.sandbox.boundary import Limits
 from judge.sandbox.box import ForkServerBox
 
@@ -147,7 +147,7 @@ def main() -> None:
     parser.add_argument("--rounds", type=int, default=15)
     parser.add_argument("--level", action="append", help="only this level")
     chosen = parser.parse_args()
-    for level in levels():
+    for level in levels_here():
         if not level.available:
             print(f"{level.name:7} cannot be had here: {level.why_not}")
         elif not chosen.level or level.name in chosen.level:

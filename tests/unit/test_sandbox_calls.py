@@ -13,7 +13,7 @@ from sandboxed import LIMITS, call, children, limits, require, run
 
 import judge
 from judge.errors import JudgeError, ShortageError
-from judge.sandbox import LEVELS, Reply, Stop, holder, open_box, outcome
+from judge.sandbox import LEVELS, Reply, Stop, levels, open_box, outcome
 from judge.sandbox.container import Done
 from judge.sandbox.inside import wire
 from judge.sandbox.outcome import end_of, overrun, parse_replies
@@ -238,7 +238,7 @@ def test_nothing_is_left_when_a_box_closes(level, tmp_path, monkeypatch):
 def test_an_interpreter_that_does_not_start_is_one_clear_error(python, what, monkeypatch):
     before = children()
     monkeypatch.setattr(sys, "executable", python)
-    monkeypatch.setattr(holder, "PAUSES", (0.0,) * len(holder.PAUSES))
+    monkeypatch.setattr(levels, "PAUSES", (0.0,) * len(levels.PAUSES))
     with pytest.raises(JudgeError) as caught, open_box(b"", "my.py"):
         pass
     assert caught.value.what.startswith(what)
