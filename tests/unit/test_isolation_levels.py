@@ -5,6 +5,7 @@ What passes is tried again, what lasts alone leads to another level.
 
 from __future__ import annotations
 
+import contextlib
 import errno
 import os
 import shutil
@@ -17,7 +18,7 @@ import pytest
 from sandboxed import LIMITS, children, require
 
 from judge.errors import JudgeError, ShortageError, UsageError
-from judge.sandbox import Boxes, bundle, container, launch, levels, open_box
+from judge.sandbox import Boxes, bundle, container, launch, levels, levels_here, open_box
 from judge.sandbox.inside.again import PAUSES
 from judge.sandbox.levels import Levels, StartError
 
@@ -241,25 +242,44 @@ def test_what_a_server_says_is_told_by_its_errno_and_not_by_its_words(code, trie
 )
 def test_a_server_that_cannot_confine_itself_sends_the_errno(fault, kind, monkeypatch):
     require("strong")
-    whole = bundle._code_of
+    start = "        sys.path[:] = config"
+    with changed(monkeypatch, ".server", start, f"        raise {fault}\n{start}"), pytest.raises(kind):
+        Boxes("strong")(b"", "f.py").__enter__()
 
-    def failing(name):
+
+@contextlib.contextmanager
+def changed(patch, module, here, instead):
+    """The code of a container with an edit."""
+
+    def edited(name):
         source = Path(bundle.find_spec(name).origin).read_text()
-        start = "        sys.path[:] = config"
-        if not name.endswith(".server"):
-            return whole(name)
-        assert start in source
-        return compile(
-            source.replace(start, f"        raise {fault}\n{start}", 1), name, "exec", dont_inherit=True
-        )
+        assert not name.endswith(module) or source.count(here) == 1
+        source = source.replace(here, instead) if name.endswith(module) else source
+        return compile(source, name, "exec", dont_inherit=True)
 
-    monkeypatch.setattr(bundle, "_code_of", failing)
-    bundle._modules.cache_clear()
-    try:
-        with pytest.raises(kind):
-            Boxes("strong")(b"", "f.py").__enter__()
-    finally:
+    with patch.context() as patched:
+        patched.setattr(bundle, "_code_of", edited)
         bundle._modules.cache_clear()
+        yield
+    bundle._modules.cache_clear()
+
+
+FILTER = "lambda: kernel.load_filter(load, own_filter(child, pid_at))"
+
+
+@pytest.mark.parametrize(
+    ("here", "instead", "deed"),
+    [
+        (FILTER, "_nothing", "start a process"),
+        ("kernel.load_filter(load, bytearray(server))", "pass", "open a socket"),
+    ],
+)
+def test_a_level_at_which_a_submission_does_what_it_may_not_is_none(here, instead, deed, monkeypatch):
+    require("strong")
+    with changed(monkeypatch, ".confine", here, instead):
+        found = {level.name: level for level in levels_here()}
+    assert (found["strong"].available, found["strong"].why_not) == (False, f"a submission could {deed}")
+    assert found["limits"].available
 
 
 class Machine:
