@@ -26,11 +26,7 @@ _ALWAYS = (
     "judge.sandbox.inside.server",
 )
 _EXEC = "judge.sandbox.inside.exec"  # the server of what is no Python
-_ON_LINUX = (
-    "judge.sandbox.linux.foreign",
-    "judge.sandbox.linux.kernel",
-    "judge.sandbox.linux.landlock",
-)
+_ON_LINUX = "judge.sandbox.inside.linux"
 
 # argv: the bundle's descriptor, the channel's, the region's
 BOOTSTRAP = """\
@@ -39,7 +35,7 @@ from types import ModuleType
 bundle, channel, region = map(int, sys.argv[1:])
 with open(bundle, "rb") as file:
     modules, config, source = marshal.loads(file.read())
-for name in ("judge", "judge.sandbox", "judge.sandbox.inside", "judge.sandbox.linux"):
+for name in ("judge", "judge.sandbox", "judge.sandbox.inside"):
     sys.modules[name] = ModuleType(name)
     sys.modules[name].__path__ = []
 for name, code in modules:
@@ -60,7 +56,7 @@ def pack(config: dict[str, Any], source: bytes) -> bytes:
 @cache
 def _modules() -> tuple[tuple[str, CodeType], ...]:
     """The modules in the order in which they import one another."""
-    names = (*_ON_LINUX, *_ALWAYS) if sys.platform == "linux" else _ALWAYS
+    names = (_ON_LINUX, *_ALWAYS) if sys.platform == "linux" else _ALWAYS
     return tuple((name, _code_of(name)) for name in names)
 
 

@@ -15,15 +15,15 @@ import subprocess
 import sys
 import threading
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from queue import SimpleQueue
 from typing import Any, NamedTuple
 
 from judge.errors import JudgeError, shortage_of
 from judge.sandbox import bundle, launch, levels, shared
-from judge.sandbox.boundary import Limits
+from judge.sandbox.boundary import Limits, Usage
 from judge.sandbox.inside import wire
-from judge.sandbox.levels import Levels, StartError
+from judge.sandbox.levels import StartError
 from judge.sandbox.room import Share
 from judge.sandbox.roots import Roots
 from judge.sandbox.temporary import TemporaryFolder
@@ -62,6 +62,16 @@ class Done(NamedTuple):
     imported_cpu_ns: int = 0  # the import of a module whose calls were begun
     imported_wall_ns: int = 0
     printed_bytes: int = 0  # to stdout, before the calls
+
+    @property
+    def usage(self) -> Usage:
+        """What was used of the calls, of a whole program, or of an import that ended it."""
+        return Usage(self.cpu_ns / 1e9, self.wall_ns / 1e9, self.peak_bytes)
+
+    @property
+    def imported(self) -> Usage:
+        """What the import took of a module whose calls were begun."""
+        return Usage(self.imported_cpu_ns / 1e9, self.imported_wall_ns / 1e9)
 
 
 class _Order:
@@ -349,49 +359,3 @@ def _kill(process: subprocess.Popen[bytes]) -> None:
             os.killpg(process.pid, signal.SIGKILL)
         process.kill()
         process.wait()
-
-
-class Holder:
-    """The container of one box: started ahead, and another after one that has ended."""
-
-    def __init__(self, levels: Levels, start: Callable[[str], Container]) -> None:
-        """Start a container ahead; what goes wrong with that shows when it is asked for."""
-        self.level = levels.level
-        self.prepared = False  # whether the container has compiled the source
-        self._levels = levels
-        self._start = start
-        self._closed = threading.Event()
-        self._container: Container | None = None
-        with contextlib.suppress(StartError):
-            self._container = start(self.level)
-
-    def here(self) -> Container:
-        """The running container, ready for a request. Raises as `Levels.open`, and Lost once it is closed."""
-        return self._levels.open(self._ready, self._closed.wait)
-
-    def _ready(self, level: str) -> Container:
-        if self._closed.is_set():
-            raise Lost
-        if self._container is None or self.level != level:
-            self.drop()
-            self.level = level
-            self._container = self._start(level)
-        try:
-            self._container.await_ready()
-        except StartError:
-            self._container = None
-            raise
-        return self._container
-
-    def drop(self) -> None:
-        """End the container; the next request starts another."""
-        container, self._container = self._container, None
-        self.prepared = False
-        if container is not None:
-            container.close()
-
-    def close(self, *, at_once: bool) -> None:
-        """Start no other container; with `at_once` what runs in this one ends, whoever waits for it."""
-        self._closed.set()
-        if at_once and self._container is not None:
-            self._container.kill()

@@ -42,16 +42,13 @@ class Boxes:
 
     def __call__(self, source: bytes, name: str) -> Box:
         """A box for this source; `name` is its file's. Raises UsageError and JudgeError as `Levels.open`."""
-        from judge.sandbox.box import ForkServerBox  # only a run needs sockets, processes and ctypes
-        from judge.sandbox.container import Container, Holder
+        from judge.sandbox.python import PythonBox  # only a run needs sockets, processes and ctypes
 
-        roots, share = self._roots, self.share
-        holder = Holder(self.levels, lambda level: Container(level, name, source, roots, share))
-        return ForkServerBox(holder, share, len(source.splitlines()))
+        return PythonBox(self, source, name)
 
     @cached_property
-    def _roots(self) -> Roots:
-        """Looking for them takes longer than starting a process."""
+    def roots(self) -> Roots:
+        """What a Python submission sees: looking for them takes longer than starting a process."""
         from judge.sandbox.roots import find_roots
 
         return find_roots(self.hide)

@@ -9,7 +9,6 @@ from __future__ import annotations
 import errno
 import os
 import platform
-import signal
 import sys
 import time
 from collections.abc import Callable
@@ -18,7 +17,6 @@ from pathlib import Path
 from typing import TypeVar
 
 from judge.errors import JudgeError, ShortageError, UsageError, nearest, shortage_code, shortage_of
-from judge.sandbox import launch
 from judge.sandbox.boundary import LEVELS
 from judge.sandbox.inside.again import PASSING, PAUSES
 
@@ -124,6 +122,8 @@ class Levels:
 
     def _below(self, level: str, reason: str) -> str:
         """The level to try now that this one is refused for good."""
+        from judge.sandbox import launch
+
         if level == "full" and launch.bind_proc(reason):
             return level
         way = remedy(level, reason)
@@ -148,17 +148,18 @@ def missing(level: str) -> str:
         return ""
     if sys.platform != "linux":
         return f"{platform.system()} has no sandbox that the judge knows"
+    from judge.sandbox import filters, launch
+
     if level == "full":  # more shows when it starts: looking here would cost every run some milliseconds
         return "" if launch.bubblewrap_path() else "bubblewrap is not installed"
-    from judge.sandbox import filters
-    from judge.sandbox.linux import kernel, landlock
+    from judge.sandbox.inside import linux
 
     machine = os.uname().machine
     if machine not in filters.MACHINES:
         return f"there is no table of system calls for {machine}"
-    if not kernel.filters_calls(filters.filters(machine, "python").load):
+    if not linux.filters_calls(filters.filters(machine, "python").load):
         return "the kernel does not filter system calls (seccomp)"
-    return "" if landlock.abi() else "the kernel has no landlock (Linux 5.13 or newer with lsm=landlock)"
+    return "" if linux.abi() else "the kernel has no landlock (Linux 5.13 or newer with lsm=landlock)"
 
 
 def remedy(level: str, refusal: str) -> str:
@@ -204,6 +205,8 @@ def of_end(complaint: str, status: int) -> StartError:
 
     `status` is as `Popen.returncode`.
     """
+    import signal  # which is in no browser's tab, where this module is too
+
     lines = complaint.strip().splitlines()
     if not lines:
         if status == -signal.SIGSYS:

@@ -25,7 +25,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
 from judge.sandbox import levels_here, open_box
 from judge.sandbox.boundary import Limits
-from judge.sandbox.box import ForkServerBox
+from judge.sandbox.python import PythonBox
 
 LIMITS = Limits(cpu_seconds=20.0, wall_seconds=60.0, memory_bytes=256 << 20, output_bytes=16 << 20)
 PROGRAM = b"""
@@ -119,7 +119,7 @@ def accuracy(level: str, rounds: int) -> None:
             )
 
 
-def _said(box: ForkServerBox, count: int) -> tuple[float, float]:
+def _said(box: PythonBox, count: int) -> tuple[float, float]:
     result = box.call("work", [[count]], LIMITS)
     return float(result.replies[0].answer), result.usage.cpu_seconds
 

@@ -16,12 +16,12 @@ from judge.sandbox import bundle
 INSIDE = "judge.sandbox.inside."
 _RULES = (
     f"{INSIDE}confine",
-    'landlock.restrict(config["readable"], config["writable"], runnable, filled)',
+    'linux.restrict(config["readable"], config["writable"], runnable, filled)',
     "pass",
 )
 _LOOK = (f"{INSIDE}server", '        _look_around(region, line, config["unseen"])\n', "")
-_SERVERS = (f"{INSIDE}confine", "kernel.load_filter(load, bytearray(server))", "pass")
-_CHILDS = (f"{INSIDE}confine", "lambda: kernel.load_filter(load, own_filter(child, pid_at))", "_nothing")
+_SERVERS = (f"{INSIDE}confine", "linux.load_filter(load, bytearray(server))", "pass")
+_CHILDS = (f"{INSIDE}confine", "lambda: linux.load_filter(load, own_filter(child, pid_at))", "_nothing")
 LAYERS = {
     "landlock": (_RULES,),
     "landlock and the last look": (_RULES, _LOOK),

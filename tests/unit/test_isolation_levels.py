@@ -146,7 +146,7 @@ def test_a_level_that_was_had_is_demanded_from_then_on(script, tmp_path, monkeyp
 def test_a_box_that_loses_its_container_is_held_as_before(tmp_path, monkeypatch):
     require("full")
     with Boxes()(b"import os\ndef f(n): os._exit(0)", "f.py") as box:
-        box._holder.drop()
+        box._drop()
         pretend(tmp_path, monkeypatch, LASTING)
         with pytest.raises(JudgeError, match="isolation full was had and is now refused: bwrap: No perm"):
             box.call("f", [(1,)], LIMITS)
@@ -264,14 +264,14 @@ def changed(patch, module, here, instead):
     bundle._modules.cache_clear()
 
 
-FILTER = "lambda: kernel.load_filter(load, own_filter(child, pid_at))"
+FILTER = "lambda: linux.load_filter(load, own_filter(child, pid_at))"
 
 
 @pytest.mark.parametrize(
     ("here", "instead", "deed"),
     [
         (FILTER, "_nothing", "start a process"),
-        ("kernel.load_filter(load, bytearray(server))", "pass", "open a socket"),
+        ("linux.load_filter(load, bytearray(server))", "pass", "open a socket"),
     ],
 )
 def test_a_level_at_which_a_submission_does_what_it_may_not_is_none(here, instead, deed, monkeypatch):

@@ -40,28 +40,28 @@ class Confinement:
             self._on_linux(config)
 
     def _on_linux(self, config: dict[str, Any]) -> None:
-        from judge.sandbox.linux import kernel, landlock
+        from judge.sandbox.inside import linux
 
-        if config["level"] == "full" and "home" in config and not landlock.abi():
+        if config["level"] == "full" and "home" in config and not linux.abi():
             os.chmod(config["home"], 0o555)  # noqa: PTH101 - nothing else would keep files out of it
         if config["uid"] is not None:
             passed_on = config.get("passes_on", False)  # to a compiler that lies in a private home
-            _become(config["uid"], config["reads_all"], kernel, passed_on=passed_on)
-        self._die_with_parent = lambda: kernel.prctl(kernel.PR_SET_PDEATHSIG, _SIGKILL)
+            _become(config["uid"], config["reads_all"], linux, passed_on=passed_on)
+        self._die_with_parent = lambda: linux.prctl(linux.PR_SET_PDEATHSIG, _SIGKILL)
         self._die_with_parent()
         if config["parent"] not in (None, os.getppid()):
             os._exit(1)  # it died before its death could be noticed
-        kernel.prctl(kernel.PR_SET_DUMPABLE, 0)
-        kernel.prctl(kernel.PR_SET_NO_NEW_PRIVS, 1)
-        kernel.prctl(kernel.PR_SET_CHILD_SUBREAPER, 1)  # what a child leaves behind comes to us, to be ended
+        linux.prctl(linux.PR_SET_DUMPABLE, 0)
+        linux.prctl(linux.PR_SET_NO_NEW_PRIVS, 1)
+        linux.prctl(linux.PR_SET_CHILD_SUBREAPER, 1)  # what a child leaves behind comes to us, to be ended
         if config["level"] == "limits":
             return
-        if landlock.abi():
+        if linux.abi():
             runnable, filled = config.get("runnable"), config.get("filled", ())
-            landlock.restrict(config["readable"], config["writable"], runnable, filled)
+            linux.restrict(config["readable"], config["writable"], runnable, filled)
         server, child, pid_at, load = config["filters"]
-        self._small = lambda: kernel.load_filter(load, own_filter(child, pid_at))
-        kernel.load_filter(load, bytearray(server))
+        self._small = lambda: linux.load_filter(load, own_filter(child, pid_at))
+        linux.load_filter(load, bytearray(server))
 
     def confine_child(self, memory: int, output: int, cpu_seconds: int) -> None:
         """Confine a fresh child before anything foreign runs in it. Raises OSError."""
@@ -139,13 +139,13 @@ def _limit(which: int, value: int) -> None:
             raise
 
 
-def _become(uid: int, reads_all: bool, kernel: Any, *, passed_on: bool) -> None:
+def _become(uid: int, reads_all: bool, linux: Any, *, passed_on: bool) -> None:
     """Become a user that owns nothing here; `reads_all` keeps the right to pass folders closed to others.
 
     That right is needed where the interpreter lies in a private home; landlock still says for which files.
     """
     os.setgroups([])
     os.setresgid(uid, uid, uid)
-    kernel.prctl(kernel.PR_SET_KEEPCAPS, int(reads_all))
+    linux.prctl(linux.PR_SET_KEEPCAPS, int(reads_all))
     os.setresuid(uid, uid, uid)
-    kernel.keep_only(kernel.CAP_DAC_READ_SEARCH if reads_all else None, passed_on=passed_on)
+    linux.keep_only(linux.CAP_DAC_READ_SEARCH if reads_all else None, passed_on=passed_on)
