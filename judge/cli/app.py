@@ -216,7 +216,7 @@ def _help_width() -> int:
 @click.option(_DEBUG, is_flag=True, expose_value=False, help="Show the traceback of a fault.")
 @click.pass_context
 def app(ctx: click.Context) -> None:
-    """Practise circle and line geometry, offline."""
+    """Practise katas, offline."""
     if ctx.invoked_subcommand is None:
         gc.disable()  # it only looks, and ends
         from judge.cli.emit import emit

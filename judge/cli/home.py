@@ -7,7 +7,8 @@ from judge.cli.resolve import current, history_at, is_there, seen_cards, this_fo
 from judge.practice import events
 from judge.practice.progress import skills
 from judge.practice.review import read_learner
-from judge.practice.syllabus import Skill
+from judge.practice.syllabus import Skill, read_pack
+from judge.problem.find import problem_roots
 from judge.report.published_look import Home, Standing
 
 
@@ -25,6 +26,7 @@ def home(common: Common) -> Home:
         now=None if done else at,
         here=here is not None,
         next=mine.next(at.problem if at else ""),
+        topic=", ".join(read_pack(root).title for root in problem_roots(common.problems, installed=False)),
     )
 
 

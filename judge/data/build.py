@@ -31,7 +31,7 @@ from judge.problem.declare import InvalidCase
 from judge.problem.model import EXAMPLES, Parameter
 from judge.problem.module import Module, blaming
 from judge.values import check, parameters
-from judge.values.atoms import NumberType
+from judge.values.atoms import Atom, NumberType
 
 if TYPE_CHECKING:
     from judge.values.answers import Exact, Target
@@ -112,7 +112,7 @@ def new_case(
             case = (*last.case[:at], case[at], *last.case[at + 1 :])
         if fault := bounds_fault(problem, case):
             what = f"group {group.name!r} draws a case out of bounds: {fault}"
-            remedy = "draw smaller numbers, or widen the parameter's bounds"
+            remedy = "draw others, or widen the parameter's bounds or letters"
             raise problem.fault(what, remedy, group.line)
         try:
             exact = module.solve(*case)
@@ -181,12 +181,15 @@ def _check_size(problem: Problem, data: GroupData) -> None:
 
 def _solved_example(problem: Problem, module: Module, example: Example) -> Made:
     """The worked example, which shows a right answer. Raises ProblemError."""
+    file = "statement.md" if problem.entry else "problem.py"
     tolerance = problem.groups[0].tolerance  # that of the examples, where there is a group of them
     try:
         exact = validate(problem, module, example.case)
     except InvalidCase as fault:
         what, remedy = f"the example is invalid: {fault}", "correct the example"
-        raise problem.fault(what, remedy, example.line, "statement.md") from None
+        raise problem.fault(what, remedy, example.line, file) from None
+    if not problem.entry:  # its answer is no setter's
+        return Made(example.case, exact)
     target = target_of(problem, exact, tolerance)
     outcome = check.check(problem.answer, _as_json(example.wanted), target, lambda: (exact, tolerance))
     if isinstance(outcome, check.Rejection):
@@ -196,7 +199,7 @@ def _solved_example(problem: Problem, module: Module, example: Example) -> Made:
 
 
 def _as_json(value: Any) -> Any:
-    """A literal as a submission's answer arrives: tuples are lists, and a word says that it is one."""
+    """A literal as a submission's answer arrives: tuples are lists, and a text says that it is one."""
     if isinstance(value, str):
         return {"word": value}
     return [_as_json(each) for each in value] if isinstance(value, list | tuple) else value
@@ -225,15 +228,20 @@ def shape_fault(problem: Problem, case: Any) -> str | None:
 
 
 def bounds_fault(problem: Problem, case: Case) -> str | None:
-    """What number of a well-shaped case is beyond its parameter's bounds, or too near to 0, or None."""
+    """What of a well-shaped case is beyond its parameter's bounds or letters, or too near to 0, or None."""
     for parameter, value in zip(problem.parameters, case, strict=True):
         low, high, smallest = _bounds(parameter)
+        before: Atom | None = None
         for atom, number in parameters.leaves(parameter.type, value):
             if not isinstance(atom, NumberType):
+                if wrong := atom.beyond(number):
+                    return f"{parameter.name} has {wrong}"
                 continue
-            least = low if atom.least is None else max(low, atom.least)
-            if not least <= number <= high:
-                return f"{parameter.name} has {number!r}, outside {_text(least)} to {_text(high)}"
+            if atom is not before:
+                before, least = atom, low if atom.low is None else max(low, atom.low)
+                most = high if atom.high is None else min(high, atom.high)
+            if not least <= number <= most:
+                return f"{parameter.name} has {number!r}, outside {_text(least)} to {_text(most)}"
             if atom.measured and 0 < abs(number) < smallest:
                 return f"{parameter.name} has {number!r}, nearer to 0 than {smallest:g} but not 0"
     return None

@@ -5,7 +5,8 @@
     line_count(0, 0, 1, (-1, 1), (1, 1))     the call itself, as in the statement's examples
     0 0 1 -1 1 1 1                           the line
 
-Numbers may be sums, products, quotients and powers: 2**0.5, 1e8 + 1e-7. Nothing else is worked out.
+Numbers may be sums, products, quotients and powers: 2**0.5, 1e8 + 1e-7. Nothing else is worked out. Where a
+text is wanted, 'aab' in quotation marks is read as Python, and aab without them as a program reads it.
 """
 
 from __future__ import annotations
@@ -18,9 +19,11 @@ import warnings
 from collections.abc import Callable, Mapping
 from typing import Any
 
+from judge.data.build import shape_fault
 from judge.errors import UsageError, nearest
 from judge.problem import Case, Problem
-from judge.values import parameters
+from judge.values import parameters, wire
+from judge.values.letters import texts_of
 
 _LONGEST = 20_000  # characters of a case
 _SHORT = 80  # characters of an example
@@ -54,8 +57,26 @@ def read_case(problem: Problem, text: str) -> Case:
         raise UsageError(f'Give a case: judge try {problem.id} "{example_of(problem)}"')
     if len(text) > _LONGEST:
         raise _unreadable(problem, f"a case of {len(text):,} characters is too long")
+    if any(texts_of(parameter.type) for parameter in problem.parameters):
+        return _with_texts(problem, text)
     _refuse_odd_numbers(text)
     return _python(problem, text) if any(sign in text for sign in ",=([{") else _line(problem, text.split())
+
+
+def _with_texts(problem: Problem, text: str) -> Case:
+    """Python or the line, whichever makes a case; a text may hold all that tells them apart otherwise."""
+    why: UsageError | None = None
+    for read in (_python, lambda problem, text: _line(problem, wire.tokens(text))):
+        try:
+            case = read(problem, text)
+        except UsageError as fault:
+            why = why or fault
+        else:
+            if shape_fault(problem, case) is None:
+                return case
+    if why is not None:
+        raise why
+    return _python(problem, text)
 
 
 def line_of(problem: Problem, case: Case) -> str:
@@ -184,7 +205,7 @@ def _value(node: ast.expr, depth: int = 0) -> Any:
     if depth > _DEEPEST:
         raise ValueError("nested too deeply")
     match node:
-        case ast.Constant(value) if value is None or type(value) in (int, float, str):
+        case ast.Constant(value) if value is None or type(value) in (bool, int, float, str):
             return value
         case ast.Tuple(parts) | ast.List(parts):
             return tuple([_value(each, depth + 1) for each in parts])
@@ -204,7 +225,7 @@ def _value(node: ast.expr, depth: int = 0) -> Any:
 
 def _number(node: ast.expr, depth: int) -> int | float:
     found = _value(node, depth + 1)
-    if not isinstance(found, int | float):
+    if isinstance(found, bool) or not isinstance(found, int | float):
         raise TypeError(f"{_quoted(ast.unparse(node))} is not a number")
     return found
 

@@ -21,6 +21,7 @@ from judge.data.draw import Draw, seeded
 from judge.problem import Case, Group, Problem
 from judge.values import parameters
 from judge.values.atoms import Number
+from judge.values.letters import rank
 from judge.values.types import is_pair
 
 Simplicity = tuple[int, int, tuple[float, ...]]
@@ -124,7 +125,7 @@ def usual_group(problem: Problem) -> Group:
 
 
 def numbers_of(case: Case) -> Iterator[Number]:
-    """The numbers of a case, in order, however deep in it; words and None are none."""
+    """The numbers of a case, in order, however deep in it; texts, bools and None are none."""
     for argument in case:
         if isinstance(argument, tuple):
             yield from numbers_of(argument)
@@ -135,6 +136,15 @@ def numbers_of(case: Case) -> Iterator[Number]:
 def items_of(case: Case) -> int:
     """How many items its lists and points have, however deep in it: as many in all cases of one shape."""
     return sum(len(argument) + items_of(argument) for argument in case if isinstance(argument, tuple))
+
+
+def texts_of(case: Case) -> Iterator[str | bool]:
+    """The texts and bools of a case, in order, however deep in it."""
+    for argument in case:
+        if isinstance(argument, tuple):
+            yield from texts_of(argument)
+        elif isinstance(argument, str | bool):
+            yield argument
 
 
 def with_numbers(case: Case, numbers: Iterable[Number]) -> Case:
@@ -164,11 +174,17 @@ def _digits(number: Number) -> int:
 
 
 def measure(case: Case) -> Simplicity:
-    """What to compare two cases by, the smaller being simpler; an item of a list weighs as a digit."""
+    """What to compare two cases by, the smaller being simpler.
+
+    An item of a list, a letter and True weigh as a digit; of letters the nearer ones to `a` are simpler.
+    """
     numbers = list(numbers_of(case))
     total = sum(_digits(number) + (_FLOAT if isinstance(number, float) else 0) for number in numbers)
     magnitudes = [_magnitude(number) for number in numbers]
     negative = sum(number < 0 for number in numbers)
+    for each in texts_of(case):
+        total += each if isinstance(each, bool) else len(each)
+        magnitudes += map(rank, each) if isinstance(each, str) else ()
     return items_of(case) + total, negative, (math.fsum(magnitudes), *magnitudes)
 
 

@@ -2,7 +2,8 @@
 
     <problem>:<group>:v<values>:<check>
 
-    values    `v0,0,1,-1,0,0,22361`: as a program reads them, in order
+    values    `v0,0,1,-1,0,0,22361`: as a program reads them, in order; of a text all but letters, digits
+              and `_.+~-` is percent-encoded
     check     six hex digits of the case's sha256, so that a slip of the pen is noticed
 
 A decoded case is proved like any other before it is judged.
@@ -13,6 +14,7 @@ from __future__ import annotations
 import hashlib
 import re
 from typing import TYPE_CHECKING, NamedTuple
+from urllib.parse import quote, unquote
 
 from judge.data.build import validate
 from judge.errors import UsageError
@@ -39,7 +41,8 @@ class Decoded(NamedTuple):
 def encode(problem: Problem, group: Group, case: Case) -> str:
     """The id of a case under that group's tolerance."""
     values = zip(problem.parameters, case, strict=True)
-    words = ",".join(word for parameter, value in values for word in parameters.tokens(parameter.type, value))
+    tokens = (word for parameter, value in values for word in parameters.tokens(parameter.type, value))
+    words = ",".join(quote(word, safe="+") for word in tokens)
     return f"{problem.id}:{group.name}:v{words}:{_check(case)}"
 
 
@@ -81,7 +84,7 @@ def _parts(replay: str) -> tuple[str, str, str, str, str]:
 
 
 def _from_values(payload: str, problem: Problem) -> Case | None:
-    words = iter(payload.split(",") if payload else ())
+    words = map(unquote, payload.split(",") if payload else ())
     try:
         case = tuple([parameters.from_tokens(parameter.type, words) for parameter in problem.parameters])
     except (ValueError, StopIteration):

@@ -13,7 +13,7 @@ from heapq import nsmallest
 from itertools import chain, combinations, islice
 from math import gcd
 
-from judge.diagnose.candidates import items_of, measure, numbers_of, with_numbers
+from judge.diagnose.candidates import items_of, measure, numbers_of, texts_of, with_numbers
 from judge.diagnose.trial import FailingCase, Trial
 from judge.problem import Case, Group, Problem
 from judge.values import parameters
@@ -63,15 +63,17 @@ def _rounder(signed: Number) -> Iterator[int]:
 
 
 def _better(trial: Trial, best: FailingCase, group: Group, cases: Iterable[Case]) -> FailingCase:
-    most, size = max(_MOST, _WORK // (1 + items_of(best.case))), best.measure
+    letters = sum(len(each) for each in texts_of(best.case) if isinstance(each, str))
+    most, size = max(_MOST, _WORK // (1 + items_of(best.case) + letters)), best.measure
     simpler = {hash(repr(case)): case for case in islice(cases, most) if measure(case) < size}
     return trial.simplest(nsmallest(_MOST, simpler.values(), key=measure), group) or best
 
 
 def fewer(problem: Problem, case: Case) -> Iterator[Case]:
-    """The case with a shorter list, or a simpler word, in one place."""
+    """The case with a shorter list, or a shorter or simpler text, in one place."""
     for place, (parameter, value) in enumerate(zip(problem.parameters, case, strict=True)):
-        for other in islice(parameters.simpler(parameter.type, value), _MOST):
+        most = max(_MOST, _WORK // (1 + len(value))) if isinstance(value, str) else _MOST
+        for other in islice(parameters.simpler(parameter.type, value), most):
             yield (*case[:place], other, *case[place + 1 :])
 
 

@@ -35,6 +35,7 @@ from judge.values.wire import Raw
 _SHORT_SECONDS = 0.1  # of CPU time, after which a call that once ran out of time is not waited for
 _SLOW_SECONDS = 4.0  # that the processes of a search may take where each is slow
 _RUN_COSTS = 20  # calls that starting a process is worth
+_RUNS_COST = 5  # processes that a program's run for each case is worth
 _LOSS_COSTS = 5000  # calls that _SHORT_SECONDS of a call in vain are worth
 _MOST_LOSSES = 6  # calls of a batch that may take their process with them
 _QUICK_SECONDS = 0.005  # CPU time a case is worth when nothing points to slowness
@@ -67,10 +68,10 @@ class SearchBudget:
         """From now on each process takes so long, whatever is called in it."""
         self._run_costs = _RUN_COSTS + round(self._most * seconds / _SLOW_SECONDS)
 
-    def asked(self, calls: int, lost_seconds: float, usage: Usage) -> None:
-        """Book one process: the calls made in it, the limit of the time that was used up, if one was."""
+    def asked(self, calls: int, lost_seconds: float, usage: Usage, runs: int = 1) -> None:
+        """Book so many processes: the calls made in them, the limit of the time that one used up."""
         self.calls += calls
-        self._cost += calls + self._run_costs + round(_LOSS_COSTS * lost_seconds / _SHORT_SECONDS)
+        self._cost += calls + runs * self._run_costs + round(_LOSS_COSTS * lost_seconds / _SHORT_SECONDS)
         self._cpu_end -= usage.cpu_seconds
 
     def looked_at(self) -> None:
@@ -278,7 +279,9 @@ class Trial(Struct):
         self._used = replies.usage + replies.imported
         cpu, waiting, wall = limits.cpu_seconds, limits.waiting_seconds, limits.wall_seconds
         lost = {Stop.CPU: cpu, Stop.WAITING: waiting, Stop.WALL: wall}
-        self.budget.asked(max(1, len(replies.replies)), lost.get(replies.stop, 0.0), replies.usage)
+        made = max(1, len(replies.replies))
+        runs = _RUNS_COST * made if self.runner.problem.formatted and not self.runner.calls else 1
+        self.budget.asked(made, lost.get(replies.stop, 0.0), replies.usage, runs)
         if replies.breakdown is not None:
             verdict, detail, _, got, _ = replies.breakdown
             return None if len(cases) > 1 else [self._stopped(cases[0], group, verdict, detail, got, "")]
@@ -335,8 +338,10 @@ def _failure_class(right: Outline, given: Outline, *, coarse: bool) -> tuple[str
 
 
 def answer_class(answer: Outline) -> str:
-    """What an answer is: an int itself, how many items, whether it is a number, a word, none."""
+    """What an answer is: an int itself, how many items, whether it is a number, a word, a text, none."""
     form, numbers = answer
+    if form.startswith(f"{outline.TEXT} "):  # each of which is a mistake's as well as any other
+        return "a text"
     if form == "number":
         return "a number" if numbers[0] else "zero"
     if form in ("count", "type float"):

@@ -208,7 +208,7 @@ def given(raw: Any, depth: int = _DEPTH) -> Plain:
         most = _MOST if depth == _DEPTH else _MOST_INSIDE
         return [given(each, depth - 1) for each in raw[:most]] if depth else []
     said = word(raw)
-    if said is not None:
+    if said and said.isprintable():
         return said
     read = number(raw)
     if isinstance(read, Fault):

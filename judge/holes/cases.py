@@ -30,6 +30,7 @@ from judge.problem.model import EXAMPLES
 from judge.values import parameters
 from judge.values.answers import Exact
 from judge.values.atoms import Number, NumberType
+from judge.values.letters import TextType, texts_of
 
 _CASES = 24  # of a turn of the ways that draw
 _NEAREST = 400  # cases with the least gaps
@@ -197,10 +198,9 @@ class Stream:
         if way == 11:
             to = random.randrange(len(case))
             changed[at], changed[to] = changed[to], changed[at] if random.random() < 0.7 else changed[to]
-        elif isinstance(case[at], tuple) and case[at]:
-            items, place = [*case[at]], random.randrange(len(case[at]))
-            items[place : place + 1] = random.choice(([], [items[place]] * 2, [random.choice(items)]))
-            changed[at] = tuple(items)
+        else:
+            texts = texts_of(self._problem.parameters[at].type)
+            changed[at] = _changed(random, case[at], texts[0] if texts else None)
         return tuple(changed)
 
     def _whole(self, case: Case) -> list[bool]:
@@ -264,6 +264,32 @@ def _stepped(random: Random, numbers: Sequence[Number], at: int, way: int, whole
         return float(f"{value:.{random.randint(1, 6)}g}")
     except OverflowError:
         return value
+
+
+def _changed(random: Random, value: Any, type_: TextType | None) -> Any:
+    """A list with an item dropped, doubled or exchanged, or a text changed; the other bool."""
+    if isinstance(value, bool):
+        return not value
+    if isinstance(value, str) and type_ is not None:
+        return _other_text(random, value, type_.signs)[: type_.high]
+    if not isinstance(value, tuple) or not value:
+        return value
+    items, place = [*value], random.randrange(len(value))
+    some = [[], [items[place]] * 2, [random.choice(items)]]
+    if isinstance(items[place], str | bool):
+        some += [[_changed(random, items[place], type_)]] * 3
+    items[place : place + 1] = random.choice(some)
+    return tuple(items)
+
+
+def _other_text(random: Random, text: str, signs: str) -> str:
+    """A piece of it dropped, doubled, turned or replaced; or a letter many times."""
+    start, end = sorted(random.randint(0, len(text)) for _ in range(2))
+    if random.random() < 0.5:
+        end = min(start + 1, len(text))
+    piece, sign = text[start:end], random.choice(text + signs)
+    times = random.choice((1, 1, 2, 9, 10, 11))
+    return text[:start] + random.choice(("", piece * 2, piece[::-1], sign, sign * times + piece)) + text[end:]
 
 
 def _scaled(value: Any, power: int) -> Any:

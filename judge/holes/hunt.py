@@ -82,8 +82,11 @@ def look_for_holes(
         return Holes(problem.id)
     programs = bases(problem, search.program)
     if not programs:
-        remedy = f"write a function {problem.entry} in Python into accepted"
-        fault = Fault("no accepted program can be changed", f"{problem.solutions.name}/accepted", remedy)
+        remedy = f"write a function {problem.entry} in Python into accepted" if problem.entry else ""
+        what = (
+            "no accepted program can be changed" if remedy else "a kata of programs has no function to change"
+        )
+        fault = Fault(what, f"{problem.solutions.name}/accepted", remedy)
         return Holes(problem.id, faults=(fault,))
     name, key = kept_place("holes", problem, None)[0], code_key("holes")
     own = f"{name}-{search.seed}"

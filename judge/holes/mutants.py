@@ -49,6 +49,7 @@ _CALLED = {
 }
 _SIZES = ("max", "min", "hypot")
 _RUNGS = tuple(float(f"{m}e-{k}") for k in range(2, 17) for m in ("5", "3", "2", "1.5", "1.2", "1"))
+_LONGEST = 16  # characters of a text that is no message
 _SMALL = 1e-4  # a constant below it is a tolerance
 _LARGE = 100  # an int above it may say how fine something is
 _MOST_NAMES = 500  # mutants that take another name
@@ -187,7 +188,10 @@ class _Scope:
         if not isinstance(getattr(node, "ctx", ast.Load()), ast.Load):
             return
         match node:
-            case ast.Constant(value=bool() | str() | bytes() | None) | ast.JoinedStr():
+            case ast.Constant(value=str() as value):
+                if not isinstance(self._parents[node], ast.Expr) and len(value) <= _LONGEST:
+                    yield from ((node, "text", repr(other), "") for other in (value[1:], value[:-1], ""))
+            case ast.Constant(value=bool() | bytes() | None) | ast.JoinedStr():
                 return
             case ast.Constant(value=int() | float() as value):
                 yield from self._constant(node, value)

@@ -94,8 +94,9 @@ def _answer(runner: Runner, tried: Tried, replies: Replies) -> tuple[Verdict, st
     given = runner.raw(reply.answer)
     if isinstance(outcome, Rejection):
         return Verdict.WA, outcome.got, outcome.message, given
-    shown = show.shown(tried.problem.answer, given) if runner.calls else wire.quoted(reply.answer)[1:-1]
-    return Verdict.AC, shown[:_SHOWN], "", given
+    if runner.calls or tried.problem.formatted:
+        return Verdict.AC, show.shown(tried.problem.answer, given)[:_SHOWN], "", given
+    return Verdict.AC, wire.quoted(reply.answer)[1:-1][:_SHOWN], "", given
 
 
 def hack(session: Session, puzzle: Puzzle, tried: Tried) -> tuple[Said, str]:
@@ -106,8 +107,9 @@ def hack(session: Session, puzzle: Puzzle, tried: Tried) -> tuple[Said, str]:
     said = ask(session, tried, puzzle.source, _NAME)
     if said.verdict is Verdict.AC:
         return said, "the program answers this case correctly"
-    if puzzle.special and tried.problem.time:
-        model = accepted_source(tried.problem, tried.problem.time.function)
+    rule = tried.problem.time
+    if puzzle.special and rule and rule.function:
+        model = accepted_source(tried.problem, rule.function)
         if model is not None and ask(session, tried, model, _NAME).verdict is Verdict.WA:
             return said, f"with the tolerance of {puzzle.group.name}, a right program fails this case too"
     return said, ""

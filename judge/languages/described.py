@@ -1,4 +1,4 @@
-"""Where languages are described: one TOML file each, beside this one and where $JUDGE_LANGUAGES says."""
+"""Where languages are described: a folder each, beside this file and where $JUDGE_LANGUAGES says."""
 
 from __future__ import annotations
 
@@ -7,20 +7,21 @@ from pathlib import Path
 
 NAME = "Python"
 SUFFIX = ".py"
-VARIABLE = "JUDGE_LANGUAGES"  # more folders with such files, parted by the system's own sign
+VARIABLE = "JUDGE_LANGUAGES"  # more folders with such folders, parted by the system's own sign
+FILE = "language.toml"
 
 
 def folders() -> list[Path]:
-    """Where languages are described: here, and in the folders that `$JUDGE_LANGUAGES` names."""
+    """Where the folders of languages are: here, and where `$JUDGE_LANGUAGES` says."""
     more = os.environ.get(VARIABLE, "").split(os.pathsep)
     return [Path(__file__).parent, *(Path(each).absolute() for each in more if each)]
 
 
 def is_described(language: str) -> bool:
     """Whether there is a language of that id; none is read for that."""
-    return language.isidentifier() and any((each / f"{language}.toml").is_file() for each in folders())
+    return language.isidentifier() and any((each / language / FILE).is_file() for each in folders())
 
 
 def described() -> list[str]:
     """The ids of all languages that are described, by name."""
-    return sorted({path.stem for each in folders() for path in each.glob("*.toml")})
+    return sorted({path.parent.name for each in folders() for path in each.glob(f"*/{FILE}")})

@@ -11,22 +11,22 @@ or one of the places that the sandbox fills in when it knows them.
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Literal
 
 import msgspec
 from msgspec import Meta, Struct
 
 from judge.cache import digest
 from judge.errors import JudgeError, UsageError, nearest
-from judge.languages.described import NAME, SUFFIX, VARIABLE, folders
-from judge.languages.scan import PARAMETERS, Tokens, usual_tokens
-from judge.languages.steps import check_pattern, check_tokens
+from judge.languages.described import FILE, NAME, SUFFIX, VARIABLE, folders
+from judge.languages.scan import MARK, PARAMETERS, Tokens, beginning, usual_tokens
 
-_HERE = Path(__file__).parent
 _Words = tuple[str, ...]
 _Name = Annotated[str, Meta(min_length=1)]
+_Over = Literal["parameters", "structs", "lacking", "fields", "parts", "big"]
 
 
 class Compiling(Struct, frozen=True, forbid_unknown_fields=True):
@@ -73,11 +73,12 @@ class Language(
     one that is met where it defines the function `{entry}` of `{parameters}`, in their brackets. `unsaid` is
     what begins and ends its comments and strings, see `judge.languages.scan.Tokens`; without it they are
     those of C, or of Python where `comment` is not `//`. Outside of those `drops` is a pattern of what is
-    taken out before it is compiled, and `swaps` are pairs of one and what stands for it then. A pattern may
-    take so many steps at one place (`judge.languages.steps`). `empty` is a program that does nothing, as
-    costly as any program before its first line. `tools` are the names that each tool may have; `homes` the
-    folder above the folder of a tool's real file, `folders` where a file really lies, `probes` a tool's
-    answer that is a path, `prepared` one that is kept as a file for the compiler.
+    taken out before it is compiled, and `swaps` are pairs of one and what stands for it then. No pattern may
+    try a text in many ways: write a*+ for a*, a++ for a+, (?>(?:ab){0,9}) for (?:ab)*. `empty` is a program
+    that does nothing, as costly as any program before its first line. `tools` are the names that each tool
+    may have; `homes` the folder above the folder of a tool's real file, `folders` where a file really lies,
+    `probes` a tool's answer that is a path, `prepared` one that is kept as a file for the compiler. `spell`
+    are the rules by which functions are written, see `judge.languages.spell`.
     """
 
     name: _Name
@@ -102,8 +103,9 @@ class Language(
     folders: dict[str, str] = {}
     probes: dict[str, _Words] = {}
     prepared: dict[str, _Words] = {}
+    spell: dict[str, str | dict[str, str] | tuple[_Over, str, str]] = {}
     id: str = ""
-    folder: str = ""  # of its file, where it is none of the judge's own
+    folder: str = ""
     digest: str = ""
 
     def __hash__(self) -> int:
@@ -113,6 +115,16 @@ class Language(
     def tokens(self) -> Tokens:
         """What begins and ends its comments and strings."""
         return self.unsaid or usual_tokens(self.comment)
+
+    def patterns(self) -> Iterator[tuple[str, str]]:
+        """All its patterns, each with the key that it has in the description."""
+        yield "main", self.main
+        yield "defines", self.head("f")
+        yield "complaint", self.compiling.complaint
+        yield "drops", self.drops
+        yield from (("swaps", pattern) for pattern, _ in self.swaps)
+        yield from (("unsaid", part) for each in self.unsaid for part in each if MARK not in part)
+        yield "unsaid", beginning(self.tokens)  # whose groups may be there twice
 
     def head(self, entry: str) -> str:
         """The pattern of where it defines the function that the problem calls so; empty without one."""
@@ -163,7 +175,7 @@ def named_language(name: str) -> Language | None:
 
 
 def _read_all(folder: Path) -> list[Language]:
-    paths = sorted(folder.glob("*.toml"))
+    paths = sorted(folder.glob(f"*/{FILE}"))
     if not paths:
         remedy = f"correct ${VARIABLE}"
         raise JudgeError("no language is described here", where=str(folder), remedy=remedy)
@@ -176,10 +188,8 @@ def _read(path: Path) -> Language:
     try:
         content = path.read_bytes()
         table = tomllib.loads(content.decode())
-        own = "" if path.parent == _HERE else str(path.parent)
-        found = msgspec.convert(
-            {**table, "id": path.stem, "folder": own, "digest": digest(content)}, Language
-        )
+        place = {"id": path.parent.name, "folder": str(path.parent), "digest": digest(content)}
+        found = msgspec.convert({**table, **place}, Language)
         _check_patterns(found)
     except OSError as fault:
         raise JudgeError(
@@ -191,17 +201,11 @@ def _read(path: Path) -> Language:
 
 
 def _check_patterns(language: Language) -> None:
-    """Raises ValueError as `check_pattern`, and for a complaint's without what it must tell."""
-    complaint = language.compiling.complaint
-    patterns = {
-        "main": language.main,
-        "defines": language.head("f"),
-        "complaint": complaint,
-        "drops": language.drops,
-    }
-    swaps = [("swaps", pattern) for pattern, _ in language.swaps]
-    for key, pattern in (*patterns.items(), *swaps):
-        check_pattern(key, pattern)
-    check_tokens("unsaid", language.unsaid)
-    if complaint and not {"message", "file", "line"} <= set(re.compile(complaint).groupindex):
-        raise ValueError("complaint needs the groups message, file and line")
+    """Raises ValueError for what is no pattern, and for a complaint's without what it must tell."""
+    for key, pattern in language.patterns():
+        try:
+            groups = re.compile(pattern).groupindex
+        except re.error as fault:
+            raise ValueError(f"{key} is not a pattern: {fault}") from None
+        if key == "complaint" and pattern and not {"message", "file", "line"} <= set(groups):
+            raise ValueError("complaint needs the groups message, file and line")

@@ -2,8 +2,8 @@
 
 A description says how comments and strings begin and end, and by patterns what a head looks like. A comment
 or a string without an end goes to the end of the text, so that none is read twice. A pattern is tried on a
-few thousand characters at once, and may take so many steps at one place (steps.py). Whatever still takes long
-costs that text alone: the clock is looked at all the while.
+few thousand characters at once; a test counts how many steps each of ours may take at one place. Whatever
+still takes long costs that text alone: the clock is looked at all the while.
 """
 
 from __future__ import annotations

@@ -6,7 +6,7 @@ tuple (`parts` named `fields`), list, optional          of other shapes
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
 from judge.values.atoms import LONGEST, IntType, RealType, Type, WordType
@@ -59,13 +59,6 @@ def shape_of(type_: Type, *, big: bool = False) -> Shape:
         parts = tuple(shape_of(part, big=big) for part in type_.made_of)
         return Shape("tuple", parts, _fields(type_), _name(type_, parts))
     raise Unsupported(type_.text)
-
-
-def atom(names: Mapping[str, str], shape: Shape) -> str:
-    """What a language calls an atom. Raises Unsupported for one that it has not."""
-    if shape.kind not in names:
-        raise Unsupported(shape.kind)
-    return names[shape.kind]
 
 
 def structs(shapes: Iterable[Shape]) -> list[Shape]:

@@ -12,11 +12,12 @@ from functools import partial
 from itertools import islice
 
 from judge.errors import nearest
-from judge.languages.draft import around, draft_of, driver_of
 from judge.languages.model import Language
 from judge.languages.scan import changed, met, reading, stripped
 from judge.languages.shapes import Unsupported
 from judge.languages.signature import Signature
+from judge.languages.spec import around, spec_of
+from judge.languages.spell import Writer
 from judge.sandbox.boundary import SourceFault
 from judge.sandbox.recipe import Sources
 
@@ -75,15 +76,14 @@ def _met(pattern: str, text: str) -> re.Match[str] | None:
 def _called(language: Language, signature: Signature, source: bytes, text: str, end: int) -> Sources:
     """The submission's function with the driver that calls it. Raises Unsupported."""
     own = own_file(language, text, signature.entry)
-    maker = driver_of(language)
-    draft = draft_of(language, signature, text, own)
-    name, content = maker.driver(draft)
-    mismatch = f"{draft.entry} is not declared as the problem says: {maker.declared(draft)}"
-    if draft.own and hasattr(maker, "defined"):
-        types = (maker.defined(each) for each in draft.structs if each.name in draft.own)
+    spec = spec_of(language, signature, text, own)
+    writer = Writer(language, spec)
+    name, content = writer.driver()
+    mismatch = f"{spec.entry} is not declared as the problem says: {writer.text('head')}"
+    if spec.own and "struct" in writer:
+        types = (writer.text("struct", each) for each in spec.structs if each.name in spec.own)
         mismatch = f"{mismatch}, with {' and '.join(types)}"
-    adapted = maker.adapted(source) if hasattr(maker, "adapted") else source
-    files = ((name, content.encode()), (own, adapted))
+    files = ((name, content.encode()), (own, writer.adapted(source)))
     return Sources(files, own, signature.entry, text.count("\n", 0, end) + 1, mismatch)
 
 

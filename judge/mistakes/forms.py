@@ -157,8 +157,11 @@ def _in_words(answer: Outline) -> str:
     form, numbers = answer
     if numbers:
         return ", ".join(f"{number:g}" for number in numbers)
-    if form.startswith("word "):
-        return repr(form.removeprefix("word "))
+    kind, _, said = form.partition(" ")
+    if kind in ("word", outline.TEXT):
+        return repr(said)
+    if kind == "bool":
+        return said.capitalize()
     return "None" if form == "none" else "The empty list" if form.endswith(" 0") else ""
 
 

@@ -44,13 +44,13 @@ def _approach(solution: Solution, program: str) -> Approach:
 
 
 def approaches(problem: Problem) -> list[Approach]:
-    """The accepted functions, at least one: Python's first, and of these the one that sets the time limit.
+    """The accepted functions, or programs where there is no entry: Python's first, of these the timed one.
 
     Raises:
         ProblemError: there is none, or none that can be read.
     """
     programs, faults = read_solutions(problem, Kind.ACCEPTED)
-    timed = problem.time.function if problem.time else None
+    timed = (problem.time.function or problem.time.program) if problem.time else None
 
     def rank(solution: Solution) -> tuple[int, str, bool]:
         language = solution.language
@@ -62,20 +62,20 @@ def approaches(problem: Problem) -> list[Approach]:
         return found
     for fault in faults:
         raise fault
-    what = f"there is no accepted solution that defines {problem.entry}"
+    what = "there is no accepted solution" + f" that defines {problem.entry}" * bool(problem.entry)
     folder = problem.solutions / Kind.ACCEPTED.value
     raise ProblemError(what, where=f"{problem.solutions.name}/{folder.name}", remedy=f"add one to {folder}")
 
 
 def _program(solution: Solution, entry: str) -> str | None:
-    """What follows the text that it begins with; None where it does not define `entry`."""
+    """What follows the text that it begins with; None where it does not define `entry`, if there is one."""
     if solution.language is not None:
         from judge.languages.sources import definition  # only where there is such a file
 
-        defined = definition(solution.language, solution.source, entry) is not None
+        defined = not entry or definition(solution.language, solution.source, entry) is not None
         return parted(solution.source, solution.language)[1] if defined else None
     tree = tree_of(solution.source)
-    if not any(isinstance(part, ast.FunctionDef) and part.name == entry for part in tree.body):
+    if entry and not any(isinstance(part, ast.FunctionDef) and part.name == entry for part in tree.body):
         return None
     lines = decode_source(solution.source).splitlines()
     if ast.get_docstring(tree) is not None:

@@ -106,7 +106,19 @@ def make_stub(problem: Problem, language: Language | None = None) -> str:
         f"`judge show {problem.id}` shows the whole statement, `judge hint` the next hint.",
         f"`judge start {problem.id}` judges this file on every save.",
     ]
+    if not problem.entry:
+        return _program(problem, language, about)
     return _python(problem, about) if language is None else _native(problem, language, about)
+
+
+def _program(problem: Problem, language: Language | None, about: Iterable[str]) -> str:
+    """The text of a program that is still to be written: its task, as a comment where it has no docstring."""
+    width = _WIDTH if language is None else _WIDTH - len(language.comment) - 1
+    lines = [*about, "", *_wrapped(problem.summary, width), *_contract(problem, width, _doctest)]
+    if language is not None:
+        return "\n".join(f"{language.comment} {line}".rstrip() for line in lines) + "\n"
+    raised = f'raise NotImplementedError("{problem.id} is still to be written")'
+    return f"{_docstring(lines)}\n\nimport sys\n\n{raised}\n"
 
 
 def _python(problem: Problem, about: Iterable[str]) -> str:
@@ -152,25 +164,26 @@ def rounded(answer: object) -> object:
 
 
 def _native(problem: Problem, language: Language, about: Iterable[str]) -> str:
-    from judge.languages.draft import draft_of, driver_of
     from judge.languages.shapes import Unsupported
     from judge.languages.signature import signature_of
+    from judge.languages.spec import spec_of
+    from judge.languages.spell import Writer
 
     try:
-        maker = driver_of(language)
-        draft = draft_of(language, signature_of(problem))
-        head = maker.declared(draft)
+        spec = spec_of(language, signature_of(problem))
+        writer = Writer(language, spec)
+        head, before, body = map(writer.text, ("head", "before", "body"))
+        before = before.rstrip()
     except Unsupported as why:
         what = f"{problem.id} has a type that functions in {language.name} are not called with: {why}"
         remedy = f"write a program that reads standard input; see 'judge show {problem.id}'"
         raise UsageError(what, remedy=remedy) from None
-    before, body = maker.frame(draft, f"{draft.entry} is still to be written")
     indent = _INDENT if head.startswith("static") else ""
 
     def told(problem: Problem, example: Example) -> list[str]:
         literals = zip(problem.parameters, _literals(problem, example), strict=True)
         given = ", ".join(f"{each.name} = {literal}" for each, literal in literals)
-        return [f"{_INDENT}{draft.entry}: {given}  gives  {_wanted(problem, example)!r}"]
+        return [f"{_INDENT}{spec.entry}: {given}  gives  {_wanted(problem, example)!r}"]
 
     def comments(lines: Iterable[str], indent: str = "") -> list[str]:
         return [f"{indent}{language.comment} {line}".rstrip() for line in lines]

@@ -1,5 +1,8 @@
 """What there is to learn, in the folders of problems: practice sets, skills, and a checklist of questions.
 
+    problems/pack.toml                 title = "Circle and line geometry"
+                                       about = "One sentence for the list of katas."
+
     problems/sets/middle.toml          title = "Middle"
                                        about = "One sentence for the list of sets."
     problems/count/problem.toml        sets = ["middle", "path"]
@@ -58,6 +61,13 @@ class PracticeSet(Struct, Generic[P], frozen=True):
 
 class Table(Struct, frozen=True, forbid_unknown_fields=True):
     """A table of a TOML file."""
+
+
+class Pack(Table, frozen=True):
+    """What a folder of problems says of itself."""
+
+    title: str
+    about: str = ""
 
 
 class Skill(Table, frozen=True):
@@ -141,6 +151,18 @@ def find_set(name: str, problems: Sequence[P], extra: Sequence[Path] = ()) -> Pr
     if not found.problems:
         raise file.fault("the set has no kata", f"name {name!r} in the sets of a problem.toml")
     return found
+
+
+def read_pack(root: Path) -> Pack:
+    """What is said of a folder of problems; without a pack.toml it has the name of its folder.
+
+    Raises ProblemError.
+    """
+    from judge.problem.toml import TomlFile  # only for who lists katas
+
+    if (path := root / "pack.toml").is_file():
+        return TomlFile(path).read(Pack)
+    return Pack(root.parent.name if root.name == "problems" else root.name)
 
 
 def sound_sets(

@@ -5,8 +5,10 @@
     INTERVIEW, PRODUCTION = [...]       the test groups of each level, a row each; GROUPS alone in a kata
                                         without levels
     HOOKS = Hooks(...)                  optional: what the kata's topic draws and makes simpler
+    FORMAT = Format(write, read, show)  optional: what a program reads and writes for a case
+    EXAMPLES = [case, ...]              of a kata without entry, in place of the statement's calls
 
-The group of the statement's examples is no row: it comes first.
+The group of the examples is no row: it comes first.
 """
 
 from __future__ import annotations
@@ -19,13 +21,14 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from msgspec import Struct
 
+from judge.errors import ProblemError
 from judge.problem.model import Case, Problem
 from judge.values.answers import AnyOf, Judged, Real, Tolerance
 
 if TYPE_CHECKING:
     from judge.drawing import Picture
 
-__all__ = ["AnyOf", "Declared", "Hooks", "InvalidCase", "Judged", "Real", "Tolerance", "group"]
+__all__ = ["AnyOf", "Declared", "Format", "Hooks", "InvalidCase", "Judged", "Real", "Tolerance", "group"]
 
 
 class Decided(NamedTuple):
@@ -137,6 +140,26 @@ class Hooks(Struct, frozen=True):
     figure: Callable[[Problem, Case, Change], Case | None] | None = None
 
 
+class Format(Struct, frozen=True):
+    """What a program of the kata reads and writes for one case: each case is a run of its own.
+
+    Attributes:
+        write: the input of a case, from its arguments.
+        read: the answer in an output, as plain Python; ValueError says for a person why it holds none.
+        show: the output of a right answer. Without `read` and `show` the words of the whole output are the
+            answer's tokens, whatever the lines.
+    """
+
+    write: Callable[..., str]
+    read: Callable[[str], Any] | None = None
+    show: Callable[[Any], str] | None = None
+
+    def __post_init__(self) -> None:
+        has, lacks = ("show", "read") if self.read is None else ("read", "show")
+        if (self.read is None) is not (self.show is None):
+            raise ProblemError(f"Format has {has} without {lacks}", remedy="give both, or neither")
+
+
 class Declared(Struct, frozen=True):
     """A row of problem.py as it was written: what `group` was given, how a case is drawn, and its line."""
 
@@ -165,7 +188,7 @@ def group(
         name: small letters, digits and hyphens.
         about: what it probes, in one sentence.
         draw: makes a case from choices; `draw.reject()` gives some up, and it is asked again.
-        cases: how many; 60, or 120 that take turns.
+        cases: how many; 60, or 120 that take turns, or 12 where each is a run of its own.
         points: of 100; those that no group names are shared evenly, the first groups take the remainder.
         skills: what a run shows that passes every group with the skill; problems/skills.toml explains each.
         tolerance, limits, time_limit: its own, with the keys of problem.toml.
@@ -174,8 +197,6 @@ def group(
     """
     row = dict(locals())
     del row["draw"]
-    if cases is None:
-        row["cases"] = 120 if turns else 60
     if isinstance(skills, str):
         row["skills"] = (skills,)
     return Declared(row, draw, sys._getframe(1).f_lineno)

@@ -89,7 +89,8 @@ class Shelf:
                 return _fraction(value)
             if wanted is Path:
                 return folder
-            return parsed_type(value["type"], folder.parent / "types", Words(**value["words"]))
+            words = Words(**value["words"])
+            return parsed_type(value["type"], folder.parent / "types", words, value["letters"])
 
         plain = DISK.read(f"{self._name}-{folder.name}", key, bytes)
         try:
@@ -141,5 +142,6 @@ _fraction = cache(Fraction)  # a problem has hundreds of them, most of them alik
 
 def _encoded(value: Any) -> Any:
     if isinstance(value, Type):
-        return {"type": value.text, "words": msgspec.to_builtins(value.words)}
+        words = msgspec.to_builtins(value.words)
+        return {"type": value.text, "words": words, "letters": value.letters}
     return str(value)  # a Fraction or a path

@@ -16,7 +16,7 @@ from judge.errors import ProblemError, UsageError
 from judge.values.answers import Tolerance
 from judge.values.atoms import Type
 
-Argument = Any  # a number, a word, None, or a tuple of such: what the parameter's type says
+Argument = Any  # a number, a word, a text, a bool, None, or a tuple of such: what the parameter's type says
 Case = tuple[Argument, ...]  # the arguments of one call, in the order of the problem's parameters
 
 EXAMPLES = "examples"  # the group of the statement's worked examples
@@ -27,6 +27,7 @@ Bound = Annotated[float, Meta(ge=1e-3, le=1e6)]
 # Patterns of texts, each with what to use.
 NAME = r"^[a-z][a-z0-9]*(-[a-z0-9]+)*\Z"
 _PYTHON = rf"^(?!(?:{'|'.join(keyword.kwlist)})\Z)[A-Za-z_]\w*\Z"
+_ENTRY = rf"{_PYTHON}|^\Z"
 _FILE = r"^[^./\\][^/\\]*\Z"
 _LINE = r"^(\S[^\x00-\x1f]*)?\Z"
 _AUTHOR = r"^\S[^\x00-\x1f,&]*\Z"
@@ -35,6 +36,7 @@ FORMS = {
     TEXT: "a sentence",
     NAME: "small letters, digits and single hyphens",
     _PYTHON: "a plain Python name",
+    _ENTRY: "a plain Python name",
     _FILE: "the name of a file of the accepted solutions",
     _LINE: "a line of text, or leave the key out",
     _AUTHOR: "each author's name by itself",
@@ -127,8 +129,9 @@ class Tier(Enum):
 class Parameter(Struct, frozen=True, forbid_unknown_fields=True, cache_hash=True):
     """A row of `[parameters]`: `cx = { type = "number", about = "x of the centre" }`.
 
-    `low` and `high` bound each of its numbers, ends included. A real number other than 0 is at least
-    `smallest` in magnitude: 1e-30 where nothing is said of it.
+    `low` and `high` bound each of its numbers, ends included, and are those of its type where that has such.
+    A real number other than 0 is at least `smallest` in magnitude: 1e-30 where nothing is said of it.
+    `letters` are those of its texts, `a-z` for a range; None where the setter names none.
     """
 
     name: PythonName
@@ -137,6 +140,7 @@ class Parameter(Struct, frozen=True, forbid_unknown_fields=True, cache_hash=True
     low: Fraction = Fraction(-(2**30))
     high: Fraction = Fraction(2**30)
     smallest: Fraction = Fraction(1, 10**30)
+    letters: str | None = None
 
 
 class GroupLimits(Struct, frozen=True, forbid_unknown_fields=True):
@@ -167,13 +171,14 @@ class GroupLimits(Struct, frozen=True, forbid_unknown_fields=True):
 class TimeRule(Struct, frozen=True, forbid_unknown_fields=True):
     """`[time]`: the limit, how many times the CPU time of a reference solution a submission may use.
 
-    The references are files of `solutions/<id>/accepted`; `program` is for submissions run as programs.
+    The references are files of `solutions/<id>/accepted`; `program` is for submissions run as programs, and
+    `function` is there unless all are.
     `needs` are the modules that they import and that do not come with Python. `references` are functions in
     other languages, by the language's id.
     """
 
     limit: Annotated[float, Meta(ge=1, le=1e6)]
-    function: FileName
+    function: FileName | None = None
     program: FileName | None = None
     needs: tuple[PythonName, ...] = ()
     references: dict[str, FileName] = {}
@@ -245,7 +250,7 @@ class Titled(Struct, frozen=True, kw_only=True, omit_defaults=True):
     title: str
     tier: Tier
     summary: str
-    entry: PythonName
+    entry: Annotated[str, Meta(pattern=_ENTRY)] = ""  # the function that is called; none of programs alone
     sets: tuple[Name, ...] = ()  # the practice sets that it is in
     place: int = 1_000_000  # in its tier's order
 
@@ -283,6 +288,7 @@ class Problem(Listed, frozen=True, kw_only=True):
     statement: str = ""  # with its placeholders filled in
     growth: GrowthRule | None = None
     source: Source = Source()
+    formatted: bool = False  # whether problem.py says what a program reads and writes
     key: str = ""
 
     @property

@@ -16,8 +16,8 @@ from typing import TYPE_CHECKING, Any
 from msgspec import Struct
 
 from judge.errors import JudgeError, ProblemError
-from judge.problem.declare import Declared, Hooks, InvalidCase
-from judge.problem.model import Case, KataLevel, Problem
+from judge.problem.declare import Declared, Format, Hooks, InvalidCase
+from judge.problem.model import Case, KataLevel, Problem, tupled
 from judge.problem.toml import read_text
 
 if TYPE_CHECKING:
@@ -35,12 +35,16 @@ class Module(Struct, frozen=True):
         draws: how a case of each group is drawn, by the group's name; the examples are not drawn.
         hooks: what is known of its topic.
         rows: the groups as problem.py declares them, each with its level.
+        format: what a program reads and writes; None where that is a line for each case.
+        examples: the worked examples of a problem without entry.
     """
 
     solve: Callable[..., Exact]
     draws: Mapping[str, Callable[[Any], Case]] = {}
     hooks: Hooks = Hooks()
     rows: tuple[tuple[KataLevel | None, Declared], ...] = ()
+    format: Format | None = None
+    examples: tuple[Case, ...] = ()
 
 
 def load_module(problem: Problem) -> Module:
@@ -55,11 +59,27 @@ def load_module(problem: Problem) -> Module:
         sys.modules[module.__name__] = module  # dataclasses look their own module up
         exec(code, module.__dict__)
     hooks = getattr(module, "HOOKS", Hooks())
-    if not isinstance(hooks, Hooks):
-        remedy = "make it of judge.problem.declare.Hooks, or remove it"
-        raise problem.fault(f"HOOKS is {hooks!r}, which is no Hooks", remedy)
+    own = getattr(module, "FORMAT", None)
+    for name, value, kind in (("HOOKS", hooks, Hooks), ("FORMAT", own or Format(str), Format)):
+        if not isinstance(value, kind):
+            remedy = f"make it of judge.problem.declare.{kind.__name__}, or remove it"
+            raise problem.fault(f"{name} is {value!r}, which is no {kind.__name__}", remedy)
     rows = tuple(_rows(module, problem))
-    return Module(_solver(module, problem), {str(row.row["name"]): row.draw for _, row in rows}, hooks, rows)
+    draws = {str(row.row["name"]): row.draw for _, row in rows}
+    examples = () if problem.entry else _examples(module, problem, own)
+    return Module(_solver(module, problem), draws, hooks, rows, own, examples)
+
+
+def _examples(module: ModuleType, problem: Problem, own: Format | None) -> tuple[Case, ...]:
+    """The worked examples of a problem without entry. Raises ProblemError."""
+    if own is None:
+        what = "there is no entry, and problem.py has no FORMAT"
+        remedy = "name the function, entry = …, or give FORMAT to a kata of programs"
+        raise problem.fault(what, remedy, file="problem.toml")
+    examples = getattr(module, "EXAMPLES", ())
+    if not isinstance(examples, list | tuple) or not examples:
+        raise problem.fault("EXAMPLES is missing", "list a case or more: EXAMPLES = [(…), …]")
+    return tuple(map(tupled, examples))
 
 
 @contextmanager

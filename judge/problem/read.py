@@ -38,12 +38,17 @@ from judge.problem.texts import read_statement
 from judge.problem.toml import TomlFile, refusal, told
 from judge.problem.types import parsed_type
 from judge.values.answers import Tolerance, Words
-from judge.values.atoms import Type
+from judge.values.atoms import NumberType, Type
 from judge.values.grammar import TypeFault
-from judge.values.types import ArrayType, lasting
+from judge.values.letters import USUAL, expanded, texts_of
+from judge.values.types import ArrayType, atoms, lasting
 
 _MOST_DIGITS = 4_000  # of a number's exponent: Python reads and writes no integer above 4,300 digits
 _REFERENCED = "add a [time] table that names one"
+_CASES = 60  # of a group, twice as many that take turns
+_RUNS = 12  # of a group whose cases are a run each
+
+Rows = Sequence[tuple[KataLevel | None, Declared]]
 
 
 class Head(Titled, frozen=True, kw_only=True, forbid_unknown_fields=True):
@@ -74,8 +79,7 @@ def read_problem(folder: Path, solutions: Path) -> Problem:
     for name, row in head.parameters.items():
         if isinstance(row, dict):
             row["name"] = name
-        each = file.read(Parameter, hook, "parameters", name)
-        parameters.append(each if each.type.measured else replace(each, smallest=Fraction(0)))
+        parameters.append(_bounded(file.read(Parameter, hook, "parameters", name), row))
     for what, remedy, *path in _faults(head, parameters):
         raise file.fault(what, remedy, *path)
     problem = Problem(
@@ -84,12 +88,14 @@ def read_problem(folder: Path, solutions: Path) -> Problem:
         solutions=solutions,
         groups=(),
         answer=parsed_type(head.answer.text, types, head.words),
-        parameters=tuple(parameters),
+        parameters=tuple([_lettered(each, types) for each in parameters]),
         **{key: getattr(head, key) for key in (*Titled.__struct_fields__, "limits", "time", "source")},
     )
-    statement, examples = read_statement(problem, file.raw)
+    module = load_module(problem)
+    problem = replace(problem, formatted=module.format is not None)
+    statement, examples = read_statement(problem, module, file.raw)
     problem = replace(problem, statement=statement, examples=examples)
-    groups = _groups(problem, head.tolerance if head.answer.measured else Tolerance())
+    groups = _groups(problem, module.rows, head.tolerance if head.answer.measured else Tolerance())
     growth = None
     if head.growth is not None:
         sized = sorted((each for each in groups if each.size), key=lambda each: each.size or 0)
@@ -98,6 +104,43 @@ def read_problem(folder: Path, solutions: Path) -> Problem:
             raise problem.fault(what, "add a group with size = …")
         growth = GrowthRule(tuple(each.name for each in sized), head.growth)
     return replace(problem, groups=groups, growth=growth)
+
+
+def _bounded(parameter: Parameter, row: Mapping[str, Any]) -> Parameter:
+    """The parameter with the bounds of its type, where its `row` has none; ints are as small as they like."""
+    if not parameter.type.measured:
+        parameter = replace(parameter, smallest=Fraction(0))
+    numbers = [each for each in atoms(parameter.type) if isinstance(each, NumberType)]
+    for key, widest in (("low", min), ("high", max)):
+        own = [bound for each in numbers if (bound := getattr(each, key)) is not None]
+        if own and key not in row:
+            usual = [getattr(parameter, key)] if len(own) < len(numbers) else []
+            parameter = replace(parameter, **{key: Fraction(widest(own + usual))})
+    return parameter
+
+
+def _lettered(parameter: Parameter, types: Path) -> Parameter:
+    """The parameter with its letters in its type."""
+    if not texts_of(parameter.type):
+        return parameter
+    letters = parameter.letters or USUAL
+    return replace(parameter, type=parsed_type(parameter.type.text, types, letters=letters))
+
+
+def _letter_faults(parameter: Parameter) -> Iterator[tuple[str, str]]:
+    """What is wrong with a parameter's letters, and what to do about it."""
+    letters = parameter.letters
+    if letters is None:
+        return
+    if not texts_of(parameter.type):
+        yield f"{parameter.name} has letters, and no text", "remove them"
+    elif not letters:
+        yield "letters is empty", "name at least one, or leave the key out"
+    else:
+        try:
+            expanded(letters)
+        except ValueError as why:
+            yield f"letters = {letters!r}: {why}", 'write single ones and ranges, such as "a-z "'
 
 
 def _exact(wanted: Any, value: Any, types: Path) -> Any:
@@ -126,6 +169,11 @@ def _faults(head: Head, parameters: Sequence[Parameter]) -> Iterator[Sequence[st
         yield what, "an array is a parameter's; write a list, which may be one too", "answer"
     if head.growth is not None and head.time is None:
         yield "growth is measured beside a reference solution, and there is none", _REFERENCED, "growth"
+    if head.time is not None and not head.entry and (head.time.function or not head.time.program):
+        what = "a kata without entry has programs alone"
+        yield what, 'write program = "a file of solutions/accepted" in [time], and no function', "time"
+    if head.time is not None and head.entry and not head.time.function:
+        yield "[time] names no function", 'add function = "a file of solutions/accepted"', "time"
     for name in head.sets:
         if head.sets.count(name) > 1:
             yield f"{name!r} is there twice in sets", "remove one", "sets"
@@ -142,6 +190,8 @@ def _faults(head: Head, parameters: Sequence[Parameter]) -> Iterator[Sequence[st
         if not each.type.is_parameter:
             what = f"no parameter can be of the type {each.type}"
             yield what, "an array is a whole parameter", *path, "type"
+        for what, remedy in _letter_faults(each):
+            yield what, remedy, *path, "letters"
         if not 0 <= each.smallest <= 1:
             what = f"the smallest number of {each.name!r} other than 0 is not from 0 to 1"
             yield what, "an int other than 0 is never smaller than 1", *path, "smallest"
@@ -163,14 +213,13 @@ def _tolerance_faults(tolerance: Tolerance, answer: Type) -> Iterator[Sequence[s
 # -- groups ------------------------------------------------------------------------------------------------
 
 
-def _groups(problem: Problem, usual: Tolerance | None) -> tuple[Group, ...]:
-    """The problem's groups; `usual` is the tolerance of one that has none of its own. Raises ProblemError."""
-    rows = load_module(problem).rows
+def _groups(problem: Problem, rows: Rows, usual: Tolerance | None) -> tuple[Group, ...]:
+    """The groups of the rows; `usual` is the tolerance of one without its own. Raises ProblemError."""
     levels = list(dict.fromkeys(level for level, _ in rows)) or [None]
     if len(levels) == 1 and levels[0] is not None:
         remedy = "declare groups of both, or all of them in GROUPS"
         raise problem.fault(f"every group is in {levels[0].name}", remedy, rows[0][1].line)
-    if not problem.examples:
+    if not problem.examples and problem.entry:
         remedy = f"add a line >>> {problem.entry}(…) and the answer below it"
         raise problem.fault("there are no worked examples", remedy, file="statement.md")
     about = "The worked examples of the statement."
@@ -198,12 +247,14 @@ def _groups(problem: Problem, usual: Tolerance | None) -> tuple[Group, ...]:
 def _group(problem: Problem, declared: Declared, level: KataLevel | None, usual: Any) -> Group:
     """The group of a row, without its share of the points; `usual` is the tolerance where it has none."""
     own = {key: value for key, value in declared.row.items() if value is not None}
-    raw = {"points": 0, "tolerance": usual or Tolerance(), **own, "seed": problem.id, "line": declared.line}
+    cases = _RUNS if problem.formatted else 2 * _CASES if own["turns"] else _CASES
+    usually = {"points": 0, "cases": cases, "tolerance": usual or Tolerance()}
+    raw = {**usually, **own, "seed": problem.id, "line": declared.line}
     if isinstance(limits := raw.get("limits"), Mapping):
-        usually, wall = problem.limits, {}
+        bounds, wall = problem.limits, {}
         if isinstance(cpu := limits.get("cpu_seconds"), int | float):
-            wall = {"wall_seconds": usually.wall_seconds * cpu / usually.cpu_seconds}
-        raw["limits"] = {**msgspec.to_builtins(usually), **wall, **limits}
+            wall = {"wall_seconds": bounds.wall_seconds * cpu / bounds.cpu_seconds}
+        raw["limits"] = {**msgspec.to_builtins(bounds), **wall, **limits}
     what = f"group {raw['name']!r}"
 
     def fault(what: str, remedy: str) -> ProblemError:

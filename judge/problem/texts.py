@@ -6,6 +6,8 @@ once. A worked example is written as at Python's prompt, and is read as data, ne
     >>> line_count(0, 0, 1, (0, 1), (4, 1))
     1
 
+In a kata without entry `{{examples}}` stands for the input and the output of each case of EXAMPLES.
+
 The hints go one step after another, from a nudge to nearly everything:
 
     # Anything                  a title, which nobody is shown
@@ -19,16 +21,23 @@ import ast
 import re
 from collections.abc import Mapping
 from decimal import Decimal
+from fractions import Fraction
 from typing import Any
 
 from msgspec import Struct, to_builtins
 
 from judge.errors import nearest
+from judge.problem.declare import InvalidCase
+from judge.problem.formats import input_of, output_of
 from judge.problem.model import Case, Example, GroupLimits, Problem, tupled
+from judge.problem.module import Module
 from judge.problem.toml import TomlFile, read_text
-from judge.values import parameters
+from judge.values import check, parameters, show
 from judge.values.answers import Tolerance
+from judge.values.letters import TextType
+from judge.values.types import lasting
 
+_NEARLY = Tolerance(relative=Fraction(1, 10**9))  # of an example, whose answer is only shown
 _STEP = "begin each step with a line '## Its title', and write its text below"
 _BRIEF = 80  # characters of what is wrong: a message is one line, whatever stands in the file
 # What reading a text as Python raises: MemoryError if nested deeply, TypeError for {[]} and its like.
@@ -37,11 +46,15 @@ _PROMPT = r"(?m)^[ \t]*>>>(.*(?:\n[ \t]*\.\.\..*)*)((?:\n(?![ \t]*(?:>>>|```|$))
 _PLACEHOLDER = re.compile(r"\{\{\s*(.*?)\s*\}\}")
 
 
-def read_statement(problem: Problem, raw: Mapping[str, Any]) -> tuple[str, tuple[Example, ...]]:
+def read_statement(
+    problem: Problem, module: Module, raw: Mapping[str, Any]
+) -> tuple[str, tuple[Example, ...]]:
     """The text, its placeholders filled in from problem.toml, and its worked examples. Raises ProblemError.
 
     `raw` are the tables of problem.toml, with Decimals.
     """
+    if not problem.entry:
+        return _of_programs(problem, module, raw)
     text = "\n".join([*_filled(problem, "statement.md", raw), ""])
     examples = []
     for found in re.finditer(_PROMPT, text):
@@ -52,9 +65,36 @@ def read_statement(problem: Problem, raw: Mapping[str, Any]) -> tuple[str, tuple
     return text, tuple(examples)
 
 
-def _filled(problem: Problem, file: str, raw: Mapping[str, Any]) -> list[str]:
-    """The file's lines, their placeholders replaced by what `raw` says. Raises ProblemError."""
-    words, lines = _words(raw), []
+def _of_programs(problem: Problem, module: Module, raw: Mapping[str, Any]) -> tuple[str, tuple[Example, ...]]:
+    """The same of a kata without entry."""
+    assert module.format is not None
+    examples, shown = [], []
+    for number, case in enumerate(module.examples, 1):
+        for parameter, value in zip(problem.parameters, case, strict=False):
+            if fault := parameters.fault(parameter.type, parameter.name, value):
+                raise problem.fault(f"EXAMPLES: case {number} is invalid: {fault}", "correct it")
+        if len(case) != len(problem.parameters):
+            takes = ", ".join(each.name for each in problem.parameters)
+            raise problem.fault(f"EXAMPLES: case {number} is no case", f"write ({takes},) for each")
+        try:
+            exact = module.solve(*case)
+        except InvalidCase as broken:
+            raise problem.fault(f"EXAMPLES: case {number} is invalid: {broken}", "correct it") from None
+        target = check.target(problem.answer, exact, _NEARLY)
+        given, wanted = input_of(problem, module.format, case), output_of(problem, module.format, target)
+        shown.append(f"Input\n\n```\n{given}```\n\nOutput\n\n```\n{wanted}```\n")
+        examples.append(Example(case, show.best(problem.answer, target), 0))
+    lines = _filled(problem, "statement.md", raw, examples="\n".join(shown).rstrip())
+    for number, line in enumerate(read_text(problem.folder / "statement.md").splitlines(), 1):
+        if line.lstrip().startswith(">>>"):
+            what = "a kata without entry has no calls"
+            raise problem.fault(what, "write {{examples}}", number, "statement.md")
+    return "\n".join([*lines, ""]), tuple(examples)
+
+
+def _filled(problem: Problem, file: str, raw: Mapping[str, Any], **more: str) -> list[str]:
+    """The file's lines, their placeholders replaced by what `raw` and `more` say. Raises ProblemError."""
+    words, lines = _words(problem, raw) | more, []
     for number, line in enumerate(read_text(problem.folder / file).splitlines(), 1):
         for found in _PLACEHOLDER.finditer(line):
             if found[1] not in words:
@@ -65,10 +105,14 @@ def _filled(problem: Problem, file: str, raw: Mapping[str, Any]) -> list[str]:
     return lines
 
 
-def _words(raw: Mapping[str, Any]) -> dict[str, str]:
-    """What the placeholders of texts stand for: each number as the file writes it."""
-    bounds = {"low": -(2**30), "high": 2**30, "smallest": 0}
-    tables = {name: bounds | row for name, row in raw.get("parameters", {}).items()}
+def _words(problem: Problem, raw: Mapping[str, Any]) -> dict[str, str]:
+    """What the placeholders of texts stand for: each number as the file writes it, or a parameter's type."""
+    tables = {}
+    for each in problem.parameters:
+        inner = lasting(each.type)
+        own = inner if isinstance(inner, TextType) else each
+        bounds = {"low": own.low, "high": own.high, "smallest": 0, "letters": each.type.letters}
+        tables[each.name] = bounds | raw["parameters"][each.name]
     tables["limits"] = to_builtins(GroupLimits()) | raw.get("limits", {})
     if tolerance := raw.get("tolerance"):
         tables["tolerance"] = dict.fromkeys(Tolerance.__struct_fields__, 0) | tolerance
@@ -109,7 +153,7 @@ def _wanted(text: str, problem: Problem, line: int) -> Any:
         answer = tupled(ast.literal_eval(text))
     except _UNREADABLE:
         what = f"the example's answer {_brief(text)!r} is not a plain value"
-        remedy = "write numbers, words, tuples, lists or None"
+        remedy = "write numbers, texts, True, False, tuples, lists or None"
         if not text:
             what, remedy = "the example shows no answer", "write it on the next line (None as None)"
     else:

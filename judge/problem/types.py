@@ -10,8 +10,8 @@ from judge.values.atoms import Type
 
 
 @cache
-def parsed_type(text: str, folder: Path, words: Words = Words()) -> Type:  # noqa: B008 - frozen
+def parsed_type(text: str, folder: Path, words: Words = Words(), letters: str = "") -> Type:  # noqa: B008
     """The type of that text; `folder` has the pack's own types, if it is there. Raises TypeFault."""
     from judge.values.grammar import parse  # not for who lists problems
 
-    return parse(text, folder if folder.is_dir() else None, words)
+    return parse(text, folder if folder.is_dir() else None, words, letters)

@@ -146,4 +146,4 @@ def _pairs(raw: Raw, places: Sequence[int]) -> list[tuple[int, Raw]]:
 def _numbers(value: Any) -> list[Any]:
     if isinstance(value, tuple | list):
         return [x for each in value for x in _numbers(each)]
-    return [value]
+    return [] if isinstance(value, str) else [value]

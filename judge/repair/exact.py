@@ -268,7 +268,7 @@ def lifted(value: Any) -> Any:
     """An argument with such numbers in it."""
     if isinstance(value, list | tuple):
         return type(value)(map(lifted, value))
-    return value if value is None or isinstance(value, str) else long(value)
+    return value if value is None or isinstance(value, str | bool) else long(value)
 
 
 def lowered(value: Any, whole: bool) -> Any:

@@ -14,6 +14,7 @@ from judge.drawing import Picture
 from judge.drawing.braille import LEAST_ROWS
 from judge.problem import Verdict
 from judge.problem.find import typed
+from judge.problem.formats import input_of
 from judge.report.entry import entry_text
 from judge.report.parts import (
     Cell,
@@ -38,6 +39,7 @@ from judge.run.tried import Tried
 from judge.values import show
 from judge.values.answers import Target
 from judge.values.atoms import Type
+from judge.values.letters import texts_of
 from judge.values.types import Composite, lasting
 
 _MOST = 12  # numbers whose interval is shown
@@ -85,8 +87,11 @@ def _facts(tried: Tried, why: str, brief: bool) -> Iterator[tuple[Cell, Cell]]:
     if tried.case:
         yield "case", arguments(problem.named(tried.case))
     if tried.case and not brief:
-        yield "as program input", line_of(problem, tried.case)
-    yield "exact answer", good(_plain(show.exact_text(tried.exact)))
+        own = tried.module.format
+        given = input_of(problem, own, tried.case).rstrip() if own else line_of(problem, tried.case)
+        yield from under("as program input", given.split("\n"))
+    shown = tried.expected if texts_of(problem.answer) else _plain(show.exact_text(tried.exact))
+    yield "exact answer", good(shown)
     ends = list(islice(_intervals(problem.answer, tried.target), _MOST + 1))
     if ends and not brief:
         yield "in doubles", good(tried.expected)

@@ -61,7 +61,7 @@ def _newcomer(found: published.Home) -> RenderableType:
     title = found.next.title if found.next else "There is no kata here"
     katas = counted(len(found.learner.problems), "kata")
     return blocks(
-        f"judge: practise circle and line geometry. {katas}, offline.",
+        f"judge: practise {found.topic[:1].lower()}{found.topic[1:]}. {katas}, offline.",
         _rows([("Begin", "judge start", f"{title}: your first kata, 5 minutes")]),
         indented(paragraph(_WHAT)),
         _rows(_LOOK),

@@ -187,7 +187,7 @@ class Home(Struct, frozen=True):
     """Where a person stands, and what to do `now`: the file of a kata that is not solved; if it is `here`.
 
     Of a person who has not begun, `begun` is false, and `next` is the kata to begin with. `next` is None
-    where all are solved.
+    where all are solved. `topic` is what the katas are about.
     """
 
     learner: Learner
@@ -196,3 +196,4 @@ class Home(Struct, frozen=True):
     now: Started | None
     here: bool
     next: Problem | None
+    topic: str

@@ -30,6 +30,7 @@ from judge.report.parts import (
     strong,
     table,
     text,
+    under,
     verdict_style,
 )
 from judge.report.published_result import Judged, Several
@@ -174,7 +175,11 @@ def _case(told: Told, drawing: Drawing | None, cut: _Cut, width: int | None) -> 
     """The failing case, and its picture where one is to be drawn."""
     wide = 2 + max((len(name) for name, _ in told.facts), default=0)
     below = [indented(_Arguments(told.input, cut.values), 2 + wide)] if told.input else []
-    said = [(name, _LABELS.get(name, text)(_cut(said, cut.values, width))) for name, said in told.facts]
+    said = [
+        row
+        for name, fact in told.facts
+        for row in under(name, map(_LABELS.get(name, text), _lines(fact, cut.values, width)))
+    ]
     case = Group(strong(told.case), *below, *([indented(facts(said))] if said else []))
     if drawing is None or not cut.picture:
         return indented(case)
@@ -200,6 +205,12 @@ class _Arguments(NamedTuple):
             shown = "\n".join(rows[: self.most]) + (" …" if len(rows) > self.most else "")
             shown = _cut(shown, self.most, options.max_width + _MARGIN)
         yield Text(shown)
+
+
+def _lines(said: str, rows: int | None, width: int | None) -> list[str]:
+    """Its lines, of which at most about so many are shown."""
+    lines = _cut(said, rows, width).split("\n")
+    return lines if rows is None or len(lines) <= rows else [*lines[:rows], "…"]
 
 
 def _cut(said: str, rows: int | None, width: int | None) -> str:

@@ -66,7 +66,8 @@ class Told(Struct, frozen=True, kw_only=True):
         """All of it but the verdict as plain lines, for files and annotations."""
         found = [self.happened, *self.source, self.case]
         found += [f"  {', '.join(self.input)}"] if self.input else []
-        found += [f"  {label:8}  {text}" for label, text in self.facts]
+        rows = ((label, text.split("\n")) for label, text in self.facts)
+        found += [f"  {'' if at else label:8}  {row}" for label, text in rows for at, row in enumerate(text)]
         found += [self.mistake, *(f"  {text}" for text in self.advice), self.time]
         return [each for each in found if each]
 
@@ -83,7 +84,7 @@ def tell(
     shown = None if hurdle else shown_failure(result)
     failing = [] if hurdle else _failing(result)
     stub = hurdle is not None and hurdle.kind is Obstacle.STUB
-    values = shown.input if shown and shown.input else {}
+    values = shown.input if shown and shown.input and not shown.stdin else {}
     text = source.decode("utf-8", "replace")
     order = other_order(problem, text) if problem is not None and failing else ""
     return Told(
@@ -237,6 +238,8 @@ def _facts(result: Result, shown: Failure | None, why: str) -> Iterator[tuple[st
     if shown is None:
         return
     wrong = result.verdict is Verdict.WA
+    if shown.stdin:
+        yield "input", shown.stdin
     if shown.expected is not None:
         yield "expected", shown.expected
         if shown.got is not None and wrong:

@@ -9,8 +9,10 @@ from datetime import date, datetime
 from typing import Any
 
 from judge.errors import printable as printable
+from judge.values.wire import brief
 
 _ITEMS = 40  # of a list that are shown
+_LETTERS = 400  # of a text
 
 
 def arguments(values: Mapping[str, Any]) -> str:
@@ -19,14 +21,14 @@ def arguments(values: Mapping[str, Any]) -> str:
 
 
 def argument(value: Any) -> str:
-    """One argument as Python writes it, its lists cut where they are long."""
+    """One argument as Python writes it, its lists and texts cut where they are long."""
     if isinstance(value, list):
         parts = [argument(part) for part in value[:_ITEMS]]
         more = f", …] ({len(value):,} items)" if len(value) > _ITEMS else "]"
         return f"[{', '.join(parts)}{more}"
     if isinstance(value, tuple):
         return f"({', '.join(argument(part) for part in value)})"
-    return repr(value)
+    return brief(value, _LETTERS) if isinstance(value, str) else repr(value)
 
 
 def counted(number: int, noun: str) -> str:

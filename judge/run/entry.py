@@ -10,7 +10,6 @@ import re
 
 from judge.errors import nearest
 from judge.problem import Problem, Verdict
-from judge.run.program import ProgramRunner
 from judge.run.result import EntryError, Obstacle, Result
 from judge.run.runner import Runner
 from judge.sandbox.boundary import IMPORTING, Defined, Inspection
@@ -29,7 +28,7 @@ def entry_error(result: Result, runner: Runner, inspection: Inspection, source: 
     if called and entry is not None and entry.empty:
         return EntryError(Obstacle.STUB, entry.line)
     # What such a one printed is right by chance; in another language its compiler would not have taken it.
-    meant = called or runner.language or (isinstance(runner, ProgramRunner) and runner.asked)
+    meant = called or runner.language or not problem.entry or getattr(runner, "asked", False)
     missing = None if meant else missing_entry(problem, inspection, source)
     ran = any(group.passed for group in result.groups)
     if ran or runner.language or result.verdict is not Verdict.RTE:

@@ -62,11 +62,12 @@ class _Whole(Protocol):
 
 def course(runner: Runner, box: Box, cases: Sequence[Case]) -> Course:
     """The source in `box` on these cases."""
-    return _Foreign(runner, box, cases) if runner.language else _Python(runner, box, cases)
+    repeats = runner.language and (runner.calls or not runner.problem.formatted)
+    return _Foreign(runner, box, cases) if repeats else _Python(runner, box, cases)
 
 
 class _Python:
-    """Python's own, whose start is never in its usage."""
+    """Python's own, whose start is never in its usage; and what is a run for each case."""
 
     def __init__(self, runner: Runner, box: Box, cases: Sequence[Case]) -> None:
         self._runner, self._box, self._cases = runner, box, cases

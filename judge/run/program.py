@@ -60,7 +60,7 @@ class ProgramRunner(Struct, frozen=True):
 
     def wanted(self, target: Target) -> str:
         """The line that a perfect program prints."""
-        return show.line(self.problem.answer, target)
+        return show.wanted_line(self.problem.answer, target)
 
     def outline(self, answer: Any) -> Outline:
         """A wrong line's form and numbers."""

@@ -60,9 +60,10 @@ class Reference:
         self._boxes.clear()
 
     def warm_up(self) -> None:
-        """Get the one ready that most submissions are raced against: the function."""
+        """Get the one ready that most submissions are raced against: the function, if there is one."""
         rule = self._problem.time
-        box = self._box(rule.function) if rule else None
+        name = (rule.function or rule.program) if rule else None
+        box = self._box(name) if name else None
         if box is not None:
             box.warm_up()
 

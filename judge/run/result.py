@@ -78,7 +78,8 @@ class Failure(Struct, frozen=True):
 
     `group` is the test group whose tolerance decides, `case` counts from 1 within it; None where it holds no
     such case. `input` maps a parameter's name to its value, `given` is the answer in its JSON form where
-    it is short, `printed` what the function printed meanwhile. `where` says which part is wrong; `absolute`,
+    it is short, `printed` what the function printed meanwhile, and `stdin` what a program read where the
+    kata has a format of its own. `where` says which part is wrong; `absolute`,
     `relative` and `ulps` are its errors where it is a number. `replay` is the id to judge just this case by;
     the search for a smallest case was `cut_short` where it had not come to its end.
     """
@@ -91,6 +92,7 @@ class Failure(Struct, frozen=True):
     got: str | None = None
     given: Any = None
     printed: str = ""
+    stdin: str = ""
     where: str = ""
     absolute: float | None = None
     relative: float | None = None
@@ -100,9 +102,13 @@ class Failure(Struct, frozen=True):
 
 
 def short_answer(given: Raw) -> Raw:
-    """The answer as it was sent, for a `Failure`: a program's numbers as doubles; None for a long one."""
+    """The answer as it was sent, for a `Failure`: a program's numbers as doubles.
+
+    None for a long one, and for one that holds what no JSON of ours can: half of a surrogate pair.
+    """
     try:
-        text = json.dumps(given, allow_nan=False, default=lambda written: written.approx)
+        text = json.dumps(given, allow_nan=False, default=lambda written: written.approx, ensure_ascii=False)
+        text.encode()
     except (ValueError, RecursionError):  # an infinite number, or a list in itself
         return None
     return json.loads(text) if len(text) <= _LONGEST else None

@@ -82,8 +82,12 @@ def runner_for(problem: Problem, inspection: Inspection, source: bytes, *, progr
 
     With `program` it is run as a program all the same.
     """
-    if inspection.defines(problem.entry) and not program:
+    if problem.entry and inspection.defines(problem.entry) and not program:
         return FunctionRunner(problem, inspection.language)
+    if problem.formatted:
+        from judge.run.formatted import FormatRunner  # few problems have a format of their own
+
+        return FormatRunner(problem, inspection.language)
     from judge.run.program import ProgramRunner  # most submissions are functions
 
     return ProgramRunner(problem, source, inspection.language, asked=program)

@@ -1,8 +1,9 @@
 """Calls as a process reads them: as bytes in Python, as text in another language, whose replies are text too.
 
     the input      cases, and 1 where each answer is to be written at once, else 0; then a line for each call,
-                   tokens: a number, a word, the items of a tuple; of a list its length first; `none` for
-                   what is not there
+                   tokens: a number, `true` or `false`, the items of a tuple; of a list its length first;
+                   `none` for what is not there; a word or a text, which is `=` and hexadecimal where it
+                   has other signs than a word's
     the output     a line of JSON for each call, [0, answer] or [1, "what was raised"]
 
 Replies are foreign data: bounded, parsed as JSON, never believed.
@@ -11,6 +12,7 @@ Replies are foreign data: bounded, parsed as JSON, never believed.
 from __future__ import annotations
 
 import marshal
+import re
 from array import array
 from collections.abc import Sequence
 from typing import Any
@@ -21,6 +23,7 @@ from judge.sandbox.inside import wire
 
 _NUMBERS = {int, float}
 _SMALL = 1 << 63
+_WORD = re.compile(r"(?!none\Z)[\w-]+", re.ASCII)
 
 
 def packed(entry: str, calls: Sequence[Sequence[Any]], most: int) -> tuple[bytes, bytes]:
@@ -63,7 +66,9 @@ def _words(value: Any) -> str:
         return " ".join(map(_words, value))
     if value is None:
         return "none"
-    return value if isinstance(value, str) else repr(value)
+    if isinstance(value, str):
+        return value if _WORD.fullmatch(value) else f"={value.encode().hex()}"
+    return repr(value).lower()  # of a bool in small letters
 
 
 def replies(stdout: bytes, most: int) -> tuple[list[Reply], bool]:

@@ -1,6 +1,6 @@
 """An answer as plain JSON, made inside the containment, next to code that nobody trusts.
 
-    None, int within 64 bits, finite float     themselves
+    None, bool, int of 64 bits, finite float   themselves
     list, tuple                                a list of encoded items
     a larger int                               {"int": "-1f…"}, hexadecimal
     fractions.Fraction                         {"fraction": ["numerator", "denominator"]}, hexadecimal
@@ -8,9 +8,9 @@
     numpy scalars and arrays, array.array      the numbers they hold
     many numbers of one type                   {"array": ["d", "000000000000f03f…"]}: the code of the type as
                                                in array.array, the bytes, little-endian, in hexadecimal
-    a str                                      {"word": "enter"}
+    a str of at most 1,000,000 characters      {"word": "enter"}
     a tuple of a single item                   {"tuple": [item]}
-    anything else, a wrong type                {"type": "bool", "text": "True"}
+    anything else, a wrong type                {"type": "complex", "text": "1j"}
 
 The mirror image is `judge.values.wire`, which believes nothing of what it reads. Standard library only,
 and no import of judge: this file is handed to the contained process by itself.
@@ -27,7 +27,7 @@ if TYPE_CHECKING:  # importing typing takes longer than starting the interpreter
 
 MOST_ITEMS = 20_000  # where the type of the answer says nothing else
 MANY = 1_000  # numbers of one type, above which they are sent as bytes
-MOST_WORD = 20_000  # characters of a str or bytes that are sent whole
+MOST_CHARACTERS = 1_000_000  # of all strs of an answer
 MOST_DEPTH = 6
 MOST_BITS = 4096  # of an integer, and of a fraction's two
 MOST_DIGITS = 2000  # of a Decimal
@@ -42,7 +42,7 @@ _CODES = {  # by kind and size
 }  # fmt: skip
 _KINDS = {"b": "i", "h": "i", "i": "i", "l": "i", "q": "i", "f": "f", "d": "f"}  # the others are unsigned
 _SEQUENCE_METHODS = ("__iter__", "__len__", "__getitem__")
-_SHOWN = (bool, str, bytes, complex)  # types whose repr is the interpreter's own
+_SHOWN = (bytes, complex)  # types whose repr is the interpreter's own
 
 
 def encode(value: Any, most: int = MOST_ITEMS) -> Any:
@@ -51,11 +51,11 @@ def encode(value: Any, most: int = MOST_ITEMS) -> Any:
     `most` is how many items it may hold, those that are sent as bytes not counted.
     """
     kind = type(value)
-    if value is None or (kind is float and value - value == 0.0):
+    if value is None or kind is bool or (kind is float and value - value == 0.0):
         return value
     if kind is int and -_SMALL <= value < _SMALL:
         return value
-    return _encode(value, 0, [most, most])
+    return _encode(value, 0, [most, most, MOST_CHARACTERS])
 
 
 def _encode(value: Any, depth: int, budget: list[int]) -> Any:
@@ -64,8 +64,8 @@ def _encode(value: Any, depth: int, budget: list[int]) -> Any:
         return value if value - value == 0.0 else _wrong("float", repr(value))
     if kind is int:
         return value if -_SMALL <= value < _SMALL else _large(value)
-    if value is None:
-        return None
+    if value is None or kind is bool:
+        return value
     if kind is list or kind is tuple:
         length = len(value)
         if length > MANY:
@@ -74,12 +74,20 @@ def _encode(value: Any, depth: int, budget: list[int]) -> Any:
                 return packed
         found = _items(value, length, depth, budget)
         return {"tuple": found} if length == 1 and kind is tuple and type(found) is list else found
-    if kind is str and len(value) <= MOST_WORD and value.isprintable():
-        return {"word": value}
+    if kind is str:
+        return _text(value, budget)
     if kind in _SHOWN:
-        whole = kind in (bool, complex) or len(value) <= MOST_WORD
-        return {"type": kind.__name__, "text": repr(value) if whole else f"{value[:MOST_TEXT]!r}…"}
+        return _wrong(kind.__name__, repr(value[:MOST_TEXT] if kind is bytes else value))
     return _unusual(value, kind, depth, budget)
+
+
+def _text(value: str, budget: list[int]) -> dict[str, str]:
+    budget[2] -= len(value)
+    if budget[2] >= 0:
+        return {"word": value}
+    if len(value) > MOST_CHARACTERS:
+        return _wrong("str", f"a text of {len(value):,} characters, more than {MOST_CHARACTERS:,}")
+    return _wrong("str", f"a text of more than {MOST_CHARACTERS:,} characters in all its parts")
 
 
 def _items(items: Any, length: int, depth: int, budget: list[int]) -> Any:
@@ -176,7 +184,7 @@ def _numpy(value: Any, kind: type, depth: int, budget: list[int]) -> tuple[Any] 
     if generic is None or ndarray is None:
         return None
     if kind is ndarray:
-        if value.ndim == 1 and len(value) > MANY and value.dtype.kind in "iufb":
+        if value.ndim == 1 and len(value) > MANY and value.dtype.kind in "iuf":
             return (_vector(value),)
         # Row by row, so that the bounds on depth and items hold for arrays too.
         return (
@@ -187,6 +195,8 @@ def _numpy(value: Any, kind: type, depth: int, budget: list[int]) -> tuple[Any] 
     if generic not in _bases(kind) or generic.dtype.__get__(value).type is not kind:
         return None
     code = value.dtype.kind
+    if code == "b":
+        return (bool(value),)
     if code in "iu":
         return (_encode(int(value), depth, budget),)
     if code == "f":
@@ -197,7 +207,7 @@ def _numpy(value: Any, kind: type, depth: int, budget: list[int]) -> tuple[Any] 
             return (_wrong(_name(kind), repr(plain)),)
         top, bottom = value.as_integer_ratio()
         return (_ratio(top, bottom),)
-    return (_wrong(_name(kind), repr(value.item()) if code in "bc" else ""),)
+    return (_wrong(_name(kind), repr(value.item()) if code == "c" else ""),)
 
 
 def _vector(value: Any) -> Any:

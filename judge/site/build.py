@@ -37,7 +37,7 @@ from judge.files import replace_file
 from judge.mistakes.namer import Namer
 from judge.practice.cards import NONE, Card, Count, Drawn, Number, read_decks
 from judge.practice.questions import Question, Sources, ask
-from judge.practice.syllabus import USUAL, PracticeSet, read_checklist, sound_sets
+from judge.practice.syllabus import USUAL, PracticeSet, read_checklist, read_pack, sound_sets
 from judge.problem import Problem
 from judge.problem.module import load_module
 from judge.report.published_setter import SiteBuilt
@@ -56,7 +56,7 @@ _IN_A_TAB = (  # of this package; the rest is for processes, terminals and machi
     *("exact", "values", "drawing", "problem", "data", "geometry", "sandbox", "languages", "run", "diagnose"),
     *("repair", "mistakes", "judging", "report", "site"),
 )
-_LEFT_OUT = {"drivers", "html", "page", "__pycache__"}
+_LEFT_OUT = {"driver", "hook", "html", "page", "__pycache__"}  # folders, and files whatever their ending
 _BROUGHT = ("pyodide", "wheels", "ace")
 _COUNTS = ("0", "1", "2")  # of things, to choose from
 _SEED = 1  # of what is left to chance in cards
@@ -160,7 +160,14 @@ class Site:
             _listed(each) | {"skills": [one.name for one in each.skills if one.name in skills]}
             for each in self.problems
         ]
-        found = {"editor": (parts / "ace").is_dir(), "sets": sets, "katas": katas, "topics": topics}
+        packs = dict.fromkeys(read_pack(each.folder.parent).title for each in self.problems)
+        found = {
+            "title": ", ".join(packs),
+            "editor": (parts / "ace").is_dir(),
+            "sets": sets,
+            "katas": katas,
+            "topics": topics,
+        }
         _write(out / "katas.json", found)
         _write(out / "mine.json", {})
         _write_worker(out, repr(self._keys))
@@ -246,7 +253,9 @@ def _listed(problem: Problem) -> dict[str, Any]:
         "id": problem.id,
         "title": problem.title,
         "summary": problem.summary,
-        "stub": f"def {problem.entry}({names}):\n    raise NotImplementedError\n",
+        "stub": f"def {problem.entry}({names}):\n    raise NotImplementedError\n"
+        if problem.entry
+        else "import sys\n\n",
         "levels": bool(problem.levels),
         "elsewhere": _elsewhere(problem),
         "figure": has_figure(problem),
@@ -289,7 +298,7 @@ def _modules() -> Iterator[Path]:
     for name in _IN_A_TAB:
         place = _PACKAGE / name
         for path in place.rglob("*") if place.is_dir() else [place]:
-            if path.is_file() and not _LEFT_OUT & {*path.relative_to(_PACKAGE).parts}:
+            if path.is_file() and not _LEFT_OUT & {path.stem, *path.relative_to(_PACKAGE).parts}:
                 yield path
 
 

@@ -110,7 +110,8 @@ class _Kata:
     def warm_up(self) -> None:
         """Judge something, which imports all that it takes. Raises JudgeError."""
         session = self._session
-        source = f"def {session.problem.entry}(*_): pass".encode()
+        entry = session.problem.entry
+        source = f"def {entry}(*_): pass".encode() if entry else b""
         judge_submission(session.data, source, NAME, session.settings)
 
     def judge(self, source: bytes) -> str:

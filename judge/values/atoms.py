@@ -1,4 +1,4 @@
-"""What a type is, and the atoms: ints, real numbers and words.
+"""What a type is, and the atoms of numbers and words; `judge.values.letters` has texts and truth values.
 
 A new atom is a file of a pack that derives from `Atom`.
 """
@@ -6,7 +6,7 @@ A new atom is a file of a pack that derives from `Atom`.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from functools import cached_property
 from math import ulp
 from pathlib import Path
@@ -87,6 +87,7 @@ class Type:
     """A type of answers and of parameters. Types are equal if they are written alike; they never change."""
 
     text = ""  # as problem.toml has it
+    letters = ""  # of its texts, as problem.toml has them; empty: all that there are
     words: Words = NO_WORDS  # of the problem, on the type of its whole answer
     folder: Path | None = None  # a pack's own types, without which the text may mean nothing
     is_parameter = True  # whether simple values are known, which the search for simple cases needs
@@ -112,8 +113,8 @@ class Type:
         return hash(self._key)
 
     @property
-    def _key(self) -> tuple[str, Path | None, Words]:
-        return self.text, self.folder, self.words
+    def _key(self) -> tuple[str, Path | None, Words, str]:
+        return self.text, self.folder, self.words, self.letters
 
     @property
     def items(self) -> int:
@@ -135,8 +136,8 @@ class Type:
 class Atom(Type):
     """Values of one piece, right if they equal the wanted one: target, exact answer and value are the same.
 
-    A type of this kind says which values there are (`why_not`), how one arrives as JSON (`value_of`, `sent`)
-    and how it is written as a token (`text_of`, `value_from`).
+    A type of this kind says which values there are (`why_not`), how one arrives as JSON (`value_of`, `sent`),
+    how it is written as a token (`text_of`, `value_from`), and which values are simpler (`simpler`).
     """
 
     samples: Sequence[Any] = ()  # a few values, the simplest first; without any, no parameter is of this type
@@ -145,6 +146,18 @@ class Atom(Type):
     def why_not(self, value: Any) -> str | None:
         """Why a value is none of this type, "'up' where left or right is expected"; None where it is one."""
         raise NotImplementedError
+
+    def beyond(self, value: Any) -> str | None:
+        """Why a value is beyond the type's bounds, "12, outside 0 to 9"; None where it is not."""
+        return self.why_not(value)
+
+    def simpler(self, value: Any) -> Iterable[Any]:
+        """Values that say less, the search for a small failing case tries them; no numbers need be there."""
+        return ()
+
+    def simple(self, integer: Callable[[int, int], int]) -> Any:
+        """A simple value; `integer(low, high)` takes all choices."""
+        return self.samples[integer(0, len(self.samples) - 1)]
 
     def value_of(self, raw: Raw) -> Any:
         """The value of what a submission sent, or of a worked example's literal; raises ValueError."""
@@ -166,10 +179,10 @@ class Atom(Type):
 
     def aim(self, exact: Exact, tolerance: Tolerance) -> Target:
         """What answers are held against; raises Unfit."""
-        if wrong := self.why_not(exact):
+        if wrong := self.why_not(exact) or self.beyond(exact):
             raise Unfit(wrong)
-        if isinstance(exact, str) and len(exact) > wire.LONGEST_WORD:  # no answer of that length arrives
-            raise Unfit(f"a text of {len(exact):,} characters, where {wire.LONGEST_WORD:,} may be sent")
+        if isinstance(exact, str) and len(exact) > wire.LONGEST_TEXT:  # no answer of that length arrives
+            raise Unfit(f"a text of {len(exact):,} characters, where {wire.LONGEST_TEXT:,} may be sent")
         return exact
 
     def best(self, target: Target) -> Value:
@@ -203,23 +216,36 @@ class Atom(Type):
 
     def shown(self, value: Value) -> str:
         """A value as a person would write it in Python, cut where it is long."""
-        return wire.cut(repr(value), _LONG)
+        return wire.brief(value, _LONG) if isinstance(value, str) else wire.cut(repr(value), _LONG)
 
 
 class NumberType(Atom):
-    """Ints and reals; as a parameter they have a bound from below in any case, unless that is None."""
+    """Ints and reals, from `low` to `high` where they have such bounds: `int(0..9)` has both."""
 
     is_parameter = True
     kinds: tuple[type[int | float], ...]  # of a parameter's value
 
-    def __init__(self, *, least: int | None = None) -> None:
-        self.least = least
+    def __init__(self, low: int | None = None, high: int | None = None) -> None:
+        self.low, self.high = low, high
+        if low is not None and high is not None:
+            in_order(low, high)
+            self.text = f"{self.text}({low}..{high})"
 
     def why_not(self, value: Any) -> str | None:
         """Exactly an int or a float: a bool would not come back from the cache as it went in."""
         if type(value) not in self.kinds:
             return f"{value!r}, a {type(value).__name__}, where {type(self).noun} is expected"
         return None if value - value == 0 else f"{value!r}, which is not finite"
+
+    def beyond(self, value: Any) -> str | None:
+        """Outside the bounds, exactly."""
+        if self.low is None and self.high is None:
+            return None
+        exact = wire.exactly(value) if isinstance(value, wire.Written) else value
+        if (self.low is None or self.low <= exact) and (self.high is None or exact <= self.high):
+            return None
+        bounds = f"below {self.low}" if self.high is None else f"outside {self.low} to {self.high}"
+        return f"{wire.show(value if isinstance(value, int | wire.Written) else float(value))}, {bounds}"
 
     def shown(self, value: Value) -> str:
         """In full, unless it is absurdly long."""
@@ -272,6 +298,8 @@ class RealType(NumberType):
             raise Unfit(f"{exact!r} where a Real is expected")
         if isinstance(exact.x, float) or isinstance(exact.unit, float):  # rounded already, most likely
             raise Unfit(f"{exact!r} holds a float; write Fraction(x) where a double is the exact number")
+        if wrong := self.beyond(exact.x):
+            raise Unfit(wrong)
         return answers.accepted_doubles(exact, tolerance)
 
     def best(self, target: Bounds) -> Value:
@@ -318,6 +346,12 @@ class RealType(NumberType):
     def take(self, tokens: Tokens, meant: str) -> Raw:
         """A decimal."""
         return tokens.number(meant)
+
+
+def in_order(low: int, high: int) -> None:
+    """Raise ValueError for bounds that leave nothing."""
+    if low > high:
+        raise ValueError("low is above high")
 
 
 class DoubleType(RealType):

@@ -8,6 +8,7 @@ asked for only where a number that is no double lies beside an end of the interv
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Sequence
 from functools import partial
 from math import inf, isfinite
@@ -19,12 +20,14 @@ from msgspec.structs import replace
 from judge.errors import ProblemError
 from judge.values.answers import AnyOf, Exact, Judged, Target, Tolerance, Words
 from judge.values.atoms import NOTHING, ROOT, Atom, Mismatch, Place, Type, Unfit, Value
+from judge.values.parameters import leaves
 from judge.values.reading import read, read_line
-from judge.values.show import line, shown, wanted
+from judge.values.show import shown, wanted, wanted_line
 from judge.values.types import ListType, lasting
 from judge.values.wire import Raw, Unreadable, Written, exactly, quoted
 
 ExactOf = Callable[[], tuple[Exact, Tolerance]]
+_NONE = re.compile(r"""'(?:[^'\\]|\\.)*'|"(?:[^"\\]|\\.)*"|None""")
 _REORDERED = 64  # items up to which a wrong list is held against itself in another order
 
 
@@ -173,6 +176,9 @@ def _off(type_: Type, value: Value, target: Target, ask: _Ask, place: Place) -> 
 def _off_any(type_: Type, value: Value, target: Target, ask: _Ask, place: Place) -> float | _Miss:
     """The same for an answer of which there are several."""
     if "such as" in target:
+        for atom, each in leaves(type_, value):
+            if wrong := atom.beyond(each):
+                return _Miss(place, partial(place.mismatch, wrong))
         judged, _ = ask.at(place)
         why = judged.why_not(_plain(value), judged.group)
         return NOTHING if why is None else _Miss(place, partial(place.mismatch, why))
@@ -258,12 +264,12 @@ def check_line(type_: Type, text: str, target: Target, exact: ExactOf) -> Outcom
     """Decide one line of a program's output (without its newline, whatever it holds); see `check`."""
     answer = read_line(type_, text)
     got = quoted(text)[1:-1]
+    right = wanted_line(type_, target)
     if isinstance(answer, str):
-        return Rejection(answer, line(type_, target), got)
+        return Rejection(answer, right, got)
     outcome = check(type_, answer[0], target, exact)
     if isinstance(outcome, Accepted):
         return outcome
-    # The answers are shown as programs write them.
-    return replace(
-        outcome, message=outcome.message.replace("None", "none"), wanted=line(type_, target), got=got
-    )
+    # The answers are shown as programs write them; what stands in quotation marks is a text.
+    message = _NONE.sub(lambda found: found[0] if found[0] != "None" else "none", outcome.message)
+    return replace(outcome, message=message, wanted=right, got=got)

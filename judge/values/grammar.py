@@ -2,6 +2,7 @@
 
     type  =  base ["?"]                                  with "?" the value may also be None
     base  =  name [ "(" argument … ")" ]                 an atom, or a name that stands for another type
+          |  name [ "(" low ".." high ")" ]              an int, a real or a text with its bounds
           |  "(" type "," type … ")"                     a tuple of fixed parts
           |  "[" type [ ";" n | ";" low ".." high ] "]"  a list
 
@@ -21,12 +22,14 @@ from typing import Any, TypeVar
 from judge.errors import nearest
 from judge.values.answers import NO_WORDS, Words
 from judge.values.atoms import COORDINATES, IntType, RealType, Type, WordType
+from judge.values.letters import BoolType, TextType, texts_of
 from judge.values.types import ArrayType, ListType, OptionalType, TupleType
 
 _MOST_TEXT = 2_000  # characters of a type's text
 _TOKEN = re.compile(r"[A-Za-z_][\w-]*|\d+|\.\.|\S", re.ASCII)
 _FOREIGN = re.compile(r"[^\w\s()\[\],;?|.-]", re.ASCII)
 _LENGTH = re.compile(r"[0-9]{1,9}")
+_WHOLE = re.compile(r"-?[0-9]{1,400}")
 _DEEPEST = 12
 _T = TypeVar("_T")
 
@@ -45,13 +48,18 @@ NAMES: dict[str, str | Callable[..., Type]] = {
     "int": IntType,
     "real": RealType,
     "word": WordType,
+    "text": TextType,
+    "bool": BoolType,
     "array": ArrayType,
 }
+_BOUNDED: dict[str, Callable[..., Type]] = {"int": IntType, "real": RealType, "text": TextType}
 
 # What people write who know other languages, and what it is called here.
 _ELSEWHERE = {
     "float double decimal": "real",
-    "str string text enum": "word(a|b)",
+    "str string": "text(low..high)",
+    "boolean": "bool",
+    "enum": "word(a|b)",
     "list vector": "[T]",
     "tuple pair": "(T, T)",
     "none null optional Optional None": "T?",
@@ -67,13 +75,18 @@ class TypeFault(ValueError):  # noqa: N818 - a fault of the text
         self.remedy = remedy
 
 
-def parse(text: str, folder: Path | None = None, words: Words = NO_WORDS) -> Type:
-    """The type that a text stands for; `folder` holds a pack's own types. Raises TypeFault."""
+def parse(text: str, folder: Path | None = None, words: Words = NO_WORDS, letters: str = "") -> Type:
+    """The type that a text stands for; `folder` holds a pack's own types, its texts are of these `letters`.
+
+    Raises TypeFault.
+    """
     if len(text) > _MOST_TEXT:
         raise TypeFault(f"a text of {len(text):,} characters is not a type", "write a shorter one")
     found = _Parser(text, folder).whole()
     found.text = text.strip()
     found.folder, found.words = folder, words
+    for each in (found, *texts_of(found)):
+        each.letters = letters
     return found
 
 
@@ -120,6 +133,8 @@ class _Parser:
             found = TupleType(self._several(self._type, ","))
         elif token == "[":
             found = self._list()
+        elif token in _BOUNDED:
+            found = self._bounded(token)
         elif token.replace("-", "_").isidentifier():
             found = self._named(token, self._several(self._next, "|;,") if self._take("(") else [])
         else:
@@ -152,8 +167,40 @@ class _Parser:
             raise ValueError(f"{token!r} is not a length of a list")
         return int(token)
 
+    def _bounded(self, name: str) -> Type:
+        """An int, a real or a text; `text(5)` is as long as that."""
+        self._known(name)
+        if not self._take("("):
+            return _BOUNDED[name]()
+        low = high = self._bound()
+        if self._take(".."):
+            high = self._bound()
+        elif name != "text":
+            raise TypeFault(f"{self._text!r} is not a type", f"give both bounds, {name}(low..high)")
+        self._next(")")
+        try:
+            return _BOUNDED[name](low, high)
+        except ValueError as why:
+            what = f"{self._text!r} is not a type: {why}"
+            raise TypeFault(what, f"write {name}(low..high), the smaller one first") from None
+
+    def _bound(self) -> int:
+        sign = "-" if self._take("-") else ""
+        token = sign + self._next()
+        if not _WHOLE.fullmatch(token):
+            raise ValueError(f"{token!r} is not a whole number")
+        return int(token)
+
+    def _known(self, name: str) -> None:
+        """Raise TypeFault where a file of the pack has the name of a type of the judge, which hides it."""
+        if self._folder and (self._folder / f"{name}.py").is_file():
+            what = f"types/{name}.py is not used: {name} is a type of the judge"
+            raise TypeFault(what, "rename or remove it")
+
     def _named(self, name: str, arguments: list[str]) -> Type:
         """The type of that name."""
+        if name in NAMES:
+            self._known(name)
         found = NAMES.get(name) or _found(name, self._folder)
         if found is None:
             raise self._unknown(name)

@@ -3,6 +3,7 @@
     count 1          an int where one is asked for
     points 2 x y …   a list of points, by their coordinates
     number t         a real number where one is asked for
+    word enter       a word; `str a` for a text, `bool true`
     none             None
     type bool        a value of a wrong type
     shape 3 x …      a list of something else, by those of its items that are numbers
@@ -23,6 +24,7 @@ from judge.cache import digest
 from judge.values.answers import Target
 from judge.values.atoms import LONGEST, Atom, IntType, NumberType, Type, Value
 from judge.values.check import ExactOf, decide
+from judge.values.letters import TextType
 from judge.values.reading import read, read_line
 from judge.values.show import best
 from judge.values.types import TupleType, lasting
@@ -32,6 +34,7 @@ Outline = tuple[str, tuple[float, ...]]
 
 _CLOSE = 1e-3  # of the largest number: an error that is smaller is one of digits
 UNREADABLE = "text"  # the form of a line that holds no answer
+TEXT = "str"  # how the form of a text begins
 _MOST = 64  # numbers that are kept
 _LONGEST = 40  # characters of a foreign type's name that are kept, and of a form that is not cut
 
@@ -81,6 +84,8 @@ def _form(type_: Type, value: Value, numbers: list[float]) -> str:
     if isinstance(inner, NumberType):
         numbers.append(near(value))
         return "count" if isinstance(inner, IntType) else "number"
+    if isinstance(inner, TextType):
+        return f"{TEXT} {inner.text_of(value)}"
     if isinstance(inner, Atom):
         return f"{type(inner).__name__.removesuffix('Type').lower()} {inner.text_of(value)}"
     forms = [_form(part, each, numbers) for part, each in islice(inner.pairs(value), LONGEST)]

@@ -1,4 +1,4 @@
-"""The values of parameters, kept as plain Python: ints, floats, words, None, and tuples of those (lists too).
+"""The values of parameters, kept as plain Python: ints, floats, texts, bools, None, tuples (for lists too).
 
 What is asked of a value walks over its type's parts.
 """
@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from array import array
 from collections.abc import Callable, Iterator
-from itertools import chain
+from itertools import chain, repeat
 from typing import Any
 
 from judge.values.atoms import LONGEST, Atom, Number, NumberType, Type, Value
@@ -25,15 +25,15 @@ def fault(type_: Type, name: str, value: Any) -> str | None:
     return next(filter(None, faults), None)
 
 
-def leaves(type_: Type, value: Value) -> Iterator[tuple[Type, Value]]:
+def leaves(type_: Type, value: Value) -> Iterator[tuple[Atom, Value]]:
     """The atoms of a well-shaped value, each with its value."""
     inner = lasting(type_)
     if value is None:
         return
     if isinstance(inner, Atom):
         yield inner, value
-    elif isinstance(inner.made_of[0], Atom) and isinstance(inner, ListType):  # a million of them, perhaps
-        yield from inner.pairs(value)
+    elif isinstance(inner, ListType) and isinstance(inner.item, Atom):  # a million of them, perhaps
+        yield from zip(repeat(inner.item), value)
     else:
         for part, each in inner.pairs(value):
             yield from leaves(part, each)
@@ -96,7 +96,7 @@ def literal(type_: Type, value: Value) -> str:
 
 
 def simpler(type_: Type, value: Value) -> Iterator[Value]:
-    """Values of the same shape or a smaller one that say less: numbers are left as they are."""
+    """Values that say less, of the same shape or a smaller one: numbers are left as they are."""
     if value is None:
         return
     if isinstance(type_, OptionalType):
@@ -108,7 +108,9 @@ def simpler(type_: Type, value: Value) -> Iterator[Value]:
             if count - size >= inner.low:
                 for start in range(0, count, size):
                     yield (*value[:start], *value[start + size :])
-    if not isinstance(inner, Atom | ArrayType):
+    if isinstance(inner, Atom):
+        yield from inner.simpler(value)
+    elif not isinstance(inner, ArrayType):
         for at, (part, each) in enumerate(inner.pairs(value)):
             for other in simpler(part, each):
                 yield (*value[:at], other, *value[at + 1 :])
@@ -125,10 +127,12 @@ def simple(
     if inner is not type_ and not integer(0, 1):  # None as often as not
         return None
     if isinstance(inner, NumberType):
-        found = number(positive or (inner.least is not None and inner.least >= 0))
+        found = number(positive or (inner.low is not None and inner.low >= 0))
+        if inner.low is not None and inner.high is not None and not inner.low <= found <= inner.high:
+            found = inner.low + int(found) % (inner.high - inner.low + 1)
         return found if type(found) in inner.kinds else inner.kinds[0](found)
     if isinstance(inner, Atom):
-        return inner.samples[integer(0, len(inner.samples) - 1)]
+        return inner.simple(integer)
     count = 0
     if isinstance(inner, ListType):
         most = inner.low + 3

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from judge.values.answers import NO_WORDS, Words
-from judge.values.atoms import ROOT, Atom, Place, Type, Value
+from judge.values.atoms import ROOT, Atom, IntType, Place, Type, Value
+from judge.values.letters import TextType
 from judge.values.show import is_one_item, shown
 from judge.values.types import Composite, ListType, OptionalType, TupleType, lasting
 from judge.values.wire import Raw, Tokens, Unreadable, collecting, fault, items, quoted, show
@@ -27,7 +28,7 @@ def read(type_: Type, raw: Raw, place: Place = ROOT, *, bounded: bool = True) ->
     count = len(found)
     if (bounded or isinstance(inner, TupleType)) and (wrong := inner.wrong_count(count)):
         raise Unreadable(f"{place.name() or 'the answer'} has {wrong}")
-    if isinstance(inner, ListType) and inner.item.text == "int" and set(map(type, found)) <= {int}:
+    if isinstance(inner, ListType) and isinstance(inner.item, IntType) and set(map(type, found)) <= {int}:
         return list(found)  # a million of them, perhaps
     return inner.kind(
         [
@@ -73,6 +74,8 @@ def _take(type_: Type, line: Tokens, *, whole: bool = False) -> Raw:
         if ahead == "none":
             line.next()
             return None
+        if isinstance(inner, TextType):
+            return inner.take(line, line.meant)
         what = line.meant if whole and type_.width == 1 else _hint(type_)
         raise Unreadable(f"{quoted(ahead)} where {what} is expected: write none in lower case")
     if isinstance(inner, Atom):
@@ -108,4 +111,5 @@ def _hint(type_: Type, words: Words = NO_WORDS) -> str:
             return f"k {' '.join(f'{name}1' for name in type_.item.names)} …"
         item = _hint(type_.item)
         return f"k and then k times {item if isinstance(lasting(type_.item), Atom) else f'({item})'}"
-    return words.answer or type_.noun
+    quotes = " (in double quotes if it is empty or has a blank)" * isinstance(type_, TextType)
+    return f"{words.answer or type_.noun}{quotes}"

@@ -10,10 +10,11 @@ from judge.values.answers import AnyOf, Exact, Judged, Real, Target
 from judge.values.atoms import Atom, Type, Value
 from judge.values.parameters import tokens
 from judge.values.types import Composite, ListType, TupleType, lasting
-from judge.values.wire import Raw, items, show
+from judge.values.wire import Raw, cut, items, show
 
 _ANSWERS = 3  # of several that are right, which are shown
 _ITEMS = 20  # of a list, which are shown
+_TOKEN = 1_100  # characters: an int may have as many
 
 
 def best(type_: Type, target: Target) -> Value:
@@ -29,6 +30,11 @@ def best(type_: Type, target: Target) -> Value:
 def line(type_: Type, target: Target) -> str:
     """The line that a perfect program prints, doubles as repr writes them."""
     return " ".join(tokens(type_, best(type_, target)))
+
+
+def wanted_line(type_: Type, target: Target) -> str:
+    """The same as it is shown: a long text is cut."""
+    return " ".join([cut(each, _TOKEN) for each in tokens(type_, best(type_, target))])
 
 
 def wanted(type_: Type, target: Target) -> str:

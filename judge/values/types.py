@@ -211,6 +211,16 @@ def lasting(type_: Type) -> Atom | Composite:
     return cast("Atom | Composite", type_.inner if isinstance(type_, OptionalType) else type_)
 
 
+def atoms(type_: Type) -> Iterator[Atom]:
+    """The atoms that a type is made of."""
+    inner = lasting(type_)
+    if isinstance(inner, Atom):
+        yield inner
+    else:
+        for part in inner.made_of:
+            yield from atoms(part)
+
+
 def is_pair(type_: Type) -> bool:
     """Whether values are points or vectors in the plane."""
     return isinstance(type_, TupleType) and type_.is_vector and len(type_.made_of) == 2

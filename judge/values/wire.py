@@ -1,9 +1,9 @@
-"""Numbers and words out of hostile JSON and lines of text, believing nothing.
+"""Numbers, words and texts out of hostile JSON and lines of text, believing nothing.
 
 JSON is as `judge.sandbox.encode` writes it. A number comes out as an int, a float, a Fraction or a `Written`
 decimal; whatever else was sent, forged or absurd, comes out as a `Fault` that says why it is no number.
 
-    {"word": "enter"}              a str
+    {"word": "enter"}              a str, a word or a text
     {"array": ["d", "00…"]}        numbers of one type: its code in Python's `array`, and their bytes
     {"tuple": [item]}              a tuple of a single item
 """
@@ -23,7 +23,7 @@ from msgspec import Struct
 MOST_DIGITS = 2000  # of a decimal: a double's full expansion has 767 significant digits
 MOST_EXPONENT = 5000
 MOST_HEX = 1100  # hexadecimal digits of an integer
-LONGEST_WORD = 20_000
+LONGEST_TEXT = 1_000_000
 CODES = tuple("bhiqBHIQfd")  # of arrays, as Python's `array` has them
 ITERATORS = (
     "generator zip map filter range reversed enumerate list_iterator tuple_iterator dict_values dict_keys "
@@ -36,6 +36,7 @@ _DECIMAL = re.compile(r"[+-]?(?=\.?[0-9])[0-9]*(?:\.[0-9]*)?(?:[eE]([+-]?[0-9]+)
 _HEX = re.compile(r"-?[0-9a-f]+", re.ASCII)
 _INTEGER = re.compile(r"[+-]?[0-9]{1,400}", re.ASCII)
 _FOREIGN = re.compile(r"[^\t -~]")
+_TOKEN = re.compile(r'"(?:[^"\\]|\\.)*"|\S+')  # a JSON string is one, blanks and all
 _NO_DECIMALS = {  # how a text begins that is none, and what to say of it
     r"[+-]?[0-9]+,[0-9]+(e[+-]?[0-9]+)?$": "it has a decimal comma; write a point",
     r".*[^\0-\x7f]": "it has a character that is not ASCII",
@@ -118,12 +119,9 @@ def _large(value: Raw) -> int | None:
 
 
 def word(raw: Raw) -> str | None:
-    """The word that `raw` stands for, or None; at most `LONGEST_WORD` printable characters."""
-    if type(raw) is dict and len(raw) == 1:
-        text = raw.get("word")
-        if type(text) is str and len(text) <= LONGEST_WORD and text.isprintable():
-            return text
-    return None
+    """The word or the text that `raw` stands for, or None; of any characters, at most `LONGEST_TEXT`."""
+    text = raw.get("word") if type(raw) is dict and len(raw) == 1 else None
+    return text if type(text) is str and len(text) <= LONGEST_TEXT else None
 
 
 def items(raw: Raw) -> Sequence[Raw] | None:
@@ -170,6 +168,8 @@ def fault(raw: Raw) -> Fault:
 
 
 def _typed(name: str, text: str) -> Fault:
+    if text.startswith("a text of"):  # that is too long to be sent
+        return Fault(f"{text},", "", name)
     if text.startswith("a subclass"):
         return Fault(f"{name}, {text},", "return a plain one", name)
     if name == "float":
@@ -186,6 +186,14 @@ def _clean(text: str) -> str:
 def quoted(text: str) -> str:
     """A token between quotation marks, cut and harmless."""
     return f'"{_clean(text)}"'
+
+
+def brief(text: str, most: int = _SHOWN) -> str:
+    """A text as Python writes it; of a long one the beginning, and its length."""
+    whole = repr(text[: most + 1])
+    if len(whole) <= most + len("''"):
+        return whole
+    return f"{text[: most * most // len(whole)]!r}… ({len(text):,} characters)"
 
 
 def cut(text: str, most: int = _SHOWN) -> str:
@@ -205,8 +213,10 @@ def show(raw: Raw, depth: int = 3) -> str:
         # A list of two numbers is a point, however it was written.
         point = len(found) == 2 and not any(type(item) in (list, tuple) for item in found)
         return f"({', '.join(parts)})" if point else f"[{', '.join(parts)}]"
-    if text is not None or raw is None or kind is float or kind is str:
-        return cut(repr(raw if text is None else text))
+    if text is not None or kind is str:
+        return brief(raw if text is None else text)
+    if raw is None or kind is float or kind is bool:
+        return repr(raw)
     read = number(raw)
     if isinstance(read, Fault):
         return read.text.rstrip(",")
@@ -243,6 +253,11 @@ def collecting(type_name: str) -> str:
 # -- lines of text -----------------------------------------------------------------------------------------
 
 
+def tokens(line: str) -> list[str]:
+    """What a line is made of: words, numbers, JSON strings."""
+    return _TOKEN.findall(line)
+
+
 class Tokens:
     """A line's tokens, read strictly, one after the other: `words` are those left, the next one last.
 
@@ -257,7 +272,7 @@ class Tokens:
         if foreign:
             name = f"{foreign[0]!r} (U+{ord(foreign[0]):04X})"
             raise Unreadable(f"{name} in the output: answers are plain ASCII text")
-        self.words = line.split()[::-1]
+        self.words = tokens(line)[::-1]
         self.meant = meant
         if not self.words:
             raise Unreadable(f"an empty line where {meant} is expected")

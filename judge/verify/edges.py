@@ -15,6 +15,7 @@ from msgspec import Struct
 from judge.data.model import ProblemData
 from judge.problem import Case, Parameter
 from judge.problem.declare import InvalidCase, decisions
+from judge.values.letters import texts_of
 
 NEARLY = 1e-5  # of the size: a decision that is less than this and not exact
 
@@ -47,7 +48,10 @@ def edges_of(data: ProblemData) -> list[Edge]:
 def _of_signature(parameters: Sequence[Parameter], cases: Sequence[Case]) -> Iterator[Edge]:
     """Two parameters can be equal if they hold as many numbers."""
     for at, each in enumerate(parameters):
-        yield Edge(f"{each.name} is 0", sum(not any(_numbers(case[at])) for case in cases))
+        if texts_of(each.type):
+            yield Edge(f"{each.name} is empty", sum(not case[at] for case in cases))
+        else:
+            yield Edge(f"{each.name} is 0", sum(not any(_numbers(case[at])) for case in cases))
     for (at, x), (other, y) in combinations(enumerate(parameters), 2):
         if x.type.width == y.type.width:
             yield Edge(f"{x.name} = {y.name}", sum(case[at] == case[other] for case in cases))

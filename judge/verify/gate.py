@@ -36,6 +36,7 @@ from judge.run.reference import check_needs
 from judge.run.settings import Settings
 from judge.sandbox import Boxes
 from judge.verify.edges import edges_of
+from judge.verify.formats import format_faults, odd_outputs
 from judge.verify.mistakes import ChoicesReport, verify_choices
 from judge.verify.model import ENOUGH, Fault, Progress, SolutionReport, Verified, fault_of
 
@@ -110,6 +111,7 @@ def verify_problem(
             _none_accepted(problem, solutions),
             _whose(problem),
             _time_faults(problem, solutions),
+            format_faults(pinned),
         ]
     checks += [
         _wrong_verdicts(problem, each, others, settings, partial=bool(options.groups)) for each in tried
@@ -119,7 +121,7 @@ def verify_problem(
     return Verified(
         problem.id,
         tuple(dict.fromkeys(chain(*checks, drift, found.faults))),
-        (*_in_vain(pinned), *found.warnings),
+        (*_in_vain(pinned), *odd_outputs(pinned), *found.warnings),
         groups=len(pinned.groups),
         cases=sum(len(each.cases) for each in pinned.groups),
         pins=pins,

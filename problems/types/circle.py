@@ -6,4 +6,4 @@ from judge.values.types import TupleType
 
 def TYPE() -> TupleType:  # noqa: N802 - what the grammar looks for
     """The type."""
-    return TupleType((RealType(), RealType(), RealType(least=0)), ("x", "y", "r"), "Circle")
+    return TupleType((RealType(), RealType(), RealType(0)), ("x", "y", "r"), "Circle")

@@ -6,4 +6,4 @@ from judge.values.types import TupleType
 
 def TYPE() -> TupleType:  # noqa: N802 - what the grammar looks for
     """The type."""
-    return TupleType((IntType(), IntType(), IntType(least=0)), ("x", "y", "r"), "IntCircle")
+    return TupleType((IntType(), IntType(), IntType(0)), ("x", "y", "r"), "IntCircle")

@@ -6,13 +6,15 @@ What these commands show is in the transcripts of `kata/`.
 from __future__ import annotations
 
 import json
+import re
 import shutil
+import tomllib
 from pathlib import Path
 
 import pytest
 from cli_support import FLOOR, MEAN
 
-from judge.practice import setter
+from judge.practice import begin
 from judge.practice.events import Help
 from judge.practice.history import History
 from judge.problem.find import find_problem
@@ -121,6 +123,54 @@ def test_a_kata_is_whole_and_sound_at_once(judge, tmp_path):
     assert json.loads(ended.out)["pitfall"]["names"] == ["sum-of-legs"]
 
 
+@pytest.mark.parametrize("kind", begin.KINDS)
+def test_a_kata_of_each_kind_is_sound_and_has_its_own_name(kind, judge, tmp_path):
+    assert judge("new", ".", "my-own", "--like", kind).status == 0
+    report = json.loads(judge("verify", "--problems", "problems", "my-own", "--json").out)
+    assert (report["faults"], report["pins"]) == ([], "matching")
+    problem = find_problem("my-own", [tmp_path / "problems"])
+    assert problem.entry.lower().replace("_", "") in ("", "myown")
+    assert not problem.sets
+
+
+def test_a_kata_like_another_one_takes_what_they_share(judge, tmp_path):
+    judge("new", ".", "square-apart", "--like", "distance-squared")
+    report = json.loads(judge("verify", "--problems", "problems", "square-apart", "--json").out)
+    assert (report["faults"], report["pins"]) == ([], "matching")
+    assert (tmp_path / "solutions" / "mistakes.toml").is_file()
+    assert "squareApart(" in (tmp_path / "solutions/square-apart/accepted/reference.java").read_text()
+
+
+def test_what_is_no_kind_and_no_kata(judge):
+    ended = judge("new", ".", "my-own", "--like", "progam")
+    assert (ended.status, ended.err.count("\n")) == (2, 1)
+    assert "did you mean 'program'?" in ended.err
+
+
+def test_a_pack_has_its_own_name_in_the_list(judge, tmp_path):
+    assert judge("new", "texts", "my-texts", "--pack").status == 0
+    assert judge("new", "texts", "my-texts", "--pack").status == 2
+    assert judge("new", "texts/my_texts/problems", "my-own").status == 0
+    assert (tmp_path / "texts/my_texts/solutions/my-own/accepted").is_dir()
+    pyproject = tomllib.loads((tmp_path / "texts/pyproject.toml").read_text())
+    assert pyproject["project"]["entry-points"]["judge.problems"] == {"my_texts": "my_texts.problems"}
+    said = judge("list", "--problems", "texts/my_texts/problems").out
+    assert said.index("My texts") < said.index("first-steps")
+    shutil.copytree(tmp_path / "texts/my_texts/problems/my-own", tmp_path / "texts/my_texts/problems/count")
+    ended = judge("list", "--problems", "texts/my_texts/problems")
+    assert ended.err.count("two katas are called 'count'") == 1
+
+
+def test_the_page_shows_the_usual_kata(judge):
+    page = (Path(begin.__file__).parents[1] / "manual" / "new-kata.md").read_text()
+    shown = re.findall(r"(?ms)^## `([^`]+)`\n\n```\w+\n(.*?)^```$", page)
+    assert len(shown) == 6
+    for path, text in shown:
+        kata = next(iter(begin.KINDS.values()))
+        file = Path(begin.__file__).parents[1] / "manual" / "katas" / path.replace("my-kata", kata)
+        assert file.read_text() == text.replace("my_kata", kata.replace("-", "_"))
+
+
 @pytest.mark.parametrize(
     ("words", "home"),
     [
@@ -163,7 +213,7 @@ def test_what_cannot_be_written_whole_is_not_written_at_all(fault, judge, tmp_pa
         raise fault
 
     (tmp_path / "pack" / "problems").mkdir(parents=True)
-    monkeypatch.setattr(setter, "write_pins", fail)
+    monkeypatch.setattr(begin, "verify_problem", fail)
     ended = judge("new", "pack", "mine")
     assert ended.status == (2 if isinstance(fault, OSError) else 130)
     assert list((tmp_path / "pack").iterdir()) == [tmp_path / "pack" / "problems"]

@@ -30,10 +30,10 @@ def _own_history(tmp_path, monkeypatch):
 
 
 def test_a_solved_kata_is_marked_and_is_no_longer_to_do(judge, submit):
-    assert judge("list", "others").lines[-4] == "  middle  The middle"
+    assert "  middle  The middle" in judge("list", "pack0").lines
     assert judge("run", "middle", submit(MEAN), "-q").status == 0
-    assert "✓  middle  The middle" in judge("list", "others").out
-    assert "All katas of this set are solved." in judge("list", "others", "--todo").out
+    assert "✓  middle  The middle" in judge("list", "pack0").out
+    assert "All katas of this set are solved." in judge("list", "pack0", "--todo").out
     rows = [json.loads(line) for line in judge("list", "--json").lines]
     assert [row["problem"] for row in rows if row["solved"]] == ["middle"]
     todo = [json.loads(line)["problem"] for line in judge("list", "--json", "--todo").lines]
@@ -63,7 +63,7 @@ def test_all_lists_every_set_or_the_whole_set(judge):
 
 def test_a_kata_counts_in_its_first_set(judge):
     counts = [int(line.split()[3]) for line in judge("list").lines if re.fullmatch(r"\S+ +\d+ of \d+", line)]
-    assert counts[:5] == [6, 6, 9, 9, 7]
+    assert counts == [1, 6, 6, 9, 9, 7]
     assert sum(counts) == int(judge("list").lines[0].split()[-2])
     told = json.loads(judge("progress", "--json").out)
     shares = [len(each["katas"]) for each in told["sets"]]

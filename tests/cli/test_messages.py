@@ -95,7 +95,7 @@ def elsewhere(judge, tmp_path, monkeypatch):
 def test_a_named_pack_comes_first_under_its_name(judge, elsewhere):
     lines = judge("list", "--problems", elsewhere).lines
     assert lines[2].split() == ["mine", "0", "of", "1"]
-    assert lines[lines.index("The katas that you name with --problems.") + 1].split()[0] == "middle"
+    assert lines[lines.index(f"The katas in {elsewhere.resolve()}.") + 1].split()[0] == "middle"
 
 
 def test_the_commands_for_a_named_pack_name_it(judge, elsewhere, tmp_path):

@@ -9,7 +9,7 @@ import shutil
 import pytest
 from walk import ROOT, WALKS, claims_hold, go, steps
 
-from judge.practice.setter import begin_kata
+from judge.practice.begin import begin_kata
 
 PAGE = ROOT / WALKS[1][0]
 pytestmark = pytest.mark.skipif(not PAGE.exists(), reason="not part of a source distribution")
@@ -35,8 +35,8 @@ def test_a_language_is_added_as_told(page, tmp_path):
     taken = go(steps(page, WALKS[3][1]), tmp_path)
     claims_hold(taken)
     assert [each.status for each in taken] == [0, 0, 1, 0, 1, 0, 1]
-    files = sorted(path.name for path in (tmp_path / "languages").iterdir())
-    assert files == ["perl.py", "perl.toml"]
+    files = sorted(path.name for path in (tmp_path / "languages").glob("*/*"))
+    assert files == ["driver.pl", "language.toml"]
 
 
 def test_every_file_and_path_that_is_told_is_there_and_every_file_of_a_kata_is_told(page, tmp_path):

@@ -6,19 +6,27 @@ import ast
 import json
 import math
 from fractions import Fraction
+from re import ASCII, fullmatch
+from types import SimpleNamespace
 from typing import Any, NamedTuple
 
 import pytest
 from hypothesis import HealthCheck, assume, given, settings
 from hypothesis import strategies as st
 
+from judge.diagnose.candidates import measure
+from judge.diagnose.replay import _from_values
+from judge.diagnose.replay import encode as encode_id
 from judge.exact import Surd
+from judge.problem import Parameter
+from judge.sandbox.calls import text as to_driver
 from judge.sandbox.encode import encode
 from judge.values import check, outline, reading, show
 from judge.values import parameters as own
 from judge.values.answers import Real, Tolerance
 from judge.values.check import Accepted, Rejection
 from judge.values.grammar import parse
+from judge.values.wire import tokens
 
 pytestmark = pytest.mark.slow
 
@@ -47,8 +55,16 @@ reals = st.tuples(surds, st.fractions(0, 1000, max_denominator=64)).map(lambda p
 floats = st.floats(allow_nan=False, allow_infinity=False)
 numbers = st.one_of(floats, ints)
 words = st.sampled_from(WORDS)
+signs = st.sampled_from('ab "\\%,:=-~\n') | st.characters(min_codepoint=32, max_codepoint=126)
+texts = st.text(signs, max_size=9)
+small = st.integers(-5, 9)
+unit = st.floats(0, 1)
 
 ATOMS = [
+    Kind("text(0..9)", texts, texts),
+    Kind("bool", st.booleans(), st.booleans()),
+    Kind("int(-5..9)", small, small),
+    Kind("real(0..1)", st.fractions(0, 1).map(Real), unit),
     Kind("int", ints, ints),
     Kind("real", reals, numbers),
     Kind(f"word({'|'.join(WORDS)})", words, words),
@@ -208,11 +224,24 @@ def test_parameters_go_through_text_and_json(parameter):
     type_ = parse(text)
     assert own.fault(type_, "p", value) is None
     words = list(own.tokens(type_, value))
-    assert all(word.isascii() and not set(word) & set(" \n") for word in words)
+    line = " ".join(words)
+    assert line.isascii()
+    assert "\n" not in line
+    assert tokens(line) == words
     again = own.from_tokens(type_, iter(words))
     assert repr(again) == repr(value)
+    problem: Any = SimpleNamespace(id="any", parameters=[Parameter("p", type_, "")])
+    replay = encode_id(problem, SimpleNamespace(name="some"), (value,))
+    assert fullmatch(r"[\w.:+,%~-]+", replay, ASCII)
+    assert repr(_from_values(replay.split(":")[2][1:], problem)) == repr((value,))
+    sent = to_driver([(own.argument(type_, value),)])
+    assert fullmatch(rb"1 0\n[\w.+=-]*( [\w.+=-]+)*\n", sent)
     assert repr(tupled(json.loads(json.dumps(value)))) == repr(value)
     if "array" not in text:
         assert repr(tupled(ast.literal_eval(own.literal(type_, value)))) == repr(value)
     for simpler in own.simpler(type_, value):
         assert own.fault(type_, "p", simpler) is None
+        assert not [each for atom, each in own.leaves(type_, simpler) if atom.beyond(each)]
+        assert measure((simpler,)) <= measure((value,))
+    for atom, leaf in own.leaves(type_, value):
+        assert all(measure((each,)) < measure((leaf,)) for each in atom.simpler(leaf))

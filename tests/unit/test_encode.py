@@ -14,8 +14,8 @@ from array import array
 import numpy as np
 import pytest
 
-from judge.sandbox.encode import MOST_ITEMS, MOST_TEXT, MOST_WORD, encode
-from judge.values.wire import Fault, Written, exactly, number, numbers
+from judge.sandbox.encode import MOST_CHARACTERS, MOST_ITEMS, MOST_TEXT, encode
+from judge.values.wire import LONGEST_TEXT, Fault, Written, exactly, fault, number, numbers
 
 
 def through(value):
@@ -49,6 +49,13 @@ class MyFloat(float):
         return True
 
 
+class MyText(str):
+    def __eq__(self, other):
+        return True
+
+    __hash__ = str.__hash__
+
+
 class Colour(enum.IntEnum):
     RED = 1
 
@@ -73,11 +80,13 @@ class Loud:
         (((1, 2), [3, 4]), [[1, 2], [3, 4]]),
         (Point(1, 2.0), [1, 2.0]),
         (decimal.Decimal("NaN"), {"decimal": "NaN"}),
-        (True, wrong("bool", "True")),
+        (True, True),
+        ([True, None], [True, None]),
         (float("nan"), wrong("float", "nan")),
         (float("-inf"), wrong("float", "-inf")),
         ("1", {"word": "1"}),
-        ("a\nb", wrong("str", repr("a\nb"))),
+        ("a\nb\0\x1b\xe9\ud800", {"word": "a\nb\0\x1b\xe9\ud800"}),
+        (MyText("a"), wrong("MyText", "a subclass of str")),
         (((1, 2),), {"tuple": [[1, 2]]}),
         (array("d", [1.5, 2]), [1.5, 2.0]),
         (b"1", wrong("bytes", "b'1'")),
@@ -96,13 +105,22 @@ def test_forms(value, form):
     assert through(value) == form
 
 
-def test_a_text_is_sent_whole_or_marked_as_cut():
-    whole, long = "a" * MOST_WORD, "a" * (MOST_WORD + 1)
+def test_a_text_is_sent_whole_or_said_to_be_too_long():
+    assert MOST_CHARACTERS == LONGEST_TEXT
+    whole = "a" * MOST_CHARACTERS
     assert through(whole) == {"word": whole}
-    assert through(f"\n{whole[1:]}") == wrong("str", repr(f"\n{whole[1:]}"))
-    assert through(whole.encode()) == wrong("bytes", repr(whole.encode()))
-    assert through(long) == wrong("str", f"'{'a' * MOST_TEXT}'…")
-    assert through(long.encode()) == wrong("bytes", f"b'{'a' * MOST_TEXT}'…")
+    said = "a text of 1,000,001 characters, more than 1,000,000"
+    assert through(f"{whole}b") == wrong("str", said)
+    assert fault(through(f"{whole}b")).text == f"{said},"
+    assert through(b"a" * 10**7)["text"].startswith("b'aaa")
+
+
+def test_the_texts_of_an_answer_share_what_may_be_sent():
+    half = "a" * (MOST_CHARACTERS // 2)
+    first, second, third = through([half, half, "b"])
+    assert first == second == {"word": half}
+    assert fault(third).text == "a text of more than 1,000,000 characters in all its parts,"
+    assert through([["a"], "b"]) == [[{"word": "a"}], {"word": "b"}]  # nor is that kept for the next answer
 
 
 @pytest.mark.parametrize(
@@ -111,7 +129,9 @@ def test_a_text_is_sent_whole_or_marked_as_cut():
         (np.float64(0.1), 0.1),
         (np.float32(0.1), float(np.float32(0.1))),
         (np.uint64(2**64 - 1), {"int": "f" * 16}),
-        (np.bool_(True), wrong(np.bool_.__name__, "True")),
+        (np.bool_(True), True),
+        (np.array([True, False]), [True, False]),
+        (np.zeros(2000, dtype=bool), [False] * 2000),
         (np.float64("nan"), wrong("float64", "nan")),
         (np.complex128(1j), wrong("complex128", "1j")),
         (np.str_("1"), wrong("str_", "")),
@@ -149,7 +169,7 @@ def test_bounds_of_depth_and_items():
     assert through([None] * (MOST_ITEMS + 1)) == many
     assert encode([None] * 5, 4) == wrong("list", "of more than 4 items")
     assert encode([None] * (MOST_ITEMS + 1), MOST_ITEMS + 1) == [None] * (MOST_ITEMS + 1)
-    assert len(through("x" * 10**6)["text"]) <= MOST_TEXT + len("''…")
+    assert len(through(b"x" * 10**6)["text"]) <= MOST_TEXT
     assert len(through(type("N" * 10**5, (), {})())["type"]) <= 80
 
 

@@ -19,7 +19,7 @@ PACKAGE = Path(judge.__file__).parent
 FILES = {
     path.relative_to(PACKAGE).as_posix(): ast.parse(path.read_text(encoding="utf-8"))
     for path in PACKAGE.rglob("*.py")
-    if path.relative_to(PACKAGE).parts[0] not in {"problems", "solutions"}
+    if not {"problems", "solutions"} & set(path.relative_to(PACKAGE).parts)
 }
 TOPIC = re.compile(
     r"(?<![a-z])(circles?|rays?|tangents?|tangency|tangencies|segments?)(?![a-z])(?!-line)", re.IGNORECASE

@@ -3,22 +3,26 @@
 from __future__ import annotations
 
 import os
+import shutil
+from pathlib import Path
 
 import pytest
-from native import ran
+from native import ran, signature
 from sandboxed import require
 
 from judge import languages as face
 from judge.errors import JudgeError
-from judge.languages import draft, find, model
+from judge.languages import find, model, spell
+from judge.languages.sources import sources_of
 
-C = (model._HERE / "c.toml").read_text(encoding="utf-8")
+FOLDER = Path(face.__file__).parent
+C = (FOLDER / "c" / "language.toml").read_text(encoding="utf-8")
 
 
 @pytest.fixture(autouse=True)
 def fresh(monkeypatch, tmp_path):
-    """Descriptions, drivers and tools are looked for anew, and nothing is kept elsewhere."""
-    caches = (model.languages, draft.driver_of, find.toolchain)
+    """Descriptions and tools are looked for anew, and nothing is kept elsewhere."""
+    caches = (model.languages, find.toolchain)
     monkeypatch.delenv("JUDGE_LANGUAGES", raising=False)
     monkeypatch.setenv("JUDGE_CACHE", str(tmp_path / "cache"))
     for cache in caches:
@@ -111,10 +115,61 @@ def with_line(line):
     ],
 )
 def test_a_broken_description_is_one_line(tmp_path, monkeypatch, text, told):
-    (tmp_path / "ada.toml").write_text(text)
+    (tmp_path / "ada").mkdir()
+    (tmp_path / "ada" / "language.toml").write_text(text)
     monkeypatch.setenv("JUDGE_LANGUAGES", str(tmp_path))
-    with pytest.raises(JudgeError, match=rf"ada\.toml: it describes no language: {told}"):
+    with pytest.raises(JudgeError, match=rf"ada/language\.toml: it describes no language: {told}"):
         model.languages()
+
+
+def test_a_folder_without_any_is_told(tmp_path, monkeypatch):
+    monkeypatch.setenv("JUDGE_LANGUAGES", str(tmp_path))
+    with pytest.raises(JudgeError, match=r"no language is described here; correct \$JUDGE_LANGUAGES"):
+        model.languages()
+
+
+SOURCE = b"double mirror_all(double x) { return x; } int main(void) { return 0; }"
+HOOKS = {
+    "def": r"ada/hook\.py: the hook of C cannot be loaded: SyntaxError: .*; correct it",
+    "def reads(writer, shape): return writer.none": "ada: C's driver cannot be written: AttributeError: .*",
+    "def head(writer, shape): return writer.write('head', shape)": "ada: C's head cannot be .*RecursionError",
+    "def adapted(source): return source.none": "ada: C's file cannot be written: AttributeError: .*",
+}
+
+
+@pytest.fixture
+def ada(tmp_path, monkeypatch):
+    """A language of one's own, which is C."""
+    folder = tmp_path / "ada"
+    shutil.copytree(FOLDER / "c", folder)
+    monkeypatch.setenv("JUDGE_LANGUAGES", str(tmp_path))
+    return folder
+
+
+def called(source=SOURCE):
+    return sources_of(model.language_called("ada"), source, signature("real", x="real"))
+
+
+@pytest.mark.parametrize("hook", HOOKS)
+def test_a_fault_of_a_hook_is_one_line(ada, hook):
+    (ada / "hook.py").write_text(hook)
+    with pytest.raises(JudgeError, match=HOOKS[hook]):
+        called()
+
+
+def test_what_a_description_lacks_is_told(ada):
+    text = C.replace("[spell.head]", "[spell.headless]")
+    (ada / "language.toml").write_text(text)
+    with pytest.raises(JudgeError, match=r"ada: spell has no head; define what 'judge help programs' says"):
+        called()
+
+
+def test_without_a_driver_each_file_is_a_program(ada):
+    assert called().entry == "mirror_all"
+    (ada / "driver.c").unlink()
+    spell._driver.cache_clear()
+    assert (called().entry, called().fault) == ("", None)
+    assert "give it a main" in called(SOURCE.partition(b"int")[0]).fault.message
 
 
 ITSELF = """\
@@ -140,8 +195,8 @@ runs = ["/usr/bin", "/usr/lib"]
 
 def test_a_compiler_may_look_for_its_own_file(tmp_path, monkeypatch):
     require("full")
-    (tmp_path / "own").mkdir()
-    (tmp_path / "own" / "who.toml").write_text(ITSELF)
+    (tmp_path / "own" / "who").mkdir(parents=True)
+    (tmp_path / "own" / "who" / "language.toml").write_text(ITSELF)
     monkeypatch.setenv("JUDGE_LANGUAGES", str(tmp_path / "own"))
     monkeypatch.setenv("JUDGE_CACHE", str(tmp_path / "cache"))
     readlink = os.path.realpath("/usr/bin/readlink")

@@ -209,6 +209,9 @@ def test_answers_are_foreign_data():
 
 def test_arguments_are_written_as_tokens():
     assert text([(1, 0.1, (2, "left"), [(1, 2)], None)]) == b"1 0\n1 0.1 2 left 1 1 2 none\n"
+    assert text([("a b", "none", "a_b-1", "\n", "", True, [False])]) == (
+        b"1 0\n=612062 =6e6f6e65 a_b-1 =0a = true 1 false\n"
+    )
     assert text([([], [0.5, 3], array("d", [1, 2.5]), [[1], []])]) == b"1 0\n0 2 0.5 3 2 1.0 2.5 2 1 1 0\n"
 
 

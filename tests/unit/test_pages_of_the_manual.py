@@ -59,7 +59,7 @@ def test_every_type_of_the_loader_is_told():
 
 def test_every_name_and_every_hook_of_a_problem_py_is_told():
     rows = re.findall(r"^\| `(\w+)", sections()["problem.py"], re.MULTILINE)
-    names = ["solve", *(level.name for level in KataLevel), "GROUPS", "HOOKS"]
+    names = ["solve", *(level.name for level in KataLevel), "GROUPS", "HOOKS", "FORMAT", "EXAMPLES"]
     arguments = [*inspect.signature(group).parameters]
     assert rows == [*names, *arguments, *Hooks.__struct_fields__]
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import ast
 import json
 import pickle
 from array import array
@@ -166,17 +165,14 @@ class Text(Atom):
 
     def value_of(self, raw):
         if (found := wire.word(raw)) is None:
-            try:
-                return ast.literal_eval(raw["text"])
-            except (KeyError, SyntaxError):
-                raise ValueError("no text") from None
+            raise ValueError("no text")
         return found
 
     def sent(self, value):
         return {"word": value}
 
 
-LETTERS = [each * times for each in ("a", "é") for times in (32, 33, 81, wire.LONGEST_WORD)]
+LETTERS = [each * times for each in ("a", "é") for times in (32, 33, 81, wire.LONGEST_TEXT)]
 
 
 @pytest.mark.parametrize("right", [*LETTERS, "a\n" * 100], ids=len)
@@ -191,8 +187,8 @@ def test_a_text_is_compared_whole_and_shown_cut(right):
 
 
 def test_an_answer_that_no_submission_could_send_is_the_setters_fault():
-    with pytest.raises(ProblemError, match="a text of 20,001 characters, where 20,000 may be sent"):
-        check.target(Text(), "a" * (wire.LONGEST_WORD + 1), None)
+    with pytest.raises(ProblemError, match="a text of 1,000,001 characters, where 1,000,000 may be sent"):
+        check.target(Text(), "a" * (wire.LONGEST_TEXT + 1), None)
 
 
 def test_a_wrapper_is_no_word_of_that_name():
@@ -269,7 +265,16 @@ def test_an_exact_answer_of_another_type_is_the_setters_fault(text, exact, why):
     [
         ("complex", "'complex' is unknown", "use one of count, points"),
         ("interger", "'interger' is unknown", "did you mean 'integer'?"),
-        ("[str]", "'[str]' is not a type: 'str' is unknown", "did you mean 'word(a|b)'?"),
+        ("[str]", "'[str]' is not a type: 'str' is unknown", "did you mean 'text(low..high)'?"),
+        ("boolean", "'boolean' is unknown", "did you mean 'bool'?"),
+        ("enum", "'enum' is unknown", "did you mean 'word(a|b)'?"),
+        ("text(9..3)", "'text(9..3)' is not a type: low is above high", "write text(low..high)"),
+        ("[int(9..3)]", "'[int(9..3)]' is not a type: low is above high", "write int(low..high)"),
+        ("text(0..2000000)", "a text has at most 1,000,000 characters", ""),
+        ("text(-1..3)", "no text has fewer than 0 characters", ""),
+        ("int(5)", "'int(5)' is not a type", "give both bounds, int(low..high)"),
+        ("real(1..x)", "'x' is not a whole number", ""),
+        ("bool(1)", "there are too many or too few words", ""),
         ("[int", "'[int' is not a type: its end where ']' is expected", "[T; low..high]"),
         ("(int)", "a tuple has two parts or more", ""),
         ("[int; 3..2]", "low is above high", ""),

@@ -12,10 +12,10 @@ from msgspec import Struct
 from judge.cli.files import opened_in_browser
 from judge.cli.options import Common, command, opt
 from judge.cli.resolve import current, history_at, this_folder
-from judge.errors import ExitCode, StoreError, UsageError
+from judge.errors import ExitCode, ProblemError, StoreError, UsageError
 from judge.practice.progress import levels_passed, solved, tried
-from judge.practice.syllabus import USUAL, first_sets, sound_sets
-from judge.problem.find import find_problem, folders_within, listed_problems
+from judge.practice.syllabus import USUAL, Pack, first_sets, read_pack, sound_sets
+from judge.problem.find import find_problem, folders_within, listed_problems, problem_roots, shipped_problems
 from judge.problem.model import Listed
 from judge.report.published_look import KataInFull, KataList, KataRow, KataShown
 from judge.report.screen import note
@@ -54,11 +54,22 @@ def listed(name: str | None, ask: ListAsk, common: Common) -> KataList:
     for fault in faults:
         note(str(fault), bad=True)
     shelves: dict[str, list[KataRow]] = {}
-    for root in common.problems:  # what a person names comes first
-        pack, own = root.resolve(), [folder.name for folder in folders_within([root])]
-        name_of = pack.parent.name if pack.name == "problems" else pack.name
-        shelves[name_of] = [rows[each] for each in own if each in rows]
-    packs = dict.fromkeys(shelves, "The katas that you name with --problems.")
+    taken: dict[str, Path] = {}
+    packs: dict[str, str] = {}
+    for root in problem_roots(common.problems):  # what is not the judge's own comes first
+        own = folders_within([root])
+        for each in own:
+            if (first := taken.setdefault(each.name, each)) != each:
+                note(f"two katas are called {each.name!r}: {first} and {each}; the first is taken")
+        if root == shipped_problems():
+            continue
+        try:
+            pack = read_pack(root)
+        except ProblemError as fault:
+            note(str(fault), bad=True)
+            pack = Pack(root.name)
+        packs[pack.title] = pack.about or f"The katas in {root}."
+        shelves[pack.title] = [rows[each.name] for each in own if each.name in rows]
     about = packs | {each.name: each.about for each in sets} | {_OTHERS: "Katas that are in no set."}
     shelves |= {each.name: [rows[problem.id] for problem in each.problems] for each in sets}
     inside = {row.problem for katas in shelves.values() for row in katas}

@@ -26,7 +26,8 @@ from judge.judging.options import RunOptions
 from judge.packs.export.cases import file_names, group_files
 from judge.packs.export.job import Exported, Order, check_order, export
 from judge.packs.export.metadata import Version
-from judge.practice.setter import NewKata, begin_kata, kata_faults, verify_decks
+from judge.practice.begin import KINDS, NewKata, begin_kata, begin_pack
+from judge.practice.setter import kata_faults, verify_decks
 from judge.problem import Problem
 from judge.problem.find import find_problem, folders_within, problem_folders
 from judge.problem.model import chosen_groups
@@ -45,19 +46,29 @@ _LOOK = "30s"  # of a search for holes
 _REMEDY = "name another folder with --out"
 
 
-@command("new", NewKata)
+class NewAsk(Struct, frozen=True):
+    """What to begin with."""
+
+    like: str = opt("--like KIND", f"A kind of kata, {', '.join(KINDS)}; or a kata.", default="")
+    pack: bool = opt("--pack", "A package for katas, to be installed, with none yet.")
+
+
+@command("new", NewKata, ask=NewAsk)
 @click.argument("folder", metavar="DIR", type=click.Path(path_type=Path))
 @click.argument("name", metavar="[NAME]", required=False)
-def new(folder: Path, name: str | None, common: Common) -> NewKata:  # noqa: ARG001 - every command has them
+def new(folder: Path, name: str | None, ask: NewAsk, common: Common) -> NewKata:
     """Write a kata of your own to begin with.
 
     It goes into DIR/problems/NAME and DIR/solutions/NAME. If DIR is itself a folder of problems, it goes
-    there. Without a NAME it is called as DIR is. The kata is complete, a small one about two points, and
-    judge verify finds it sound: change it file by file into yours. Nothing is ever written over.
+    there. Without a NAME it is called as DIR is. The kata is complete, and judge verify finds it sound:
+    change it file by file into yours. Nothing is ever written over.
 
     Exit status: 0 written, 2 usage.
     """
-    return begin_kata(folder, name)
+    if ask.pack:
+        return begin_pack(folder, name)
+    with stages(name or str(folder)) as tell:
+        return begin_kata(folder, name, ask.like, common.problems, tell)
 
 
 class VerifyAsk(Struct, frozen=True):

@@ -13,7 +13,7 @@ from typing import Any
 from judge.exact import Surd
 from judge.problem import Parameter, Problem, Tolerance
 from judge.values.answers import AnyOf, Exact, Judged, exact_ends
-from judge.values.atoms import IntType, RealType, Type, WordType
+from judge.values.atoms import IntType, NumberType, RealType, Type, WordType
 from judge.values.types import ArrayType, ListType, OptionalType, TupleType
 
 Form = list[Any]
@@ -26,7 +26,7 @@ class NoForm(Exception):  # noqa: N818 - a reason
 def form_of(type_: Type, within: Parameter | None = None) -> Form:
     """The form of an answer, or `within` a parameter, with the bounds of its numbers. Raises NoForm."""
     kind = type(type_)
-    if kind is RealType or kind is IntType:
+    if isinstance(type_, NumberType) and (kind is RealType or kind is IntType):
         return ["real" if kind is RealType else "int", *(_bounds(type_, within) if within else [])]
     if isinstance(type_, WordType) and kind is WordType:
         return ["word", list(type_.samples)] if within else ["word"]
@@ -41,10 +41,11 @@ def form_of(type_: Type, within: Parameter | None = None) -> Form:
     raise NoForm(f"a package knows no type {type_.text}")
 
 
-def _bounds(type_: Type, parameter: Parameter) -> Iterator[list[int]]:
-    """Low, high and the smallest, each as numerator and denominator; some types have a least of their own."""
-    low, least = parameter.low, getattr(type_, "least", None)
-    for bound in (low if least is None else max(low, Fraction(least)), parameter.high, parameter.smallest):
+def _bounds(type_: NumberType, parameter: Parameter) -> Iterator[list[int]]:
+    """Low, high and the smallest, each as numerator and denominator; some types have bounds of their own."""
+    low = parameter.low if type_.low is None else max(parameter.low, Fraction(type_.low))
+    high = parameter.high if type_.high is None else min(parameter.high, Fraction(type_.high))
+    for bound in (low, high, parameter.smallest):
         yield list(bound.as_integer_ratio())
 
 
@@ -78,6 +79,8 @@ def _ends(low: Surd, high: Surd) -> list[int]:
 
 def check_forms(problem: Problem) -> None:
     """Raises NoForm where a problem cannot be a package, as far as its toml tells."""
+    if problem.formatted:
+        raise NoForm("its programs have a format of their own")
     if problem.growth is not None:
         raise NoForm("a package cannot measure how the time grows")
     if any(group.size is not None for group in problem.groups):

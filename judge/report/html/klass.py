@@ -14,7 +14,7 @@ from functools import cached_property
 
 from msgspec import Struct
 
-from judge.problem.find import shipped_problems
+from judge.practice.syllabus import read_pack
 from judge.report.html import page
 from judge.report.html.case import Case, Cases
 from judge.report.published_klass import EQUAL_CAUTION, Cohort
@@ -111,9 +111,9 @@ class ClassPages(Struct, frozen=True, dict=True):
 
     @cached_property
     def _topic(self) -> str:
-        """What the katas are about, where they are the judge's own."""
+        """What the katas are about, where they are of one pack."""
         folders = {each.folder.parent for each in self.cases.problems.values()}
-        return "Circle and line geometry" if folders <= {shipped_problems()} else ""
+        return read_pack(folders.pop()).title if len(folders) == 1 else ""
 
     def _called(self, problem: str) -> str:
         return self.cases.problems[problem].title if problem in self.cases.problems else problem

@@ -330,7 +330,7 @@ function showKatas() {
     return el("li", {}, kata.elsewhere ? el("div", { className }, ...inner) : el("a", { className, href: `#${kata.id}` }, ...inner));
   };
   main.replaceChildren(el("section", { className: "hero" },
-    el("h1", {}, "Practise circle and line geometry"),
+    el("h1", {}, site.title),
     el("p", { className: "quiet" }, "Write one Python function. It is tested on hundreds of cases, here in this tab. If it fails, you see the smallest case that fails, a picture, and the name of the mistake."),
     el("div", { className: "row" }, bar(done, site.katas.length), el("span", {}, `${done} of ${counted(site.katas.length, "kata")}`)),
     el("div", { className: "row" }, next && el("a", { className: "button main", href: `#${next.id}` }, standing(next).tries ? `Go on: ${next.title}` : `Start: ${next.title}`),
@@ -473,7 +473,7 @@ async function show() {
   terminal = { katas: {}, days: [], skills: [], ...(await json("mine.json").catch(() => ({}))) };
   const page = kata && !kata.elsewhere ? "katas" : name === "quiz" || name === "progress" ? name : "katas";
   for (const each of document.querySelectorAll("nav [data-page]")) each.toggleAttribute("aria-current", each.dataset.page === page);
-  document.title = kata ? `${kata.title} · judge` : "judge: circle and line geometry";
+  document.title = kata ? `${kata.title} · judge` : `judge: ${site.title}`;
   try {
     if (kata && !kata.elsewhere) await showKata(kata);
     else if (page === "quiz") await showQuiz(part);

@@ -1,0 +1,42 @@
+'use strict';
+const fs = require('fs'), vm = require('vm');
+const lines = fs.readFileSync(0, 'latin1').split('\n');  // before the source reads them away
+globalThis.require = require;
+globalThis.module = { exports: {} };
+globalThis.exports = globalThis.module.exports;
+process.stdout.write = process.stderr.write.bind(process.stderr);
+vm.runInThisContext(fs.readFileSync(__dirname + '/@file@', 'utf8'), { filename: '@file@' });
+const entry = vm.runInThisContext('@entry@');
+const [parameters, answer] = [[@shapes@], @answer.plain@];
+function read(shape, words) {
+  if (shape.kind === 'tuple') return Object.fromEntries(shape.parts.map((part, i) => [shape.fields[i], read(part, words)]));
+  if (shape.kind === 'list') return Array.from({ length: +words.shift() }, () => read(shape.parts[0], words));
+  if (shape.kind === 'optional') return words[0] === 'none' ? (words.shift(), null) : read(shape.parts[0], words);
+  const word = words.shift();
+  return shape.kind === 'word' ? word : shape.kind === 'big' ? BigInt(word) : +word;
+}
+const odd = (type, text) => JSON.stringify({ type, text: String(text).slice(0, 80) });
+function put(value, shape) {
+  if (value === null || value === undefined) return 'null';
+  if (typeof value === 'bigint') return value.toString();
+  if (typeof value === 'number') return Number.isFinite(value) ? String(value) : odd('float', String(value).toLowerCase());
+  if (typeof value === 'string') return JSON.stringify(value);
+  if (shape && shape.kind === 'optional') return put(value, shape.parts[0]);
+  if (Array.isArray(value)) return '[' + value.map((item, i) => put(item, shape && (shape.kind === 'list' ? shape.parts[0] : shape.parts[i]))).join(',') + ']';
+  if (typeof value === 'object' && shape && shape.kind === 'tuple' && shape.fields.every(field => field in value)) return '[' + shape.fields.map((field, i) => put(value[field], shape.parts[i])).join(',') + ']';
+  return odd(typeof value === 'boolean' ? 'bool' : typeof value, value);
+}
+for (let at = 0; at < lines.length && lines[at] !== '';) {
+  const [cases, atOnce] = lines[at++].split(' ').map(Number);
+  let out = '';
+  for (let left = cases; left > 0; left--) {
+    try {
+      const words = lines[at++].split(' ');
+      out += '[0,' + put(entry(...parameters.map(shape => read(shape, words))), answer) + ']\n';
+    } catch (fault) {
+      out += '[1,' + JSON.stringify(String(fault)) + ']\n';
+    }
+    if (atOnce || left === 1) for (let bytes = Buffer.from(out); (out = '', bytes.length); ) bytes = bytes.subarray(fs.writeSync(1, bytes));
+  }
+}
+process.exit(0);

@@ -1,0 +1,138 @@
+"""Programs with a format of the kata's own: each case is a run, and its whole output one answer.
+
+The limits hold for all runs of a group together. A run that fails costs its own case alone.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from functools import cached_property
+from typing import Any, ClassVar
+
+from msgspec.structs import replace
+
+from judge.problem import Case, Problem, TimeRule
+from judge.problem.declare import Format
+from judge.problem.formats import input_of, output_of
+from judge.problem.model import Mode, case_of
+from judge.problem.module import load_module
+from judge.run.replies import Replies
+from judge.run.result import NOTHING, Behaviour, Failure
+from judge.sandbox.boundary import Box, Limits, Reply, Stop, Usage
+from judge.sandbox.encode import encode
+from judge.values import check, outline, reading
+from judge.values.answers import Target
+from judge.values.check import ExactOf, Outcome, Rejection
+from judge.values.outline import UNREADABLE, Outline
+from judge.values.wire import Raw, Unreadable
+
+_LINES = 20  # of an input or an output that are shown
+_COLUMNS = 200
+_LONGEST = 120  # characters of why an output cannot be read
+_LEAST = 1e-3  # seconds of a run whose group has used all of its time
+_ITS_OWN = (Stop.ANSWERED, Stop.EXCEPTION, Stop.EXITED)  # ends that the next case need not hear of
+
+
+class FormatRunner:
+    """Runs the program once for each case; see `judge.run.runner.Runner`."""
+
+    mode: ClassVar[Mode] = Mode.PROGRAM
+    calls: ClassVar[bool] = False
+
+    def __init__(self, problem: Problem, language: str = "") -> None:
+        self.problem = problem
+        self.language = language
+
+    @cached_property
+    def _own(self) -> Format:
+        own = load_module(self.problem).format
+        assert own is not None
+        return own
+
+    def ask(self, box: Box, cases: Sequence[Case], limits: Limits) -> Replies:
+        """A run for each case, until one is ended by force."""
+        replies, used, stop = list[Reply](), Usage(), Stop.ANSWERED
+        for case in cases:
+            left = limits._replace(
+                cpu_seconds=max(_LEAST, limits.cpu_seconds - used.cpu_seconds),
+                wall_seconds=max(_LEAST, limits.wall_seconds - used.wall_seconds),
+                waiting_seconds=max(_LEAST, limits.waiting_seconds - used.waiting_seconds),
+            )
+            result = box.run_program(input_of(self.problem, self._own, case).encode(), left)
+            used += result.usage
+            output = result.stdout.decode(errors="backslashreplace").replace("\r\n", "\n")
+            replies.append(Reply(result.stop, output, result.detail))
+            if result.stop not in _ITS_OWN:
+                stop = result.stop
+                break
+        return Replies(replies, used, stop, lost=stop is not Stop.ANSWERED)
+
+    @property
+    def decide(self) -> Callable[[Any, Target, ExactOf], Outcome]:
+        """Holds an output against a target."""
+        return self._decide
+
+    def _decide(self, output: str, target: Target, exact: ExactOf) -> Outcome:
+        try:
+            answer = self._read(output)
+        except Unreadable as why:
+            return Rejection(str(why), self.wanted(target), shown(output))
+        outcome = check.check(self.problem.answer, answer, target, exact)
+        if isinstance(outcome, Rejection):
+            return replace(outcome, wanted=self.wanted(target), got=shown(output))
+        return outcome
+
+    def _read(self, output: str) -> Raw:
+        """The answer in an output; raises Unreadable. The setter's code reads whatever a program printed."""
+        type_, own = self.problem.answer, self._own
+        if own.read is None:
+            if not output.split():
+                raise Unreadable("nothing was printed")
+            read = reading.read_line(type_, " ".join(output.split()))
+            if isinstance(read, str):
+                raise Unreadable(read.replace("one line holds", "the output holds"))
+            return read[0]
+        try:
+            return encode(own.read(output), type_.items)
+        except ValueError as why:
+            said = str(why)
+        except Exception as fault:  # of an output that the setter did not think of
+            said = f"the output cannot be read: {type(fault).__name__}"
+        raise Unreadable(said.splitlines()[0][:_LONGEST] if said.strip() else "the output cannot be read")
+
+    def wanted(self, target: Target) -> str:
+        """The output of a perfect program."""
+        return shown(output_of(self.problem, self._own, target))
+
+    def outline(self, answer: Any) -> Outline:
+        """A wrong answer's form and numbers."""
+        try:
+            return outline.outline(self.problem.answer, self._read(answer))
+        except Unreadable:
+            return UNREADABLE, ()
+
+    def raw(self, answer: Any) -> Raw:
+        """What the output holds; None where it holds no answer."""
+        try:
+            return self._read(answer)
+        except Unreadable:
+            return None
+
+    def reference(self, rule: TimeRule) -> str | None:
+        """The accepted program, if there is one."""
+        return rule.program
+
+    def explained(self, failure: Failure, does: Behaviour = NOTHING) -> Failure:  # noqa: ARG002
+        """The failure with what the program read."""
+        if failure.input is None:
+            return failure
+        text = input_of(self.problem, self._own, case_of(failure.input))
+        return replace(failure, stdin=shown(text))
+
+
+def shown(text: str) -> str:
+    """The first lines of an input or an output, each cut where it is long."""
+    if not text.strip():
+        return "nothing"
+    lines = [line if len(line) <= _COLUMNS else f"{line[:_COLUMNS]}…" for line in text.splitlines()]
+    return "\n".join([*lines[:_LINES], "…"] if len(lines) > _LINES else lines)
