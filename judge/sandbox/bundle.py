@@ -49,20 +49,14 @@ module.start(channel, region, config, source)
 
 def pack(config: dict[str, Any], source: bytes) -> bytes:
     """The bundle's bytes; the last of its modules is the server. `config` holds plain values only."""
-    modules = (*_modules(), _started()) if "folders" in config else _modules()
+    first, last = [_ON_LINUX] if sys.platform == "linux" else [], [_EXEC] if "folders" in config else []
+    modules = tuple(map(_module, (*first, *_ALWAYS, *last)))  # in the order in which they import one another
     return marshal.dumps((modules, config, source))
 
 
 @cache
-def _modules() -> tuple[tuple[str, CodeType], ...]:
-    """The modules in the order in which they import one another."""
-    names = (_ON_LINUX, *_ALWAYS) if sys.platform == "linux" else _ALWAYS
-    return tuple((name, _code_of(name)) for name in names)
-
-
-@cache
-def _started() -> tuple[str, CodeType]:
-    return _EXEC, _code_of(_EXEC)
+def _module(name: str) -> tuple[str, CodeType]:
+    return name, _code_of(name)
 
 
 def _code_of(name: str) -> CodeType:

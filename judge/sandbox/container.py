@@ -15,17 +15,16 @@ import subprocess
 import sys
 import threading
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from queue import SimpleQueue
 from typing import Any, NamedTuple
 
 from judge.errors import JudgeError, shortage_of
-from judge.sandbox import bundle, launch, levels, shared
+from judge.sandbox import bundle, levels, shared
 from judge.sandbox.boundary import Limits, Usage
 from judge.sandbox.inside import wire
+from judge.sandbox.launch import Plan
 from judge.sandbox.levels import StartError
-from judge.sandbox.room import Share
-from judge.sandbox.roots import Roots
 from judge.sandbox.temporary import TemporaryFolder
 
 START_SECONDS = 20.0  # a loaded machine, a cold disk
@@ -34,6 +33,8 @@ GRACE_SECONDS = 5.0  # beyond a request's own wall limit
 END_SECONDS = 1.0
 REASON_BYTES = 2000
 
+# By the descriptors of the code, the channel and the region, and what makes an empty folder.
+Planned = Callable[[tuple[int, int, int], Callable[[], str]], Plan]
 _PAIR = _socket.SOCK_SEQPACKET if sys.platform == "linux" else _socket.SOCK_STREAM
 
 
@@ -138,19 +139,8 @@ _STARTER = _Starter()
 class Container:
     """A fork server and its descriptors."""
 
-    def __init__(
-        self,
-        level: str,
-        name: str,
-        source: bytes,
-        roots: Roots,
-        share: Share,
-        place: launch.Workplace | None = None,
-    ) -> None:
-        """Start it, with `place` the server of what is no Python.
-
-        Raises StartError where there is no room for it or the command itself is missing.
-        """
+    def __init__(self, level: str, source: bytes, plan: Planned) -> None:
+        """Start it as `plan` says. Raises StartError where there is no room, or the command is missing."""
         self.region: wire.Region
         self._closing = contextlib.ExitStack()
         self._process: subprocess.Popen[bytes] | None = None
@@ -158,7 +148,7 @@ class Container:
         self.level = level
         self._exposed = ""  # a path
         try:
-            self._start(level, name, source, roots, share, place)
+            self._start(source, plan)
         except (OSError, MemoryError, RuntimeError) as fault:
             self.close()
             not_started = levels.of_fault(fault)
@@ -169,15 +159,7 @@ class Container:
             self.close()
             raise
 
-    def _start(
-        self,
-        level: str,
-        name: str,
-        source: bytes,
-        roots: Roots,
-        share: Share,
-        place: launch.Workplace | None,
-    ) -> None:
+    def _start(self, source: bytes, planned: Planned) -> None:
         ours, theirs = _socket.socketpair(_socket.AF_UNIX, _PAIR)
         self._line = wire.Channel(ours)
         self._closing.callback(ours.close)
@@ -190,8 +172,7 @@ class Container:
             self._closing.callback(os.close, self._complaints)
             code = shared.nameless()
             passed.callback(os.close, code)
-            home = self._home() if place is None and level != "full" else launch.SCRATCH
-            plan = launch.plan(level, name, roots, (code, theirs.fileno(), descriptor), share, place, home)
+            plan = planned((code, theirs.fileno(), descriptor), self._home)
             shared.write_whole(code, bundle.pack(plan.config, source))
             os.lseek(code, 0, os.SEEK_SET)
             self.region.lay(plan.hidden)

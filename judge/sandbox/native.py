@@ -10,7 +10,7 @@ import hashlib
 import marshal
 import os
 from collections.abc import Callable, Sequence
-from functools import cached_property
+from functools import cached_property, partial
 from pathlib import Path
 from typing import Any
 
@@ -93,7 +93,8 @@ class NativeBox(ContainerBox):
 
     def _start(self, level: str) -> Container:
         roots = find_roots(self._boxes.hide, self._more, modules=False)
-        return Container(level, "", b"", roots, self._boxes.share, self._place)
+        plan = partial(launch.plan, level, "", roots, self._boxes.share, self._place)
+        return Container(level, b"", plan)
 
     # -- compiling
 

@@ -6,10 +6,11 @@ import contextlib
 import marshal
 import threading
 from collections.abc import Sequence
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from judge.errors import JudgeError, ShortageError
-from judge.sandbox import imports, outcome, shared
+from judge.sandbox import imports, launch, outcome, shared
 from judge.sandbox.boundary import (
     IMPORTING,
     CallsResult,
@@ -52,7 +53,8 @@ class PythonBox(ContainerBox):
             self._container = self._start(self._held)
 
     def _start(self, level: str) -> Container:
-        return Container(level, self._name, self._source, self._boxes.roots, self._boxes.share)
+        plan = partial(launch.plan, level, self._name, self._boxes.roots, self._boxes.share, None)
+        return Container(level, self._source, plan)
 
     def __enter__(self) -> PythonBox:
         self._warmed_up()
@@ -72,7 +74,7 @@ class PythonBox(ContainerBox):
 
         def prepare() -> None:
             with contextlib.suppress(JudgeError, Lost, OSError, MemoryError, RuntimeError):
-                self._prepared_here()
+                self._prepare()
 
         thread = threading.Thread(target=prepare, daemon=True)
         with contextlib.suppress(RuntimeError):  # no thread is left: the calls get ready themselves
@@ -80,7 +82,7 @@ class PythonBox(ContainerBox):
             self._warm_up = thread
 
     def _warmed_up(self) -> None:
-        if self._warm_up is not None:
+        if self._warm_up is not None and self._warm_up is not threading.current_thread():
             self._warm_up.join()
             self._warm_up = None
 
@@ -165,12 +167,8 @@ class PythonBox(ContainerBox):
         return self._note(), ""
 
     def _prepare(self) -> str:
-        self._warmed_up()
-        return self._prepared_here()
-
-    def _prepared_here(self) -> str:
         """Make the server ready for runs, once a container; the source's fault, or nothing."""
-        found = super().inspect()
+        found = self.inspect()
         if found.fault:
             return found.fault.message
         if not self._prepared:

@@ -259,9 +259,9 @@ def changed(patch, module, here, instead):
 
     with patch.context() as patched:
         patched.setattr(bundle, "_code_of", edited)
-        bundle._modules.cache_clear()
+        bundle._module.cache_clear()
         yield
-    bundle._modules.cache_clear()
+    bundle._module.cache_clear()
 
 
 FILTER = "lambda: linux.load_filter(load, own_filter(child, pid_at))"
