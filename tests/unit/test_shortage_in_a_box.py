@@ -144,6 +144,25 @@ def once(act, later):
     return lambda *arguments: left.pop()(*arguments) if left else later
 
 
+END = "#include <signal.h>\n#include <unistd.h>\nint main(void) {{ kill({}, 9); pause(); }}"
+
+
+def test_the_kernel_kills_a_compiled_program_too(monkeypatch):
+    with box_of("a.c", END.format("getpid()")) as box:
+        assert box.run_program(b"", LIMITS).stop is Stop.EXITED
+        before = room.oom_kills()
+        monkeypatch.setattr(room, "oom_kills", lambda: before + 1)
+        with pytest.raises(ShortageError, match="killed the submission's process: there is no memory left"):
+            box.run_program(b"", LIMITS)
+
+
+def test_a_compiled_program_that_ends_what_watches_it_is_no_shortage():
+    """Nothing hinders it where there are resource limits alone."""
+    with box_of("a.c", END.format("getppid()"), level="limits") as box:
+        assert box.run_program(b"", LIMITS).stop is Stop.TAMPERED
+        assert box.run_program(b"", LIMITS).stop is Stop.TAMPERED
+
+
 @pytest.mark.parametrize("each", [room.THREADS, 70])
 def test_no_word_of_a_submission_is_believed_about_the_machine(each):
     source = b"def f(n): raise RuntimeError(\"can't start new thread\")\nif __name__ == '__main__': f(1)"
