@@ -94,9 +94,9 @@ def plan(
     name: str,
     roots: Roots,
     share: Share,
-    place: Workplace | None,
     descriptors: tuple[int, int, int],
     make_home: Callable[[], str],
+    place: Workplace | None = None,
 ) -> Plan:
     """The plan for `level`; `descriptors` are the bundle's, the channel's and the region's.
 
