@@ -330,7 +330,7 @@ class _Watched:
         runner, budget = FunctionRunner(self._data.problem), SearchBudget(wall=min(_SEARCH, self._clock.left))
         with Reference(self._data.problem, InProcess) as reference:
             found = shrink(self._data, self._box(), runner, result, reference=reference, budget=budget)
-        result = replace(result, counterexample=found)
+        result = replace(result, counterexample=found and runner.explained(found))
         with suppress(_Late):
             if not self._clock.spent:
                 result = self._named(result, {run.group.name: run.answers for run in runs})

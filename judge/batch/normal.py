@@ -41,7 +41,7 @@ def normal_form(source: bytes, name: str, entry: str = "") -> NormalForm:
             if name.endswith(SUFFIX):
                 return _of_python(source, entry)
             language = language_of(name)
-            if language is not None and language.comment == "//" and not language.folder:
+            if language is not None and language.comment == "//" and language.is_ours:
                 with reading():
                     return _of_words(language, source.decode(), language.spelt(entry) if entry else "")
         except (SyntaxError, ValueError, RecursionError, JudgeError):  # not to be read, so itself

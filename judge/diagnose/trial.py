@@ -340,6 +340,8 @@ def _failure_class(right: Outline, given: Outline, *, coarse: bool) -> tuple[str
 def answer_class(answer: Outline) -> str:
     """What an answer is: an int itself, how many items, whether it is a number, a word, a text, none."""
     form, numbers = answer
+    if form.startswith("return "):  # what calls in a row returned
+        return "answers"
     if form.startswith(f"{outline.TEXT} "):  # each of which is a mistake's as well as any other
         return "a text"
     if form == "number":

@@ -27,7 +27,7 @@ from judge.sandbox.boundary import (
     Stop,
     Usage,
 )
-from judge.sandbox.encode import encode
+from judge.sandbox.encode import OnObject, encode, found, place_in
 from judge.sandbox.inside.source import described, inspect, own_line
 
 Routine = Callable[..., Any]
@@ -112,14 +112,17 @@ class InProcess:
         """See `Box.call`; a routine finds its caller's state anew in each."""
         if self._routine is not None:
             with as_it_was(), self._watch(limits) as watch:
-                routine = _watched(self._routine, watch)
+                own = OnObject(self._routine, limits.items) if entry.endswith("()") else self._routine
+                routine = _watched(own, watch)
                 return CallsResult(tuple(self._replies(routine, calls, limits.items, watch)), Usage())
         with self._process("submission", limits) as (watch, names, printed):
             reply = None
             try:
                 self._execute(names, watch)
-                if entry not in names:
-                    reply = Reply(Stop.EXCEPTION, None, f"the module has no {entry} once it is imported")
+                routine = found(names, entry, limits.items)
+                if routine is None:
+                    name = entry.removesuffix("()")
+                    reply = Reply(Stop.EXCEPTION, None, f"the module has no {name} once it is imported")
             except self.caught as fault:
                 reply = self._ended(fault, IMPORTING)
             if reply is not None:
@@ -127,7 +130,7 @@ class InProcess:
                 return CallsResult((reply,) * lost, Usage())
             imported = printed.tell()
             watch.begin()
-            replies = tuple(self._replies(names[entry], calls, limits.items, watch))
+            replies = tuple(self._replies(routine, calls, limits.items, watch))
             spent = watch.rest()
             shown = printed.getvalue()[imported:][:_SHOWN]
             return CallsResult(replies, Usage(spent, spent), printed=shown)
@@ -142,7 +145,7 @@ class InProcess:
                 reply = Reply(Stop.ANSWERED, encode(routine(*arguments), items))
             except self.caught as fault:  # this case is lost, the others are called
                 self.raised = self.raised or fault
-                reply = self._ended(fault)
+                reply = self._ended(fault, place_in(routine))
             yield reply
             if not _goes_on(reply):
                 break

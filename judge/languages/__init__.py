@@ -40,6 +40,12 @@ def language_of(name: str | os.PathLike[str]) -> Language | None:
     return language_of_file(path.name)
 
 
+def spelt(name: str, file: str | os.PathLike[str]) -> str:
+    """A name of several words, such as `signed_area`, as the language of that file writes it."""
+    language = language_of(file)
+    return language.spelt(name) if language else name
+
+
 def file_name(stem: str, language: Language | None = None) -> str:
     """The name of a program's file, in Python where no language is named."""
     return f"{stem}{language.suffixes[0] if language else SUFFIX}"

@@ -72,6 +72,7 @@ def recipe_of(found: Toolchain) -> Recipe:
         out_of_memory=running.out_of_memory,
         empty=(own_file(language, language.empty), language.empty.encode()),
         complaint=compiling.complaint,
+        warning=compiling.warning,
         help=found.files,
     )
 

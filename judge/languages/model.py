@@ -34,7 +34,8 @@ class Compiling(Struct, frozen=True, forbid_unknown_fields=True):
 
     `keeps` says that nothing is made: what is run is the source itself. `complaint` is a pattern of what a
     compiler says of a fault, with groups `message`, `file`, `line` and perhaps `column`; without it the usual
-    forms are known, such as `file:line:column: error: message`.
+    forms are known, such as `file:line:column: error: message`. `warning` is one of what it says of a source
+    that it compiles, and that may well be why an answer is wrong.
     """
 
     steps: tuple[_Words, ...]
@@ -43,6 +44,7 @@ class Compiling(Struct, frozen=True, forbid_unknown_fields=True):
     environment: dict[str, str] = {}
     keeps: bool = False
     complaint: str = ""
+    warning: str = ""
 
 
 class Running(Struct, frozen=True, forbid_unknown_fields=True):
@@ -112,6 +114,11 @@ class Language(
         return hash(self.digest)
 
     @property
+    def is_ours(self) -> bool:
+        """Whether the judge itself describes it."""
+        return Path(self.folder).parent == folders()[0]
+
+    @property
     def tokens(self) -> Tokens:
         """What begins and ends its comments and strings."""
         return self.unsaid or usual_tokens(self.comment)
@@ -121,6 +128,7 @@ class Language(
         yield "main", self.main
         yield "defines", self.head("f")
         yield "complaint", self.compiling.complaint
+        yield "warning", self.compiling.warning
         yield "drops", self.drops
         yield from (("swaps", pattern) for pattern, _ in self.swaps)
         yield from (("unsaid", part) for each in self.unsaid for part in each if MARK not in part)
@@ -207,5 +215,6 @@ def _check_patterns(language: Language) -> None:
             groups = re.compile(pattern).groupindex
         except re.error as fault:
             raise ValueError(f"{key} is not a pattern: {fault}") from None
-        if key == "complaint" and pattern and not {"message", "file", "line"} <= set(groups):
-            raise ValueError("complaint needs the groups message, file and line")
+        told = key in ("complaint", "warning") and pattern
+        if told and not {"message", "file", "line"} <= set(groups):
+            raise ValueError(f"{key} needs the groups message, file and line")

@@ -1,6 +1,6 @@
 """The types of a problem as other languages see them: few kinds, composed.
 
-real, int, big (an int of more than 64 bits), word      atoms
+real, int, big (an int of more than 64 bits), word, text, bool      atoms
 tuple (`parts` named `fields`), list, optional          of other shapes
 """
 
@@ -10,6 +10,7 @@ from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
 from judge.values.atoms import LONGEST, IntType, RealType, Type, WordType
+from judge.values.letters import BoolType, TextType
 from judge.values.types import ArrayType, ListType, OptionalType, TupleType
 
 _SHORT = {"Point": "Pt", "Point3": "Pt3", "IntPoint": "IntPt"}  # as the files of many challenges call them
@@ -46,8 +47,9 @@ def shape_of(type_: Type, *, big: bool = False) -> Shape:
         return Shape("real")
     if isinstance(type_, IntType):
         return Shape("big" if big else "int")
-    if isinstance(type_, WordType):
-        return Shape("word")
+    for atom, kind in ((WordType, "word"), (TextType, "text"), (BoolType, "bool")):
+        if isinstance(type_, atom):
+            return Shape(kind)
     if isinstance(type_, ArrayType):
         return Shape("list", (Shape("real"),), packed=True)
     if isinstance(type_, OptionalType):

@@ -79,12 +79,15 @@ def _called(language: Language, signature: Signature, source: bytes, text: str, 
     spec = spec_of(language, signature, text, own)
     writer = Writer(language, spec)
     name, content = writer.driver()
-    mismatch = f"{spec.entry} is not declared as the problem says: {writer.text('head')}"
+    head = writer.text("head")
+    stub = stripped((head + writer.text("body")).encode(), language.tokens)
+    empty = "".join(stub.split()) in "".join(text.split())
+    mismatch = f"{spec.entry} is not declared as the problem says: {head}"
     if spec.own and "struct" in writer:
         types = (writer.text("struct", each) for each in spec.structs if each.name in spec.own)
         mismatch = f"{mismatch}, with {' and '.join(types)}"
     files = ((name, content.encode()), (own, writer.adapted(source)))
-    return Sources(files, own, signature.entry, text.count("\n", 0, end) + 1, mismatch)
+    return Sources(files, own, signature.entry, text.count("\n", 0, end) + 1, mismatch, empty=empty)
 
 
 def own_file(language: Language, text: str, entry: str = "") -> str:

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from judge.languages.model import Language
 from judge.languages.scan import met
-from judge.languages.shapes import Shape, shape_of, structs
+from judge.languages.shapes import Shape, Unsupported, shape_of, structs
 from judge.languages.signature import Signature
 
 _BRACES = re.compile(r"'.'|[{}]|\b(?:class|record|interface|enum)\s++(\w++)")
@@ -34,16 +34,19 @@ class Spec(NamedTuple):
         """The tuples that the driver has to define."""
         return [each for each in self.structs if each.name not in self.own]
 
-    @property
-    def is_big(self) -> bool:
-        """Whether some of its integers may be of any size."""
-        return any(map(is_big, (*(shape for _, shape in self.parameters), self.answer)))
+    def has(self, what: str) -> bool:
+        """Whether some of its integers may be of any size ("big"), or of its answer ("digits"), or bools."""
+        if what == "big":
+            return any(map(is_big, (*(shape for _, shape in self.parameters), self.answer)))
+        return is_big(self.answer) if what == "digits" else _holds(self.answer, "bool")
 
 
 def spec_of(language: Language, signature: Signature, text: str = "", file: str = "") -> Spec:
     """A problem's function. Raises Unsupported for a type that no driver knows."""
     parameters = tuple((name, shape_of(type_, big=signature.big)) for name, type_ in signature.parameters)
     answer = shape_of(signature.answer, big=signature.big)
+    if is_big(answer) and _holds(answer, "text"):
+        raise Unsupported("a text beside ints of any size, which are texts too")
     named = tuple(structs([*(shape for _, shape in parameters), answer]))
     own = frozenset(each.name for each in named if _defines(each.name, text))
     return Spec(language.spelt(signature.entry), parameters, answer, named, own, text, file)
@@ -58,7 +61,11 @@ def small(answer: Shape) -> Shape:
 
 def is_big(shape: Shape) -> bool:
     """Whether an int of any size is within."""
-    return shape.kind == "big" or any(map(is_big, shape.parts))
+    return _holds(shape, "big")
+
+
+def _holds(shape: Shape, kind: str) -> bool:
+    return shape.kind == kind or any(_holds(part, kind) for part in shape.parts)
 
 
 def _defines(name: str, text: str) -> bool:

@@ -2,11 +2,13 @@
 
 A rule is a text with holes; or a text for each kind of type, `any` for the others; or a list of three: a text
 for each of the `parameters`, `structs`, `lacking` structs, `fields` or `parts`, or once where there are `big`
-integers, and what stands between. A hole `{rule}` is written for the type at hand, `{inner.rule}` for what a
-list or an optional value is of, `{answer.rule}` for the answer as the problem has it. What no rule and no
-name of `Writer` fits stays as it is. A driver has its holes as `@rule@`, and parts for some functions alone:
+integers, or `digits` or `bools` in the answer, and what stands between. A hole `{rule}` is written for the
+type at hand, `{inner.rule}` for what a list or an optional value is of, `{answer.rule}` for the answer as the
+problem has it. What no rule and no name of `Writer` fits stays as it is. The rule `driver` is what the
+driver's file is called where it is compiled, `judge_driver.*` without it. The driver has holes `@rule@`, and
+parts for some functions alone:
 
-    // @if big        or // @if not big
+    // @if big        or // @if not big, digits, bools
     …
     // @end
 """
@@ -26,7 +28,7 @@ from judge.languages.spec import Spec, small
 
 _HOLE = re.compile(r"\{(?:(inner|answer)\.)?(\w+)\}")
 _DRIVER_HOLE = re.compile(r"@(?:(inner|answer)\.)?(\w+)@")
-_SECTION = re.compile(r"^[^\w\n]*@if (not )?big\n(.*?)^[^\w\n]*@end\n", re.MULTILINE | re.DOTALL)
+_SECTION = re.compile(r"^[^\w\n]*@if (not )?(\w+)\n(.*?)^[^\w\n]*@end\n", re.MULTILINE | re.DOTALL)
 _MOST = 100_000  # items of an answer, where room for them is made before
 _Values = Mapping[str, str]
 T = TypeVar("T")
@@ -61,7 +63,7 @@ class Writer:
 
     def driver(self) -> tuple[str, str]:
         """The driver's file name and its text. Raises as `text`."""
-        name = str(self._language.spell.get("file", f"judge_{self._path.name}"))
+        name = str(self._language.spell.get("driver", f"judge_{self._path.name}"))
         return name, self._guarded("driver", lambda: self._filled_driver(small(self.spec.answer)))
 
     def adapted(self, source: bytes) -> bytes:
@@ -109,7 +111,7 @@ class Writer:
                 yield each, {"field": name}
         else:
             lists = {"parts": shape.parts, "structs": self.spec.structs, "lacking": self.spec.lacking}
-            yield from ((each, {}) for each in lists.get(over, (shape,) if self.spec.is_big else ()))
+            yield from ((each, {}) for each in lists.get(over, (shape,) if self.spec.has(over) else ()))
 
     def _filled(self, pattern: re.Pattern[str], text: str, shape: Shape, values: _Values) -> str:
         def hole(found: re.Match[str]) -> str:
@@ -121,7 +123,7 @@ class Writer:
 
     def _filled_driver(self, answer: Shape) -> str:
         def section(found: re.Match[str]) -> str:
-            return found[2] if self.spec.is_big != bool(found[1]) else ""
+            return found[3] if self.spec.has(found[2]) != bool(found[1]) else ""
 
         text = self._filled(_DRIVER_HOLE, _SECTION.sub(section, self._driver), answer, {})
         return str(self._hook.get("finished", str)(text))

@@ -19,7 +19,7 @@ from judge.data.model import GroupData, ProblemData
 from judge.errors import ProblemError
 from judge.problem import Case, Problem
 from judge.run.result import Answers, Behaviour
-from judge.sandbox.encode import encode
+from judge.sandbox.encode import encode, found
 from judge.values.answers import Target
 from judge.values.check import ExactOf
 from judge.values.outline import Outline, wrong_outline
@@ -133,7 +133,9 @@ def entry_of(problem: Problem, program: Program) -> Callable[..., Any]:
     space: dict[str, Any] = {"__name__": "mistakes"}
     try:
         exec(compile(program.source, program.file, "exec", dont_inherit=True), space)
-        function: Callable[..., Any] = space[problem.entry]
+        function: Callable[..., Any] = found(space, problem.called, problem.answer.items)
+        if function is None:
+            raise KeyError(problem.entry)
     except Exception as fault:
         what = f"the program with this mistake cannot be run: {type(fault).__name__}: {fault}"
         raise ProblemError(what, where=program.file, remedy="correct the change") from None

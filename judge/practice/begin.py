@@ -30,7 +30,12 @@ from judge.verify.gate import Options, verify_problem
 from judge.verify.model import Progress
 
 _TEMPLATES = Path(__file__).resolve().parent.parent / "manual" / "katas" / "problems"
-KINDS = {"numbers": "two-points", "text": "runs", "program": "depot"}  # katas of these, the usual one first
+KINDS = {
+    "numbers": "two-points",
+    "text": "runs",
+    "class": "least-recently-used",
+    "program": "depot",
+}  # katas of these, the usual one first
 _LEFT_OUT = {"pins.json", "libraries", "libraries.json", "same.toml", "__pycache__"}
 _LETTERS = "small letters, digits and single hyphens"
 

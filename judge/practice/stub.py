@@ -23,8 +23,10 @@ from judge.files import new_file, read_ordinary, replace_file
 from judge.languages import file_name, language_of
 from judge.problem import Example, Problem
 from judge.problem.model import tupled
+from judge.problem.transcripts import typed_lines
 from judge.values import parameters
 from judge.values.atoms import Type
+from judge.values.calls import CallType
 from judge.values.types import Composite, TupleType, lasting
 
 if TYPE_CHECKING:
@@ -108,7 +110,33 @@ def make_stub(problem: Problem, language: Language | None = None) -> str:
     ]
     if not problem.entry:
         return _program(problem, language, about)
+    if problem.methods and language is None:
+        return _class(problem, about)
     return _python(problem, about) if language is None else _native(problem, language, about)
+
+
+def _class(problem: Problem, about: Iterable[str]) -> str:
+    """The text of a class that is still to be written."""
+    type_, width = problem.parameters[-1].type, _WIDTH - len(_INDENT)
+    assert isinstance(type_, CallType)
+    lines = [*_wrapped(problem.summary, width - len(_QUOTES)), *_contract(problem, width, _typed)]
+    rows = [f"class {problem.entry}:", *textwrap.indent(_docstring(lines), _INDENT).splitlines()]
+    own = tuple((each.name, each.type) for each in problem.parameters[:-1])
+    for name, takes, answer in (("__init__", own, None), *type_.methods):
+        given = "".join(f", {each}: {taken.annotation}" for each, taken in takes)
+        what = problem.entry if name == "__init__" else name
+        rows += ["", f"{_INDENT}def {name}(self{given}) -> {answer.annotation if answer else None}:"]
+        rows += [f'{2 * _INDENT}raise NotImplementedError("{what} is still to be written")']
+    return "\n".join([_docstring(about), "", "", *rows]) + "\n"
+
+
+def _typed(problem: Problem, example: Example) -> list[str]:
+    """An example of calls in a row as at Python's prompt."""
+    first, *calls = typed_lines(problem, example.case)
+    rows = [f">>> {first}"]
+    for typed, wanted in zip(calls, example.wanted, strict=True):
+        rows += [f">>> {typed}", *([] if wanted is None else [repr(wanted)])]
+    return rows
 
 
 def _program(problem: Problem, language: Language | None, about: Iterable[str]) -> str:

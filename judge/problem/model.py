@@ -289,6 +289,7 @@ class Problem(Listed, frozen=True, kw_only=True):
     growth: GrowthRule | None = None
     source: Source = Source()
     formatted: bool = False  # whether problem.py says what a program reads and writes
+    methods: bool = False  # whether the entry is a class, and a case is calls in a row on one object
     key: str = ""
 
     @property
@@ -308,6 +309,11 @@ class Problem(Listed, frozen=True, kw_only=True):
     def limits_of(self, group: Group) -> GroupLimits:
         """The bounds of one of its groups."""
         return group.limits or self.limits
+
+    @property
+    def called(self) -> str:
+        """What a box is asked to call: a function, or a class whose objects are."""
+        return f"{self.entry}()" if self.methods else self.entry
 
     def calls(self, cases: Sequence[Case]) -> Sequence[tuple[Any, ...]]:
         """The cases as a submission receives them: with lists and arrays, where a case has tuples."""

@@ -120,6 +120,8 @@ def _solver(module: ModuleType, problem: Problem) -> Callable[..., Exact]:
     parameters than problem.toml names.
     """
     function: Any = getattr(module, "solve", None)
+    if problem.methods:
+        function = _by_class(module, problem)
     line = getattr(getattr(function, "__code__", None), "co_firstlineno", 0)
     try:
         inspect.signature(function).bind(*problem.parameters)
@@ -136,11 +138,45 @@ def _solver(module: ModuleType, problem: Problem) -> Callable[..., Exact]:
         except (Exception, SystemExit, GeneratorExit):
             with blaming(problem, f"solve{_shortened(case)} fails"):
                 raise
-        if isinstance(answer, float) or (isinstance(answer, tuple | list) and float in map(type, answer)):
+        answers = [each.answer for each in answer] if problem.methods else answer
+        if isinstance(answer, float) or (isinstance(answers, tuple | list) and float in map(type, answers)):
             what = f"solve{_shortened(case)} returns {answer!r}, and a float is not exact"
             raise problem.fault(what, "return ints, Fractions or Real(x, unit)", line)
         return answer
 
+    return solve
+
+
+def _by_class(module: ModuleType, problem: Problem) -> Callable[..., Exact]:
+    """The exact answers of calls in a row on an object of the setter's own class. Raises ProblemError."""
+    from judge.values.answers import Called
+    from judge.values.calls import CallType
+
+    made, calls = getattr(module, problem.entry, None), problem.parameters[-1].type
+    assert isinstance(calls, CallType)
+    names = ", ".join(calls.place)
+    if not isinstance(made, type) or not all(callable(getattr(made, name, None)) for name in calls.place):
+        raise problem.fault(f"there is no class {problem.entry!r} with {names}", "define it")
+    for method in calls.methods:
+        try:
+            inspect.signature(getattr(made, method.name)).bind(None, *method.takes)
+        except TypeError:
+            takes = ", ".join(name for name, _ in method.takes) or "nothing"
+            what = f"{problem.entry}.{method.name} takes other arguments than problem.toml names"
+            code = getattr(getattr(made, method.name), "__code__", None)
+            raise problem.fault(what, f"make it take {takes}", getattr(code, "co_firstlineno", 0)) from None
+    try:
+        inspect.signature(made).bind(*problem.parameters[:-1])
+    except TypeError:
+        what = f"{problem.entry}(…) takes other arguments than problem.toml names"
+        raise problem.fault(what, "correct its __init__, or [parameters]") from None
+
+    def solve(*case: Any) -> Exact:
+        *own, row = problem.calls([case])[0]
+        one = made(*own)
+        return [Called(calls.place[name], getattr(one, name)(*given), (name, *given)) for name, *given in row]
+
+    solve.__signature__ = inspect.signature(lambda *case: case)  # type: ignore[attr-defined]
     return solve
 
 

@@ -29,6 +29,7 @@ from judge.problem.model import (
     KataLevel,
     Parameter,
     Problem,
+    PythonName,
     Source,
     TimeRule,
     Titled,
@@ -54,8 +55,9 @@ Rows = Sequence[tuple[KataLevel | None, Declared]]
 class Head(Titled, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """A problem.toml, whole."""
 
-    answer: Type
+    answer: Type | None = None  # there is one, unless there are methods
     parameters: dict[str, Any]  # a Parameter without its name each, in the order of the call
+    methods: Mapping[PythonName, str] = {}  # of a class: what each takes and answers
     tolerance: Tolerance | None = None
     limits: GroupLimits = GroupLimits()
     time: TimeRule | None = None
@@ -75,27 +77,36 @@ def read_problem(folder: Path, solutions: Path) -> Problem:
         return _exact(wanted, value, types)
 
     head = file.read(Head, hook)
+    methods = _methods(file, head, types) if head.methods else None
+    if methods:
+        answer = methods[1]
+    elif head.answer is not None:
+        answer = parsed_type(head.answer.text, types, head.words)
+    else:
+        raise file.fault("the key 'answer' is missing in the file", "add answer = …")
     parameters = []
     for name, row in head.parameters.items():
         if isinstance(row, dict):
             row["name"] = name
         parameters.append(_bounded(file.read(Parameter, hook, "parameters", name), row))
-    for what, remedy, *path in _faults(head, parameters):
+    for what, remedy, *path in _faults(head, answer, parameters):
         raise file.fault(what, remedy, *path)
+    parameters += [Parameter("calls", methods[0], "the calls, in their order")] if methods else []
     problem = Problem(
         id=folder.name,
         folder=folder,
         solutions=solutions,
         groups=(),
-        answer=parsed_type(head.answer.text, types, head.words),
+        answer=answer,
         parameters=tuple([_lettered(each, types) for each in parameters]),
+        methods=methods is not None,
         **{key: getattr(head, key) for key in (*Titled.__struct_fields__, "limits", "time", "source")},
     )
     module = load_module(problem)
     problem = replace(problem, formatted=module.format is not None)
     statement, examples = read_statement(problem, module, file.raw)
     problem = replace(problem, statement=statement, examples=examples)
-    groups = _groups(problem, module.rows, head.tolerance if head.answer.measured else Tolerance())
+    groups = _groups(problem, module.rows, head.tolerance if answer.measured else Tolerance())
     growth = None
     if head.growth is not None:
         sized = sorted((each for each in groups if each.size), key=lambda each: each.size or 0)
@@ -104,6 +115,25 @@ def read_problem(folder: Path, solutions: Path) -> Problem:
             raise problem.fault(what, "add a group with size = …")
         growth = GrowthRule(tuple(each.name for each in sized), head.growth)
     return replace(problem, groups=groups, growth=growth)
+
+
+def _methods(file: TomlFile, head: Head, types: Path) -> tuple[Type, Type]:
+    """The type of the calls, and of what they return. Raises ProblemError."""
+    if head.answer is not None:
+        raise file.fault("a class has no answer of its own: each method has one", "remove answer", "answer")
+    if not head.entry:
+        raise file.fault("[methods] needs entry, the class's name", 'add entry = "…"', "methods")
+    texts = []
+    for name, written in head.methods.items():
+        texts.append(name + written.strip())
+        try:
+            parsed_type(f"calls{{{texts[-1]}}}", types)
+        except TypeFault as fault:
+            told = fault.what.rpartition(": ")[2]
+            what, remedy = f"methods.{name} = {written!r}: {told}", 'write "(name: type, …) -> type"'
+            raise file.fault(what, remedy, "methods", name) from None
+    calls, returns = (parsed_type(f"{kind}{{{'; '.join(texts)}}}", types) for kind in ("calls", "returns"))
+    return calls, returns
 
 
 def _bounded(parameter: Parameter, row: Mapping[str, Any]) -> Parameter:
@@ -162,10 +192,10 @@ def _exact(wanted: Any, value: Any, types: Path) -> Any:
     return Fraction(number)
 
 
-def _faults(head: Head, parameters: Sequence[Parameter]) -> Iterator[Sequence[str]]:
+def _faults(head: Head, answer: Type, parameters: Sequence[Parameter]) -> Iterator[Sequence[str]]:
     """What the shape alone does not say: what is wrong, what to do about it, and the keys of the place."""
-    if isinstance(lasting(head.answer), ArrayType):
-        what = f"no answer can be of the type {head.answer}"
+    if isinstance(lasting(answer), ArrayType):
+        what = f"no answer can be of the type {answer}"
         yield what, "an array is a parameter's; write a list, which may be one too", "answer"
     if head.growth is not None and head.time is None:
         yield "growth is measured beside a reference solution, and there is none", _REFERENCED, "growth"
@@ -178,7 +208,7 @@ def _faults(head: Head, parameters: Sequence[Parameter]) -> Iterator[Sequence[st
         if head.sets.count(name) > 1:
             yield f"{name!r} is there twice in sets", "remove one", "sets"
     if head.tolerance is not None:
-        yield from _tolerance_faults(head.tolerance, head.answer)
+        yield from _tolerance_faults(head.tolerance, answer)
     for language in head.time.references if head.time else ():
         if not is_described(language):
             what = f"there is no language {language!r}"

@@ -32,6 +32,7 @@ from judge.problem.formats import input_of, output_of
 from judge.problem.model import Case, Example, GroupLimits, Problem, tupled
 from judge.problem.module import Module
 from judge.problem.toml import TomlFile, read_text
+from judge.problem.transcripts import read_transcripts
 from judge.values import check, parameters, show
 from judge.values.answers import Tolerance
 from judge.values.letters import TextType
@@ -56,6 +57,8 @@ def read_statement(
     if not problem.entry:
         return _of_programs(problem, module, raw)
     text = "\n".join([*_filled(problem, "statement.md", raw), ""])
+    if problem.methods:
+        return text, read_transcripts(problem, text, _PROMPT)
     examples = []
     for found in re.finditer(_PROMPT, text):
         line = text.count("\n", 0, found.start()) + 1
@@ -112,7 +115,7 @@ def _words(problem: Problem, raw: Mapping[str, Any]) -> dict[str, str]:
         inner = lasting(each.type)
         own = inner if isinstance(inner, TextType) else each
         bounds = {"low": own.low, "high": own.high, "smallest": 0, "letters": each.type.letters}
-        tables[each.name] = bounds | raw["parameters"][each.name]
+        tables[each.name] = bounds | raw["parameters"].get(each.name, {})
     tables["limits"] = to_builtins(GroupLimits()) | raw.get("limits", {})
     if tolerance := raw.get("tolerance"):
         tables["tolerance"] = dict.fromkeys(Tolerance.__struct_fields__, 0) | tolerance

@@ -15,6 +15,7 @@ from judge.drawing.braille import LEAST_ROWS
 from judge.problem import Verdict
 from judge.problem.find import typed
 from judge.problem.formats import input_of
+from judge.problem.transcripts import typed_lines
 from judge.report.entry import entry_text
 from judge.report.parts import (
     Cell,
@@ -38,7 +39,7 @@ from judge.run.result import Failure, Obstacle
 from judge.run.tried import Tried
 from judge.values import show
 from judge.values.answers import Target
-from judge.values.atoms import Type
+from judge.values.atoms import RealType, Type
 from judge.values.letters import texts_of
 from judge.values.types import Composite, lasting
 
@@ -85,8 +86,9 @@ def _facts(tried: Tried, why: str, brief: bool) -> Iterator[tuple[Cell, Cell]]:
     """What is known of the case; `why` is what it turns on, and `brief` leaves out its other forms."""
     problem, said = tried.problem, tried.said
     if tried.case:
-        yield "case", arguments(problem.named(tried.case))
-    if tried.case and not brief:
+        plain = arguments(problem.named(tried.case))
+        yield from under("case", typed_lines(problem, tried.case) if problem.methods else [plain])
+    if tried.case and not brief and not problem.methods:
         own = tried.module.format
         given = input_of(problem, own, tried.case).rstrip() if own else line_of(problem, tried.case)
         yield from under("as program input", given.split("\n"))
@@ -121,7 +123,7 @@ def _intervals(type_: Type, target: Target, place: str = "") -> Iterator[str]:
     elif isinstance(inner, Composite):
         for at, (part, each) in enumerate(inner.pairs(target) if target is not None else ()):
             yield from _intervals(part, each, f"{place}[{at}]")
-    elif inner.measured and target is not None:
+    elif isinstance(inner, RealType) and target is not None:
         yield f"{f'{place}  ' if place else ''}{target[0]!r} to {target[1]!r}"
 
 

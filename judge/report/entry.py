@@ -8,7 +8,7 @@ import sys
 from pathlib import Path
 
 from judge.errors import one_slip
-from judge.languages import file_name
+from judge.languages import file_name, spelt
 from judge.problem import Problem, Verdict
 from judge.problem.solutions import install_command, requirement
 from judge.run.result import EntryError, Obstacle
@@ -30,11 +30,17 @@ def entry_text(error: EntryError, problem: Problem, submission: str, verdict: Ve
     """The obstacle and the remedy in a sentence or two; `message` is the failure's."""
     entry, count = problem.entry, len(problem.parameters)
     call = f"{entry}({', '.join(parameter.name for parameter in problem.parameters)})"
+    definition = f"class {entry}" if problem.methods else f"def {call}"
     line = f" (line {error.line})" if error.line else ""
     library = requirement(Path(submission))
     match error.kind:
         case Obstacle.STUB:
-            return f"Write the body of {entry}{line}, then save."
+            what = f"the body of {spelt(entry, submission)}" if entry else "the program"
+            return f"Write {what}{line}, then save."
+        case Obstacle.NO_CLASS:
+            return f"{entry} is a function{line}; the kata asks for a class with {error.name}."
+        case Obstacle.NO_ENTRY if problem.methods:
+            return f"The kata asks for a class, and a program cannot be asked: write class {entry}."
         case Obstacle.ARITY:
             return f"{entry} takes {error.takes} arguments and is called with {count}: {call}"
         case Obstacle.MODULE if library:
@@ -57,7 +63,7 @@ def entry_text(error: EntryError, problem: Problem, submission: str, verdict: Ve
         case Obstacle.MISNAMED if odd := next((letter for letter in error.name if letter > "~"), ""):
             text = f"{error.name}{line} has {odd!r} (U+{ord(odd):04X}). Type it anew: {entry}"
         case Obstacle.MISNAMED:
-            text = f"There is no {entry}; is {error.name}{line} meant? Rename it: def {call}"
+            text = f"There is no {entry}; is {error.name}{line} meant? Rename it: {definition}"
         case Obstacle.EMPTY:
             return "The file holds no program."
         case Obstacle.NO_ENTRY:

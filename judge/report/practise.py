@@ -6,6 +6,7 @@ from rich.console import Group, RenderableType
 from rich.table import Table
 from rich.text import Text
 
+from judge.languages import spelt
 from judge.report.parts import blocks, commands, faint, good, head, joined, prose, strong, table, text
 from judge.report.published_practise import Begun, HintShown, SolutionShown
 from judge.report.screen import Screen, is_terminal
@@ -21,7 +22,9 @@ def begun(found: Begun, _screen: Screen) -> RenderableType:
     if not found.created:
         return joined(strong(f"{file} exists."), " Go on: judge run. Start over: add --reset")
     kept = f" The old text is in {shown_name(found.kept)}." if found.kept else ""
-    return joined(strong(f"Created {file}."), f"{kept} Write {found.entry}, then: judge run")
+    return joined(
+        strong(f"Created {file}."), f"{kept} Write {spelt(found.entry, found.file)}, then: judge run"
+    )
 
 
 def hint_shown(found: HintShown, screen: Screen) -> RenderableType:

@@ -128,7 +128,8 @@ def _group_row(group: Group) -> GroupRow:
 
 
 def _in_words(value: Struct) -> Words:
-    return {name: str(getattr(value, name)) for name in value.__struct_fields__}
+    said = ((name, getattr(value, name)) for name in value.__struct_fields__)
+    return {name: str(each) for name, each in said if each is not None}
 
 
 class Document(Struct, frozen=True):

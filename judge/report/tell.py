@@ -84,7 +84,7 @@ def tell(
     shown = None if hurdle else shown_failure(result)
     failing = [] if hurdle else _failing(result)
     stub = hurdle is not None and hurdle.kind is Obstacle.STUB
-    values = shown.input if shown and shown.input and not shown.stdin else {}
+    values = shown.input if shown and shown.input and not shown.shown else {}
     text = source.decode("utf-8", "replace")
     order = other_order(problem, text) if problem is not None and failing else ""
     return Told(
@@ -96,7 +96,7 @@ def tell(
         source=() if hurdle else _source(result, text),
         case=_case(result, shown),
         input=tuple(f"{name} = {argument(value)}" for name, value in values.items()),
-        facts=tuple(_facts(result, shown, why)),
+        facts=tuple(_facts(problem, result, shown, why)),
         mistake=order or (mistake_text(pitfall, result.submission) if pitfall else ""),
         advice=_advice(pitfall) if pitfall and not order else (),
         time=_time(problem, result, whole=whole),
@@ -234,13 +234,16 @@ def _case(result: Result, shown: Failure | None) -> str:
     return f"Smallest failing case{place if small.input == first.input else ''}{later}"
 
 
-def _facts(result: Result, shown: Failure | None, why: str) -> Iterator[tuple[str, str]]:
+def _facts(
+    problem: Problem | None, result: Result, shown: Failure | None, why: str
+) -> Iterator[tuple[str, str]]:
     if shown is None:
         return
     wrong = result.verdict is Verdict.WA
-    if shown.stdin:
-        yield "input", shown.stdin
-    if shown.expected is not None:
+    in_a_row = problem is not None and problem.methods
+    if shown.shown:
+        yield "calls" if in_a_row else "input", shown.shown
+    if shown.expected is not None and not in_a_row:
         yield "expected", shown.expected
         if shown.got is not None and wrong:
             yield "got", shown.got

@@ -25,19 +25,26 @@ def entry_error(result: Result, runner: Runner, inspection: Inspection, source: 
         return None
     problem, called = runner.problem, runner.calls
     entry = next((each for each in inspection.functions if each.name == problem.entry), None)
-    if called and entry is not None and entry.empty:
+    message = result.failure.message
+    place = _LINE.search(message)
+    line = int(place[1]) if place else 0
+    if called and entry is not None and entry.empty and not problem.methods:
         return EntryError(Obstacle.STUB, entry.line)
+    if message.startswith(f"NotImplementedError: {problem.entry or problem.id} is still to be written"):
+        return EntryError(Obstacle.STUB, line)
+    if called and problem.methods:
+        if entry is not None:
+            return EntryError(Obstacle.NO_CLASS, entry.line, _methods(problem))
+        if not inspection.defines(problem.entry):
+            return missing_entry(problem, inspection, source)
     # What such a one printed is right by chance; in another language its compiler would not have taken it.
     meant = called or runner.language or not problem.entry or getattr(runner, "asked", False)
     missing = None if meant else missing_entry(problem, inspection, source)
     ran = any(group.passed for group in result.groups)
     if ran or runner.language or result.verdict is not Verdict.RTE:
         return missing
-    if called and entry is not None and not entry.takes(len(problem.parameters)):
+    if called and entry is not None and not problem.methods and not entry.takes(len(problem.parameters)):
         return EntryError(Obstacle.ARITY, entry.line, takes=_takes(entry))
-    message = result.failure.message
-    place = _LINE.search(message)
-    line = int(place[1]) if place else 0
     if called and not message.endswith(IMPORTING):
         return None
     if absent := _NO_MODULE.match(message):
@@ -49,7 +56,7 @@ def missing_entry(problem: Problem, inspection: Inspection, source: bytes) -> En
     """Why a source has no entry that can be called; None where it reads its input, as a program does."""
     entry = problem.entry
     inner = {each.name: each for each in reversed(inspection.inner)}
-    reads = not problem.parameters or any(word in source for word in _READS)
+    reads = not problem.methods and (not problem.parameters or any(word in source for word in _READS))
     functions = {each.name for each in inspection.functions}
     names = dict(inspection.names)
     # In what reads its input a variable of a name like the entry's means nothing.
@@ -70,6 +77,11 @@ def missing_entry(problem: Problem, inspection: Inspection, source: bytes) -> En
     if not any(line.strip() and not line.lstrip().startswith(b"#") for line in lines):
         return EntryError(Obstacle.EMPTY)
     return EntryError(Obstacle.NO_ENTRY, name="print" if b"print" in source else "")
+
+
+def _methods(problem: Problem) -> str:
+    """The methods of the class, `get and put`."""
+    return " and ".join(getattr(problem.answer, "place", ()))
 
 
 def _takes(entry: Defined) -> str:

@@ -87,6 +87,8 @@ def judge_submission(
         waited += place.waited
     result = _result(problem, name, runner, runs, timing, box.isolation)
     notes = [_WAITED] if waited >= _LONG_WAIT_SECONDS else []
+    if result.verdict is not Verdict.AC:
+        notes += box.inspect().warnings
     return Judged(result.noting(*notes), runner, {run.group.name: run.answers for run in runs})
 
 

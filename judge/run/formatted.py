@@ -127,7 +127,7 @@ class FormatRunner:
         if failure.input is None:
             return failure
         text = input_of(self.problem, self._own, case_of(failure.input))
-        return replace(failure, stdin=shown(text))
+        return replace(failure, shown=shown(text))
 
 
 def shown(text: str) -> str:

@@ -7,6 +7,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from judge.problem import Case, Problem, TimeRule
 from judge.problem.model import Mode
@@ -32,7 +33,7 @@ class FunctionRunner(Struct, frozen=True):
 
     def ask(self, box: Box, cases: Sequence[Case], limits: Limits) -> Replies:
         """Some calls; one that ends its process is the last one, and to blame."""
-        result = box.call(self.problem.entry, self.problem.calls(cases), limits)
+        result = box.call(self.problem.called, self.problem.calls(cases), limits)
         stop = result.replies[-1].stop if result.replies else Stop.ANSWERED
         lost = stop not in (Stop.ANSWERED, Stop.EXCEPTION)
         return Replies(
@@ -63,5 +64,9 @@ class FunctionRunner(Struct, frozen=True):
         return rule.function
 
     def explained(self, failure: Failure, does: Behaviour = NOTHING) -> Failure:  # noqa: ARG002
-        """As it is: a function is what was asked for."""
-        return failure
+        """As it is, for a function is what was asked for; of calls in a row, with each of them."""
+        if not self.problem.methods or failure.input is None:
+            return failure
+        from judge.run.transcript import transcript  # few problems have methods
+
+        return replace(failure, shown=transcript(self.problem, failure))

@@ -77,11 +77,11 @@ class Failure(Struct, frozen=True):
     """One failing case, or why nothing could be run (then only `message` is set).
 
     `group` is the test group whose tolerance decides, `case` counts from 1 within it; None where it holds no
-    such case. `input` maps a parameter's name to its value, `given` is the answer in its JSON form where
-    it is short, `printed` what the function printed meanwhile, and `stdin` what a program read where the
-    kata has a format of its own. `where` says which part is wrong; `absolute`,
-    `relative` and `ulps` are its errors where it is a number. `replay` is the id to judge just this case by;
-    the search for a smallest case was `cut_short` where it had not come to its end.
+    such case. `input` maps a parameter's name to its value, `shown` is the case where it is not shown by its
+    arguments: what a program read in a format of the kata's own, or calls in a row. `given` is the answer in
+    its JSON form where it is short, `printed` what the function printed meanwhile. `where` says which part is
+    wrong; `absolute`, `relative` and `ulps` are its errors where it is a number. `replay` is the id to judge
+    just this case by; the search for a smallest case was `cut_short` where it had not come to its end.
     """
 
     message: str
@@ -92,7 +92,7 @@ class Failure(Struct, frozen=True):
     got: str | None = None
     given: Any = None
     printed: str = ""
-    stdin: str = ""
+    shown: str = ""
     where: str = ""
     absolute: float | None = None
     relative: float | None = None
@@ -238,6 +238,7 @@ class Obstacle(Enum):
     """Why a submission can answer nothing at all, whatever the case."""
 
     STUB = "stub"  # the entry function is still to be written
+    NO_CLASS = "no class"  # the entry is a function where a class is asked for
     ARITY = "arity"  # the entry function takes another number of arguments
     MODULE = "module"  # a module that it imports is not there
     IMPORT = "import"  # an exception ends its import

@@ -82,7 +82,8 @@ def runner_for(problem: Problem, inspection: Inspection, source: bytes, *, progr
 
     With `program` it is run as a program all the same.
     """
-    if problem.entry and inspection.defines(problem.entry) and not program:
+    defined = problem.entry and inspection.defines(problem.entry) and not program
+    if defined or (problem.methods and not problem.formatted):
         return FunctionRunner(problem, inspection.language)
     if problem.formatted:
         from judge.run.formatted import FormatRunner  # few problems have a format of their own

@@ -112,6 +112,7 @@ class Inspection(NamedTuple):
     functions: tuple[Defined, ...] = ()  # of these, those that are plain functions
     inner: tuple[Inner, ...] = ()
     language: str = ""  # its name; "" for Python
+    warnings: tuple[str, ...] = ()  # of its compiler, in sentences
 
     @classmethod
     def read(cls, found: Mapping[str, Any]) -> Inspection:

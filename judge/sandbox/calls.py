@@ -19,6 +19,7 @@ from typing import Any
 
 from judge.sandbox import outcome
 from judge.sandbox.boundary import Reply
+from judge.sandbox.encode import encode
 from judge.sandbox.inside import wire
 
 _NUMBERS = {int, float}
@@ -79,12 +80,12 @@ def replies(stdout: bytes, most: int) -> tuple[list[Reply], bool]:
 
 
 def _sent(answer: Any) -> Any:
-    """An answer in the form of encode.py: an int of many digits, and a word, are marked there."""
+    """An answer in the form of encode.py: an int of many digits, and a text, are marked there."""
     kind = type(answer)
     if kind is int and not -_SMALL <= answer < _SMALL:
         return {"int": f"{answer:x}"}
     if kind is str:
-        return {"word": answer}
+        return encode(answer)
     if kind is list:
         kinds = set(map(type, answer))
         if kinds == {float} or (kinds == {int} and min(answer) >= -_SMALL and max(answer) < _SMALL):

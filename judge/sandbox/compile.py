@@ -29,8 +29,9 @@ ARTIFACT_BYTES = 64 << 20
 ARTIFACT_FILES = 2000
 PROCESSES = 256  # of all that the compiler starts, where they have a user of their own
 DESCRIPTORS = 512
-_SAID = 1 << 15  # bytes of what a compiler says that are looked at
+_SAID = 1 << 16  # bytes of what a compiler says that are looked at
 _SHOWN = 300
+_WARNINGS = 3  # of a compiler that are told
 _LONGEST = 500  # characters of a line of it
 _NAME = re.compile(r"[\w$+-][\w$.+-]*(/[\w$+-][\w$.+-]*)*")
 _PATH = re.compile(r"(?<![\w.])/[\w.+-]+(?:/[\w.+-]+)+/")
@@ -65,11 +66,15 @@ _BUSY = "judge it again, with a smaller -j if the machine is busy"
 
 
 class Compiled(NamedTuple):
-    """What came of it: files, or the fault of the source; `cpu_seconds` of the compiler's own process."""
+    """What came of it: files, or the fault of the source; `cpu_seconds` of the compiler's own process.
+
+    `warnings` are sentences about the submission's own file.
+    """
 
     files: Files
     fault: SourceFault | None
     cpu_seconds: float = 0.0
+    warnings: tuple[str, ...] = ()
 
 
 def place_of(recipe: Recipe, folder: Path) -> Workplace:
@@ -118,6 +123,7 @@ def compiled(
         "RLIMIT_STACK": 64 << 20,
     }
     used, kills = 0.0, room.oom_kills()
+    warnings: tuple[str, ...] = ()
     for step in recipe.steps:
         payload = marshal.dumps((filled(step, places, names), environment, scratch, limits))
         with shared.stdio(b"") as stdio:
@@ -127,16 +133,16 @@ def compiled(
         if kind == wire.BROKEN_BOX:
             raise ShortageError(f"{step[0]} cannot be started: {note}", remedy=_BUSY)
         used += done.cpu_ns / 1e9
-        fault = _fault(
-            done, said.decode(errors="replace"), sources, recipe.complaint, (f"{source}/", f"{scratch}/")
-        )
+        text = _plain(said.decode(errors="replace"), (f"{source}/", f"{scratch}/"))
+        warnings += _warned(text, sources, recipe.warning)
+        fault = _fault(done, text, sources, recipe.complaint)
         if fault:
             if not fault.line and room.oom_kills() != kills:
                 raise shortage_of(errno.ENOMEM, "the kernel has killed the compiler")
             return Compiled((), fault, used)
     if recipe.keeps:
-        return Compiled(sources.files, None, used)
-    return _collected(container, places["out"])._replace(cpu_seconds=used)
+        return Compiled(sources.files, None, used, warnings)
+    return _collected(container, places["out"])._replace(cpu_seconds=used, warnings=warnings)
 
 
 def _asked(container: Container, kind: bytes, stdio: Sequence[int], payload: bytes) -> Done:
@@ -165,9 +171,21 @@ def _collected(container: Container, folder: str) -> Compiled:
     return Compiled(files, None)
 
 
-def _fault(
-    done: Done, said: str, sources: Sources, complaint: str, places: Sequence[str]
-) -> SourceFault | None:
+def _plain(said: str, places: Sequence[str]) -> str:
+    """What a compiler says, without the folders in it."""
+    for place in places:
+        said = said.replace(place, "")
+    return wire_lines(_PATH.sub("", said))
+
+
+def _warned(said: str, sources: Sources, warning: str) -> tuple[str, ...]:
+    """What it says of the submission's own file, each line once."""
+    found = re.finditer(warning, said, re.MULTILINE) if warning else ()
+    lines = {each["line"]: each["message"].strip() for each in found if each["file"] == sources.own}
+    return tuple(f"the compiler warns: {lines[line]} (line {line})" for line in lines)[:_WARNINGS]
+
+
+def _fault(done: Done, said: str, sources: Sources, complaint: str) -> SourceFault | None:
     """Why a step failed, for a person; None where it did not. Raises ShortageError."""
     if not done.status:
         return None
@@ -183,11 +201,8 @@ def _fault(
         return SourceFault(f"the compiler did not survive it: {signal.strsignal(number) or number}")
     if "File size limit exceeded" in said:  # an assembler's, or a linker's, of which the compiler tells
         return SourceFault(_TOO_LARGE)
-    for place in places:
-        said = said.replace(place, "")
     status = os.waitstatus_to_exitcode(done.status)
-    lines = wire_lines(_PATH.sub("", said))
-    return _told(_ASSEMBLED.sub("", lines), sources, complaint, status)
+    return _told(_ASSEMBLED.sub("", said), sources, complaint, status)
 
 
 def wire_lines(text: str) -> str:

@@ -36,6 +36,55 @@ MOST_TEXT = 80  # of what is sent to be shown alone
 IMPORTING = ", while the module was imported"  # what the detail of such an exception ends in
 
 _SMALL = 1 << 63
+
+
+class Ready:
+    """A form that is made already."""
+
+    __slots__ = ("form",)
+
+    def __init__(self, form: Any) -> None:
+        self.form = form
+
+
+class OnObject:
+    """Makes an object of a class for each case, and the calls on it; each answer is encoded at once."""
+
+    def __init__(self, made: Any, most: int) -> None:
+        self._made = made
+        self._most = most
+        self._call: Any = None
+
+    def __call__(self, *arguments: Any) -> Ready:
+        """The answers to the calls, which are the last argument; the others are the constructor's."""
+        *own, calls = arguments
+        self._call = None
+        one, answers = self._made(*own), []
+        for number, (name, *given) in enumerate(calls, 1):
+            self._call = number, name, given
+            answers.append(encode(getattr(one, name)(*given), self._most))
+        return Ready(answers)
+
+    @property
+    def at(self) -> str:
+        """Where it has come to: `, in call 3: get(1)`."""
+        if self._call is None:
+            return ""
+        number, name, given = self._call
+        return f", in call {number}: {name}({', '.join(map(repr, given))[:MOST_TEXT]})"
+
+
+def found(names: dict[str, Any], entry: str, most: int) -> Any:
+    """What is called by that name among a module's: a function, or objects of the class of `Name()`."""
+    made = names.get(entry.removesuffix("()"))
+    return OnObject(made, most) if entry.endswith("()") and made is not None else made
+
+
+def place_in(function: Any) -> str:
+    """Where calls in a row have come to; nothing for any other function."""
+    return function.at if type(function) is OnObject else ""
+
+
 _CODES = {  # by kind and size
     "i1": "b", "i2": "h", "i4": "i", "i8": "q", "f4": "f", "f8": "d",
     "u1": "B", "u2": "H", "u4": "I", "u8": "Q",
@@ -55,6 +104,8 @@ def encode(value: Any, most: int = MOST_ITEMS) -> Any:
         return value
     if kind is int and -_SMALL <= value < _SMALL:
         return value
+    if kind is Ready:
+        return value.form
     return _encode(value, 0, [most, most, MOST_CHARACTERS])
 
 

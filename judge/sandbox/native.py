@@ -9,15 +9,17 @@ from __future__ import annotations
 import hashlib
 import marshal
 import os
+import re
 from collections.abc import Callable, Sequence
 from functools import cached_property, partial
 from pathlib import Path
 from typing import Any
 
 from judge.errors import ShortageError
-from judge.sandbox import calls, launch, outcome, room
+from judge.sandbox import calls, launch, room
 from judge.sandbox.boundary import (
     CallsResult,
+    Defined,
     Inspection,
     Limits,
     ProgramResult,
@@ -37,7 +39,11 @@ from judge.sandbox.roots import find_roots
 from judge.sandbox.temporary import TemporaryFolder
 
 _BOX = "/box"
+_WARNED = "judge-warnings"  # a file beside what was compiled, for whoever takes that from the cache
 _STACK = 64 << 20  # at most, where it may be as large as the memory
+_SHOWN = 200
+_WORDS = re.compile(r"panic|Exception|[Ee]rror|terminate|what\(\)|fatal|Assertion")
+_LINE = re.compile(r" \(line (\d{1,9})\)$")
 _NOTHING = Usage()
 Order = tuple[Recipe, Sources]
 
@@ -105,13 +111,17 @@ class NativeBox(ContainerBox):
             key = self._key()
             found = self._store.artifact(key)
             if found is None:
-                done = self._compile()
-                found, fault = done
+                found, fault = self._compile()
                 if fault is None:
                     self._store.keep_artifact(key, found)
             self._artifact = found
-        names = ((sources.entry, sources.line),) if sources.entry else ()
-        return Inspection(fault, names, language=self._recipe.name)
+        warned = dict(self._artifact).get(_WARNED, b"").decode()
+        entry, line = sources.entry, sources.line
+        names = ((entry, line),) if entry else ()
+        functions = (Defined(entry, line, 0, -1, sources.empty),) if entry else ()
+        return Inspection(
+            fault, names, functions, language=self._recipe.name, warnings=tuple(warned.splitlines())
+        )
 
     def _key(self) -> str:
         digest = hashlib.blake2b(self._recipe.key.encode(), digest_size=16)
@@ -141,7 +151,8 @@ class NativeBox(ContainerBox):
             finally:
                 self._drop()
                 self._place = None
-        return made.files, made.fault
+        warned = (_WARNED, "\n".join(made.warnings).encode())
+        return (*made.files, warned) if made.warnings else made.files, made.fault
 
     def _processes(self) -> int:
         """A bound that leaves the compiler its own; the kernel counts all processes of a user together."""
@@ -161,7 +172,10 @@ class NativeBox(ContainerBox):
 
     def run_whole(self, stdin: bytes, limits: Limits) -> ProgramResult:
         """As `run_program`, with the start of its language in the CPU time; `limits` are without."""
-        return super().run_program(stdin, limits)
+        done = super().run_program(stdin, limits)
+        if done.stop is not Stop.EXITED:
+            return done
+        return done._replace(detail=placed(done.detail, done.stderr, self._sources))
 
     def _prepare(self) -> str:
         fault = self.inspect().fault
@@ -170,7 +184,7 @@ class NativeBox(ContainerBox):
     def _said(self, done: Done, stderr: bytes) -> tuple[tuple[int, str], str]:
         sign = self._recipe.out_of_memory
         short = done.status and not os.WIFSTOPPED(done.status) and sign and sign.encode() in stderr
-        return (wire.NO_MEMORY if short else wire.NO_NOTE, ""), outcome.last_words(stderr)
+        return (wire.NO_MEMORY if short else wire.NO_NOTE, ""), last_words(stderr)
 
     def _run(self, stdio: Sequence[int], limits: Limits) -> Done:
         recipe, memory, idle = self._recipe, limits.memory_bytes, self.idle
@@ -235,11 +249,11 @@ class NativeBox(ContainerBox):
         if not cases:
             return CallsResult((), _NOTHING)
         done = self.run_program(calls.text(cases), limits)
-        replies, kept_form = calls.replies(done.stdout, len(cases))
+        replies, kept_form = self._replies(done, len(cases))
         if kept_form and len(replies) < len(cases):
             # It ended early: at which call shows where each answer is written at once.
             again = self.run_program(calls.text(cases, at_once=True), limits)
-            replies, kept_form = calls.replies(again.stdout, len(cases))
+            replies, kept_form = self._replies(again, len(cases))
             done = done if done.stop is not Stop.ANSWERED else again
             if done.stop is Stop.ANSWERED:
                 done = done._replace(stop=Stop.EXITED, detail="it ended the process in mid-call")
@@ -250,6 +264,13 @@ class NativeBox(ContainerBox):
             return CallsResult(tuple(replies), done.usage, printed=printed)
         del replies[len(cases) - 1 :]
         return CallsResult((*replies, Reply(done.stop, detail=done.detail)), done.usage)
+
+    def _replies(self, done: ProgramResult, most: int) -> tuple[list[Reply], bool]:
+        found, kept_form = calls.replies(done.stdout, most)
+        raised = {place: each for place, each in enumerate(found) if each.detail}
+        for place, each in raised.items():
+            found[place] = each._replace(detail=within(each.detail, self._sources))
+        return found, kept_form
 
 
 def measured(recipe: Recipe, boxes: Boxes, store: Store) -> Usage:
@@ -262,13 +283,7 @@ def measured(recipe: Recipe, boxes: Boxes, store: Store) -> Usage:
         runs = [] if fault else [box.run_program(b"", limits) for _ in range(3)]
     failed = next((run for run in runs if run.stop is not Stop.ANSWERED), None)
     if fault or failed:
-        why = (
-            fault.message
-            if fault
-            else f"{failed.detail} {outcome.last_words(failed.stderr)}"
-            if failed
-            else ""
-        )
+        why = fault.message if fault else f"{failed.detail} {last_words(failed.stderr)}" if failed else ""
         raise _empty_fails(recipe, why)
     costs = sorted(run.usage.cpu_seconds for run in runs)
     walls = sorted(run.usage.wall_seconds for run in runs)
@@ -277,3 +292,34 @@ def measured(recipe: Recipe, boxes: Boxes, store: Store) -> Usage:
 
 def _empty_fails(recipe: Recipe, why: str) -> ShortageError:
     return ShortageError(f"the empty {recipe.name} program fails: {why}", remedy="see 'judge doctor'")
+
+
+def last_words(stderr: bytes) -> str:
+    """The line of its stderr that most likely says what went wrong, with what belongs to it; or ""."""
+    lines = [wire.printable(line) for line in stderr.decode(errors="replace").splitlines()]
+    place = next((at for at, line in enumerate(lines) if _WORDS.search(line)), None)
+    if place is None:
+        return ""
+    found, *after = lines[place : place + 2]
+    if after and (found.endswith(":") or after[0].startswith("what()")):
+        found = f"{found} {after[0]}"
+    return found[:_SHOWN]
+
+
+def placed(detail: str, stderr: bytes, sources: Sources) -> str:
+    """How it ended, with the line of the submission that its stderr tells.
+
+    That is the first one in a trace that begins where it ended, and the last in one of Python's.
+    """
+    place = re.compile(rf'\b{re.escape(sources.own)}(?::|(", line ))(\d{{1,9}})')
+    found = place.findall(stderr.decode(errors="replace"))
+    if not found:
+        return detail
+    return within(f"{detail} (line {found[-1 if found[0][0] else 0][1]})", sources)
+
+
+def within(detail: str, sources: Sources) -> str:
+    """The same without a line at its end that the submission has not."""
+    found = _LINE.search(detail)
+    lines = dict(sources.files)[sources.own].count(b"\n") + 1
+    return detail[: found.start()] if found and int(found[1]) > lines else detail

@@ -10,7 +10,6 @@ import contextlib
 import gc
 import json
 import os
-import re
 import signal
 from collections.abc import Callable, Iterator
 from functools import partial
@@ -23,8 +22,6 @@ from judge.sandbox.inside import wire
 
 DETAIL_LENGTH = 1000
 STOPPED = "stopped itself"
-_WORDS = re.compile(r"panic|Exception|[Ee]rror|terminate|what\(\)|fatal|Assertion")
-_SHOWN = 200
 _TOO_DEEP, _TOO_DEEP_OR_FAR = (
     f" (did it call itself too deeply{more}?)" for more in ("", ", or read past an array")
 )
@@ -98,18 +95,6 @@ def end_of(done: Done, note: tuple[int, str], words: str | None = None) -> tuple
     if kind == wire.RAISED:
         return Stop.EXCEPTION, text
     return Stop.EXITED if code else Stop.ANSWERED, f"exit status {code}{more}"
-
-
-def last_words(stderr: bytes) -> str:
-    """The line of its stderr that most likely says what went wrong, with what belongs to it; or ""."""
-    lines = [wire.printable(line) for line in stderr.decode(errors="replace").splitlines()]
-    place = next((at for at, line in enumerate(lines) if _WORDS.search(line)), None)
-    if place is None:
-        return ""
-    found, *after = lines[place : place + 2]
-    if after and (found.endswith(":") or after[0].startswith("what()")):
-        found = f"{found} {after[0]}"
-    return found[:_SHOWN]
 
 
 def parse_replies(data: bytes, most: int) -> tuple[list[Reply], bool]:

@@ -18,7 +18,7 @@ class Recipe(NamedTuple):
     """How a language is compiled and run; `key` changes with its description and its tools.
 
     `empty` is a program that does nothing, by its file's name; `stack`, `allowance` are bytes, `stack` 0 for
-    as much as the memory limit. `complaint` is a pattern of a compiler's fault, as `Compiling` has it.
+    as much as the memory limit. `complaint` and `warning` are patterns of what a compiler says.
     """
 
     name: str
@@ -37,6 +37,7 @@ class Recipe(NamedTuple):
     out_of_memory: str
     empty: tuple[str, bytes]
     complaint: str = ""
+    warning: str = ""
     help: Files = ()  # files for the compiler, that no program is made of
 
 
@@ -45,7 +46,8 @@ class Sources(NamedTuple):
 
     `own` is the submission's own file. Where it has a function to be called, `entry` is that function's name
     in the problem, `line` its line; the start is then a driver, and `mismatch` is what is to be said where
-    the compiler finds the fault in that. A `fault` is one that is seen without any compiler.
+    the compiler finds the fault in that. A `fault` is one that is seen without any compiler; a function is
+    `empty` as long as nothing is written in it.
     """
 
     files: Files
@@ -54,6 +56,7 @@ class Sources(NamedTuple):
     line: int = 0
     mismatch: str = ""
     fault: SourceFault | None = None
+    empty: bool = False
 
     @property
     def main(self) -> str:

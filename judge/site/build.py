@@ -37,6 +37,7 @@ from judge.files import replace_file
 from judge.mistakes.namer import Namer
 from judge.practice.cards import NONE, Card, Count, Drawn, Number, read_decks
 from judge.practice.questions import Question, Sources, ask
+from judge.practice.stub import make_stub
 from judge.practice.syllabus import USUAL, PracticeSet, read_checklist, read_pack, sound_sets
 from judge.problem import Problem
 from judge.problem.module import load_module
@@ -249,13 +250,14 @@ def _elsewhere(problem: Problem) -> str:
 def _listed(problem: Problem) -> dict[str, Any]:
     """The kata as the page lists it."""
     names = ", ".join(parameter.name for parameter in problem.parameters)
+    stub = f"def {problem.entry}({names}):\n    raise NotImplementedError\n"
+    if problem.methods or not problem.entry:
+        stub = make_stub(problem)
     return {
         "id": problem.id,
         "title": problem.title,
         "summary": problem.summary,
-        "stub": f"def {problem.entry}({names}):\n    raise NotImplementedError\n"
-        if problem.entry
-        else "import sys\n\n",
+        "stub": stub,
         "levels": bool(problem.levels),
         "elsewhere": _elsewhere(problem),
         "figure": has_figure(problem),

@@ -6,6 +6,8 @@ elements. Its leaves and wrappers:
     Real(x, unit)      a number x, and the size that a tolerance's `extent` counts in
     AnyOf(answers)     any of these
     Judged(why_not)    whatever a function of the problem accepts
+    Called(method, answer, call)
+                       what one of several calls in a row answers; the engine's own
 """
 
 from __future__ import annotations
@@ -89,6 +91,14 @@ class Words(Struct, frozen=True, forbid_unknown_fields=True):
 
 
 NO_WORDS = Words()
+
+
+class Called(Struct, frozen=True):
+    """The exact answer to a call: the place of its method, and the call."""
+
+    method: int
+    answer: Exact
+    call: tuple[Any, ...]
 
 
 def within(exact: Exact, group: str) -> Exact:

@@ -206,6 +206,18 @@ class Atom(Type):
         why = self.why_not(value) or f"{self.shown(target)} expected, {self.shown(value)} given"
         return place.mismatch(wire.cut(why, 3 * _LONG))
 
+    def miss(self, value: Value, target: Target, leaf: Leaf, words: Words, place: Place) -> Mismatch:
+        """The same, where the exact answer may be asked for."""
+        return self.why(value, target, words, place)
+
+    def accepted(self, target: Target) -> Any:
+        """What is accepted, as JSON: the least and the greatest number."""
+        return list(target[:2]) if self.measured else target
+
+    def listed(self, value: Value) -> Any:
+        """A parameter's value as a submission receives it."""
+        return value
+
     def take(self, tokens: Tokens, meant: str) -> Raw:
         """The answer that the next token holds, as JSON; raises Unreadable."""
         token = tokens.next()
@@ -228,7 +240,7 @@ class NumberType(Atom):
     def __init__(self, low: int | None = None, high: int | None = None) -> None:
         self.low, self.high = low, high
         if low is not None and high is not None:
-            in_order(low, high)
+            wire.in_order(low, high)
             self.text = f"{self.text}({low}..{high})"
 
     def why_not(self, value: Any) -> str | None:
@@ -346,12 +358,6 @@ class RealType(NumberType):
     def take(self, tokens: Tokens, meant: str) -> Raw:
         """A decimal."""
         return tokens.number(meant)
-
-
-def in_order(low: int, high: int) -> None:
-    """Raise ValueError for bounds that leave nothing."""
-    if low > high:
-        raise ValueError("low is above high")
 
 
 class DoubleType(RealType):

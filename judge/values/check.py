@@ -157,8 +157,11 @@ def _off(type_: Type, value: Value, target: Target, ask: _Ask, place: Place) -> 
     if inner is not type_ and (value is None or target is None):
         return NOTHING if value is target else _Miss(place, partial(_none, inner, value, target, ask, place))
     if isinstance(inner, Atom):
-        off = inner.off(value, target, lambda: ask.at(place))
-        return _Miss(place, partial(inner.why, value, target, ask.words, place)) if off is None else off
+        leaf = partial(ask.at, place)
+        off = inner.off(value, target, leaf)
+        return (
+            _Miss(place, partial(inner.miss, value, target, leaf, ask.words, place)) if off is None else off
+        )
     count, worst = len(value), NOTHING
     if count != len(target) and isinstance(inner, ListType):
         return _Miss(place, partial(_other_count, inner, value, target, ask, place))
@@ -264,12 +267,11 @@ def check_line(type_: Type, text: str, target: Target, exact: ExactOf) -> Outcom
     """Decide one line of a program's output (without its newline, whatever it holds); see `check`."""
     answer = read_line(type_, text)
     got = quoted(text)[1:-1]
-    right = wanted_line(type_, target)
     if isinstance(answer, str):
-        return Rejection(answer, right, got)
+        return Rejection(answer, wanted_line(type_, target), got)
     outcome = check(type_, answer[0], target, exact)
     if isinstance(outcome, Accepted):
         return outcome
     # The answers are shown as programs write them; what stands in quotation marks is a text.
     message = _NONE.sub(lambda found: found[0] if found[0] != "None" else "none", outcome.message)
-    return replace(outcome, message=message, wanted=right, got=got)
+    return replace(outcome, message=message, wanted=wanted_line(type_, target), got=got)

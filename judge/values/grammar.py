@@ -5,6 +5,8 @@
           |  name [ "(" low ".." high ")" ]              an int, a real or a text with its bounds
           |  "(" type "," type … ")"                     a tuple of fixed parts
           |  "[" type [ ";" n | ";" low ".." high ] "]"  a list
+          |  "calls{" method ";" method … "}"            calls in a row, and "returns{…}" what they return
+    method =  name "(" name ":" type "," … ")" [ "->" type ]
 
 Names are looked up here and in the pack's own folder `types`; an argument is a word or a number, and
 arguments are parted by "|", ";" or ",". A file of a pack has as its TYPE what makes the type, called with the
@@ -22,12 +24,13 @@ from typing import Any, TypeVar
 from judge.errors import nearest
 from judge.values.answers import NO_WORDS, Words
 from judge.values.atoms import COORDINATES, IntType, RealType, Type, WordType
+from judge.values.calls import CallType, Method, ReturnType
 from judge.values.letters import BoolType, TextType, texts_of
 from judge.values.types import ArrayType, ListType, OptionalType, TupleType
 
 _MOST_TEXT = 2_000  # characters of a type's text
-_TOKEN = re.compile(r"[A-Za-z_][\w-]*|\d+|\.\.|\S", re.ASCII)
-_FOREIGN = re.compile(r"[^\w\s()\[\],;?|.-]", re.ASCII)
+_TOKEN = re.compile(r"[A-Za-z_](?:\w|-(?!>))*|\d+|\.\.|->|\S", re.ASCII)
+_FOREIGN = re.compile(r"[^\w\s()\[\],;?|.{}:>-]", re.ASCII)
 _LENGTH = re.compile(r"[0-9]{1,9}")
 _WHOLE = re.compile(r"-?[0-9]{1,400}")
 _DEEPEST = 12
@@ -52,6 +55,7 @@ NAMES: dict[str, str | Callable[..., Type]] = {
     "bool": BoolType,
     "array": ArrayType,
 }
+_IN_A_ROW: dict[str, type[CallType | ReturnType]] = {"calls": CallType, "returns": ReturnType}
 _BOUNDED: dict[str, Callable[..., Type]] = {"int": IntType, "real": RealType, "text": TextType}
 
 # What people write who know other languages, and what it is called here.
@@ -135,6 +139,8 @@ class _Parser:
             found = self._list()
         elif token in _BOUNDED:
             found = self._bounded(token)
+        elif token in _IN_A_ROW and self._take("{"):
+            found = _IN_A_ROW[token](self._methods())
         elif token.replace("-", "_").isidentifier():
             found = self._named(token, self._several(self._next, "|;,") if self._take("(") else [])
         else:
@@ -160,6 +166,28 @@ class _Parser:
                 high = self._length()
         self._next("]")
         return ListType(item, low, high)
+
+    def _methods(self) -> list[Method]:
+        """Those up to the closing brace."""
+        found = [self._method()]
+        while not self._take("}"):
+            self._next(";")
+            found.append(self._method())
+        return found
+
+    def _method(self) -> Method:
+        """A name, what it takes, and what it answers."""
+        name, takes = self._next(), list[tuple[str, Type]]()
+        self._next("(")
+        while not self._take(")"):
+            if takes:
+                self._next(",")
+            parameter = self._next()
+            self._next(":")
+            takes.append((parameter, self._type()))
+        if not all(each.isidentifier() for each in (name, *(word for word, _ in takes))):
+            raise ValueError(f"{name} and its parameters need plain names")
+        return Method(name, tuple(takes), self._type() if self._take("->") else None)
 
     def _length(self) -> int:
         token = self._next()

@@ -14,7 +14,7 @@ from typing import Any
 
 from judge.values import wire
 from judge.values.answers import Target, Words
-from judge.values.atoms import NOTHING, Atom, Mismatch, Place, Quick, Type, in_order
+from judge.values.atoms import NOTHING, Atom, Mismatch, Place, Quick, Type
 from judge.values.types import atoms
 from judge.values.wire import Raw, Tokens, Unreadable
 
@@ -34,7 +34,7 @@ class TextType(Atom):
     annotation, noun, plural, is_parameter = "str", "a text", "texts", True
 
     def __init__(self, low: int = 0, high: int = 1000) -> None:
-        in_order(low, high)
+        wire.in_order(low, high)
         if low < 0:
             raise ValueError("no text has fewer than 0 characters")
         if high > wire.LONGEST_TEXT:

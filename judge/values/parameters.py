@@ -71,7 +71,7 @@ def listed(type_: Type, value: Value) -> Any:
     """The value with lists for lists and arrays, as JSON can hold it."""
     inner = lasting(type_)
     if type_.is_plain or value is None or not isinstance(inner, Composite):
-        return value
+        return value if value is None or not isinstance(inner, Atom) else inner.listed(value)
     if isinstance(inner, ListType) and inner.item.is_plain:
         return list(value)
     return inner.kind([listed(part, each) for part, each in inner.pairs(value)])

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from itertools import islice, starmap
 from typing import Any
 
-from judge.values.answers import AnyOf, Exact, Judged, Real, Target
+from judge.values.answers import AnyOf, Called, Exact, Judged, Real, Target
 from judge.values.atoms import Atom, Type, Value
 from judge.values.parameters import tokens
 from judge.values.types import Composite, ListType, TupleType, lasting
@@ -88,6 +88,8 @@ def exact_text(exact: Exact) -> Any:
         return {"any": exact_text(exact.answers)}
     if isinstance(exact, Judged):
         return {"such as": exact_text(exact.sample)}
+    if isinstance(exact, Called):
+        return exact_text(exact.answer)
     if isinstance(exact, Real):
         from judge.exact import Surd
 
@@ -104,4 +106,4 @@ def accepted(type_: Type, target: Target) -> Any:
     inner = lasting(type_)
     if target is not None and not isinstance(inner, Atom):
         return list(starmap(accepted, inner.pairs(target)))
-    return list(target[:2]) if target is not None and inner.measured else target
+    return inner.accepted(target) if target is not None and isinstance(inner, Atom) else target

@@ -77,6 +77,13 @@ class Written(Struct, frozen=True):
 Given = int | float | Fraction | Written
 Raw = Any  # JSON of any shape
 
+
+def in_order(low: int, high: int) -> None:
+    """Raise ValueError for bounds that leave nothing."""
+    if low > high:
+        raise ValueError("low is above high")
+
+
 # -- JSON --------------------------------------------------------------------------------------------------
 
 
@@ -255,7 +262,7 @@ def collecting(type_name: str) -> str:
 
 def tokens(line: str) -> list[str]:
     """What a line is made of: words, numbers, JSON strings."""
-    return _TOKEN.findall(line)
+    return _TOKEN.findall(line) if '"' in line else line.split()
 
 
 class Tokens:

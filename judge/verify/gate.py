@@ -121,7 +121,7 @@ def verify_problem(
     return Verified(
         problem.id,
         tuple(dict.fromkeys(chain(*checks, drift, found.faults))),
-        (*_in_vain(pinned), *odd_outputs(pinned), *found.warnings),
+        (*_in_vain(pinned), *_never_called(problem), *odd_outputs(pinned), *found.warnings),
         groups=len(pinned.groups),
         cases=sum(len(each.cases) for each in pinned.groups),
         pins=pins,
@@ -278,6 +278,15 @@ def _misnamed(problem: Problem, solutions: Sequence[Solution]) -> Iterator[Fault
             what = f"its docstring names the mistake {name!r}, its file {stem!r}"
             remedy = f"call it {file_name(name)}, or {file_name(f'{name}-…')}"
             yield Fault(what, f"{problem.solutions.name}/{each.file}", remedy)
+
+
+def _never_called(problem: Problem) -> Iterator[Fault]:
+    """The methods of a class that no worked example calls."""
+    if problem.methods:
+        called = {call[0] for example in problem.examples for call in example.case[-1]}
+        for name in getattr(problem.answer, "place", ()):
+            if name not in called:
+                yield Fault(f"no example calls {name}", f"{problem.id}/statement.md", "add one")
 
 
 def _in_vain(data: ProblemData) -> Iterator[Fault]:

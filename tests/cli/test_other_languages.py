@@ -47,13 +47,20 @@ def test_a_right_function_is_accepted(judge, submit, name):
 
 
 @pytest.mark.parametrize("name", daily(MEAN, ("cpp",)))
-def test_a_stub_compiles_and_fails_with_its_own_words(judge, name):
+def test_a_stub_compiles_and_is_told_as_one(judge, name):
     language = need(name)
     assert judge("start", "middle", "--language", name).status == 0
     ended = judge("run")
     assert ended.status == 1, ended
-    assert ended.lines[0].startswith(f"RTE  Run-time error  middle{language.suffixes[0]}")
-    assert "iddle is still to be written" in ended.out
+    path = Path(f"middle{language.suffixes[0]}")
+    assert ended.lines[0] == f"RTE  Not written yet  {path}"
+    lines = path.read_text(encoding="utf-8").splitlines()
+    code = {number: each for number, each in enumerate(lines, 1) if language.comment not in each}
+    line = next(number for number, each in code.items() if "middle(" in each)
+    assert f"  Write the body of middle (line {line}), then save." in ended.lines
+    dropped = "".join(f"{language.comment} {each}\n" for each in lines)
+    path.write_text(dropped + MEAN[name], encoding="utf-8")
+    assert "Not written yet" not in judge("run").out
 
 
 def test_a_missing_compiler_costs_one_submission(judge, submit, monkeypatch, tmp_path):
@@ -70,6 +77,19 @@ def test_a_missing_compiler_costs_one_submission(judge, submit, monkeypatch, tmp
     assert ended.status == 3, ended
     assert "Go needs go, which is not installed; dnf install golang" in ended.out
     assert any("AC" in line and "good.py" in line for line in ended.lines), ended.out
+
+
+def test_warnings_stand_beside_a_wrong_answer_alone(judge, submit):
+    need("cpp")
+    head = "double middle(double a, double b) {\n    int whole = (a + b) / 2;\n"
+    warned = "the compiler warns: conversion from ‘double’ to ‘int’ may change value (line 2)"
+    ended = judge("run", "middle", submit(f"{head}    return whole; }}", "wrong.cpp"))
+    assert ended.out.startswith("WA")
+    assert warned in ended.err
+    assert warned in json.loads(judge("run", "middle", "wrong.cpp", "--json").out)["notes"]
+    ended = judge("run", "middle", submit(f"{head}    return (a + b) / 2 + whole * 0; }}", "right.cpp"))
+    assert ended.status == 0
+    assert "warns" not in ended.err
 
 
 # -- the race --------------------------------------------------------------------------------------------

@@ -36,7 +36,7 @@ from judge.problem.toml import line_of, parse_toml
 from judge.report import formats, tell
 from judge.run import entry, printed, program
 from judge.run.result import judge_fault
-from judge.sandbox import calls, outcome
+from judge.sandbox import calls, native
 from judge.sandbox import compile as compiling
 from judge.sandbox.boundary import Inspection
 from judge.sandbox.recipe import Sources
@@ -49,6 +49,7 @@ FLAT, MOST = 6.0, 10.0  # times what a quarter of the text takes: certainly line
 ENDLESS = 30.0  # CPU seconds after which a reader is said not to end
 
 _ENTRY = Signature("line_count", (("r", parse("real")), ("A", parse("point"))), parse("[vec2; 0..2]"))
+A_C = Sources((("a.c", b""),), "a.c")
 _FILES = {
     "c": "a.c", "cpp": "a.cpp", "go": "a.go", "java": "A.java", "javascript": "a.js", "rust": "a.rs",
     "pypy": "a.pypy", "python": "a.py",
@@ -184,11 +185,15 @@ def _complaint(text: str) -> None:
     for complaint in ("", *(each.compiling.complaint for each in languages())):
         for before in ("", "a.c:1:"):
             said = compiling.wire_lines(before + text)
-            compiling._told(said, Sources((("a.c", b""),), "a.c"), complaint, 1)
+            compiling._told(said, A_C, complaint, 1)
+    for each in languages():
+        own = each.file.replace("{class}", "A")
+        said = compiling.wire_lines(f"{own}:1:1: warning: {text}")
+        compiling._warned(said, Sources(((own, b""),), own), each.compiling.warning)
 
 
 def _printed(text: str) -> None:
-    outcome.last_words(text.encode())
+    native.placed(native.last_words(text.encode()), text.encode(), A_C)
     printed.text_of(text.encode())
     calls.replies(text.encode(), 100)
 

@@ -46,7 +46,7 @@ def judge(installed, tmp_path, shared):
 def test_it_holds_the_package_and_every_file_of_problems_and_solutions_and_nothing_else(wheel, installed):
     names = set(zipfile.ZipFile(wheel).namelist())
     wanted = {"judge/py.typed", "judge/__init__.py", "judge/__main__.py", "judge/schema/files/cards.json"}
-    for folder in ("judge/report/html/templates", "judge/manual", "problems", "solutions"):
+    for folder in ("judge/report/html/templates", "judge/manual", "judge/languages", "problems", "solutions"):
         for path in (ROOT / folder).rglob("*"):
             if path.is_file() and not {"__pycache__", "libraries"} & {*path.parts}:
                 wanted.add(f"judge/{path.relative_to(ROOT).as_posix().removeprefix('judge/')}")

@@ -1,5 +1,6 @@
 """Programs and functions in other languages: compiled, kept, called; every type, and how each end is told."""
 
+import re
 from array import array
 
 import pytest
@@ -42,6 +43,36 @@ def test_what_does_not_compile_is_told_with_its_place(name):
     assert [fault.line, fault.column] == place, fault
     assert words in fault.message
     assert "/" not in fault.message.replace("//", "")
+
+
+DOUBTFUL = """double half(double x) {
+    if (x > 0) return x / 2;
+}
+double mirror_all(double x) {
+    long long sum;
+    int whole = x;
+    for (int i = 0; i < whole; i++) sum += i;
+    return half(x) + sum;
+}
+"""
+WARNED = {
+    "the compiler warns: control reaches end of non-void function (line 3)",
+    "the compiler warns: conversion from ‘double’ to ‘int’ may change value (line 6)",
+}
+
+
+@pytest.mark.parametrize("name", ["a.c", "a.cpp"])
+def test_what_a_compiler_warns_of_is_told_whether_it_is_compiled_or_kept(name, monkeypatch, tmp_path):
+    monkeypatch.setenv("JUDGE_CACHE", str(tmp_path))
+    for _ in range(2):
+        with box_of(name, DOUBTFUL, signature=REAL) as box:
+            warned = box.inspect().warnings
+        assert set(warned) > WARNED
+        assert "uninitialized" in "".join(warned)
+        monkeypatch.setattr("judge.sandbox.native.compiled", None)
+    monkeypatch.undo()
+    with box_of(name, "double mirror_all(double x) { return x; }", signature=REAL) as box:
+        assert box.inspect().warnings == ()
 
 
 def test_what_was_compiled_is_taken_from_the_cache(monkeypatch, tmp_path):
@@ -178,6 +209,62 @@ def test_a_call_without_end_is_the_one_to_blame():
     assert [reply.stop for reply in found] == [Stop.ANSWERED, Stop.CPU]
 
 
+RAISED = {  # a function that raises in its third line, and what is told of that
+    "a.cpp": (
+        "#include <vector>\ndouble mirror_all(double x) {\n return std::vector<double>().at(x); }",
+        r"std::out_of_range: vector::.*size\(\) \(which is 0\)",
+    ),
+    "a.go": (
+        "package main\nfunc mirrorAll(x float64) float64 {\n return []float64{}[int(x)] }",
+        r"runtime error: index out of range \[2\] with length 0 \(line 3\)",
+    ),
+    "A.java": (
+        "class A {\n static double mirrorAll(double x) {\n return new double[] {}[(int) x]; } }",
+        r"java\.lang\.ArrayIndexOutOfBoundsException: Index 2 out .* \(line 3\)",
+    ),
+    "a.js": (
+        "function mirrorAll(x) {\n let a = null;\n return a.b; }\n",
+        r"TypeError: Cannot read properties of null .* \(line 3\)",
+    ),
+    "a.rs": (
+        "fn mirror_all(x: f64) -> f64 {\n let a: Vec<f64> = vec![];\n a[x as usize] }",
+        r"panic: index out of bounds: the len is 0 but the index is 2 \(line 3\)",
+    ),
+    "a.pypy": ("def mirror_all(x):\n    a = []\n    return a[int(x)]", r"IndexError: .* \(line 3\)"),
+}
+
+
+@pytest.mark.parametrize("name", daily(RAISED, ["a.js", "a.cpp"]))
+def test_what_is_raised_is_told_with_its_type_and_line(name):
+    source, told = RAISED[name]
+    (reply,) = called(name, source, REAL, [(2.0,)])
+    assert reply.stop is Stop.EXCEPTION
+    assert re.fullmatch(told, reply.detail), reply.detail
+
+
+ENDED = {  # a program that ends in its third line
+    "a.c": "#undef NDEBUG\n#include <assert.h>\nint main(int x, char **words) { assert(x > 9); }",
+    "a.go": "package main\nfunc main() {\n var a []int; print(a[len(a)]) }",
+    "A.java": "class A {\n public static void main(String[] a) {\n  System.out.println(a[2]); } }",
+    "a.js": "const fs = require('fs');\nlet a = null;\nconsole.log(a.b);",
+    "a.rs": 'fn main() {\n let a: Option<i32> = None;\n println!("{}", a.unwrap()); }',
+    "a.pypy": "def f():\n    # fails\n    return [][3]\nf()\n",
+}
+
+
+@pytest.mark.parametrize("name", daily(ENDED, ["a.js", "a.go"]))
+def test_the_line_in_which_a_program_ends_is_told(name):
+    done = ran(name, ENDED[name])
+    assert (done.stop, done.detail[-9:]) == (Stop.EXITED, " (line 3)"), done
+
+
+def test_a_line_that_the_file_has_not_is_none():
+    source = "function mirrorAll(x) { throw Object.assign(Error('oh'), { stack: 'at solution.js:77' }); }"
+    assert called("a.js", source, REAL, [(1.0,)])[0].detail == "Error: oh"
+    program = "console.error('Error: oh at solution.js:77'); require('fs'); process.exit(1);"
+    assert ran("a.js", program).detail == "exit status 1: Error: oh at solution.js:77"
+
+
 # -- integers of any length ------------------------------------------------------------
 
 BIG = signature("int", n="int")._replace(big=True)
@@ -194,7 +281,79 @@ def test_a_function_may_take_them_as_numbers_of_the_machine_while_they_fit():
     calls = [(2**63 - 1,), (-(2**63),), (2**63,), (7,)]
     found = called("a.cpp", source, BIG, calls)
     assert [reply.answer for reply in found] == [-(2**62 - 1), 2**62, None, -3]
-    assert found[2].detail == f"{2**63} does not fit into long long"
+    assert found[2].detail == f"std::out_of_range: {2**63} does not fit into long long"
+
+
+# -- texts and truth values ---------------------------------------------------------
+
+TEXTS = signature("(text, bool, [text], text?)", s="text", b="bool", items="[text; 0..9]", more="text?")
+TURNED = sources("texts")
+SIGNS = "".join(map(chr, range(32, 127)))
+ROWS_OF_TEXTS = [
+    ("", True, [], None),
+    ("a", False, ["", "a b", "none"], "none"),
+    (SIGNS, True, ['"', "\\", "\n", "=", "=61", "true", "1"], ""),
+    ("ab" * 2000, False, [" "] * 9, "x\n"),
+]
+
+
+def word(text):
+    return {"word": text}
+
+
+@pytest.mark.parametrize("name", daily(TURNED, ["a.cpp", "a.js", "a.pypy"]))
+def test_texts_and_truth_values_pass_unchanged(name):
+    assert answers(name, TURNED[name], TEXTS, ROWS_OF_TEXTS) == [
+        [word(s[::-1]), not b, [*map(word, items[::-1])], more if more is None else word(more)]
+        for s, b, items, more in ROWS_OF_TEXTS
+    ]
+
+
+IN_C = {  # what is returned, the body, and what comes of it
+    "text": ("const char *", 'return b ? s : "";', lambda s, b: word(s if b else "")),
+    "bool": ("bool ", "return b;", lambda s, b: b),
+    "bool?": ("bool ", "*out = b; return *s != 0;", lambda s, b: b if s else None),
+    "text?": ("bool ", "*out = s; return b;", lambda s, b: word(s) if b else None),
+}
+
+
+@pytest.mark.parametrize("answer", IN_C)
+def test_texts_and_truth_values_in_c(answer):
+    kind, body, right = IN_C[answer]
+    out = {"bool?": ", bool *out", "text?": ", const char **out"}.get(answer, "")
+    source = f"#include <stdbool.h>\n{kind}mirror_all(const char *s, bool b{out}) {{ {body} }}"
+    given = [(s, b) for s, b, *_ in ROWS_OF_TEXTS]
+    found = answers("a.c", source, signature(answer, s="text", b="bool"), given)
+    assert found == [right(*each) for each in given]
+
+
+COUNTED = {
+    "a.cpp": "bool mirror_all(double x) { return x > 1; }",
+    "a.js": "const mirrorAll = x => x > 1;",
+}
+
+
+@pytest.mark.parametrize("name", COUNTED)
+def test_a_count_that_is_returned_as_a_truth_value(name):
+    """C++ makes an int of it; JavaScript tells them apart."""
+    found = answers(name, COUNTED[name], signature("int", x="real"), [(1.0,), (2.0,)])
+    assert found == ([0, 1] if name == "a.cpp" else [False, True])
+    assert list(map(type, found)) == [int if name == "a.cpp" else bool] * 2
+
+
+def test_a_text_beside_integers_of_any_size():
+    given = signature("text", n="int", s="text")._replace(big=True)
+    source = "std::string mirror_all(std::string n, std::string s) { return s + n; }"
+    assert answers("a.cpp", source, given, [(10**30, ""), (12, "")]) == [word(str(10**30)), word("12")]
+
+
+def test_a_text_that_is_too_long_is_told():
+    source = "#include <string>\nstd::string mirror_all(double x) { return std::string(size_t(x), 'a'); }"
+    whole, long = answers(
+        "a.cpp", source, signature("text", x="real"), [(1e6,), (1000001.0,)], output_bytes=1 << 24
+    )
+    assert whole == word("a" * 10**6)
+    assert long == {"type": "str", "text": "a text of 1,000,001 characters, more than 1,000,000"}
 
 
 # -- what goes between ------------------------------------------------------------
@@ -228,7 +387,7 @@ func mirrorAll(x float64) float64 {
     with box_of("a.go", source, signature=REAL) as box:
         deep, large = (box.call("mirror_all", [(1.0,), (x,), (3.0,)], LIMITS).replies for x in (2.0, 4.0))
     assert [reply.stop for reply in deep] == [Stop.ANSWERED, Stop.EXITED]
-    assert deep[1].detail.endswith("stack overflow")
+    assert deep[1].detail.endswith("stack overflow (line 2)")
     assert [reply.stop for reply in large] == [Stop.ANSWERED, Stop.MEMORY]
 
 

@@ -107,7 +107,7 @@ def test_a_smallest_case_is_shown_as_it_is_read(depot):
     with Session(load_problem(depot), RunOptions(timed=False)) as session:
         source = (depot.parents[1] / "solutions/depot/wrong/below-zero.py").read_bytes()
         small = session.judge(source, "mine.py").counterexample
-    assert small.stdin == "1 shelves\ntake 1 from shelf 1\nend"
+    assert small.shown == "1 shelves\ntake 1 from shelf 1\nend"
     assert (small.expected, small.got) == ("refused", "-1")
 
 

@@ -10,7 +10,19 @@ static FILE *judge_out;
 __attribute__((constructor(101))) static void judge_take_stdout(void) { judge_out = fdopen(dup(1), "w"); dup2(2, 1); }
 static double judge_real(void) { return strtod(judge_at, &judge_at); }
 static long long judge_int(void) { return strtoll(judge_at, &judge_at, 10); }
-static const char *judge_token(void) { while (*judge_at && *judge_at <= ' ') judge_at++; char *from = judge_at; while (*judge_at > ' ') judge_at++; return strndup(from, judge_at - from); }
+static const char *judge_token(void) {
+    while (*judge_at && *judge_at <= ' ') judge_at++;
+    char *from = judge_at;
+    while (*judge_at > ' ') judge_at++;
+    char *v = strndup(from, judge_at - from);
+    if (*v != '=') return v;
+    char *to = v;
+    for (char *at = v + 1; at[0]; at += 2) { int n = 0; for (int i = 0; i < 2; i++) n = 16 * n + (at[i] <= '9' ? at[i] - '0' : at[i] - 'a' + 10); *to++ = n; }
+    *to = 0;
+    return v;
+}
+static bool judge_bool(void) { return !strcmp(judge_token(), "true"); }
+static void judge_put_bool(bool v) { fputs(v ? "true" : "false", judge_out); }
 static void judge_put_digits(const char *v) { fputs(v && *v ? v : "null", judge_out); }
 static void judge_put_int(long long v) { fprintf(judge_out, "%lld", v); }
 static void judge_put_real(double v) { if (isfinite(v)) fprintf(judge_out, "%.17g", v); else fprintf(judge_out, "{\"type\":\"float\",\"text\":\"%s\"}", isnan(v) ? "nan" : v < 0 ? "-inf" : "inf"); }

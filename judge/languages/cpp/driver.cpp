@@ -3,12 +3,14 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <cxxabi.h>
 #include <exception>
 #include <new>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
+#include <typeinfo>
 #include <vector>
 namespace judge_driver {
 #ifdef __GLIBC__
@@ -30,7 +32,9 @@ template <> struct Read<double> { static double get() { while (*at == ' ') ++at;
 template <> struct Read<double> { static double get() { return std::strtod(at, &at); } };
 #endif
 template <> struct Read<long long> { static long long get() { return std::strtoll(at, &at, 10); } };
-template <> struct Read<std::string> { static std::string get() { return token(); } };
+static int hex(char c) { return c <= '9' ? c - '0' : c - 'a' + 10; }
+template <> struct Read<std::string> { static std::string get() { std::string s = token(); if (s[0] != '=') return s; std::string v; for (size_t i = 1; i + 1 < s.size(); i += 2) v += char(16 * hex(s[i]) + hex(s[i + 1])); return v; } };
+template <> struct Read<bool> { static bool get() { return token() == "true"; } };
 template <class T> struct Read<std::vector<T>> { static std::vector<T> get() { std::vector<T> v; for (long long n = Read<long long>::get(); n > 0; --n) v.push_back(Read<T>::get()); return v; } };
 template <class T> struct Read<std::optional<T>> { static std::optional<T> get() { char* before = at; if (token() == "none") return {}; at = before; return Read<T>::get(); } };
 template <class T, class = void> struct Put;
@@ -50,17 +54,23 @@ struct Whole {  // an integer of any size, for whatever the function takes
     }
 };
 template <> struct Read<Whole> { static Whole get() { return Whole{token()}; } };
+// @end
+// @if digits
 static bool is_whole(const std::string& s) { size_t i = s[0] == '-'; return s.size() > i && s.find_first_not_of("0123456789", i) == s.npos && (s[i] != '0' || s == "0"); }
 // @end
-// @if not big
+// @if not digits
 static bool is_whole(const std::string&) { return false; }
 // @end
 static void text(const std::string& s) { judge_out += '"'; for (unsigned char c : s) { char b[8]; if (c == '"' || c == '\\' || c < 32 || c > 126) { std::snprintf(b, 8, "\\u%04x", c); judge_out += b; } else judge_out += char(c); } judge_out += '"'; }
 template <> struct Put<std::string> { static void it(const std::string& s) { if (is_whole(s)) judge_out += s; else text(s); } };
 template <class T> struct Put<T, std::enable_if_t<std::is_floating_point_v<T>>> { static void it(double v) { char b[64]; if (std::isfinite(v)) judge_out.append(b, std::to_chars(b, b + 64, v).ptr); else { judge_out += "{\"type\":\"float\",\"text\":"; text(std::isnan(v) ? "nan" : v < 0 ? "-inf" : "inf"); judge_out += '}'; } } };
 template <class T> struct Put<T, std::enable_if_t<std::is_integral_v<T>>> { static void it(T v) { if constexpr (sizeof v <= 8) judge_out += std::to_string(v); else { if (v < 0 && v > -10) judge_out += '-'; if (v / 10) it(v / 10); int digit = int(v % 10); judge_out += char('0' + (digit < 0 ? -digit : digit)); } } };
+// @if bools
+template <> struct Put<bool> { static void it(bool v) { judge_out += v ? "true" : "false"; } };
+// @end
 template <class T> struct Put<std::vector<T>> { static void it(const std::vector<T>& v) { judge_out += '['; for (size_t i = 0; i < v.size(); ++i) { if (i) judge_out += ','; judge_put<T>(v[i]); } judge_out += ']'; } };
 template <class T> struct Put<std::optional<T>> { static void it(const std::optional<T>& v) { if (v) judge_put(*v); else judge_out += "null"; } };
+static std::string name_of(const std::type_info& type) { char* name = abi::__cxa_demangle(type.name(), nullptr, nullptr, nullptr); std::string all = name ? name : type.name(); std::free(name); return all; }
 static void flush() { if (std::fwrite(judge_out.data(), 1, judge_out.size(), answers) != judge_out.size() || std::fflush(answers)) _exit(1); judge_out.clear(); }
 static int drive(void (*answer)()) {
     char block[1 << 16];
@@ -73,8 +83,8 @@ static int drive(void (*answer)()) {
             char* line = std::find(at, end, '\n');
             try { answer(); }
             catch (const std::bad_alloc&) { flush(); throw; }
-            catch (const std::exception& e) { judge_out += "[1,"; text(e.what()); }
-            catch (...) { judge_out += "[1,"; text("an exception that is no std::exception"); }
+            catch (const std::exception& e) { judge_out += "[1,"; text(name_of(typeid(e)) + ": " + e.what()); }
+            catch (...) { judge_out += "[1,"; text("an exception of type " + name_of(*abi::__cxa_current_exception_type())); }
             at = line + 1;
             judge_out += "]\n";
             if (at_once) flush();

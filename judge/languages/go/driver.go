@@ -1,8 +1,8 @@
 package main
 
 import (
-	judgeJSON "encoding/json"; judgeFmt "fmt"; judgeIO "io"; judgeMath "math"; judgeOS "os"
-	judgeDebug "runtime/debug"; judgeConv "strconv"; judgeStrings "strings"; @bigs@
+	judgeHex "encoding/hex"; judgeJSON "encoding/json"; judgeFmt "fmt"; judgeIO "io"; judgeMath "math"; judgeOS "os"
+	judgeRuntime "runtime"; judgeDebug "runtime/debug"; judgeConv "strconv"; judgeStrings "strings"; @bigs@
 )
 
 @lacking@
@@ -19,6 +19,12 @@ func judgeToken() string {
 	word := judgeIn[i:j]
 	judgeIn = judgeIn[j:]
 	return word
+}
+func judgeText() string {
+	word := judgeToken()
+	if word == "" || word[0] != '=' { return word }
+	text, _ := judgeHex.DecodeString(word[1:])
+	return string(text)
 }
 func judgeReal() float64 { v, _ := judgeConv.ParseFloat(judgeToken(), 64); return v }
 func judgeInt() int { v, _ := judgeConv.Atoi(judgeToken()); return v }
@@ -59,6 +65,7 @@ func judgeClose() {
 	judgeOut = append(judgeOut, ']')
 }
 func judgePutWord(v string) { text, _ := judgeJSON.Marshal(v); judgeOut = append(judgeOut, text...) }
+func judgePutBool(v bool) { judgeOut = judgeConv.AppendBool(judgeOut, v) }
 func judgePutInt[T int | int64 | int32](v T) { judgeOut = judgeConv.AppendInt(judgeOut, int64(v), 10) }
 func judgePutReal(v float64) {
 	if judgeMath.IsNaN(v) || judgeMath.IsInf(v, 0) {
@@ -67,11 +74,22 @@ func judgePutReal(v float64) {
 		judgeOut = judgeConv.AppendFloat(judgeOut, v, 'g', -1, 64)
 	}
 }
+func judgeTold(fault any) string {
+	text := judgeFmt.Sprint(fault)
+	if _, known := fault.(judgeRuntime.Error); !known { text = "panic: " + text }
+	places := make([]uintptr, 64)
+	frames := judgeRuntime.CallersFrames(places[:judgeRuntime.Callers(0, places)])
+	for {
+		frame, more := frames.Next()
+		if judgeStrings.HasSuffix(frame.File, "@file@") { return judgeFmt.Sprintf("%s (line %d)", text, frame.Line) }
+		if !more { return text }
+	}
+}
 func judgeAnswer(start int) {
 	defer func() {
 		if fault := recover(); fault != nil {
 			judgeOut = append(judgeOut[:start], "[1,"...)
-			judgePutWord(judgeFmt.Sprint(fault))
+			judgePutWord(judgeTold(fault))
 		}
 	}()
 	@reads@

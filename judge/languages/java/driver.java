@@ -10,6 +10,10 @@ final class JudgeDriver {
         while (at < in.length && in[at] > ' ') at++;
         return new String(in, 0, from, at - from);
     }
+    private static String word() {
+        String word = token();
+        return word.startsWith("=") ? new String(java.util.HexFormat.of().parseHex(word.substring(1)), java.nio.charset.StandardCharsets.ISO_8859_1) : word;
+    }
     private static double real() { return Double.parseDouble(token()); }
     private static long integer() { return Long.parseLong(token()); }
     private static boolean none() { int before = at; if (token().equals("none")) return true; at = before; return false; }
@@ -24,7 +28,7 @@ final class JudgeDriver {
         if (value == null) out.append("null");
         else if (value instanceof Float single) put((double) single);
         else if (value instanceof Double d && !Double.isFinite(d)) out.append("{\"type\":\"float\",\"text\":\"").append(Double.isNaN(d) ? "nan" : d < 0 ? "-inf" : "inf").append("\"}");
-        else if (value instanceof Number) out.append(value);
+        else if (value instanceof Number || value instanceof Boolean) out.append(value);
         else if (value instanceof Iterable<?> items) { out.append('['); String gap = ""; for (Object item : items) { out.append(gap); put(item); gap = ","; } out.append(']'); }
         else if (value.getClass().isArray()) { out.append('['); for (int i = 0; i < java.lang.reflect.Array.getLength(value); i++) { if (i > 0) out.append(','); put(java.lang.reflect.Array.get(value, i)); } out.append(']'); }
         else if (value instanceof java.util.Optional<?> held) put(held.orElse(null));
@@ -36,6 +40,10 @@ final class JudgeDriver {
         out.append('"');
         for (char c : word.toCharArray()) if (c == '"' || c == '\\' || c < 32 || c > 126) out.append(String.format("\\u%04x", (int) c)); else out.append(c);
         out.append('"');
+    }
+    private static String told(Throwable fault) {
+        for (var frame : fault.getStackTrace()) if ("@file@".equals(frame.getFileName())) return fault + " (line " + frame.getLineNumber() + ")";
+        return fault.toString();
     }
     private static void answer() throws Throwable { @reads@ Object found = @holder@.@entry@(@arguments@); out.append("[0,"); put(found); }
     public static void main(String[] words) throws java.io.IOException {
@@ -51,7 +59,7 @@ final class JudgeDriver {
                 while (line < in.length && in[line] != '\n') line++;
                 try { answer(); }
                 catch (OutOfMemoryError fault) { throw fault; }
-                catch (Throwable fault) { out.setLength(start); out.append("[1,"); text((fault instanceof ExceptionInInitializerError && fault.getCause() != null ? fault.getCause() : fault).toString()); }
+                catch (Throwable fault) { out.setLength(start); out.append("[1,"); text(told(fault instanceof ExceptionInInitializerError && fault.getCause() != null ? fault.getCause() : fault)); }
                 at = line;
                 out.append("]\n");
                 if (atOnce || cases == 1) { answers.write(out.toString().getBytes()); out.setLength(0); }

@@ -13,18 +13,24 @@ function read(shape, words) {
   if (shape.kind === 'list') return Array.from({ length: +words.shift() }, () => read(shape.parts[0], words));
   if (shape.kind === 'optional') return words[0] === 'none' ? (words.shift(), null) : read(shape.parts[0], words);
   const word = words.shift();
-  return shape.kind === 'word' ? word : shape.kind === 'big' ? BigInt(word) : +word;
+  if (shape.kind === 'bool') return word === 'true';
+  if (shape.kind === 'word' || shape.kind === 'text') return word[0] === '=' ? Buffer.from(word.slice(1), 'hex').toString('latin1') : word;
+  return shape.kind === 'big' ? BigInt(word) : +word;
+}
+function told(fault) {
+  const place = /@file@:(\d+)/.exec(fault && fault.stack);
+  return String(fault) + (place ? ` (line ${place[1]})` : '');
 }
 const odd = (type, text) => JSON.stringify({ type, text: String(text).slice(0, 80) });
 function put(value, shape) {
   if (value === null || value === undefined) return 'null';
-  if (typeof value === 'bigint') return value.toString();
+  if (typeof value === 'bigint' || typeof value === 'boolean') return value.toString();
   if (typeof value === 'number') return Number.isFinite(value) ? String(value) : odd('float', String(value).toLowerCase());
   if (typeof value === 'string') return JSON.stringify(value);
   if (shape && shape.kind === 'optional') return put(value, shape.parts[0]);
   if (Array.isArray(value)) return '[' + value.map((item, i) => put(item, shape && (shape.kind === 'list' ? shape.parts[0] : shape.parts[i]))).join(',') + ']';
   if (typeof value === 'object' && shape && shape.kind === 'tuple' && shape.fields.every(field => field in value)) return '[' + shape.fields.map((field, i) => put(value[field], shape.parts[i])).join(',') + ']';
-  return odd(typeof value === 'boolean' ? 'bool' : typeof value, value);
+  return odd(typeof value, value);
 }
 for (let at = 0; at < lines.length && lines[at] !== '';) {
   const [cases, atOnce] = lines[at++].split(' ').map(Number);
@@ -34,7 +40,7 @@ for (let at = 0; at < lines.length && lines[at] !== '';) {
       const words = lines[at++].split(' ');
       out += '[0,' + put(entry(...parameters.map(shape => read(shape, words))), answer) + ']\n';
     } catch (fault) {
-      out += '[1,' + JSON.stringify(String(fault)) + ']\n';
+      out += '[1,' + JSON.stringify(told(fault)) + ']\n';
     }
     if (atOnce || left === 1) for (let bytes = Buffer.from(out); (out = '', bytes.length); ) bytes = bytes.subarray(fs.writeSync(1, bytes));
   }

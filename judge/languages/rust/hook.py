@@ -26,7 +26,7 @@ def copied(_writer: Writer, shape: Shape) -> str:
 
 
 def _copies(shape: Shape) -> bool:
-    return shape.kind in ("real", "int") or (shape.kind == "tuple" and all(map(_copies, shape.parts)))
+    return shape.kind in ("real", "int", "bool") or (shape.kind == "tuple" and all(map(_copies, shape.parts)))
 
 
 def gets(writer: Writer, shape: Shape) -> str:

@@ -19,7 +19,7 @@ from array import array
 from gc import freeze
 from types import CodeType, ModuleType
 
-from judge.sandbox.encode import IMPORTING, encode
+from judge.sandbox.encode import IMPORTING, encode, found, place_in
 from judge.sandbox.inside import source, wire
 
 TYPE_CHECKING = False
@@ -123,10 +123,11 @@ def make_calls(code: CodeType, name: str, region: wire.Region, request: wire.Req
     if pauses:
         stop_at(me, signal.SIGSTOP)
         given = marshal.loads(region.payload(request.payload))
-    if entry in module.__dict__:
-        replies.make(module.__dict__[entry], _with_arrays(*given), name, most)
+    function = found(module.__dict__, entry, most)
+    if function is not None:
+        replies.make(function, _with_arrays(*given), name, most)
     else:
-        replies.all_raised(f"the module has no {entry} once it is imported", count)
+        replies.all_raised(f"the module has no {entry.removesuffix('()')} once it is imported", count)
     status = _flushed(0)
     if pauses and not status:
         stop_at(me, signal.SIGSTOP)
@@ -177,7 +178,7 @@ class _Replies:
             except BaseException as error:  # SystemExit too: the end of this call, not of the next
                 if issubclass(type(error), OSError) and _ERRNO_OF(error) == errno.EFBIG:
                     self._too_much("")  # it printed more than it may
-                line = _raised(source.described(error, name))
+                line = _raised(source.described(error, name) + place_in(function))
             end = at + len(line)
             if end > stop:
                 self._too_much()

@@ -1,0 +1,23 @@
+"""a dict in the order of use
+
+Who is used is taken out and put in again, so that the first key is the one to go.
+"""
+
+
+class LRUCache:
+    def __init__(self, capacity):
+        self.capacity = capacity
+        self.values = {}
+
+    def get(self, key):
+        if key not in self.values:
+            return None
+        value = self.values.pop(key)
+        self.values[key] = value
+        return value
+
+    def put(self, key, value):
+        self.values.pop(key, None)
+        self.values[key] = value
+        if len(self.values) > self.capacity:
+            del self.values[next(iter(self.values))]

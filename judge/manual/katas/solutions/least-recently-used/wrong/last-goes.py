@@ -1,0 +1,23 @@
+"""last-goes
+
+The key that came last goes, in place of the first one.
+"""
+
+
+class LRUCache:
+    def __init__(self, capacity):
+        self.capacity = capacity
+        self.values = {}
+
+    def get(self, key):
+        if key not in self.values:
+            return None
+        value = self.values.pop(key)
+        self.values[key] = value
+        return value
+
+    def put(self, key, value):
+        self.values.pop(key, None)
+        self.values[key] = value
+        if len(self.values) > self.capacity:
+            del self.values[[*self.values][-2]]
