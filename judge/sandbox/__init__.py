@@ -40,7 +40,7 @@ __all__ = [
     "SourceFault",
     "Stop",
     "Usage",
-    "levels",
+    "levels_here",
     "open_box",
 ]
 
@@ -59,8 +59,8 @@ def open_box(source: bytes, name: str, *, level: str | None = None, hide: Iterab
     return Boxes(level, hide)(source, name)
 
 
-def levels(hide: Iterable[Path] = ()) -> tuple[Level, ...]:
+def levels_here(hide: Iterable[Path] = ()) -> tuple[Level, ...]:
     """What this machine gives, the best level first, by trying each; `hide` as of `open_box`."""
     from judge.sandbox import available
 
-    return available.levels(hide)
+    return available.levels_here(hide)

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
 from judge.errors import JudgeError, ShortageError
-from judge.sandbox import concealed, roots
+from judge.sandbox import concealed, places, roots
 from judge.sandbox.boundary import LEVELS, Limits, Stop
 from judge.sandbox.factory import Boxes
 
@@ -25,6 +26,21 @@ for path in sys.stdin.buffer.read().split(b"\\0"):
         continue
     if found:
         sys.stdout.buffer.write(path + b"\\n")
+"""
+_DEEDS = b"""
+import ctypes, socket
+for deed, act in {
+    "open a socket": socket.socket,
+    "start a process": lambda: os.fork() or os._exit(0),
+    "signal its parent": lambda: os.kill(os.getppid(), 0),
+    "write a file": lambda: os.open("/tmp", os.O_TMPFILE | os.O_WRONLY),
+    "let others trace it": lambda: {0: "done"}[ctypes.CDLL(None).prctl(4, 1, 0, 0, 0)],
+}.items():
+    try:
+        act()
+    except (OSError, KeyError):
+        continue
+    print(deed, file=sys.stderr)
 """
 _LOOKING = Limits(cpu_seconds=10.0, wall_seconds=30.0, memory_bytes=1 << 28, output_bytes=1 << 22)
 
@@ -46,25 +62,31 @@ class Level:
     visible: str | None = None
 
 
-def levels(hide: Iterable[Path] = ()) -> tuple[Level, ...]:
-    """Try each level, the best first, with a submission that looks for the judge, its problems and solutions.
+def levels_here(hide: Iterable[Path] = ()) -> tuple[Level, ...]:
+    """Try each level, the best first, with a submission that does what it may not.
 
-    `hide` are more folders that it looks for.
+    It looks for the judge, its problems and solutions, `hide`, the home of whoever asks, and for who has an
+    account; above `limits` it tries what only filters of system calls deny.
     """
     hide = tuple(hide)
     found = roots.find_roots(hide)
     others = concealed.ours(found.searched, (*found.folders, *found.files))
-    wanted = "\0".join([*found.unseen, *others])
+    home = places.real(os.path.expanduser("~"))  # noqa: PTH111 - Path's raises where there is none
+    private = [] if home == "/" or places.within(home, found.folders) else [home]
+    wanted = "\0".join([*found.unseen, *others, *private, "/etc/passwd"])
     return tuple(_try(name, hide, wanted.encode(errors="surrogateescape")) for name in LEVELS)
 
 
 def _try(name: str, hide: Iterable[Path], wanted: bytes) -> Level:
     try:
-        with Boxes(name, hide)(_LOOK, "look.py") as box:
+        with Boxes(name, hide)(_LOOK if name == LEVELS[-1] else _LOOK + _DEEDS, "look.py") as box:
             looked = box.run_program(wanted, _LOOKING)
     except JudgeError as error:
         lasting = not isinstance(error, ShortageError)
         return Level(name, False, MEANING[name], error.what, error.remedy or "", lasting)
     if looked.stop is not Stop.ANSWERED:
         return Level(name, False, MEANING[name], f"a program that looks around failed: {looked.detail}")
+    if looked.stderr:
+        deed = looked.stderr.decode(errors="replace").partition("\n")[0]
+        return Level(name, False, MEANING[name], f"a submission could {deed}")
     return Level(name, True, MEANING[name], visible=looked.stdout.decode(errors="replace").partition("\n")[0])

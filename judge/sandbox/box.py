@@ -1,233 +1,171 @@
-"""The `Box` that a fork server stands behind: one child for each run of a program, and for some calls."""
+"""What the boxes of all languages have in common: one container after the other, and how a process ended.
+
+A container is started at once or when it is needed, tried again, and replaced where it has ended. Once
+foreign code runs nothing that it says is believed: what was measured comes first; see `outcome`.
+"""
 
 from __future__ import annotations
 
-import contextlib
 import errno
-import marshal
 import os
-import re
 import signal
 import threading
+from abc import ABC, abstractmethod
 from collections.abc import Sequence
-from typing import Any
+from typing import TYPE_CHECKING
 
-from judge.errors import LIMIT_ON_TASKS, NO_THREAD, JudgeError, ShortageError, shortage_of
-from judge.sandbox import imports, outcome, payload, room, shared
-from judge.sandbox.boundary import (
-    IMPORTING,
-    CallsResult,
-    Inspection,
-    Limits,
-    ProgramResult,
-    Reply,
-    SourceFault,
-    Stop,
-    Usage,
-)
-from judge.sandbox.container import Done, Lost
-from judge.sandbox.holder import Holder
+from judge.errors import LIMIT_ON_TASKS, NO_THREAD, ShortageError, shortage_of
+from judge.sandbox import outcome, room, shared
+from judge.sandbox.boundary import Inspection, Limits, ProgramResult, Stop, Usage
+from judge.sandbox.container import Container, Done, Lost
 from judge.sandbox.inside import wire
+from judge.sandbox.levels import StartError
 
-STDERR_BYTES = 4096
-PRINTED_BYTES = 4 << 10  # of what a function prints that are kept
-_INSPECTION = Limits(cpu_seconds=10.0, wall_seconds=30.0, memory_bytes=1 << 30, output_bytes=1 << 22)
-_ADDRESS_SPACE = 256 << 20  # beyond twice the memory limit: honest numpy reserves far more than it touches
-_TRUSTED_TRIES = 2
-_BUSY = "judge it again, with a smaller -j if the machine is busy"
-_LOST = "it stopped the process that watches it"
+if TYPE_CHECKING:
+    from judge.sandbox.factory import Boxes
+
+BUSY = "judge it again, with a smaller -j if the machine is busy"
+LOST = "it stopped the process that watches it"
 
 
-class ForkServerBox:
-    """A submission behind a fork server; a context manager that ends it all.
+class ContainerBox(ABC):
+    """A submission in a container; a context manager that ends it all.
 
-    The container is started at once and awaited on entering, so that a judge may do other things while it
-    boots. One thread at a time may use it, whichever opened it.
+    One thread at a time may use it, whichever opened it.
     """
 
-    def __init__(self, holder: Holder, share: room.Share, lines: int) -> None:
-        """`holder` has the container, `share` bounds its threads; its source has so many lines."""
+    stderr_bytes = 4096  # of its end
+    lines = 0  # of the source, where a process says in which it stood
+
+    def __init__(self, boxes: Boxes) -> None:
+        """`boxes` says at which level it is held, and what it may have."""
+        self._boxes = boxes
+        self._first = boxes.levels.level  # to be begun with
+        self._held = ""
+        self._prepared = False  # whether the container has compiled the source
         self._inspection: Inspection | None = None
-        self._modules: list[str] = []
-        self._share = share
-        self._lines = lines
-        self._warm_up: threading.Thread | None = None
         self._oom_kills = room.oom_kills()
-        self._holder = holder
+        self._closed = threading.Event()
+        self._container: Container | None = None
 
     @property
     def isolation(self) -> str:
-        """The level that holds it: "full", "strong" or "limits"."""
-        return self._holder.level
+        """The level that holds it: "full", "strong" or "limits"; "" as long as no container was made."""
+        return self._held
 
-    def __enter__(self) -> ForkServerBox:
-        self._warmed_up()
-        self._holder.here()
-        return self
+    @property
+    def name(self) -> str:
+        """The language's, where its empty program costs something."""
+        return ""
+
+    @property
+    def idle(self) -> Usage:
+        """What the language's empty program costs."""
+        return Usage()
 
     def __exit__(self, *exc: object) -> None:
-        self._holder.close(at_once=self._warm_up is not None)  # then the warm-up need not be waited for
-        self._warmed_up()
-        self._holder.drop()
-
-    def warm_up(self) -> None:
-        """Get ready for calls in the background: they wait for it, whatever fails shows when they come."""
-
-        def prepare() -> None:
-            with contextlib.suppress(JudgeError, Lost, OSError, MemoryError, RuntimeError):
-                self._prepare()
-
-        thread = threading.Thread(target=prepare, daemon=True)
-        with contextlib.suppress(RuntimeError):  # no thread is left: the calls get ready themselves
-            thread.start()
-            self._warm_up = thread
-
-    def _warmed_up(self) -> None:
-        if self._warm_up is not None:
-            self._warm_up.join()
-            self._warm_up = None
+        self._closed.set()
+        self._drop()
 
     def inspect(self) -> Inspection:
-        """Parse and compile the source in a child, without running it."""
-        self._warmed_up()
-        return self._inspected()
-
-    def _inspected(self) -> Inspection:
+        """Parse and compile the source, without running it."""
         if self._inspection is None:
             self._inspection = self._inspect()
         return self._inspection
 
-    def _inspect(self) -> Inspection:
-        done = self._ask_trusted(wire.INSPECT, b"")
-        replies = self._holder.here().replies(b"", _INSPECTION.output_bytes)
-        over = outcome.overrun(done, _INSPECTION, 0, self._note())
-        if done.reason not in (wire.NOT_KILLED, wire.FOR_CPU):  # no compiler waits
-            raise ShortageError("the machine is too busy to compile it", remedy=_BUSY)
-        if over or done.status or not replies.endswith(b",\n"):
-            text = over[1] if over else outcome.end_of(done, self._note())[1]
-            return Inspection(SourceFault(f"the compiler did not survive it: {text}"))
-        found = outcome.parse_inspection(replies)
-        self._modules = imports.to_import(found["modules"])
-        return Inspection.read(found)
-
-    def _ask_trusted(self, kind: bytes, payload: bytes) -> Done:
-        """A request in which nothing foreign runs: what is lost or killed then, the machine has lost."""
-        for _ in range(_TRUSTED_TRIES):
-            try:
-                with shared.stdio(b"") as stdio:
-                    done = self._ask(kind, stdio, payload, _INSPECTION)
-            except Lost:
-                continue
-            if done.reason or not outcome.is_from_outside(done):
-                return done
-        raise ShortageError("the container ended before the submission was run", remedy=_BUSY)
-
-    def call(self, entry: str, calls: Sequence[Sequence[Any]], limits: Limits) -> CallsResult:
-        """Make the calls in one child; see `Box.call`."""
-        if not calls:
-            return CallsResult((), Usage())
-        self._warmed_up()
-        if fault := self._prepare():
-            return CallsResult((Reply(Stop.EXCEPTION, detail=fault),) * len(calls), Usage())
-        head, arguments = payload.packed(entry, calls, limits.items)
-        try:
-            with shared.stdio(b"") as stdio, shared.file(arguments) as given:
-                del arguments  # which may be large
-                descriptors = (*stdio, given) if wire.PAUSES else stdio
-                done = self._ask(wire.CALLS, descriptors, head, limits)
-                printed = max(map(shared.size, stdio[1:]))
-                text = shared.part(stdio[1], done.printed_bytes, PRINTED_BYTES)
-        except Lost as lost:
-            kept = outcome.parse_replies(lost.replies, len(calls))[0][: len(calls) - 1]
-            return CallsResult((*kept, Reply(Stop.TAMPERED, detail=_LOST)), Usage(0, lost.wall_ns / 1e9))
-        replies = self._ended(done, head, limits, printed, len(calls))
-        told = tuple(reply._replace(detail=self._with_threads(reply.detail)) for reply in replies)
-        usage, imported = outcome.usage_of(done), outcome.imported(done)
-        return CallsResult(told, usage, imported, text if done.stage == wire.CALLING else b"")
-
-    def _ended(self, done: Done, head: bytes, limits: Limits, printed: int, count: int) -> list[Reply]:
-        """The replies of a child that is gone; the last says how it ended if it did not answer all."""
-        note = self._note()
-        replies, kept_form = outcome.parse_replies(
-            self._holder.here().replies(head, limits.output_bytes), count
-        )
-        if done.stage != wire.CALLING and any(reply.stop is Stop.ANSWERED for reply in replies):
-            replies, kept_form = [], False  # nothing was asked
-        over = outcome.overrun(done, limits, printed, note, self._stood_at())
-        if over is None and kept_form and len(replies) == count:
-            return replies
-        if over:
-            stop, detail = over
-            if len(replies) >= count:
-                detail += ", in this call or one before it"
-        elif not kept_form:
-            stop, detail = Stop.TAMPERED, "it wrote into its own replies"
-        else:
-            stop = Stop.EXITED  # in mid-call, whatever its status
-            detail = outcome.end_of(done, note)[1]
-        if done.stage != wire.CALLING and stop is Stop.EXITED:
-            detail += IMPORTING
-        # of a limit that the calls passed together, the last one hears
-        return [*replies[: count - 1], Reply(stop, detail=detail)]
-
     def run_program(self, stdin: bytes, limits: Limits) -> ProgramResult:
-        """Run the source as `__main__` in a child of its own; see `Box.run_program`."""
-        self._warmed_up()
+        """Run the source as a program, in a process of its own; see `Box.run_program`."""
         if fault := self._prepare():
             return ProgramResult(Stop.EXCEPTION, b"", b"", fault, Usage())
         try:
-            with shared.stdio(stdin) as (given, stdout, stderr):
-                done = self._ask(wire.PROGRAM, (given, stdout, stderr), b"", limits)
-                printed = max(map(shared.size, (stdout, stderr)))
-                out = shared.head(stdout, limits.output_bytes)
-                err = shared.tail(stderr, STDERR_BYTES)
+            with shared.stdio(stdin) as stdio:
+                done = self._run(stdio, limits)
+                printed = max(map(shared.size, stdio[1:]))
+                out, err = (
+                    shared.head(stdio[1], limits.output_bytes),
+                    shared.tail(stdio[2], self.stderr_bytes),
+                )
         except Lost:
-            return ProgramResult(Stop.TAMPERED, b"", b"", _LOST, Usage())
-        note = self._note()
-        over = outcome.overrun(done, limits, printed, note, self._stood_at())
-        stop, detail = over or outcome.end_of(done, note)
+            return ProgramResult(Stop.TAMPERED, b"", b"", LOST, Usage())
+        note, words = self._said(done, err)
+        stop, detail = self._overrun(done, limits, printed, note) or outcome.end_of(done, note, words)
         detail = "" if stop is Stop.ANSWERED else self._with_threads(detail)
-        return ProgramResult(stop, out, err, detail, outcome.usage_of(done))
+        return ProgramResult(stop, out, err, detail, done.usage)
 
+    @abstractmethod
+    def _inspect(self) -> Inspection:
+        """Look at the source."""
+
+    @abstractmethod
     def _prepare(self) -> str:
-        """Make the server ready for runs, once a container; the source's fault, or nothing."""
-        found = self._inspected()
-        if found.fault:
-            return found.fault.message
-        if not self._holder.prepared:
-            self._ask_trusted(wire.PREPARE, marshal.dumps(self._modules))
-            self._holder.prepared = True
-        return ""
+        """Make ready for runs; the source's fault, or nothing."""
+
+    @abstractmethod
+    def _run(self, stdio: Sequence[int], limits: Limits) -> Done:
+        """Run the program. Raises Lost."""
+
+    @abstractmethod
+    def _said(self, done: Done, stderr: bytes) -> tuple[tuple[int, str], str]:
+        """What a program says of its end: a note, and words."""
+
+    # -- the container
+
+    @abstractmethod
+    def _start(self, level: str) -> Container:
+        """Start a container. Raises StartError."""
+
+    def _here(self) -> Container:
+        """The running container, ready for a request. Raises as `Levels.open`, and Lost once it is closed."""
+        return self._boxes.levels.open(self._ready, self._closed.wait)
+
+    def _ready(self, level: str) -> Container:
+        if self._closed.is_set():
+            raise Lost
+        if self._container is None or self._held != level:
+            self._drop()
+            self._held = level
+            self._container = self._start(level)
+        try:
+            self._container.await_ready()
+        except StartError:
+            self._container = None
+            raise
+        return self._container
+
+    def _drop(self) -> None:
+        """End the container; the next request starts another."""
+        container, self._container = self._container, None
+        self._prepared = False
+        if container is not None:
+            container.close()
 
     def _ask(
-        self,
-        kind: bytes,
-        stdio: Sequence[int],
-        payload: bytes,
-        limits: Limits,
+        self, kind: bytes, stdio: Sequence[int], payload: bytes, limits: Limits, memory: int, what: str
     ) -> Done:
-        """One request; whatever goes wrong on this side of it, Ctrl-C included, ends the container."""
-        memory = 2 * limits.memory_bytes + _ADDRESS_SPACE
-        if kind in (wire.CALLS, wire.PROGRAM):
+        """One request; whatever goes wrong on this side of it, Ctrl-C included, ends the container.
+
+        `memory` is what the process may have in all; `what` is said where trusted code has failed.
+        """
+        runs = kind in (wire.CALLS, wire.PROGRAM, wire.EXECUTE)
+        if runs:
             room.check_memory(memory)
         try:
-            done = self._holder.here().ask(kind, stdio, payload, limits, memory)
+            done = self._here().ask(kind, stdio, payload, limits, memory)
         except BaseException as fault:
-            self._holder.drop()
+            self._drop()
             if isinstance(fault, Lost):
                 self._check_kills()
-                beyond_reach = not fault.asked or self.isolation != "limits"
-                if beyond_reach and kind in (wire.CALLS, wire.PROGRAM):
-                    raise ShortageError("the process that watches it has ended", remedy=_BUSY) from None
+                if runs and (not fault.asked or self.isolation != "limits"):  # beyond its reach
+                    raise ShortageError("the process that watches it has ended", remedy=BUSY) from None
             raise
-        note, text = self._note()
-        # Once foreign code runs, notes are its own.
-        if note == wire.BROKEN_BOX and done.stage == wire.NOT_STARTED:
-            self._holder.drop()
-            if lacking := re.search(r"\[Errno (\d+)\]", text):
-                raise shortage_of(int(lacking[1]), "the container failed")
-            raise ShortageError(f"the container failed: {text}", remedy=_BUSY)
-        if not done.reason and _killed(done) and done.peak_bytes <= limits.memory_bytes:
+        region = self._here().region
+        (note, text), code = region.note(), region.code()
+        # Once foreign code runs, notes are its own; what is no Python has no way to write any.
+        if note == wire.BROKEN_BOX and (done.stage == wire.NOT_STARTED or kind == wire.EXECUTE):
+            self._drop()
+            raise shortage_of(code, what) if code else ShortageError(f"{what}: {text}", remedy=BUSY)
+        killed = os.WIFSIGNALED(done.status) and os.WTERMSIG(done.status) == signal.SIGKILL
+        if not done.reason and killed and done.peak_bytes <= limits.memory_bytes + self.idle.memory_bytes:
             self._check_kills()
         return done
 
@@ -236,24 +174,23 @@ class ForkServerBox:
         if room.oom_kills() != self._oom_kills:
             raise shortage_of(errno.ENOMEM, "the kernel has killed the submission's process")
 
+    # -- how it ended
+
+    def _overrun(
+        self, done: Done, limits: Limits, printed: int, note: tuple[int, str]
+    ) -> tuple[Stop, str] | None:
+        said = int(self._here().region.words[wire.STOOD_AT])
+        return outcome.overrun(
+            done, limits, printed, note, said if said <= self.lines else 0, self.idle, self.name
+        )
+
     def _with_threads(self, detail: str) -> str:
         """What it says of its own end, with how many threads it may have where that is fewer than elsewhere.
 
         Whether it wanted more is its own word, which decides nothing.
         """
-        if not self._share.short or NO_THREAD not in detail:
+        share = self._boxes.share
+        if not share.short or NO_THREAD not in detail:
             return detail
-        most = f"it may have {self._share.each} threads at once here, and not {room.THREADS} as elsewhere"
+        most = f"it may have {share.each} threads at once here, and not {room.THREADS} as elsewhere"
         return f"{detail}; {most}: {LIMIT_ON_TASKS}"
-
-    def _stood_at(self) -> int:
-        """The line where it says that it stood when its time was up, if there is such a one; else 0."""
-        said = int(self._holder.here().region.words[wire.STOOD_AT])
-        return said if said <= self._lines else 0
-
-    def _note(self) -> tuple[int, str]:
-        return self._holder.here().region.note()
-
-
-def _killed(done: Done) -> bool:
-    return os.WIFSIGNALED(done.status) and os.WTERMSIG(done.status) == signal.SIGKILL

@@ -26,15 +26,7 @@ _ALWAYS = (
     "judge.sandbox.inside.server",
 )
 _EXEC = "judge.sandbox.inside.exec"  # the server of what is no Python
-_ON_LINUX = (
-    "judge.sandbox.linux.foreign",
-    "judge.sandbox.linux.kernel",
-    "judge.sandbox.linux.syscalls",
-    "judge.sandbox.linux.bpf",
-    "judge.sandbox.linux.landlock",
-    "judge.sandbox.linux.profiles",
-    "judge.sandbox.linux.seccomp",
-)
+_ON_LINUX = "judge.sandbox.inside.linux"
 
 # argv: the bundle's descriptor, the channel's, the region's
 BOOTSTRAP = """\
@@ -43,7 +35,7 @@ from types import ModuleType
 bundle, channel, region = map(int, sys.argv[1:])
 with open(bundle, "rb") as file:
     modules, config, source = marshal.loads(file.read())
-for name in ("judge", "judge.sandbox", "judge.sandbox.inside", "judge.sandbox.linux"):
+for name in ("judge", "judge.sandbox", "judge.sandbox.inside"):
     sys.modules[name] = ModuleType(name)
     sys.modules[name].__path__ = []
 for name, code in modules:
@@ -57,20 +49,14 @@ module.start(channel, region, config, source)
 
 def pack(config: dict[str, Any], source: bytes) -> bytes:
     """The bundle's bytes; the last of its modules is the server. `config` holds plain values only."""
-    modules = (*_modules(), _started()) if "profile" in config else _modules()
+    first, last = [_ON_LINUX] if sys.platform == "linux" else [], [_EXEC] if "folders" in config else []
+    modules = tuple(map(_module, (*first, *_ALWAYS, *last)))  # in the order in which they import one another
     return marshal.dumps((modules, config, source))
 
 
 @cache
-def _modules() -> tuple[tuple[str, CodeType], ...]:
-    """The modules in the order in which they import one another."""
-    names = (*_ON_LINUX, *_ALWAYS) if sys.platform == "linux" else _ALWAYS
-    return tuple((name, _code_of(name)) for name in names)
-
-
-@cache
-def _started() -> tuple[str, CodeType]:
-    return _EXEC, _code_of(_EXEC)
+def _module(name: str) -> tuple[str, CodeType]:
+    return name, _code_of(name)
 
 
 def _code_of(name: str) -> CodeType:

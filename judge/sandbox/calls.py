@@ -1,4 +1,4 @@
-"""Calls as a driver reads them and its replies, for functions in another language than Python.
+"""Calls as a process reads them: as bytes in Python, as text in another language, whose replies are text too.
 
     the input      cases, and 1 where each answer is to be written at once, else 0; then a line for each call,
                    tokens: a number, `true` or `false`, the items of a tuple; of a list its length first;
@@ -11,6 +11,7 @@ Replies are foreign data: bounded, parsed as JSON, never believed.
 
 from __future__ import annotations
 
+import marshal
 import re
 from array import array
 from collections.abc import Sequence
@@ -19,10 +20,35 @@ from typing import Any
 from judge.sandbox import outcome
 from judge.sandbox.boundary import Reply
 from judge.sandbox.encode import encode
+from judge.sandbox.inside import wire
 
 _NUMBERS = {int, float}
 _SMALL = 1 << 63
 _WORD = re.compile(r"(?!none\Z)[\w-]+", re.ASCII)
+
+
+def packed(entry: str, calls: Sequence[Sequence[Any]], most: int) -> tuple[bytes, bytes]:
+    """The request's payload, and what is laid in its place once the module is imported: both as long.
+
+    First the entry, how many calls there are and how many items an answer may have; then which arguments are
+    arrays, and the arguments, an array as its code and what marshal writes as its bytes. Where no child is
+    stopped after its import, all of it is in the payload.
+    """
+    places = {place for arguments in calls for place, value in enumerate(arguments) if type(value) is array}
+    given = (
+        tuple(places),
+        [
+            tuple([(each.typecode, each) if type(each) is array else each for each in arguments])
+            if places
+            else tuple(arguments)
+            for arguments in calls
+        ],
+    )
+    if not wire.PAUSES:
+        return marshal.dumps((entry, len(calls), most, given)), b""
+    head, arguments = marshal.dumps((entry, len(calls), most, None)), marshal.dumps(given)
+    size = max(len(head), len(arguments))
+    return head.ljust(size, b"\0"), arguments.ljust(size, b"\0")
 
 
 def text(series: Sequence[Sequence[Any]], *, at_once: bool = False) -> bytes:

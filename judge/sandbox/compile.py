@@ -18,8 +18,7 @@ from typing import NamedTuple
 from judge.errors import ShortageError, shortage_of
 from judge.sandbox import outcome, room, shared
 from judge.sandbox.boundary import Limits, SourceFault
-from judge.sandbox.container import Done, Lost
-from judge.sandbox.holder import Holder
+from judge.sandbox.container import Container, Done, Lost
 from judge.sandbox.inside import wire
 from judge.sandbox.launch import RESULT, SCRATCH, Workplace
 from judge.sandbox.recipe import Files, Recipe, Sources, filled
@@ -90,16 +89,16 @@ def place_of(recipe: Recipe, folder: Path) -> Workplace:
     )
 
 
-def compiled(recipe: Recipe, sources: Sources, holder: Holder, place: Workplace, processes: int) -> Compiled:
-    """Compile the sources that are shown in the holder's container; `processes` bound those it may have.
+def compiled(
+    recipe: Recipe, sources: Sources, container: Container, place: Workplace, processes: int
+) -> Compiled:
+    """Compile the sources that are shown in the container; `processes` bound those it may have.
 
     Raises:
         ShortageError: the container ended or is too busy, or the compiler ends for want of something.
-        JudgeError: no container can be had.
     """
     room.check_memory(LIMITS.memory_bytes)
-    container = holder.here()
-    level = holder.level
+    level = container.level
     scratch, source = place.where(SCRATCH, level), place.where(SOURCE, level)
     places = {
         "out": f"{scratch}/{RESULT}",
@@ -128,7 +127,7 @@ def compiled(recipe: Recipe, sources: Sources, holder: Holder, place: Workplace,
     for step in recipe.steps:
         payload = marshal.dumps((filled(step, places, names), environment, scratch, limits))
         with shared.stdio(b"") as stdio:
-            done = _asked(holder, wire.EXECUTE, stdio, payload)
+            done = _asked(container, wire.EXECUTE, stdio, payload)
             said = shared.head(stdio[2], _SAID) + b"\n" + shared.head(stdio[1], _SAID)
         kind, note = container.region.note()
         if kind == wire.BROKEN_BOX:
@@ -143,23 +142,22 @@ def compiled(recipe: Recipe, sources: Sources, holder: Holder, place: Workplace,
             return Compiled((), fault, used)
     if recipe.keeps:
         return Compiled(sources.files, None, used, warnings)
-    return _collected(holder, places["out"])._replace(cpu_seconds=used, warnings=warnings)
+    return _collected(container, places["out"])._replace(cpu_seconds=used, warnings=warnings)
 
 
-def _asked(holder: Holder, kind: bytes, stdio: Sequence[int], payload: bytes) -> Done:
+def _asked(container: Container, kind: bytes, stdio: Sequence[int], payload: bytes) -> Done:
     try:
-        return holder.here().ask(kind, stdio, payload, LIMITS, LIMITS.memory_bytes)
+        return container.ask(kind, stdio, payload, LIMITS, LIMITS.memory_bytes)
     except Lost:
-        holder.drop()
         raise ShortageError("the compiler's container has ended", remedy=_BUSY) from None
 
 
-def _collected(holder: Holder, folder: str) -> Compiled:
+def _collected(container: Container, folder: str) -> Compiled:
     """What the compiler left."""
     payload = marshal.dumps((folder, ARTIFACT_BYTES, ARTIFACT_FILES))
     with shared.stdio(b"") as stdio:
-        _asked(holder, wire.COLLECT, stdio, payload)
-        found = marshal.loads(holder.here().replies(payload, LIMITS.output_bytes))
+        _asked(container, wire.COLLECT, stdio, payload)
+        found = marshal.loads(container.replies(payload, LIMITS.output_bytes))
         content = shared.head(stdio[1], ARTIFACT_BYTES)
     if isinstance(found, str):
         return Compiled((), SourceFault(found))

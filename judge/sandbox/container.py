@@ -15,23 +15,26 @@ import subprocess
 import sys
 import threading
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from queue import SimpleQueue
 from typing import Any, NamedTuple
 
 from judge.errors import JudgeError, shortage_of
-from judge.sandbox import bundle, launch, refusal, shared
-from judge.sandbox.boundary import Limits
+from judge.sandbox import bundle, levels, shared
+from judge.sandbox.boundary import Limits, Usage
 from judge.sandbox.inside import wire
-from judge.sandbox.room import Share
-from judge.sandbox.roots import Roots
+from judge.sandbox.launch import Plan
+from judge.sandbox.levels import StartError
 from judge.sandbox.temporary import TemporaryFolder
 
 START_SECONDS = 20.0  # a loaded machine, a cold disk
+SLOW_TRIES = 2  # each takes as long as that
 GRACE_SECONDS = 5.0  # beyond a request's own wall limit
 END_SECONDS = 1.0
 REASON_BYTES = 2000
 
+# By the descriptors of the code, the channel and the region, and what makes an empty folder.
+Planned = Callable[[tuple[int, int, int], Callable[[], str]], Plan]
 _PAIR = _socket.SOCK_SEQPACKET if sys.platform == "linux" else _socket.SOCK_STREAM
 
 
@@ -60,6 +63,16 @@ class Done(NamedTuple):
     imported_cpu_ns: int = 0  # the import of a module whose calls were begun
     imported_wall_ns: int = 0
     printed_bytes: int = 0  # to stdout, before the calls
+
+    @property
+    def usage(self) -> Usage:
+        """What was used of the calls, of a whole program, or of an import that ended it."""
+        return Usage(self.cpu_ns / 1e9, self.wall_ns / 1e9, self.peak_bytes)
+
+    @property
+    def imported(self) -> Usage:
+        """What the import took of a module whose calls were begun."""
+        return Usage(self.imported_cpu_ns / 1e9, self.imported_wall_ns / 1e9)
 
 
 class _Order:
@@ -126,30 +139,19 @@ _STARTER = _Starter()
 class Container:
     """A fork server and its descriptors."""
 
-    def __init__(
-        self,
-        level: str,
-        name: str,
-        source: bytes,
-        roots: Roots,
-        share: Share,
-        place: launch.Workplace | None = None,
-    ) -> None:
-        """Start it, with `place` the server of what is no Python.
-
-        Raises NotStarted where there is no room for it or the command itself is missing.
-        """
+    def __init__(self, level: str, source: bytes, plan: Planned) -> None:
+        """Start it as `plan` says. Raises StartError where there is no room, or the command is missing."""
         self.region: wire.Region
         self._closing = contextlib.ExitStack()
         self._process: subprocess.Popen[bytes] | None = None
         self._ready = False
-        self._level = level
+        self.level = level
         self._exposed = ""  # a path
         try:
-            self._start(level, name, source, roots, share, place)
+            self._start(source, plan)
         except (OSError, MemoryError, RuntimeError) as fault:
             self.close()
-            not_started = refusal.of_fault(fault)
+            not_started = levels.of_fault(fault)
             if not_started is None:
                 raise
             raise not_started from fault
@@ -157,15 +159,7 @@ class Container:
             self.close()
             raise
 
-    def _start(
-        self,
-        level: str,
-        name: str,
-        source: bytes,
-        roots: Roots,
-        share: Share,
-        place: launch.Workplace | None,
-    ) -> None:
+    def _start(self, source: bytes, planned: Planned) -> None:
         ours, theirs = _socket.socketpair(_socket.AF_UNIX, _PAIR)
         self._line = wire.Channel(ours)
         self._closing.callback(ours.close)
@@ -178,8 +172,7 @@ class Container:
             self._closing.callback(os.close, self._complaints)
             code = shared.nameless()
             passed.callback(os.close, code)
-            home = self._home() if place is None and level != "full" else launch.SCRATCH
-            plan = launch.plan(level, name, roots, (code, theirs.fileno(), descriptor), share, place, home)
+            plan = planned((code, theirs.fileno(), descriptor), self._home)
             shared.write_whole(code, bundle.pack(plan.config, source))
             os.lseek(code, 0, os.SEEK_SET)
             self.region.lay(plan.hidden)
@@ -195,7 +188,7 @@ class Container:
                     start_new_session=True,  # Ctrl-C is for the judge, which ends this in its own way
                 )
             except OSError as fault:
-                not_started = refusal.of_fault(fault, plan.command[0])
+                not_started = levels.of_fault(fault, plan.command[0])
                 assert not_started is not None
                 raise not_started from fault
 
@@ -208,7 +201,7 @@ class Container:
         return str(home)
 
     def await_ready(self) -> None:
-        """Wait until it has confined itself. Raises NotStarted, the container then being closed.
+        """Wait until it has confined itself. Raises StartError, the container then being closed.
 
         Raises JudgeError where a submission in it could read what none may see: a lower level is no way out.
         """
@@ -220,20 +213,22 @@ class Container:
         frame = self._receive(START_SECONDS)
         if not frame.startswith(wire.READY):
             silent = time.monotonic() - began >= START_SECONDS
-            kind, note = self.region.note()
+            (kind, note), code = self.region.note(), self.region.code()
             process = self._process
             self._hang_up()  # ends it, so that it has said all
-            said = note or shared.tail(self._complaints, REASON_BYTES).decode(errors="replace")
+            said = shared.tail(self._complaints, REASON_BYTES).decode(errors="replace")
             self.close()
             if kind == wire.EXPOSED:
                 self._exposed = note
                 raise self._refusal()
             status = process.returncode if process is not None else 0
-            raise refusal.of_silence(START_SECONDS) if silent else refusal.of_end(said, status)
+            if silent:
+                raise StartError(f"it was not ready after {START_SECONDS:g} s", SLOW_TRIES)
+            raise levels.of_code(code, note) if note else levels.of_end(said, status)
         self._ready = True
 
     def _refusal(self) -> JudgeError:
-        what = f"isolation {self._level} would let a submission read {self._exposed}"
+        what = f"isolation {self.level} would let a submission read {self._exposed}"
         return JudgeError(what, remedy="install the judge in a virtual environment of its own")
 
     def _receive(self, seconds: float) -> bytes:
@@ -251,7 +246,7 @@ class Container:
         limits: Limits,
         memory: int,
     ) -> Done:
-        """One request and its answer. Raises Lost and NotStarted; ShortageError before anything foreign runs.
+        """One request and its answer. Raises Lost and StartError; ShortageError before anything foreign runs.
 
         `memory` is the bytes that the process may have in all, more than the limit of the submission.
         """

@@ -12,11 +12,13 @@ from __future__ import annotations
 import marshal
 import os
 import sys
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any, NamedTuple
 
 from judge.errors import JudgeError
 from judge.sandbox.bundle import BOOTSTRAP
+from judge.sandbox.filters import filters
 from judge.sandbox.room import Share, tasks_of_mine
 from judge.sandbox.roots import Roots, open_to_all
 
@@ -59,7 +61,7 @@ class Workplace(NamedTuple):
     filled instead. `runnable` are real paths from which programs may be started, `reads` others it needs.
     """
 
-    profile: str  # of judge.sandbox.linux.profiles
+    profile: str  # of judge.sandbox.filters
     shown: tuple[tuple[str, str], ...] = ()
     scratch: str = ""
     runnable: tuple[str, ...] = ()
@@ -77,7 +79,8 @@ class Workplace(NamedTuple):
 class Plan(NamedTuple):
     """How to start one fork server; `config` is what it is told besides its source.
 
-    `hidden` is what must not be visible, for the region: nothing that outlives the look keeps these names.
+    `hidden` is what must not be visible, and where nothing of ours may be, for the region: nothing that
+    outlives the look keeps these names. At `limits` nothing is hidden.
     """
 
     command: tuple[str, ...]
@@ -90,18 +93,19 @@ def plan(
     level: str,
     name: str,
     roots: Roots,
-    descriptors: tuple[int, int, int],
     share: Share,
+    descriptors: tuple[int, int, int],
+    make_home: Callable[[], str],
     place: Workplace | None = None,
-    home: str = SCRATCH,
 ) -> Plan:
     """The plan for `level`; `descriptors` are the bundle's, the channel's and the region's.
 
-    `place` is there for what is no Python. `home` is an empty folder of this machine, at `full` one inside:
-    it may be listed, and only `limits` lets anybody write there. Raises OSError where a folder cannot be
-    handed over.
+    `place` is there for what is no Python; that has a home, an empty folder of this machine, at `full` one
+    inside: it may be listed, and only `limits` lets anybody write there. Raises OSError where a folder cannot
+    be made or handed over.
     """
-    uid, hidden = _spare_uid(), marshal.dumps(to_look_for(level, roots))
+    unseen = ((), ()) if level == "limits" else (roots.unseen, roots.searched)
+    uid, hidden = _spare_uid(), marshal.dumps(unseen)
     needed = (*place.runnable, *place.reads) if place is not None and uid is not None else ()
     closed = not open_to_all(needed, below=level == "full")
     python = [roots.executable, *_INTERPRETER, "-c", BOOTSTRAP, *map(str, descriptors)]
@@ -118,11 +122,14 @@ def plan(
         "cores": os.cpu_count() or 1,
         "unseen": len(hidden),
     }
+    if level != "limits":
+        config["filters"] = tuple(filters(os.uname().machine, place.profile if place else "python"))
     environment = dict(ENVIRONMENT)
     if place is not None:
         _settle(place, level, roots, config)
         config["passes_on"] = closed
     else:
+        home = SCRATCH if level == "full" else make_home()
         environment |= dict.fromkeys(_AT_HOME, home)
         config["readable"].append(home)
         config["home"] = home
@@ -138,7 +145,7 @@ def _settle(place: Workplace, level: str, roots: Roots, config: dict[str, Any]) 
     """What the server is told besides."""
     shown = [place.where(name, level) for name, _ in place.shown]
     readable = [*config["readable"], *shown]
-    config["profile"], config["descriptors"] = place.profile, place.descriptors
+    config["descriptors"] = place.descriptors
     config["readable"] = [path for path in readable if place.random or path != _RANDOM]
     config["runnable"] = [*roots.around(place.runnable), *shown, *_loaders()]
     config["filled"] = [place.where(SCRATCH, level)] if place.scratch else []
@@ -151,11 +158,6 @@ def _loaders() -> list[str]:
     """The programs that the kernel starts so that they load a program's libraries."""
     found = (path for folder in ("/lib", "/lib64") for path in Path(folder).glob("ld-*.so*"))
     return [os.path.realpath(path) for path in found]
-
-
-def to_look_for(level: str, roots: Roots) -> tuple[tuple[str, ...], tuple[str, ...]]:
-    """What must not be visible inside, and where nothing of ours may be; nothing is hidden at `limits`."""
-    return ((), ()) if level == "limits" else (roots.unseen, roots.searched)
 
 
 def bind_proc(refusal: str) -> bool:

@@ -9,13 +9,14 @@ from __future__ import annotations
 import hashlib
 import marshal
 import os
+import re
 from collections.abc import Callable, Sequence
-from functools import cached_property
+from functools import cached_property, partial
 from pathlib import Path
 from typing import Any
 
 from judge.errors import ShortageError
-from judge.sandbox import calls, ends, launch, room, shared
+from judge.sandbox import calls, launch, room
 from judge.sandbox.boundary import (
     CallsResult,
     Defined,
@@ -27,10 +28,10 @@ from judge.sandbox.boundary import (
     Stop,
     Usage,
 )
+from judge.sandbox.box import BUSY, ContainerBox
 from judge.sandbox.compile import PROCESSES, compiled, place_of
 from judge.sandbox.container import Container, Done, Lost
 from judge.sandbox.factory import Boxes
-from judge.sandbox.holder import Holder
 from judge.sandbox.inside import wire
 from judge.sandbox.launch import Workplace
 from judge.sandbox.recipe import Files, Recipe, Sources, Store, filled, written
@@ -40,36 +41,31 @@ from judge.sandbox.temporary import TemporaryFolder
 _BOX = "/box"
 _WARNED = "judge-warnings"  # a file beside what was compiled, for whoever takes that from the cache
 _STACK = 64 << 20  # at most, where it may be as large as the memory
-_STDERR = 32 << 10  # what says why comes before a hundred frames of the stack
+_SHOWN = 200
+_WORDS = re.compile(r"panic|Exception|[Ee]rror|terminate|what\(\)|fatal|Assertion")
+_LINE = re.compile(r" \(line (\d{1,9})\)$")
 _NOTHING = Usage()
 Order = tuple[Recipe, Sources]
-_BUSY = "judge it again, with a smaller -j if the machine is busy"
 
 
-class NativeBox:
-    """One submission in another language; one thread at a time may use it."""
+class NativeBox(ContainerBox):
+    """One submission in another language."""
+
+    stderr_bytes = 32 << 10  # what says why comes before a hundred frames of the stack
 
     def __init__(self, order: Callable[[], Order], boxes: Boxes, store: Store, *, idle: bool = True) -> None:
         """`order` is asked on entering: it raises JudgeError where a tool is missing.
 
-        `boxes` says at which level it is held; without `idle` nothing is taken off for the language.
+        Without `idle` nothing is taken off for the language.
         """
+        super().__init__(boxes)
         self._order = order
-        self._boxes = boxes
         self._store = store
         self._subtracts = idle
-        self._level = boxes.first()  # to be begun with
-        self._held = ""  # the level of the last container that was had
-        self._inspection: Inspection | None = None
         self._artifact: Files = ()
         self._folder: TemporaryFolder | None = None
-        self._running: Holder | None = None
         self._place: Workplace | None = None
-
-    @property
-    def isolation(self) -> str:
-        """The level that holds it: "full", "strong" or "limits"; "" as long as no container was made."""
-        return self._held
+        self._more: tuple[str, ...] = ()  # what the container shows besides
 
     @cached_property
     def _ordered(self) -> Order:
@@ -83,15 +79,17 @@ class NativeBox:
     def _sources(self) -> Sources:
         return self._ordered[1]
 
+    @property
+    def name(self) -> str:
+        """The language's."""
+        return self._recipe.name
+
     def __enter__(self) -> NativeBox:
         _ = self._ordered
         return self
 
     def __exit__(self, *exc: object) -> None:
-        if self._running is not None:
-            self._running.close(at_once=False)
-            self._running.drop()
-            self._running = None
+        super().__exit__(*exc)
         if self._folder is not None:
             self._folder.close()
             self._folder = None
@@ -99,13 +97,12 @@ class NativeBox:
     def warm_up(self) -> None:
         """Nothing is gained by starting ahead what is compiled first."""
 
-    # -- compiling
+    def _start(self, level: str) -> Container:
+        roots = find_roots(self._boxes.hide, self._more, modules=False)
+        plan = partial(launch.plan, level, "", roots, self._boxes.share, place=self._place)
+        return Container(level, b"", plan)
 
-    def inspect(self) -> Inspection:
-        """Compile it, or find what was compiled of the same source by the same tools."""
-        if self._inspection is None:
-            self._inspection = self._inspect()
-        return self._inspection
+    # -- compiling
 
     def _inspect(self) -> Inspection:
         sources = self._sources
@@ -145,68 +142,56 @@ class NativeBox:
         with TemporaryFolder() as folder:
             written(folder / "source", [*sources.files, *self._recipe.help])
             (folder / "scratch").mkdir(mode=0o755)
-            place = place_of(self._recipe, folder)
-            more = (*self._recipe.compile_reads, *self._recipe.compile_runs)
-            holder = self._holder(self._level, place, more)
+            self._place = place = place_of(self._recipe, folder)
+            self._more = (*self._recipe.compile_reads, *self._recipe.compile_runs)
             try:
-                made = compiled(self._recipe, sources, holder, place, self._processes())
+                made = compiled(self._recipe, sources, self._here(), place, self._processes())
             except Lost:
-                raise ShortageError("the compiler's container has ended", remedy=_BUSY) from None
+                raise ShortageError("the compiler's container has ended", remedy=BUSY) from None
             finally:
-                holder.close(at_once=False)
-                holder.drop()
-            self._level = self._held = holder.level
+                self._drop()
+                self._place = None
         warned = (_WARNED, "\n".join(made.warnings).encode())
         return (*made.files, warned) if made.warnings else made.files, made.fault
 
     def _processes(self) -> int:
         """A bound that leaves the compiler its own; the kernel counts all processes of a user together."""
-        if os.geteuid() == 0 or self._level == "full":
+        if os.geteuid() == 0 or self._held == "full":
             return PROCESSES
         return room.tasks_of_mine() + PROCESSES
-
-    def _holder(self, level: str, place: Workplace, more: Sequence[str]) -> Holder:
-        share = self._boxes.share
-        roots = find_roots(self._boxes.hide, more, modules=False)
-        return Holder(level, self._boxes, lambda level: Container(level, "", b"", roots, share, place))
 
     # -- running
 
     def run_program(self, stdin: bytes, limits: Limits) -> ProgramResult:
         """Run it in a process of its own; see `Box.run_program`."""
         done = self.run_whole(stdin, limits)
-        return done._replace(usage=self._without_idle(done.usage))
-
-    def _without_idle(self, usage: Usage) -> Usage:
-        return usage._replace(cpu_seconds=max(0.0, usage.cpu_seconds - self.idle.cpu_seconds))
+        if done.stop is Stop.EXCEPTION:  # a fault of the source
+            return done
+        cpu = max(0.0, done.usage.cpu_seconds - self.idle.cpu_seconds)
+        return done._replace(usage=done.usage._replace(cpu_seconds=cpu))
 
     def run_whole(self, stdin: bytes, limits: Limits) -> ProgramResult:
         """As `run_program`, with the start of its language in the CPU time; `limits` are without."""
-        fault = self.inspect().fault
-        if fault:
-            return ProgramResult(Stop.EXCEPTION, b"", b"", fault.message, _NOTHING)
-        idle = self.idle
-        with shared.stdio(stdin) as stdio:
-            try:
-                done = self._ask(stdio, limits, idle)
-            except Lost:
-                raise ShortageError("the process that watches it has ended", remedy=_BUSY) from None
-            printed = max(shared.size(descriptor) for descriptor in stdio[1:])
-            out, err = shared.head(stdio[1], limits.output_bytes), shared.tail(stdio[2], _STDERR)
-        usage = Usage(done.cpu_ns / 1e9, done.wall_ns / 1e9, done.peak_bytes)
-        stop, detail = ends.end_of(done, limits, idle, printed, err, self._recipe)
-        if stop is Stop.EXITED:
-            detail = ends.placed(detail, err, self._sources)
-        return ProgramResult(stop, out, err, detail, usage)
+        done = super().run_program(stdin, limits)
+        if done.stop is not Stop.EXITED:
+            return done
+        return done._replace(detail=placed(done.detail, done.stderr, self._sources))
 
-    def _ask(self, stdio: Sequence[int], limits: Limits, idle: Usage) -> Done:
-        holder = self._run_holder()
-        container = holder.here()
-        self._held = holder.level
-        place = self._place
-        assert place is not None
-        recipe, memory = self._recipe, limits.memory_bytes
-        box = place.where(_BOX, holder.level)
+    def _prepare(self) -> str:
+        fault = self.inspect().fault
+        return fault.message if fault else ""
+
+    def _said(self, done: Done, stderr: bytes) -> tuple[tuple[int, str], str]:
+        sign = self._recipe.out_of_memory
+        short = done.status and not os.WIFSTOPPED(done.status) and sign and sign.encode() in stderr
+        return (wire.NO_MEMORY if short else wire.NO_NOTE, ""), last_words(stderr)
+
+    def _run(self, stdio: Sequence[int], limits: Limits) -> Done:
+        recipe, memory, idle = self._recipe, limits.memory_bytes, self.idle
+        self._settle()
+        self._here()
+        assert self._place is not None
+        box = self._place.where(_BOX, self._held)
         places = {
             "box": box,
             "main": self._sources.main,
@@ -224,40 +209,30 @@ class NativeBox:
             "RLIMIT_DATA": 2 * memory + recipe.allowance,
             "RLIMIT_FSIZE": limits.output_bytes + 1,
             "RLIMIT_STACK": min(memory, recipe.stack or _STACK),
-            "RLIMIT_NPROC": launch.threads(holder.level, self._boxes.share, alone=os.geteuid() == 0),
+            "RLIMIT_NPROC": launch.threads(self._held, self._boxes.share, alone=os.geteuid() == 0),
         }
         command = filled(recipe.command, places)
         payload = marshal.dumps((command, environment, box, bounds))
         with_idle = limits._replace(cpu_seconds=limits.cpu_seconds + idle.cpu_seconds)
-        try:
-            done = container.ask(wire.EXECUTE, stdio, payload, with_idle, memory)
-        except BaseException:
-            holder.drop()
-            raise
-        kind, note = container.region.note()
-        if kind == wire.BROKEN_BOX:
-            holder.drop()
-            raise ShortageError(f"{command[0]} cannot be started: {note}", remedy=_BUSY)
-        return done
+        return self._ask(wire.EXECUTE, stdio, payload, with_idle, memory, f"{command[0]} cannot be started")
 
-    def _run_holder(self) -> Holder:
-        if self._running is None:
+    def _settle(self) -> None:
+        """Put what was compiled where a container shows it."""
+        if self._folder is None:
             self._folder = TemporaryFolder()
             box = self._folder.path / "box"
             written(box, self._artifact)
-            recipe = self._recipe
-            runnable = tuple(map(os.path.realpath, recipe.runs))
-            shown = ((_BOX, str(box)),)
-            self._place = Workplace("run", shown, runnable=runnable, reads=tuple(recipe.reads))
-            self._running = self._holder(self._level, self._place, (*recipe.reads, *recipe.runs))
-        return self._running
+            runnable = tuple(map(os.path.realpath, self._recipe.runs))
+            reads = tuple(self._recipe.reads)
+            self._place = Workplace("run", ((_BOX, str(box)),), runnable=runnable, reads=reads)
+            self._more = (*self._recipe.reads, *self._recipe.runs)
 
     @property
     def idle(self) -> Usage:
         """What the language's empty program costs at this level; measured once for a toolchain."""
         if not self._subtracts:
             return _NOTHING
-        key = f"{self._recipe.key}-{self._level}"
+        key = f"{self._recipe.key}-{self._held or self._first}"
         found = self._store.idle(key)
         if found is None:
             found = measured(self._recipe, self._boxes, self._store)
@@ -294,7 +269,7 @@ class NativeBox:
         found, kept_form = calls.replies(done.stdout, most)
         raised = {place: each for place, each in enumerate(found) if each.detail}
         for place, each in raised.items():
-            found[place] = each._replace(detail=ends.within(each.detail, self._sources))
+            found[place] = each._replace(detail=within(each.detail, self._sources))
         return found, kept_form
 
 
@@ -308,9 +283,7 @@ def measured(recipe: Recipe, boxes: Boxes, store: Store) -> Usage:
         runs = [] if fault else [box.run_program(b"", limits) for _ in range(3)]
     failed = next((run for run in runs if run.stop is not Stop.ANSWERED), None)
     if fault or failed:
-        why = (
-            fault.message if fault else f"{failed.detail} {ends.last_words(failed.stderr)}" if failed else ""
-        )
+        why = fault.message if fault else f"{failed.detail} {last_words(failed.stderr)}" if failed else ""
         raise _empty_fails(recipe, why)
     costs = sorted(run.usage.cpu_seconds for run in runs)
     walls = sorted(run.usage.wall_seconds for run in runs)
@@ -319,3 +292,34 @@ def measured(recipe: Recipe, boxes: Boxes, store: Store) -> Usage:
 
 def _empty_fails(recipe: Recipe, why: str) -> ShortageError:
     return ShortageError(f"the empty {recipe.name} program fails: {why}", remedy="see 'judge doctor'")
+
+
+def last_words(stderr: bytes) -> str:
+    """The line of its stderr that most likely says what went wrong, with what belongs to it; or ""."""
+    lines = [wire.printable(line) for line in stderr.decode(errors="replace").splitlines()]
+    place = next((at for at, line in enumerate(lines) if _WORDS.search(line)), None)
+    if place is None:
+        return ""
+    found, *after = lines[place : place + 2]
+    if after and (found.endswith(":") or after[0].startswith("what()")):
+        found = f"{found} {after[0]}"
+    return found[:_SHOWN]
+
+
+def placed(detail: str, stderr: bytes, sources: Sources) -> str:
+    """How it ended, with the line of the submission that its stderr tells.
+
+    That is the first one in a trace that begins where it ended, and the last in one of Python's.
+    """
+    place = re.compile(rf'\b{re.escape(sources.own)}(?::|(", line ))(\d{{1,9}})')
+    found = place.findall(stderr.decode(errors="replace"))
+    if not found:
+        return detail
+    return within(f"{detail} (line {found[-1 if found[0][0] else 0][1]})", sources)
+
+
+def within(detail: str, sources: Sources) -> str:
+    """The same without a line at its end that the submission has not."""
+    found = _LINE.search(detail)
+    lines = dict(sources.files)[sources.own].count(b"\n") + 1
+    return detail[: found.start()] if found and int(found[1]) > lines else detail

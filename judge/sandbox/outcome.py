@@ -1,6 +1,6 @@
 """From what was measured and what the child said to how it ended, in an order that a submission cannot bend.
 
-What the fork server and the kernel measured comes first: limits, then memory, then output. What the child
+What the fork server and the kernel measured comes first: output, then memory, then time. What the child
 itself says (a note, replies, an exit status) only decides between ends that are equally its own fault.
 """
 
@@ -22,6 +22,10 @@ from judge.sandbox.inside import wire
 
 DETAIL_LENGTH = 1000
 STOPPED = "stopped itself"
+_TOO_DEEP, _TOO_DEEP_OR_FAR = (
+    f" (did it call itself too deeply{more}?)" for more in ("", ", or read past an array")
+)
+_NOTHING = Usage()
 LONG = 1 << 18  # bytes of replies that are parsed line by line: what is forged need not be parsed twice
 
 
@@ -36,30 +40,30 @@ def is_from_outside(done: Done) -> bool:
     return os.WIFSIGNALED(done.status) and os.WTERMSIG(done.status) not in _CRASHES
 
 
-def usage_of(done: Done) -> Usage:
-    """What was used of the calls, of a whole program, or of an import that ended it."""
-    return Usage(done.cpu_ns / 1e9, done.wall_ns / 1e9, done.peak_bytes)
-
-
-def imported(done: Done) -> Usage:
-    """What the import took of a module whose calls were begun."""
-    return Usage(done.imported_cpu_ns / 1e9, done.imported_wall_ns / 1e9)
-
-
 def overrun(
-    done: Done, limits: Limits, printed: int, note: tuple[int, str], stood_at: int = 0
+    done: Done,
+    limits: Limits,
+    printed: int,
+    note: tuple[int, str],
+    stood_at: int = 0,
+    idle: Usage = _NOTHING,
+    name: str = "",
 ) -> tuple[Stop, str] | None:
     """The limit that was passed, if one was; `printed` is the longer of stdout and stderr.
 
-    `stood_at` is the line where it says that it stood when its time was up, 0 for unknown.
+    `stood_at` is the line where it says that it stood when its time was up, 0 for unknown; `idle` is what the
+    empty program of its language, called so, costs.
     """
     signalled = os.WTERMSIG(done.status) if os.WIFSIGNALED(done.status) else 0
     kind, text = note
     place = f" (line {stood_at})" if stood_at else ""
-    if done.peak_bytes > limits.memory_bytes:  # before the clock: filling memory takes time too
-        seen = f"used more than {_size(limits.memory_bytes)}, {_size(done.peak_bytes)} seen"
-        return Stop.MEMORY, seen
-    over_time = done.reason == wire.FOR_CPU or done.cpu_ns / 1e9 > limits.cpu_seconds
+    # Before all else: some print on after the kernel has refused a write, and end as if nothing were.
+    if printed > limits.output_bytes or signalled == signal.SIGXFSZ:
+        return Stop.OUTPUT, f"wrote more than {_size(limits.output_bytes)}"
+    if done.peak_bytes > limits.memory_bytes + idle.memory_bytes:  # before the clock: filling takes time too
+        own = f", {_size(idle.memory_bytes)} of them {name}'s own" if idle.memory_bytes else ""
+        return Stop.MEMORY, f"used more than {_size(limits.memory_bytes)}, {_size(done.peak_bytes)} seen{own}"
+    over_time = done.reason == wire.FOR_CPU or done.cpu_ns / 1e9 - idle.cpu_seconds > limits.cpu_seconds
     if over_time or signalled == signal.SIGXCPU:
         return Stop.CPU, f"used more than {limits.cpu_seconds:g} s of CPU time{place}"
     if done.reason == wire.FOR_BEING_SLOW:
@@ -71,23 +75,26 @@ def overrun(
         return Stop.WAITING, f"waited more than {limits.waiting_seconds:.3g} s{place}"
     if kind == wire.NO_MEMORY:
         return Stop.MEMORY, text or f"asked for more memory than {_size(limits.memory_bytes)} allow"
-    if printed > limits.output_bytes or kind == wire.TOO_MUCH or signalled == signal.SIGXFSZ:
-        own = text if kind == wire.TOO_MUCH else ""  # not the error of the write that failed
-        return Stop.OUTPUT, own or f"wrote more than {_size(limits.output_bytes)}"
-    return None
+    return (Stop.OUTPUT, text) if kind == wire.TOO_MUCH else None
 
 
-def end_of(done: Done, note: tuple[int, str]) -> tuple[Stop, str]:
-    """How a child that kept its limits ended."""
+def end_of(done: Done, note: tuple[int, str], words: str | None = None) -> tuple[Stop, str]:
+    """How a process that kept its limits ended; `words` are the last of one that is no Python."""
     kind, text = note
+    more = f": {words}" if words else ""
     if os.WIFSIGNALED(done.status):
-        return Stop.EXITED, f"killed by {_signal_name(os.WTERMSIG(done.status))}"
+        number = os.WTERMSIG(done.status)
+        deep = _TOO_DEEP if words is None else _TOO_DEEP_OR_FAR
+        return (
+            Stop.EXITED,
+            f"killed by {_signal_name(number)}{deep if number == signal.SIGSEGV else ''}{more}",
+        )
     if os.WIFSTOPPED(done.status):
         return Stop.EXITED, STOPPED
     code = os.waitstatus_to_exitcode(done.status)
     if kind == wire.RAISED:
         return Stop.EXCEPTION, text
-    return Stop.EXITED if code else Stop.ANSWERED, f"exit status {code}"
+    return Stop.EXITED if code else Stop.ANSWERED, f"exit status {code}{more}"
 
 
 def parse_replies(data: bytes, most: int) -> tuple[list[Reply], bool]:
@@ -173,10 +180,9 @@ def _parsed(data: bytes) -> Any:
 
 def _signal_name(number: int) -> str:
     try:
-        name = signal.Signals(number).name
+        return signal.Signals(number).name
     except ValueError:
-        name = f"signal {number}"
-    return f"{name} (did it call itself too deeply?)" if number == signal.SIGSEGV else name
+        return f"signal {number}"
 
 
 def _size(count: int) -> str:

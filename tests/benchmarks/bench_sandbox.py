@@ -23,9 +23,9 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
-from judge.sandbox import levels, open_box
+from judge.sandbox import levels_here, open_box
 from judge.sandbox.boundary import Limits
-from judge.sandbox.box import ForkServerBox
+from judge.sandbox.python import PythonBox
 
 LIMITS = Limits(cpu_seconds=20.0, wall_seconds=60.0, memory_bytes=256 << 20, output_bytes=16 << 20)
 PROGRAM = b"""
@@ -119,7 +119,7 @@ def accuracy(level: str, rounds: int) -> None:
             )
 
 
-def _said(box: ForkServerBox, count: int) -> tuple[float, float]:
+def _said(box: PythonBox, count: int) -> tuple[float, float]:
     result = box.call("work", [[count]], LIMITS)
     return float(result.replies[0].answer), result.usage.cpu_seconds
 
@@ -147,7 +147,7 @@ def main() -> None:
     parser.add_argument("--rounds", type=int, default=15)
     parser.add_argument("--level", action="append", help="only this level")
     chosen = parser.parse_args()
-    for level in levels():
+    for level in levels_here():
         if not level.available:
             print(f"{level.name:7} cannot be had here: {level.why_not}")
         elif not chosen.level or level.name in chosen.level:

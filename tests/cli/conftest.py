@@ -12,7 +12,7 @@ from cli_support import BROKEN, PACK, ROOT, Outcome
 
 from judge.cli import main
 from judge.judging.containment import keep_level
-from judge.sandbox import levels
+from judge.sandbox import levels_here
 
 
 @pytest.fixture(scope="session")
@@ -38,7 +38,7 @@ def cache(shared):
     folder = shared / "cache"
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("JUDGE_CACHE", str(folder))
-        keep_level(next(level.name for level in levels() if level.available))
+        keep_level(next(level.name for level in levels_here() if level.available))
     return folder
 
 

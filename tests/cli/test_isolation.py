@@ -11,12 +11,12 @@ from cli_support import FLOOR, MEAN, ROOT
 from sampling import nightly
 
 from judge.judging.containment import keep_level, kept_level
-from judge.sandbox import LEVELS, available, levels
+from judge.sandbox import LEVELS, available, levels_here
 from judge.sandbox.roots import find_roots
 
 pytestmark = pytest.mark.slow
 
-BEST = next(level.name for level in levels() if level.available)
+BEST = next(level.name for level in levels_here() if level.available)
 
 
 @pytest.fixture
@@ -30,7 +30,7 @@ def own_cache(tmp_path, monkeypatch):
 def bare(tmp_path):
     """A PATH without bubblewrap."""
     if BEST != "full":
-        pytest.skip(next(level.why_not for level in levels() if level.name == "full"))
+        pytest.skip(next(level.why_not for level in levels_here() if level.name == "full"))
     (tmp_path / "bin").mkdir()
     return str(tmp_path / "bin")
 
@@ -86,11 +86,11 @@ def test_a_shortage_while_the_doctor_looks_lowers_nothing(judge, monkeypatch):
         available.Level("strong", available=True, meaning=""),
         available.Level("limits", available=True, meaning=""),
     )
-    monkeypatch.setattr("judge.cli.commands.doctor.levels", lambda _hide: found)
+    monkeypatch.setattr("judge.cli.commands.doctor.levels_here", lambda _hide: found)
     assert judge("doctor").lines[-1] == "Isolation: strong"
     assert kept_level() == "full"
     monkeypatch.setattr(
-        "judge.cli.commands.doctor.levels", lambda _hide: (replace(found[0], lasting=True), *found[1:])
+        "judge.cli.commands.doctor.levels_here", lambda _hide: (replace(found[0], lasting=True), *found[1:])
     )
     judge("doctor")
     assert kept_level() == "strong"
@@ -122,7 +122,7 @@ def test_what_was_found_elsewhere_or_by_somebody_else_does_not_count(monkeypatch
 
 
 ACCEPTED = ROOT / "solutions" / "count" / "accepted"
-OFFERED = [level.name for level in levels() if level.available]
+OFFERED = [level.name for level in levels_here() if level.available]
 
 
 def test_doctor_in_json(judge):
@@ -199,7 +199,7 @@ def test_a_program_has_one_verdict_at_every_level(judge, submit, level):
 
 
 def test_a_level_that_cannot_be_had_is_refused_with_a_remedy(judge, monkeypatch):
-    monkeypatch.setattr("judge.sandbox.probe.missing", lambda _: "bubblewrap is not installed")
+    monkeypatch.setattr("judge.sandbox.levels.missing", lambda _: "bubblewrap is not installed")
     ended = judge("run", "count", str(ACCEPTED / "quadratic.py"), "--isolation", "full")
     assert (ended.status, ended.out) == (2, "")
     assert "isolation full cannot be had here: bubblewrap is not installed" in ended.err
@@ -207,7 +207,7 @@ def test_a_level_that_cannot_be_had_is_refused_with_a_remedy(judge, monkeypatch)
 
 def test_weak_containment_is_warned_of_once(judge, monkeypatch, tmp_path):
     monkeypatch.setenv("JUDGE_CACHE", str(tmp_path))
-    monkeypatch.setattr("judge.sandbox.probe.missing", lambda level: "" if level == "limits" else "no")
+    monkeypatch.setattr("judge.sandbox.levels.missing", lambda level: "" if level == "limits" else "no")
     right = min((ROOT / "solutions" / "distance-squared" / "accepted").glob("*.py"))
     ended = judge("run", "distance-squared", str(right), "-q")
     assert ended.status == 0

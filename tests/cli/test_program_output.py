@@ -11,7 +11,7 @@ import shutil
 import pytest
 
 from judge.sandbox import LEVELS
-from judge.sandbox.probe import missing
+from judge.sandbox.levels import missing
 
 pytestmark = pytest.mark.slow
 

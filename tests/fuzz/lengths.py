@@ -36,7 +36,7 @@ from judge.problem.toml import line_of, parse_toml
 from judge.report import formats, tell
 from judge.run import entry, printed, program
 from judge.run.result import judge_fault
-from judge.sandbox import calls, ends
+from judge.sandbox import calls, native
 from judge.sandbox import compile as compiling
 from judge.sandbox.boundary import Inspection
 from judge.sandbox.recipe import Sources
@@ -193,7 +193,7 @@ def _complaint(text: str) -> None:
 
 
 def _printed(text: str) -> None:
-    ends.placed(ends.last_words(text.encode()), text.encode(), A_C)
+    native.placed(native.last_words(text.encode()), text.encode(), A_C)
     printed.text_of(text.encode())
     calls.replies(text.encode(), 100)
 

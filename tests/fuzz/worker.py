@@ -29,7 +29,7 @@ import traceback
 from pathlib import Path
 from typing import Any, NoReturn
 
-from judge.sandbox.linux import kernel
+from judge.sandbox.inside import linux
 
 CLOSED, FULL, NULL, GONE, TERMINAL = "closed", "full", "null", "gone", "terminal"
 KEPT = "kept"  # a word for the file of the case's own
@@ -52,7 +52,7 @@ _AHEAD = ("hypothesis", "hypothesis.internal.conjecture.engine", "jinja2", "rich
 def main() -> None:
     """Serve until there is nothing more to read."""
     _import_ahead()
-    kernel.prctl(kernel.PR_SET_CHILD_SUBREAPER, 1)  # what a command line leaves behind comes to us
+    linux.prctl(linux.PR_SET_CHILD_SUBREAPER, 1)  # what a command line leaves behind comes to us
     answers = os.fdopen(fcntl.fcntl(1, fcntl.F_DUPFD_CLOEXEC, _HIGH), "w")
     for line in sys.stdin.buffer:
         answers.write(json.dumps(_serve(json.loads(line))) + "\n")

@@ -20,7 +20,7 @@ from driver import possible
 from residents import Resident
 from sampling import daily
 
-from judge.sandbox import levels
+from judge.sandbox import levels_here
 
 PACKAGE = HERE.parent.parent / "judge"
 PLAIN_USER = 61_000 + os.getpid() % 4_000  # a number that nobody else has, and no name
@@ -28,7 +28,7 @@ PLAIN_USER = 61_000 + os.getpid() % 4_000  # a number that nobody else has, and 
 
 @cache
 def _levels_here() -> frozenset[str]:
-    return frozenset(level.name for level in levels() if level.available)
+    return frozenset(level.name for level in levels_here() if level.available)
 
 
 def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:

@@ -28,9 +28,9 @@ from typing import Any
 from table import ATTACKS, SCRIPTS
 
 from judge.errors import JudgeError
-from judge.sandbox import levels, open_box
+from judge.sandbox import levels_here, open_box
 from judge.sandbox.boundary import Limits, Stop
-from judge.sandbox.probe import missing
+from judge.sandbox.levels import missing
 
 MEMORY, OUTPUT = 256 << 20, 1 << 20
 PATIENT = Limits(cpu_seconds=2.0, wall_seconds=6.0, memory_bytes=MEMORY, output_bytes=OUTPUT)
@@ -186,7 +186,7 @@ def bare(
 
 def main(level: str) -> None:
     if level == "levels":
-        for row in levels():
+        for row in levels_here():
             print(json.dumps({**vars(row), "possible": possible(row.name)}))
         return
     names = json.load(sys.stdin)

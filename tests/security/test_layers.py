@@ -14,7 +14,7 @@ from sampling import nightly
 from table import ATTACKS, READING
 from without import LAYERS, source_of
 
-from judge.sandbox.linux import landlock
+from judge.sandbox.inside import linux
 
 DEEDS = [attack for attack in ATTACKS if not attack.ends]
 KERNELS = {attack.name for attack in DEEDS if attack.control == "maybe"}  # only some have them switched on
@@ -90,7 +90,7 @@ def test_what_a_layer_alone_holds_is_open_without_it(attacker: Attacker, lacking
     names = [attack.name for attack in deeds]
     found = attacker.run("without.py", lacking.layer, lacking.level, given=json.dumps(names))
     opened = {row["name"] for row in found if not row["output"].startswith("held")}
-    passed_over = {name for name, version in LATER.items() if landlock.abi() < version}
+    passed_over = {name for name, version in LATER.items() if linux.abi() < version}
     if lacking.filters:
         passed_over |= KERNELS
     assert opened - passed_over == lacking.opened - passed_over

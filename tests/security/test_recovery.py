@@ -8,7 +8,7 @@ from forger import source
 
 from judge.sandbox import container, open_box
 from judge.sandbox.boundary import Limits, Reply, Stop
-from judge.sandbox.box import ForkServerBox
+from judge.sandbox.python import PythonBox
 
 LIMITS = Limits(cpu_seconds=0.3, wall_seconds=1.5, memory_bytes=128 << 20, output_bytes=200_000)
 
@@ -47,11 +47,11 @@ HARMLESS = {
 }
 
 
-def _box(deed: str, level: str) -> ForkServerBox:
+def _box(deed: str, level: str) -> PythonBox:
     return open_box(source(deed, at=2), "f.py", level=level)
 
 
-def _all_calls(box: ForkServerBox, count: int) -> tuple[list[Reply], int]:
+def _all_calls(box: PythonBox, count: int) -> tuple[list[Reply], int]:
     """Every call, going on after each end of a series; and how many series that took."""
     replies: list[Reply] = []
     series = 0

@@ -13,19 +13,15 @@ import driver
 
 from judge.sandbox import bundle
 
-INSIDE, LINUX = "judge.sandbox.inside.", "judge.sandbox.linux."
+INSIDE = "judge.sandbox.inside."
 _RULES = (
     f"{INSIDE}confine",
-    'landlock.restrict(config["readable"], config["writable"], runnable, filled)',
+    'linux.restrict(config["readable"], config["writable"], runnable, filled)',
     "pass",
 )
 _LOOK = (f"{INSIDE}server", '        _look_around(region, line, config["unseen"])\n', "")
-_SERVERS = (f"{INSIDE}confine", "seccomp.Filter(seccomp.server_filter(machine, profile)).load()", "pass")
-_CHILDS = (
-    f"{LINUX}seccomp",
-    "child_filter(syscalls.machine(), self._MARK, profile)",
-    "bpf.otherwise(bpf.ALLOW)",
-)
+_SERVERS = (f"{INSIDE}confine", "linux.load_filter(load, bytearray(server))", "pass")
+_CHILDS = (f"{INSIDE}confine", "lambda: linux.load_filter(load, own_filter(child, pid_at))", "_nothing")
 LAYERS = {
     "landlock": (_RULES,),
     "landlock and the last look": (_RULES, _LOOK),

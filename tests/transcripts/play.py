@@ -38,7 +38,7 @@ from jsonschema.exceptions import best_match
 from judge.cli import main
 from judge.cli.app import app
 from judge.judging.containment import keep_level
-from judge.sandbox import levels
+from judge.sandbox import levels_here
 from judge.schema import schema_of
 from judge.version import __version__
 from transcripts.steady import steadied
@@ -168,7 +168,7 @@ def _pack(world: Path) -> Path:
     problems = world / "pack" / "problems"
     if not problems.exists():
         shutil.copytree(_PACK, world / "pack")
-        keep_level(next(level.name for level in levels() if level.available))
+        keep_level(next(level.name for level in levels_here() if level.available))
     return problems
 
 

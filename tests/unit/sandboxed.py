@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from judge.sandbox import Limits, levels, open_box
+from judge.sandbox import Limits, levels_here, open_box
 
 LIMITS = Limits(cpu_seconds=5.0, wall_seconds=20.0, memory_bytes=256 << 20, output_bytes=1 << 20)
 
@@ -55,7 +55,7 @@ def _parent(path):
 
 @cache
 def _levels_here():
-    return {level.name: level for level in levels()}
+    return {level.name: level for level in levels_here()}
 
 
 def require(level):

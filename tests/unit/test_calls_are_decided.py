@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-import errno
 import re
 import tomllib
 from pathlib import Path
 
 import pytest
-from bpf_machine import decision
+from bpf_machine import decision, number_of, of_child, of_server
 
-from judge.sandbox.linux import bpf, profiles, seccomp, syscalls
+from judge.sandbox.filters import ALLOW, PROFILES, UNKNOWN, table
+from judge.sandbox.filters import REFUSED as FORBIDDEN
 
 TESTS = Path(__file__).parents[1]
 MACHINES = ("x86_64", "aarch64")
@@ -19,7 +19,7 @@ HEADERS = {
     "aarch64": [Path("/usr/include/asm-generic/unistd.h")],
 }
 OF_32_BITS = range(403, 424)  # in the generic header, times of 64 bits for machines of 32
-REFUSED = {bpf.errno_action(errno.EPERM), bpf.errno_action(errno.ENOSYS)}
+REFUSED = {FORBIDDEN, UNKNOWN}
 NEWEST = 471
 ANY = ((), (1,), (0x10000,), (0, 0, 2, 2), (4711, 9))  # arguments
 
@@ -38,14 +38,14 @@ def refused():
 
 
 def test_each_is_allowed_or_refused_and_none_is_both():
-    assert set(syscalls.TABLE) | set(refused()) == set(kernels()), "decide about these"
-    assert not set(syscalls.TABLE) & set(refused())
+    assert set(table()) | set(refused()) == set(kernels()), "decide about these"
+    assert not set(table()) & set(refused())
 
 
 def test_the_numbers_are_the_kernels():
     listed = kernels()
-    assert {call: row[:2] for call, row in syscalls.TABLE.items()} == {
-        call: listed[call] for call in syscalls.TABLE
+    assert {call: tuple(row.numbers.values()) for call, row in table().items()} == {
+        call: listed[call] for call in table()
     }
 
 
@@ -64,35 +64,36 @@ def test_the_headers_of_this_machine_have_no_call_that_nobody_has_decided_about(
 
 
 @pytest.mark.parametrize("machine", MACHINES)
-@pytest.mark.parametrize("profile", profiles.BY_NAME.values(), ids=profiles.BY_NAME)
+@pytest.mark.parametrize("profile", PROFILES)
 def test_what_is_not_in_the_table_is_refused_in_every_container(machine, profile):
-    allowed = {syscalls.number(call, machine) for call in syscalls.TABLE}
-    rows = seccomp.server_filter(machine, profile)
+    allowed = {number_of(call, machine) for call in table()}
+    rows = of_server(machine, profile)
     for number in set(range(NEWEST + 100)) - allowed:
         assert all(decision(rows, machine, number, *arguments) in REFUSED for arguments in ANY), number
 
 
 @pytest.mark.parametrize("machine", MACHINES)
-@pytest.mark.parametrize("profile", profiles.BY_NAME.values(), ids=profiles.BY_NAME)
+@pytest.mark.parametrize("profile", PROFILES)
 def test_the_owner_in_the_table_is_who_may(machine, profile):
-    server = seccomp.server_filter(machine, profile)
-    child = seccomp.child_filter(machine, 4711, profile)
-    for call, row in syscalls.TABLE.items():
-        number, whose = syscalls.number(call, machine), row[2]
-        if number is None or whose == syscalls.LOOKED:
+    server, child = of_server(machine, profile), of_child(machine, profile)
+    for call, (numbers, whose) in table().items():
+        number = numbers[machine]
+        if number is None or whose == "looked":
             continue
-        by_server = decision(server, machine, number) == bpf.ALLOW
-        by_child = by_server and decision(child, machine, number) == bpf.ALLOW
-        assert (by_server, by_child) == (whose in profile.server, whose in profile.child), call
+        by_server = decision(server, machine, number) == ALLOW
+        by_child = by_server and decision(child, machine, number) == ALLOW
+        assert (by_server, by_child) == (
+            whose in PROFILES[profile].server,
+            whose in PROFILES[profile].child,
+        ), call
 
 
 def test_a_compiled_program_starts_nothing_and_has_no_memory_that_is_not_counted():
-    child = seccomp.child_filter("x86_64", 4711, profiles.RUN)
-    server = seccomp.server_filter("x86_64", profiles.RUN)
+    server, child = of_server("x86_64", "run"), of_child("x86_64", "run")
     for call in ("fork", "vfork", "chmod", "fchmodat", "setpgid", "chdir"):
         assert decision(child, "x86_64", call) in REFUSED, call
     for call in ("memfd_create", "link", "symlink", "utimensat"):
         assert decision(server, "x86_64", call) in REFUSED, call
     assert decision(child, "x86_64", "clone", 17) in REFUSED
-    assert decision(child, "x86_64", "clone", 0x10000) == bpf.ALLOW
+    assert decision(child, "x86_64", "clone", 0x10000) == ALLOW
     assert decision(child, "x86_64", "mmap", 0, 0, 3, 0x21) in REFUSED

@@ -16,14 +16,14 @@ import pytest
 from sandboxed import require
 
 from judge.errors import JudgeError
-from judge.sandbox import concealed, levels, open_box, places, roots
+from judge.sandbox import concealed, levels_here, open_box, places, roots
 from judge.sandbox.boundary import Limits, Stop
 from judge.sandbox.inside import unseen
 
 pytestmark = pytest.mark.slow
 
 LIMITS = Limits(2.0, 6.0, 256 << 20, 1 << 20)
-AVAILABLE = {level.name for level in levels() if level.available}
+AVAILABLE = {level.name for level in levels_here() if level.available}
 LOOK = b"""
 import json, os, sys
 import neighbour

@@ -16,9 +16,9 @@ from judge.holes.inside import changed, ladders
 from judge.holes.model import Search
 from judge.holes.mutants import mutants
 from judge.problem.load import load_problem
-from judge.sandbox import Boxes, levels
+from judge.sandbox import Boxes, levels_here
 
-HELD = any(each.available for each in levels() if each.name != "limits")
+HELD = any(each.available for each in levels_here() if each.name != "limits")
 
 TOML = """
 title = "Divides"

@@ -5,6 +5,7 @@ What passes is tried again, what lasts alone leads to another level.
 
 from __future__ import annotations
 
+import contextlib
 import errno
 import os
 import shutil
@@ -17,8 +18,9 @@ import pytest
 from sandboxed import LIMITS, children, require
 
 from judge.errors import JudgeError, ShortageError, UsageError
-from judge.sandbox import Boxes, container, holder, launch, open_box, probe, refusal
+from judge.sandbox import Boxes, bundle, container, launch, levels, levels_here, open_box
 from judge.sandbox.inside.again import PAUSES
+from judge.sandbox.levels import Levels, StartError
 
 pytestmark = pytest.mark.slow
 
@@ -54,12 +56,12 @@ LASTING = "echo 'bwrap: No permissions to create new namespace' >&2; exit 1"
 
 @pytest.fixture(autouse=True)
 def _in_no_time(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(holder, "PAUSES", (0.0,) * len(PAUSES))
+    monkeypatch.setattr(levels, "PAUSES", (0.0,) * len(PAUSES))
 
 
 def test_a_demanded_level_is_not_lowered(monkeypatch):
     monkeypatch.setattr(launch, "bubblewrap_path", lambda: None)
-    probe.missing.cache_clear()
+    levels.missing.cache_clear()
     try:
         with pytest.raises(UsageError, match="bubblewrap is not installed") as caught:
             open_box(b"", "f.py", level="full")
@@ -67,7 +69,7 @@ def test_a_demanded_level_is_not_lowered(monkeypatch):
         with open_box(b"", "f.py") as box:
             assert box.isolation in ("strong", "limits")
     finally:
-        probe.missing.cache_clear()
+        levels.missing.cache_clear()
 
 
 def test_a_box_may_be_closed_while_it_warms_up():
@@ -88,7 +90,7 @@ def test_a_passing_refusal_is_tried_again_and_the_level_stays(script, tmp_path, 
         assert box.isolation == "full"
         assert box.call("f", [(1,)], LIMITS).replies[0].answer == 1
     assert count(starts) == 2
-    assert boxes.refused == {}
+    assert boxes.levels.refused == {}
 
 
 @pytest.mark.parametrize(("script", "level"), [(PASSING[0], None), (PASSING[1], "full")])
@@ -103,7 +105,7 @@ def test_a_passing_refusal_that_stays_costs_the_submission_and_not_the_level(
     assert caught.value.remedy
     assert "\n" not in str(caught.value)
     assert count(starts) > len(PAUSES)
-    assert boxes.refused == {}
+    assert boxes.levels.refused == {}
     assert children() == before
 
 
@@ -121,7 +123,7 @@ def test_a_lasting_refusal_leads_to_the_next_level_and_is_not_tried_again(tmp_pa
         with boxes(b"", "f.py") as box:
             assert box.isolation == "strong"
     assert count(starts) == 1
-    assert boxes.refused == {"full": "bwrap: No permissions to create new namespace"}
+    assert boxes.levels.refused == {"full": "bwrap: No permissions to create new namespace"}
     with pytest.raises(UsageError, match="No permissions"):
         Boxes("full")(b"", "f.py").__enter__()
 
@@ -144,7 +146,7 @@ def test_a_level_that_was_had_is_demanded_from_then_on(script, tmp_path, monkeyp
 def test_a_box_that_loses_its_container_is_held_as_before(tmp_path, monkeypatch):
     require("full")
     with Boxes()(b"import os\ndef f(n): os._exit(0)", "f.py") as box:
-        box._holder.drop()
+        box._drop()
         pretend(tmp_path, monkeypatch, LASTING)
         with pytest.raises(JudgeError, match="isolation full was had and is now refused: bwrap: No perm"):
             box.call("f", [(1,)], LIMITS)
@@ -157,17 +159,17 @@ def test_resource_limits_alone_are_taken_only_where_there_is_no_sandbox(tmp_path
 
     def refuse(self):
         self.close()
-        raise refusal.NotStarted("landlock says no", 1, lasting=True)
+        raise StartError("landlock says no", 1, lasting=True)
 
     with monkeypatch.context() as patch:
         patch.setattr(container.Container, "await_ready", refuse)
         with pytest.raises(JudgeError, match="no container can be started: landlock says no"):
             Boxes()(b"", "f.py").__enter__()
-    monkeypatch.setattr(probe, "missing", lambda level: "" if level == "limits" else "this is no Linux")
+    monkeypatch.setattr(levels, "missing", lambda level: "" if level == "limits" else "this is no Linux")
     boxes = Boxes()
     with boxes(b"", "f.py") as box:
         assert box.isolation == "limits"
-    assert set(boxes.refused) == {"full", "strong"}
+    assert set(boxes.levels.refused) == {"full", "strong"}
 
 
 @pytest.mark.parametrize(
@@ -216,8 +218,134 @@ def _found(place):
     ],
 )
 def test_what_an_end_says_of_the_next_try(said, status, tries, lasting):
-    found = refusal.of_end(said, status)
+    found = levels.of_end(said, status)
     assert (found.tries, found.lasting) == (tries, lasting)
+
+
+@pytest.mark.parametrize(
+    ("code", "tries", "lasting"),
+    [
+        (errno.EAGAIN, len(PAUSES) + 1, False),
+        (errno.ENOMEM, len(PAUSES) + 1, False),
+        (errno.ENOSPC, 1, False),
+        (errno.EPERM, 2, True),
+        (0, 2, True),
+    ],
+)
+def test_what_a_server_says_is_told_by_its_errno_and_not_by_its_words(code, tries, lasting):
+    found = levels.of_code(code, AGAIN)
+    assert (found.tries, found.lasting) == (tries, lasting)
+
+
+@pytest.mark.parametrize(
+    ("fault", "kind"), [("OSError(11, 'x')", ShortageError), ("OSError(1, 'x')", UsageError)]
+)
+def test_a_server_that_cannot_confine_itself_sends_the_errno(fault, kind, monkeypatch):
+    require("strong")
+    start = "        sys.path[:] = config"
+    with changed(monkeypatch, ".server", start, f"        raise {fault}\n{start}"), pytest.raises(kind):
+        Boxes("strong")(b"", "f.py").__enter__()
+
+
+@contextlib.contextmanager
+def changed(patch, module, here, instead):
+    """The code of a container with an edit."""
+
+    def edited(name):
+        source = Path(bundle.find_spec(name).origin).read_text()
+        assert not name.endswith(module) or source.count(here) == 1
+        source = source.replace(here, instead) if name.endswith(module) else source
+        return compile(source, name, "exec", dont_inherit=True)
+
+    with patch.context() as patched:
+        patched.setattr(bundle, "_code_of", edited)
+        bundle._module.cache_clear()
+        yield
+    bundle._module.cache_clear()
+
+
+FILTER = "lambda: linux.load_filter(load, own_filter(child, pid_at))"
+
+
+@pytest.mark.parametrize(
+    ("here", "instead", "deed"),
+    [
+        (FILTER, "_nothing", "start a process"),
+        ("linux.load_filter(load, bytearray(server))", "pass", "open a socket"),
+    ],
+)
+def test_a_level_at_which_a_submission_does_what_it_may_not_is_none(here, instead, deed, monkeypatch):
+    require("strong")
+    with changed(monkeypatch, ".confine", here, instead):
+        found = {level.name: level for level in levels_here()}
+    assert (found["strong"].available, found["strong"].why_not) == (False, f"a submission could {deed}")
+    assert found["limits"].available
+
+
+class Machine:
+    """What starts but where it is refused for a reason; `starts` are the levels that were tried."""
+
+    def __init__(self, **refusals):
+        self.starts: list[str] = []
+        self.refusals = refusals
+
+    def start(self, level: str) -> str:
+        self.starts.append(level)
+        if level in self.refusals:
+            raise self.refusals[level]
+        return f"at {level}"
+
+
+SHORT, NEVER = StartError("not now", 3, code=errno.EAGAIN), StartError("never", 1, lasting=True)
+
+
+@pytest.fixture
+def everything(monkeypatch):
+    """A machine that lacks nothing, as far as can be told without trying."""
+    monkeypatch.setattr(levels, "missing", lambda level: "")
+
+
+@pytest.mark.usefixtures("everything")
+def test_the_first_start_decides_and_later_ones_are_held_to_it():
+    here, machine = Levels(), Machine(full=NEVER)
+    assert [here.open(machine.start), here.open(machine.start)] == ["at strong"] * 2
+    assert machine.starts == ["full", "strong", "strong"]
+    assert (here.level, here.refused) == ("strong", {"full": "never"})
+    machine.refusals = {"strong": NEVER}
+    with pytest.raises(JudgeError, match="isolation strong was had and is now refused: never"):
+        here.open(machine.start)
+
+
+@pytest.mark.usefixtures("everything")
+@pytest.mark.parametrize(
+    ("here", "refusal", "kind", "match"),
+    [
+        (Levels(), SHORT, ShortageError, "no container could be started: no further process"),
+        (Levels("full"), NEVER, UsageError, "isolation full cannot be had here: never"),
+        (
+            Levels(kept="full"),
+            NEVER,
+            UsageError,
+            "isolation full, which 'judge doctor' found here, cannot be",
+        ),
+        (Levels(had="full"), NEVER, JudgeError, "isolation full was had and is now refused: never"),
+    ],
+)
+def test_a_level_is_lowered_only_where_none_was_demanded_kept_or_had(here, refusal, kind, match):
+    machine = Machine(full=refusal)
+    with pytest.raises(kind, match=match):
+        here.open(machine.start)
+    assert machine.starts == ["full"] * refusal.tries
+    assert here.refused == {}
+
+
+@pytest.mark.usefixtures("everything")
+def test_limits_are_never_taken_where_a_sandbox_is_refused():
+    machine = Machine(full=NEVER, strong=NEVER)
+    with pytest.raises(JudgeError, match="no container can be started: never"):
+        Levels().open(machine.start)
+    assert machine.starts == ["full", "strong"]
+    assert Levels("limits").open(machine.start) == "at limits"
 
 
 def test_where_no_proc_may_be_mounted_the_machines_own_is_taken(tmp_path, monkeypatch):

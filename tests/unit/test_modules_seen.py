@@ -9,13 +9,13 @@ from pathlib import Path
 import pytest
 from native import ran
 
-from judge.sandbox import Boxes, levels
+from judge.sandbox import Boxes, levels_here
 from judge.sandbox.boundary import Limits, Stop
 from judge.sandbox.concealed import SITE_NAMES
 from judge.sandbox.imports import ALLOWED
 from judge.sandbox.roots import find_roots
 
-LEVELS = [level.name for level in levels() if level.available and level.name != "limits"]
+LEVELS = [level.name for level in levels_here() if level.available and level.name != "limits"]
 LIMITS = Limits(5.0, 20.0, 512 << 20, 1 << 20)
 LISTS = """
 #include <dirent.h>

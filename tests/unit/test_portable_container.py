@@ -22,9 +22,9 @@ ELSEWHERE = {
 
 @pytest.fixture
 def unpacked_once() -> Iterator[None]:
-    bundle._modules.cache_clear()
+    bundle._module.cache_clear()
     yield
-    bundle._modules.cache_clear()
+    bundle._module.cache_clear()
 
 
 @pytest.fixture

@@ -13,7 +13,7 @@ from sandboxed import LIMITS, call, children, limits, require, run
 
 import judge
 from judge.errors import JudgeError, ShortageError
-from judge.sandbox import LEVELS, Reply, Stop, holder, open_box, outcome
+from judge.sandbox import LEVELS, Reply, Stop, levels, open_box, outcome
 from judge.sandbox.container import Done
 from judge.sandbox.inside import wire
 from judge.sandbox.outcome import end_of, overrun, parse_replies
@@ -238,7 +238,7 @@ def test_nothing_is_left_when_a_box_closes(level, tmp_path, monkeypatch):
 def test_an_interpreter_that_does_not_start_is_one_clear_error(python, what, monkeypatch):
     before = children()
     monkeypatch.setattr(sys, "executable", python)
-    monkeypatch.setattr(holder, "PAUSES", (0.0,) * len(holder.PAUSES))
+    monkeypatch.setattr(levels, "PAUSES", (0.0,) * len(levels.PAUSES))
     with pytest.raises(JudgeError) as caught, open_box(b"", "my.py"):
         pass
     assert caught.value.what.startswith(what)
@@ -300,9 +300,10 @@ def test_the_text_of_an_exception_is_one_printable_line():
         (done(peak=(1 << 20) + 1), 0, NO_NOTE, Stop.MEMORY),
         (done(1 << 8), 0, (wire.NO_MEMORY, "MemoryError (line 2)"), Stop.MEMORY),
         (done(1 << 8), 0, (wire.TOO_MUCH, "too long"), Stop.OUTPUT),
-        # what was measured comes before what the child says, and filling memory takes time
-        (done(signal.SIGKILL, wire.FOR_CPU, cpu=2.0, peak=2 << 20), 200, NO_NOTE, Stop.MEMORY),
-        (done(signal.SIGKILL, wire.FOR_CPU), 200, (wire.NO_MEMORY, ""), Stop.CPU),
+        # what was measured comes before what the child says; filling memory takes time, and so does printing
+        (done(signal.SIGKILL, wire.FOR_CPU, cpu=2.0, peak=2 << 20), 100, NO_NOTE, Stop.MEMORY),
+        (done(signal.SIGKILL, wire.FOR_CPU), 100, (wire.NO_MEMORY, ""), Stop.CPU),
+        (done(signal.SIGKILL, wire.FOR_CPU, cpu=2.0, peak=2 << 20), 101, (wire.NO_MEMORY, ""), Stop.OUTPUT),
     ],
 )
 def test_the_limit_that_was_passed(ended, printed, note, stop):

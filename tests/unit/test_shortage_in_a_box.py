@@ -14,11 +14,11 @@ from sandboxed import LIMITS, children, require
 
 from judge.errors import JudgeError, ShortageError, shortage, told
 from judge.sandbox import Boxes, Stop, open_box, room
-from judge.sandbox import box as box_
 from judge.sandbox import compile as compile_
-from judge.sandbox.box import ForkServerBox
+from judge.sandbox import python as python_
 from judge.sandbox.inside import wire
 from judge.sandbox.native import NativeBox
+from judge.sandbox.python import PythonBox
 from judge.sandbox.room import BASE_FILES, BASE_TASKS, OWN_FILES, OWN_TASKS, SLACK, THREADS, Room
 
 pytestmark = pytest.mark.slow
@@ -55,13 +55,13 @@ def test_a_kill_for_want_of_memory_is_a_shortage_and_any_other_is_not(level, mon
 )
 def test_a_compiler_that_is_kept_waiting_or_killed_is_no_compile_error(reason, end, monkeypatch):
     """One that takes all its time is."""
-    real = ForkServerBox._ask
+    real = PythonBox._ask
 
     def disturbed(self, kind, *arguments):
         done = real(self, kind, *arguments)
         return done._replace(status=int(end), reason=reason) if kind == wire.INSPECT else done
 
-    monkeypatch.setattr(ForkServerBox, "_ask", disturbed)
+    monkeypatch.setattr(PythonBox, "_ask", disturbed)
     with open_box(b"def f(n): return n", "f.py") as box:
         if reason == wire.FOR_CPU:
             assert "the compiler did not survive it: used more than 10 s" in box.inspect().fault.message
@@ -74,7 +74,7 @@ def test_a_compiler_that_is_kept_waiting_or_killed_is_no_compile_error(reason, e
 
 def test_a_long_source_that_a_busy_machine_compiles_too_late_is_no_compile_error(monkeypatch):
     source = b"x = 1\n" * 50_000 + b"def f(n):\n    return n"
-    monkeypatch.setattr(box_, "_INSPECTION", box_._INSPECTION._replace(wall_seconds=0.01))
+    monkeypatch.setattr(python_, "_INSPECTION", python_._INSPECTION._replace(wall_seconds=0.01))
     with open_box(source, "f.py") as box, pytest.raises(ShortageError, match="too busy to compile it"):
         box.inspect()
     monkeypatch.undo()
@@ -142,6 +142,25 @@ def once(act, later):
     """What acts at its first call alone."""
     left = [act]
     return lambda *arguments: left.pop()(*arguments) if left else later
+
+
+END = "#include <signal.h>\n#include <unistd.h>\nint main(void) {{ kill({}, 9); pause(); }}"
+
+
+def test_the_kernel_kills_a_compiled_program_too(monkeypatch):
+    with box_of("a.c", END.format("getpid()")) as box:
+        assert box.run_program(b"", LIMITS).stop is Stop.EXITED
+        before = room.oom_kills()
+        monkeypatch.setattr(room, "oom_kills", lambda: before + 1)
+        with pytest.raises(ShortageError, match="killed the submission's process: there is no memory left"):
+            box.run_program(b"", LIMITS)
+
+
+def test_a_compiled_program_that_ends_what_watches_it_is_no_shortage():
+    """Nothing hinders it where there are resource limits alone."""
+    with box_of("a.c", END.format("getppid()"), level="limits") as box:
+        assert box.run_program(b"", LIMITS).stop is Stop.TAMPERED
+        assert box.run_program(b"", LIMITS).stop is Stop.TAMPERED
 
 
 @pytest.mark.parametrize("each", [room.THREADS, 70])

@@ -21,7 +21,7 @@ from judge.holes.model import Search
 from judge.problem.load import load_problem
 from judge.problem.module import load_module
 from judge.run.result import short_answer
-from judge.sandbox import Boxes, levels
+from judge.sandbox import Boxes, levels_here
 from judge.sandbox.encode import encode as sent
 from judge.values import check, parameters
 from judge.values.answers import AnyOf, Judged, Real, Tolerance
@@ -32,7 +32,7 @@ from judge.verify.gate import Options, verify_problem
 
 KATAS = Path(__file__).parents[2] / "judge" / "manual" / "katas"
 OWN = ("brackets", "runs")
-HELD = any(each.available for each in levels() if each.name != "limits")
+HELD = any(each.available for each in levels_here() if each.name != "limits")
 A40 = "a" * 40
 
 

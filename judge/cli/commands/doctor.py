@@ -16,7 +16,7 @@ from judge.languages.find import found as found_of
 from judge.languages.model import languages
 from judge.report.published_setter import Doctor
 from judge.report.screen import note
-from judge.sandbox import Boxes, levels
+from judge.sandbox import Boxes, levels_here
 from judge.version import __version__
 
 
@@ -36,7 +36,7 @@ def doctor(ask: DoctorAsk, common: Common) -> Doctor:
     if common.isolation is not None:
         raise UsageError("judge doctor tries every level", remedy="leave out --isolation")
     hidden = list(every_hidden_folder())
-    found = levels(hidden)
+    found = levels_here(hidden)
     best = next((level.name for level in found if level.available), None)
     programs = [found_of(language) for language in languages()]
     if ask.languages and best:

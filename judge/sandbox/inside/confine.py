@@ -22,8 +22,6 @@ if TYPE_CHECKING:
     from collections.abc import Callable
     from typing import Any
 
-    from judge.sandbox.linux.seccomp import ChildFilter
-
 LINUX = sys.platform == "linux"
 _SIGKILL = 9
 
@@ -36,36 +34,34 @@ class Confinement:
         self._threads: int = config["threads"]
         self._server = os.getpid()
         self._die_with_parent: Callable[[], None] = _nothing
-        self._small: ChildFilter | None = None
+        self._small: Callable[[], None] | None = None  # load a child's own filter
         _once_only_limits(config.get("descriptors", wire.MOST_DESCRIPTORS))
         if LINUX:
             self._on_linux(config)
 
     def _on_linux(self, config: dict[str, Any]) -> None:
-        from judge.sandbox.linux import kernel, landlock, profiles, seccomp, syscalls
+        from judge.sandbox.inside import linux
 
-        machine = syscalls.machine()
-        if config["level"] == "full" and "home" in config and not landlock.abi():
+        if config["level"] == "full" and "home" in config and not linux.abi():
             os.chmod(config["home"], 0o555)  # noqa: PTH101 - nothing else would keep files out of it
         if config["uid"] is not None:
             passed_on = config.get("passes_on", False)  # to a compiler that lies in a private home
-            capset = syscalls.number("capset", machine)
-            _become(config["uid"], config["reads_all"], kernel, capset, passed_on=passed_on)
-        self._die_with_parent = lambda: kernel.prctl(kernel.PR_SET_PDEATHSIG, _SIGKILL)
+            _become(config["uid"], config["reads_all"], linux, passed_on=passed_on)
+        self._die_with_parent = lambda: linux.prctl(linux.PR_SET_PDEATHSIG, _SIGKILL)
         self._die_with_parent()
         if config["parent"] not in (None, os.getppid()):
             os._exit(1)  # it died before its death could be noticed
-        kernel.prctl(kernel.PR_SET_DUMPABLE, 0)
-        kernel.prctl(kernel.PR_SET_NO_NEW_PRIVS, 1)
-        kernel.prctl(kernel.PR_SET_CHILD_SUBREAPER, 1)  # what a child leaves behind comes to us, to be ended
+        linux.prctl(linux.PR_SET_DUMPABLE, 0)
+        linux.prctl(linux.PR_SET_NO_NEW_PRIVS, 1)
+        linux.prctl(linux.PR_SET_CHILD_SUBREAPER, 1)  # what a child leaves behind comes to us, to be ended
         if config["level"] == "limits":
             return
-        profile = profiles.BY_NAME[config.get("profile", "python")]
-        if landlock.abi():
+        if linux.abi():
             runnable, filled = config.get("runnable"), config.get("filled", ())
-            landlock.restrict(config["readable"], config["writable"], runnable, filled)
-        self._small = seccomp.ChildFilter(profile)
-        seccomp.Filter(seccomp.server_filter(machine, profile)).load()
+            linux.restrict(config["readable"], config["writable"], runnable, filled)
+        server, child, pid_at, load = config["filters"]
+        self._small = lambda: linux.load_filter(load, own_filter(child, pid_at))
+        linux.load_filter(load, bytearray(server))
 
     def confine_child(self, memory: int, output: int, cpu_seconds: int) -> None:
         """Confine a fresh child before anything foreign runs in it. Raises OSError."""
@@ -79,7 +75,7 @@ class Confinement:
         if self._small is None:
             os.setpgid(0, 0)  # so that what it forks can be ended with it
         else:
-            self._small.load_for(os.getpid())
+            self._small()
 
     def confine_program(self, limits: dict[str, int]) -> None:
         """Confine a fresh child that is about to become another program, in a group of its own.
@@ -91,13 +87,21 @@ class Confinement:
             _limit(getattr(resource, name), value)
         self._die_with_server()
         if self._small is not None:
-            self._small.load_for(os.getpid())
+            self._small()
 
     def _die_with_server(self) -> None:
         """End this child with the fork server, also where that has died since the fork."""
         self._die_with_parent()  # a fork does not inherit it
         if os.getppid() != self._server:
             os._exit(1)
+
+
+def own_filter(rows: bytes, pid_at: tuple[int, ...]) -> bytearray:
+    """A child's filter with the pid of this process where one goes."""
+    own = bytearray(rows)
+    for place in pid_at:
+        own[place : place + 4] = os.getpid().to_bytes(4, "little")
+    return own
 
 
 def _nothing() -> None:
@@ -135,13 +139,13 @@ def _limit(which: int, value: int) -> None:
             raise
 
 
-def _become(uid: int, reads_all: bool, kernel: Any, capset: int | None, *, passed_on: bool) -> None:
+def _become(uid: int, reads_all: bool, linux: Any, *, passed_on: bool) -> None:
     """Become a user that owns nothing here; `reads_all` keeps the right to pass folders closed to others.
 
     That right is needed where the interpreter lies in a private home; landlock still says for which files.
     """
     os.setgroups([])
     os.setresgid(uid, uid, uid)
-    kernel.prctl(kernel.PR_SET_KEEPCAPS, int(reads_all))
+    linux.prctl(linux.PR_SET_KEEPCAPS, int(reads_all))
     os.setresuid(uid, uid, uid)
-    kernel.keep_only(kernel.CAP_DAC_READ_SEARCH if reads_all else None, capset, passed_on=passed_on)
+    linux.keep_only(linux.CAP_DAC_READ_SEARCH if reads_all else None, passed_on=passed_on)

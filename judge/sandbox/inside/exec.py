@@ -66,7 +66,7 @@ class ExecServer(server.Server):
             child.start_the_clock()
             os.execve(command[0], command, environment)
         except BaseException as error:
-            self._region.write_note(wire.BROKEN_BOX, f"{type(error).__name__}: {error}")
+            self._region.write_fault(error)
             os._exit(99)
 
     def _ask_where(self, pid: int, reason: int) -> int:

@@ -65,8 +65,8 @@ def start(
             setattr(builtins, word, _sitebuiltins.Quitter(word, "Ctrl-D"))
         for name in [name for name in sys.modules if name.partition(".")[0] == "judge"]:
             del sys.modules[name]
-    except (OSError, ValueError, LookupError) as error:
-        region.write_note(wire.BROKEN_BOX, f"{type(error).__name__}: {error}")
+    except (OSError, ValueError, LookupError, MemoryError) as error:
+        region.write_fault(error)
         line.send(wire.FAILED)
         os._exit(1)
     line.send(wire.READY)
@@ -85,7 +85,7 @@ def _look_around(region: wire.Region, line: wire.Channel, length: int) -> None:
                 region.write_note(wire.EXPOSED, visible)
             os._exit(bool(visible))
         except BaseException as error:
-            region.write_note(wire.BROKEN_BOX, f"{type(error).__name__}: {error}")
+            region.write_fault(error)
             os._exit(1)
     if os.waitpid(pid, 0)[1]:
         line.send(wire.FAILED)
@@ -203,7 +203,7 @@ class Server:
                 child.be_program(code, name, region)
             child.make_calls(code, name, region, job)
         except BaseException as error:
-            region.write_note(wire.BROKEN_BOX, f"{type(error).__name__}: {error}")
+            region.write_fault(error)
             os._exit(99)
 
     def _watch(self, pid: int, watch: Watch) -> tuple[int, int, resource.struct_rusage]:

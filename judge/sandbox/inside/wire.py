@@ -17,7 +17,7 @@ Everything longer goes through the region, memory shared by the judge, the serve
 
     0      64       4096                       start                                  stop
     ├ words ┼ note ──┼ payload (judge → child) ──┼ replies, one JSON text per line ─────┤
-      USED NOTE_KIND NOTE_SIZE STOOD_AT
+      USED NOTE_KIND NOTE_SIZE STOOD_AT CODE
 
 A child that has used up its time is asked by SIGUSR1 to write the line where it stands to STOOD_AT,
 and killed a moment later, whatever it does: the line is for a person, and decides nothing.
@@ -31,6 +31,7 @@ as JSON, never believed.
 from __future__ import annotations
 
 import _socket
+import errno
 import mmap
 import struct
 import sys
@@ -63,7 +64,7 @@ NOT_STARTED, IMPORTING, CALLING = range(3)  # how far a child came
 REGION_BYTES = 96 << 20  # sparse: only what is written costs memory
 WORDS = 64
 PAYLOAD_AT = 4096
-USED, NOTE_KIND, NOTE_SIZE, STOOD_AT = range(4)  # places of the region's words
+USED, NOTE_KIND, NOTE_SIZE, STOOD_AT, CODE = range(5)  # places of the region's words
 NOTE_BYTES = PAYLOAD_AT - WORDS
 
 REPLY_BYTES = 8 << 20  # of all replies, whatever the output limit: the judge has to parse them
@@ -180,6 +181,16 @@ class Region:
         self.memory[WORDS : WORDS + len(data)] = data
         self.words[NOTE_SIZE] = len(data)
         self.words[NOTE_KIND] = kind
+
+    def write_fault(self, fault: BaseException) -> None:
+        """Say that trusted code has failed, why, and with which errno."""
+        code = getattr(fault, "errno", None)
+        self.words[CODE] = errno.ENOMEM if isinstance(fault, MemoryError) else code or 0
+        self.write_note(BROKEN_BOX, f"{type(fault).__name__}: {fault}")
+
+    def code(self) -> int:
+        """The errno of the fault that a note tells of; 0 for another."""
+        return self.words[CODE]
 
     def close(self) -> None:
         """Unmap it."""

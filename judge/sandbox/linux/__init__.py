@@ -1,5 +1,0 @@
-"""Linux's own means of confinement, reached through ctypes: landlock, seccomp, prctl. Standard library only.
-
-Every module here also runs inside the container, loaded from its code object (see bundle.py), so none may
-read a file of the package.
-"""

@@ -1,0 +1,184 @@
+"""The box of a Python submission: a fork server, one child for each run of a program, and for some calls."""
+
+from __future__ import annotations
+
+import contextlib
+import marshal
+import threading
+from collections.abc import Sequence
+from functools import partial
+from typing import TYPE_CHECKING, Any
+
+from judge.errors import JudgeError, ShortageError
+from judge.sandbox import imports, launch, outcome, shared
+from judge.sandbox.boundary import (
+    IMPORTING,
+    CallsResult,
+    Inspection,
+    Limits,
+    Reply,
+    SourceFault,
+    Stop,
+    Usage,
+)
+from judge.sandbox.box import BUSY, LOST, ContainerBox
+from judge.sandbox.calls import packed
+from judge.sandbox.container import Container, Done, Lost
+from judge.sandbox.inside import wire
+from judge.sandbox.levels import StartError
+
+if TYPE_CHECKING:
+    from judge.sandbox.factory import Boxes
+
+PRINTED_BYTES = 4 << 10  # of what a function prints that are kept
+_INSPECTION = Limits(cpu_seconds=10.0, wall_seconds=30.0, memory_bytes=1 << 30, output_bytes=1 << 22)
+_ADDRESS_SPACE = 256 << 20  # beyond twice the memory limit: honest numpy reserves far more than it touches
+_TRUSTED_TRIES = 2
+
+
+class PythonBox(ContainerBox):
+    """The container is started at once and awaited on entering, so that a judge may do other things while it
+    boots.
+    """
+
+    def __init__(self, boxes: Boxes, source: bytes, name: str) -> None:
+        """Start a container ahead; what goes wrong with that shows when it is asked for."""
+        super().__init__(boxes)
+        self._source, self._name = source, name
+        self.lines = len(source.splitlines())
+        self._modules: list[str] = []
+        self._warm_up: threading.Thread | None = None
+        self._held = self._first
+        with contextlib.suppress(StartError):
+            self._container = self._start(self._held)
+
+    def _start(self, level: str) -> Container:
+        plan = partial(launch.plan, level, self._name, self._boxes.roots, self._boxes.share)
+        return Container(level, self._source, plan)
+
+    def __enter__(self) -> PythonBox:
+        self._warmed_up()
+        self._here()
+        return self
+
+    def __exit__(self, *exc: object) -> None:
+        self._closed.set()
+        container = self._container
+        if self._warm_up is not None and container is not None:  # then it need not be waited for
+            container.kill()
+        self._warmed_up()
+        self._drop()
+
+    def warm_up(self) -> None:
+        """Get ready for calls in the background: they wait for it, whatever fails shows when they come."""
+
+        def prepare() -> None:
+            with contextlib.suppress(JudgeError, Lost, OSError, MemoryError, RuntimeError):
+                self._prepare()
+
+        thread = threading.Thread(target=prepare, daemon=True)
+        with contextlib.suppress(RuntimeError):  # no thread is left: the calls get ready themselves
+            thread.start()
+            self._warm_up = thread
+
+    def _warmed_up(self) -> None:
+        if self._warm_up is not None and self._warm_up is not threading.current_thread():
+            self._warm_up.join()
+            self._warm_up = None
+
+    def inspect(self) -> Inspection:
+        """Parse and compile the source in a child, without running it."""
+        self._warmed_up()
+        return super().inspect()
+
+    def _inspect(self) -> Inspection:
+        done = self._ask_trusted(wire.INSPECT, b"")
+        replies = self._here().replies(b"", _INSPECTION.output_bytes)
+        over = self._overrun(done, _INSPECTION, 0, self._note())
+        if done.reason not in (wire.NOT_KILLED, wire.FOR_CPU):  # no compiler waits
+            raise ShortageError("the machine is too busy to compile it", remedy=BUSY)
+        if over or done.status or not replies.endswith(b",\n"):
+            text = over[1] if over else outcome.end_of(done, self._note())[1]
+            return Inspection(SourceFault(f"the compiler did not survive it: {text}"))
+        found = outcome.parse_inspection(replies)
+        self._modules = imports.to_import(found["modules"])
+        return Inspection.read(found)
+
+    def _ask_trusted(self, kind: bytes, payload: bytes) -> Done:
+        """A request in which nothing foreign runs: what is lost or killed then, the machine has lost."""
+        for _ in range(_TRUSTED_TRIES):
+            try:
+                with shared.stdio(b"") as stdio:
+                    done = self._request(kind, stdio, payload, _INSPECTION)
+            except Lost:
+                continue
+            if done.reason or not outcome.is_from_outside(done):
+                return done
+        raise ShortageError("the container ended before the submission was run", remedy=BUSY)
+
+    def call(self, entry: str, calls: Sequence[Sequence[Any]], limits: Limits) -> CallsResult:
+        """Make the calls in one child; see `Box.call`."""
+        if not calls:
+            return CallsResult((), Usage())
+        if fault := self._prepare():
+            return CallsResult((Reply(Stop.EXCEPTION, detail=fault),) * len(calls), Usage())
+        head, arguments = packed(entry, calls, limits.items)
+        try:
+            with shared.stdio(b"") as stdio, shared.file(arguments) as given:
+                del arguments  # which may be large
+                descriptors = (*stdio, given) if wire.PAUSES else stdio
+                done = self._request(wire.CALLS, descriptors, head, limits)
+                printed = max(map(shared.size, stdio[1:]))
+                text = shared.part(stdio[1], done.printed_bytes, PRINTED_BYTES)
+        except Lost as lost:
+            kept = outcome.parse_replies(lost.replies, len(calls))[0][: len(calls) - 1]
+            return CallsResult((*kept, Reply(Stop.TAMPERED, detail=LOST)), Usage(0, lost.wall_ns / 1e9))
+        replies = self._ended(done, head, limits, printed, len(calls))
+        told = tuple(reply._replace(detail=self._with_threads(reply.detail)) for reply in replies)
+        return CallsResult(told, done.usage, done.imported, text if done.stage == wire.CALLING else b"")
+
+    def _ended(self, done: Done, head: bytes, limits: Limits, printed: int, count: int) -> list[Reply]:
+        """The replies of a child that is gone; the last says how it ended if it did not answer all."""
+        note = self._note()
+        replies, kept_form = outcome.parse_replies(self._here().replies(head, limits.output_bytes), count)
+        if done.stage != wire.CALLING and any(reply.stop is Stop.ANSWERED for reply in replies):
+            replies, kept_form = [], False  # nothing was asked
+        over = self._overrun(done, limits, printed, note)
+        if over is None and kept_form and len(replies) == count:
+            return replies
+        if over:
+            stop, detail = over
+            if len(replies) >= count:
+                detail += ", in this call or one before it"
+        elif not kept_form:
+            stop, detail = Stop.TAMPERED, "it wrote into its own replies"
+        else:
+            stop = Stop.EXITED  # in mid-call, whatever its status
+            detail = outcome.end_of(done, note)[1]
+        if done.stage != wire.CALLING and stop is Stop.EXITED:
+            detail += IMPORTING
+        # of a limit that the calls passed together, the last one hears
+        return [*replies[: count - 1], Reply(stop, detail=detail)]
+
+    def _run(self, stdio: Sequence[int], limits: Limits) -> Done:
+        return self._request(wire.PROGRAM, stdio, b"", limits)
+
+    def _said(self, done: Done, stderr: bytes) -> tuple[tuple[int, str], str]:  # noqa: ARG002
+        return self._note(), ""
+
+    def _prepare(self) -> str:
+        """Make the server ready for runs, once a container; the source's fault, or nothing."""
+        found = self.inspect()
+        if found.fault:
+            return found.fault.message
+        if not self._prepared:
+            self._ask_trusted(wire.PREPARE, marshal.dumps(self._modules))
+            self._prepared = True
+        return ""
+
+    def _request(self, kind: bytes, stdio: Sequence[int], payload: bytes, limits: Limits) -> Done:
+        memory = 2 * limits.memory_bytes + _ADDRESS_SPACE
+        return self._ask(kind, stdio, payload, limits, memory, "the container failed")
+
+    def _note(self) -> tuple[int, str]:
+        return self._here().region.note()
