@@ -50,14 +50,15 @@ def nearly(rays: Bounds, reach: int) -> Scene:
 
 
 def _just_off(draw: Draw, reach: int, size: int) -> tuple[IntPoint, list[IntCircle]]:
-    """A way from (0, 0), and a circle that it nearly touches; it makes the size itself where that is 0."""
+    """A way from (0, 0), and a circle that it nearly touches; it makes the size itself where that is less."""
     p, q = draw.integer(200, FASTEST), draw.integer(200, FASTEST)
-    p, q = p // gcd(p, q), q // gcd(p, q)
-    r, steps = draw.integer(reach // 4, reach), draw.integer(1, 2 + 2 * reach // (p + q))
-    size = size or max(map(abs, (r, *across((p, q), isqrt(r * r * (p * p + q * q)), steps))))
+    way = p // gcd(p, q), q // gcd(p, q)
+    square = way[0] ** 2 + way[1] ** 2
+    r, steps = draw.integer(reach // 4, reach), draw.integer(1, 2 + 2 * reach // sum(way))
+    size = max(size, r, *map(abs, across(way, isqrt(r * r * square), steps)))
     gap = near_gap(draw, size * _FINE) * draw.sign()
-    product = isqrt((r * _FINE + gap) ** 2 * (p * p + q * q)) // _FINE + (gap > 0)
-    return _anyhow(draw, (p, q), [(*across((p, q), product, steps), r)])
+    product = isqrt((r * _FINE + gap) ** 2 * square) // _FINE + (gap > 0)
+    return _anyhow(draw, way, [(*across(way, product, steps), r)])
 
 
 def _just_beside(draw: Draw, reach: int, size: int) -> tuple[IntPoint, list[IntCircle]]:
@@ -79,7 +80,7 @@ def _just_behind(draw: Draw, reach: int, size: int) -> tuple[IntPoint, list[IntC
         (p, q, c), k = draw.choice(TRIPLES), draw.integer(1, reach // 25)
         r = draw.integer(reach // 4, reach)
         y = draw.integer(r // 4, r // 2) * draw.sign()
-        gap = near_gap(draw, (size or at + max(k * p, r)) * _FINE)
+        gap = near_gap(draw, max(size, at + r, at + k * p) * _FINE)
         half = isqrt((r * r - y * y) * _FINE * _FINE)
         part, most = half % _FINE, gap + gap // 4
         if gap <= part <= most or gap <= _FINE - part <= most:
