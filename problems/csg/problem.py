@@ -30,14 +30,14 @@ def cuts(circles, O, D, _program, slack=0):
 def passed(draw):
     """Discs, one of which the ray passes where another one nearly begins or ends."""
     circles, O, D = crowds("enter1 beside1", "exit1 beside1", "enter1 beside1 around", "cut1 exit3 beside3", **{**NEAR, "turn": "axis"})(draw)
-    gap = draw.integer(24, 56) / 2**33 * max(r for *_, r in circles) * draw.sign()
+    gap = draw.choice((draw.integer(102, 116), draw.integer(300, 600))) / 10**11 * max(max(map(abs, each)) for each in circles) * draw.sign()
     return tuple([(x + gap * bool(D[0]), y + gap * bool(D[1]), r) if abs(y if D[0] else x) > r else (x, y, r) for x, y, r in circles]), O, D
 
 
 def ahead(draw):
-    """A disc that begins just after the ray's origin or just before, and the ray goes through its centre."""
+    """A disc that begins or ends just after the ray's origin or just before, and the ray goes through its centre."""
     ((x, y, r),), O, D = crowds("about", **NEAR)(draw)
-    times = r * (1 + draw.integer(101, 200) / 10**9 * draw.sign()) / hypot(*D)
+    times = r * draw.sign() * (1 + draw.integer(101, 150) / 10**9 * draw.sign()) / hypot(*D)
     return ((x + times * D[0], y + times * D[1], r),), O, D, (0,)
 
 
@@ -45,6 +45,13 @@ def bored(draw):
     """A disc about the ray's origin, less one that begins there."""
     (hole,), O, D = aligned(draw.choice((20, 2**28)), (1, 1))(draw)
     return ((*O, 3 * hole[2]), hole), O, D, (0, 1, -3)
+
+
+def leaving(draw, along):
+    """A disc that the ray leaves or enters at its origin, almost `along` its edge or almost through its centre."""
+    circles, O, _ = aligned(2**28, (1, 1))(draw)
+    D = draw.sign(), (draw.integer(900, 2200) if along else draw.integer(2**20, 2**25)) * draw.sign()
+    return circles, O, D if (circles[0][1] == O[1]) is along else D[::-1]
 
 
 INTERVIEW = [
@@ -64,15 +71,15 @@ PRODUCTION = [  # the same, where rounding bites
     group("decimals", "Touches in short decimals, which == does not see.", either(telling(solids(crowds("touch cut", "touch touch", "cut touch touch", **DECIMALS)), *TELLING), telling(solids(crowds("touch0", "touch0", "touch0 cut", **DECIMALS)), *TELLING)), cases=60, skills="collapse the tangent"),
     group("abut", "Discs that begin where others end: no seam and no sliver is left.", telling(solids(crowds(*ABUT, **BIG)), *TELLING), skills="no slivers"),
     group("abut-full", "The same, where floats put the ends in order.", telling(solids(crowds(*ABUT, *BARE, **FULL)), *TELLING), cases=80, skills="no slivers"),
-    group("origin-full", "The ray begins where a disc ends or begins.", telling(either(solids(crowds("exit0 enter0", "exit0 enter", "enter0 exit2", "exit0 around", "exit0 enter0 about", "exit0 enter dot5", **FULL)), *2 * [solids(either(aligned(20, (2, 3)), aligned(2**28, (2, 3))))], bored), *TELLING), cases=110, skills="no slivers"),
+    group("origin-full", "The ray begins where a disc ends or begins.", telling(either(solids(crowds("exit0 enter0", "exit0 enter", "enter0 exit2", "exit0 around", "exit0 enter0 about", "exit0 enter dot5", **FULL)), *2 * [solids(either(aligned(20, (2, 3)), aligned(2**28, (2, 3))))], bored, *[telling(solids(partial(leaving, along=each)), *TELLING) for each in (True, False)]), *TELLING), cases=140, skills="no slivers"),
     group("touch-full", "Touches that floats take for short chords.", either(solids(crowds("touch cut", "touch touch", "around touch", "dot cut", "around dot dot", "dot0 enter", "touch0", "touch0 cut", **FULL)), telling(solids(crowds("touch0", "touch0", "touch0 touch0", **FULL)), cuts, partial(cuts, slack=1e-10))), cases=105, skills="a tangent has a width"),
-    group("near-ties", "Ends nearly at one place: what is between them counts.", either(solids(crowds("exit2~ enter2", "enter2 enter2~", "exit2~ exit2", "exit0~ enter", **NEAR)), ahead, solids(crowds("enter0~", "enter0~ cut", **NEAR)), solids(crowds("enter2 enter2~", "exit2~ exit2", **NEAR), "difference"), solids(crowds("exit2~ enter2", **NEAR), "intersection"), solids(crowds("around exit2~ enter2", **NEAR), form="holes")), cases=160, skills="nearly is not touching"),
+    group("near-ties", "Ends nearly at one place: what is between them counts.", either(solids(crowds("exit2~ enter2", "enter2 enter2~", "exit2~ exit2", "exit0~ enter", **NEAR)), *2 * [ahead], solids(crowds("enter0~", "enter0~ cut", "exit0~", **NEAR)), solids(crowds("enter2 enter2~", "exit2~ exit2", **NEAR), "difference"), solids(crowds("exit2~ enter2", **NEAR), "intersection"), solids(crowds("around exit2~ enter2", **NEAR), form="holes")), cases=190, skills="nearly is not touching"),
     group("near-touch", "Nearly a touch: a short chord, or nothing.", solids(crowds("touch~ cut", "touch~ touch~", "around touch~", **{**NEAR, "least": 7})), skills="nearly is not touching"),
     group("specks", "Discs a hundred to a hundred thousand times smaller than their distance.", solids(crowds("speck cut", "speck speck", "tiny cut", "tiny tiny", **{**FAR, "size": 2**16, "turn": "any"})), skills=("a tangent has a width", "the size of the whole")),
-    group("lopsided", "A disc hundreds to tens of thousands of times as large as the others: its size is the figure's.", either(solids(either(*[crowds("enter1 beside", "exit1 enter2 around", "exit2 enter2 beside", "around cut cut", **{**BIG, "size": 2**12, "uneven": each}) for each in (9, 14, 20)])), *[solids(crowds(*HOLES, **{**BIG, "size": 2**12, "uneven": each}), form="holes") for each in (5, 9, 20)], solids(crowds("cut1 beside1", "cut1 beside1 cut4", **{**BIG, "size": 2**12, "uneven": 20})), *2 * [solids(passed)]), cases=150, skills="the size of the whole"),
+    group("lopsided", "A disc hundreds to tens of thousands of times as large as the others: its size is the figure's.", either(solids(either(*[crowds("enter1 beside", "exit1 enter2 around", "exit2 enter2 beside", "around cut cut", **{**BIG, "size": 2**12, "uneven": each}) for each in (9, 14, 20)])), *[solids(crowds(*HOLES, **{**BIG, "size": 2**12, "uneven": each}), form="holes") for each in (5, 9, 20)], solids(crowds("cut1 beside1", "cut1 beside1 cut4", **{**BIG, "size": 2**12, "uneven": 20})), *3 * [solids(passed)]), cases=170, skills="the size of the whole"),
     group("stacked", "Programs that put up to 32 discs on the stack before the first operation.", solids(crowd_of("cut", "enter", "around", count=(19, 31), first="cut1", **PLAIN), form="stack"), cases=40, skills="operations in any nesting"),
     group("direction-length", "Directions up to 1e24 times longer or shorter than the figure.", either(solids(either(crowds("cut behind", "around cut", "exit2 enter2", "around exit2", **{**PLAIN, "shift": -17, "stretch": tuple(range(-40, 31, 10))}), crowds("around cut", "touch~ cut", "exit0~ enter", "exit2~ enter2", **{**NEAR, "shift": -60, "stretch": (0, 40, 70, 82)}))), solids(crowds(*HOLES, **{**PLAIN, "shift": -60, "stretch": (70, 82)}), form="holes"), telling(solids(crowds("exit0 enter0", "exit0 enter", *ABUT, **{**FULL, "stretch": (-60, -30, 22)})), *TELLING)), cases=90, skills="t is not a distance"),
-    group("tiny", "All of it tiny, down to 1e-29.", solids(crowds("touch cut", "touch~ cut", "exit2 enter2", "exit2~ enter2", **TINY)), skills=("no absolute epsilon", "scale invariance")),
+    group("tiny", "All of it tiny, down to 1e-29.", either(solids(crowds("touch cut", "touch~ cut", "exit2 enter2", "exit2~ enter2", **TINY)), solids(crowds("cut cut", "exit2~ enter2", **TINY), "intersection")), cases=80, skills=("no absolute epsilon", "scale invariance")),
     group("offset", "A small figure far from the plane's origin.", either(*[solids(crowds("cut cut", "around touch", "exit2 enter2", "around cut exit2", "touch~ cut", "exit0~ enter", "exit2~ enter2", **OFFSET))] * 3, solids(crowds(*HOLES, **OFFSET), form="holes")), cases=70, skills="far from the origin"),
     group("steep", "Directions almost along an axis.", solids(either(crowds("touch cut", "around behind", "cut cut", "exit2 enter2", **STEEP), crowds("cut cut", "around behind", "dot-behind cut", **{**TILTED, "tilt": (20, 75)}))), skills="no slopes"),
     group("random", "Any numbers, small and large.", solids(either(anywhere(1000, (2, 12)), anywhere(2**30, (2, 12))), form="tree"), skills=("full precision", "whole numbers that are large")),

@@ -36,6 +36,7 @@ def counted(cx, cy, r, A, B):
         # ? forgotten-abs: d = (dx * fy - dy * fx) / length
         # + radius-not-squared: d = d * d
         size = max(radius, abs(fx), abs(fy), abs(bx - x), abs(by - y))
+        # ? radius-epsilon: size = radius
         # ? one-size@every: size = every
         # ? coordinate-epsilon: size = max(radius, abs(x), abs(y), abs(ax), abs(ay), abs(bx), abs(by))
         near = 1e-10 * size

@@ -50,13 +50,15 @@ def nearly(rays: Bounds, reach: int) -> Scene:
 
 
 def _just_off(draw: Draw, reach: int, size: int) -> tuple[IntPoint, list[IntCircle]]:
-    """A way from (0, 0), and a circle that it nearly touches."""
+    """A way from (0, 0), and a circle that it nearly touches; it makes the size itself where that is less."""
     p, q = draw.integer(200, FASTEST), draw.integer(200, FASTEST)
-    p, q = p // gcd(p, q), q // gcd(p, q)
-    r, gap = draw.integer(reach // 4, reach), near_gap(draw, size * _FINE) * draw.sign()
-    product = isqrt((r * _FINE + gap) ** 2 * (p * p + q * q)) // _FINE + (gap > 0)
-    x, y = across((p, q), product, draw.integer(1, 2 + reach // (p + q)))
-    return _anyhow(draw, (p, q), [(x, y, r)])
+    way = p // gcd(p, q), q // gcd(p, q)
+    square = way[0] ** 2 + way[1] ** 2
+    r, steps = draw.integer(reach // 4, reach), draw.integer(1, 2 + 2 * reach // sum(way))
+    size = max(size, r, *map(abs, across(way, isqrt(r * r * square), steps)))
+    gap = near_gap(draw, size * _FINE) * draw.sign()
+    product = isqrt((r * _FINE + gap) ** 2 * square) // _FINE + (gap > 0)
+    return _anyhow(draw, way, [(*across(way, product, steps), r)])
 
 
 def _just_beside(draw: Draw, reach: int, size: int) -> tuple[IntPoint, list[IntCircle]]:
@@ -73,14 +75,15 @@ def _just_beside(draw: Draw, reach: int, size: int) -> tuple[IntPoint, list[IntC
 
 def _just_behind(draw: Draw, reach: int, size: int) -> tuple[IntPoint, list[IntCircle]]:
     """A level way from (0, 0), and two circles that it enters at nearly one place."""
+    at = reach + draw.integer(1, reach)  # where the first one is entered
     for _ in range(_TRIES):
         (p, q, c), k = draw.choice(TRIPLES), draw.integer(1, reach // 25)
         r = draw.integer(reach // 4, reach)
         y = draw.integer(r // 4, r // 2) * draw.sign()
-        gap, half = near_gap(draw, size * _FINE), isqrt((r * r - y * y) * _FINE * _FINE)
+        gap = near_gap(draw, max(size, at + r, at + k * p) * _FINE)
+        half = isqrt((r * r - y * y) * _FINE * _FINE)
         part, most = half % _FINE, gap + gap // 4
         if gap <= part <= most or gap <= _FINE - part <= most:
-            at = reach + draw.integer(1, reach)  # where the first one is entered
             return _anyhow(
                 draw, (draw.integer(1, 99), 0), [(at + k * p, k * q, k * c), (at + round(half / _FINE), y, r)]
             )
@@ -99,12 +102,10 @@ def narrow(beams: Bounds, reach: int) -> Scene:
 
     def draw_case(draw: Draw) -> tuple[Any, ...]:
         far = draw.choice((0, 0, 0, draw.integer(900_000, WIDE) * draw.sign()))
-        scene: list[IntCircle] = [(far, draw.integer(9, 99) * reach, 1)] if far else []
+        scene: list[IntCircle] = [(far, draw.integer(9, 99) * 4_000, 1)] if far else []
         ways: list[IntPoint] = []
         for _ in range(draw.integer(*beams)):
-            (p, q), rows = draw.choice((_just_off, _just_off, _just_behind))(
-                draw, reach, abs(far) or 2 * reach
-            )
+            (p, q), rows = draw.choice((_just_off, _just_off, _just_behind))(draw, reach, abs(far))
             scene += rows
             ways.append((p, q) if p * rows[0][0] + q * rows[0][1] > 0 else (-p, -q))
         return scanned(scene, any_point(draw, reach), ways)

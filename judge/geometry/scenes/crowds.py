@@ -41,7 +41,6 @@ _WORDS = (
         "beside",
         "behind",
         "touch-behind",
-        "exit-behind",
         "dot-behind",
     ),
     *("copy", "mirror", "room", "within"),
@@ -93,10 +92,10 @@ def _circle(draw: Draw, kind: str, at: int, size: int, before: Sequence[Row]) ->
         if kind == "within":
             return x, y, draw.integer(1, max(1, r - 1))
         return (x, -y, r) if kind == "mirror" else (x, y, r)
-    if kind in ("enter", "exit", "exit-behind"):
+    if kind in ("enter", "exit"):
         r, y, half = height(draw, "chord", size)
         assert half is not None
-        return at + half if kind == "enter" else -at - half if kind == "exit-behind" else at - half, y, r
+        return at + half if kind == "enter" else at - half, y, r
     r = draw.integer(size // 4 + 1, size)
     across = draw.integer(1 - r, r - 1)
     rows: dict[str, Callable[[], Row]] = {

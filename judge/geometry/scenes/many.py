@@ -48,12 +48,8 @@ def _towards(draw: Draw, O: IntPoint, circle: IntCircle) -> IntPoint:
     reach = isqrt(r * r // 2)
     dx, dy = x + draw.integer(-reach, reach) - O[0], y + draw.integer(-reach, reach) - O[1]
     shrink = max(gcd(dx, dy), -(-max(abs(dx), abs(dy)) // FASTEST), 1)
-    way = _cut(dx, shrink), _cut(dy, shrink)
+    way = int(dx / shrink), int(dy / shrink)
     return way if any(way) else any_way(draw)
-
-
-def _cut(value: int, by: int) -> int:
-    return value // by if value > 0 else -(-value // by)
 
 
 def turned(parts: tuple[int, ...], quarters: int) -> tuple[int, ...]:

@@ -1,7 +1,7 @@
 // One loop.
 //
 // The line's direction and length are the same for all circles and taken once. Then each circle is a cross product, a
-// distance and an size of its own, without a call or a root in the loop.
+// distance and a size of its own, without a call or a root in the loop.
 
 package main
 
@@ -16,8 +16,8 @@ func countMany(cx, cy, r []float64, A, B Pt) []int {
 		gap := math.Abs(dx*fy-dy*fx)/length - radius
 		size := radius
 		for _, x := range [...]float64{fx, fy, gx, gy} {
-			if size := math.Abs(x); size > size {
-				size = size
+			if far := math.Abs(x); far > size {
+				size = far
 			}
 		}
 		switch near := 1e-10 * size; {
