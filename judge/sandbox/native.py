@@ -245,15 +245,15 @@ class NativeBox(ContainerBox):
         """Make the calls in one process; see `Box.call`. What an import is, is none here."""
         fault = self.inspect().fault
         assert fault is None, "whoever calls has looked"
-        assert entry == self._sources.entry, "the driver calls one function"
+        assert entry.removesuffix("()") == self._sources.entry, "the driver calls one function or class"
         if not cases:
             return CallsResult((), _NOTHING)
         done = self.run_program(calls.text(cases), limits)
-        replies, kept_form = self._replies(done, len(cases))
+        replies, kept_form = self._replies(done, cases)
         if kept_form and len(replies) < len(cases):
             # It ended early: at which call shows where each answer is written at once.
             again = self.run_program(calls.text(cases, at_once=True), limits)
-            replies, kept_form = self._replies(again, len(cases))
+            replies, kept_form = self._replies(again, cases)
             done = done if done.stop is not Stop.ANSWERED else again
             if done.stop is Stop.ANSWERED:
                 done = done._replace(stop=Stop.EXITED, detail="it ended the process in mid-call")
@@ -265,11 +265,12 @@ class NativeBox(ContainerBox):
         del replies[len(cases) - 1 :]
         return CallsResult((*replies, Reply(done.stop, detail=done.detail)), done.usage)
 
-    def _replies(self, done: ProgramResult, most: int) -> tuple[list[Reply], bool]:
-        found, kept_form = calls.replies(done.stdout, most)
+    def _replies(self, done: ProgramResult, cases: Sequence[Sequence[Any]]) -> tuple[list[Reply], bool]:
+        found, kept_form = calls.replies(done.stdout, len(cases))
         raised = {place: each for place, each in enumerate(found) if each.detail}
         for place, each in raised.items():
-            found[place] = each._replace(detail=within(each.detail, self._sources))
+            what, call = calls.parted(each.detail, cases[place])
+            found[place] = each._replace(detail=within(what, self._sources) + call)
         return found, kept_form
 
 
