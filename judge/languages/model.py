@@ -35,7 +35,9 @@ class Compiling(Struct, frozen=True, forbid_unknown_fields=True):
     `keeps` says that nothing is made: what is run is the source itself. `complaint` is a pattern of what a
     compiler says of a fault, with groups `message`, `file`, `line` and perhaps `column`; without it the usual
     forms are known, such as `file:line:column: error: message`. `warning` is one of what it says of a source
-    that it compiles, and that may well be why an answer is wrong.
+    that it compiles, and that may well be why an answer is wrong. With the words of `checks` at the end of
+    each command line it makes a program that tells of its own faults: each of `finds` is a pattern of that,
+    with groups `message` and perhaps `line` and `of`, what the message is about.
     """
 
     steps: tuple[_Words, ...]
@@ -45,6 +47,8 @@ class Compiling(Struct, frozen=True, forbid_unknown_fields=True):
     keeps: bool = False
     complaint: str = ""
     warning: str = ""
+    checks: _Words = ()
+    finds: _Words = ()
 
 
 class Running(Struct, frozen=True, forbid_unknown_fields=True):
@@ -132,6 +136,7 @@ class Language(
         yield "classes", self.head("F", is_class=True)
         yield "complaint", self.compiling.complaint
         yield "warning", self.compiling.warning
+        yield from (("finds", pattern) for pattern in self.compiling.finds)
         yield "drops", self.drops
         yield from (("swaps", pattern) for pattern, _ in self.swaps)
         yield from (("unsaid", part) for each in self.unsaid for part in each if MARK not in part)
