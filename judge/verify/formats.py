@@ -19,7 +19,7 @@ _SHOWN = 60
 def format_faults(data: ProblemData) -> Iterator[Fault]:
     """The first case that is not written, or whose answer is not read as it is shown."""
     problem, own, where = data.problem, data.module.format, f"{data.problem.id}/problem.py"
-    if own is None:
+    if own is None or problem.talks:
         return
     decide = FormatRunner(problem).decide
     for group in data.groups:
