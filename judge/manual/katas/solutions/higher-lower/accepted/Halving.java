@@ -1,3 +1,5 @@
+// Halving.
+
 import java.util.Scanner;
 
 public class Halving {

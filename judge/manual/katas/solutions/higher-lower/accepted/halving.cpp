@@ -1,3 +1,5 @@
+// Halving.
+
 #include <iostream>
 #include <string>
 

@@ -1,3 +1,8 @@
+"""Halving.
+
+The lowest and the highest number that are left, and a guess in the middle.
+"""
+
 low, high = 1, int(input())
 answer = ""
 while answer != "found":

@@ -1,3 +1,8 @@
+"""first-third
+
+The guess is at a third of the numbers that are left. Guess the one in the middle.
+"""
+
 low, high = 1, int(input())
 answer = ""
 while answer != "found":

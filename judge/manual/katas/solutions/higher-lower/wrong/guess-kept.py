@@ -1,3 +1,8 @@
+"""guess-kept
+
+After `higher` the guess is still one of the numbers that are left. Leave it out.
+"""
+
 low, high = 1, int(input())
 answer = ""
 while answer != "found":

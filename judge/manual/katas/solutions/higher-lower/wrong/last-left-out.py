@@ -1,3 +1,8 @@
+"""last-left-out
+
+The highest number is never guessed. It may be the one.
+"""
+
 low, high = 1, int(input()) - 1
 answer = ""
 while answer != "found":

@@ -1,3 +1,8 @@
+"""other-way-round
+
+After `higher` the guesses go down. The number is above the guess.
+"""
+
 low, high = 1, int(input())
 answer = ""
 while answer != "found":

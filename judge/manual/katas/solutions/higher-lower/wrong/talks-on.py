@@ -1,3 +1,8 @@
+"""talks-on
+
+More is printed after `found`. Print guesses, and nothing else.
+"""
+
 low, high = 1, int(input())
 answer = ""
 while answer != "found":
