@@ -107,7 +107,7 @@ def read_problem(folder: Path, solutions: Path) -> Problem:
     module = load_module(problem)
     talks = module.format is not None and module.format.talk is not None
     if talks and problem.entry:
-        raise file.fault("a dialogue is held with a program, and no function is called", "remove entry", "entry")
+        raise file.fault("a dialogue calls no function", "remove entry", "entry")
     if talks and head.answer is not None:
         raise file.fault("a dialogue has no answer: talk decides", "remove answer", "answer")
     if head.answer is None and not (talks or methods):

@@ -32,8 +32,7 @@ class Program:
 
     def __init__(self, line: Line) -> None:
         self.said: deque[str] = deque(maxlen=_LINES + 1)
-        self.waited = 0.0  # seconds, for the program
-        self.listens = False  # whether nothing has come since somebody listened
+        self.waited = self.longest = 0.0  # seconds, for the program: in all, and for one line
         self.ended = False  # whether its end was heard
         self._line = line
 
@@ -47,13 +46,13 @@ class Program:
 
     def hear(self) -> str:
         """Its next line, without the line feed; "" where it has ended."""
-        began, self.listens = time.perf_counter(), True
+        began = time.perf_counter()
         data = self._line.hear()
-        self.waited += time.perf_counter() - began
+        waited = time.perf_counter() - began
+        self.waited, self.longest, self.ended = self.waited + waited, max(waited, self.longest), not data
         text = data.decode("ascii", "backslashreplace").rstrip("\r\n")
-        self.ended, self.listens = not data, not data.endswith(b"\n")
         if data:
-            self.said.append(f"< {_cut(text)}{'  (without a line feed)' * self.listens}")
+            self.said.append(f"< {_cut(text)}" + "  (without a line feed)" * (not data.endswith(b"\n")))
         return text
 
     def hear_int(self, low: int, high: int) -> int:
@@ -61,8 +60,8 @@ class Program:
         text = self.hear().strip()
         if _INT.fullmatch(text) and low <= int(text) <= high:
             return int(text)
-        wanted = f"a number from {low} to {high} is expected"
-        raise Wrong(f"the program ended, where {wanted}" if self.ended else f"{wanted}, not {text[:_BRIEF]!r}")
+        why = f"a number from {low} to {high} is expected"
+        raise Wrong(f"the program ended, where {why}" if self.ended else f"{why}, not {text[:_BRIEF]!r}")
 
 
 class Talk:
@@ -105,8 +104,12 @@ class Talk:
             what = "FORMAT: talk works on, and the program waits for it"
             raise self._problem.fault(what, "make talk come to an end, or take less time")
         if stop in _PASSED:
-            hint = _UNHEARD if stop in _WAITED and program.listens else ""
-            return Reply(stop, None, result.detail + hint)
+            detail = result.detail
+            if stop in _WAITED and program.longest > wall / 2:
+                detail += _UNHEARD if result.usage.slept_seconds else ""
+            elif stop in _WAITED and (program.ended or self._why == _EARLY):
+                detail = f"the dialogue was not over after {wall:.3g} s"
+            return Reply(stop, None, detail)
         failed = stop is not Stop.ANSWERED
         if self._why and not (failed and program.ended):
             return Reply(Stop.ANSWERED, self._why)

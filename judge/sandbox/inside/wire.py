@@ -11,8 +11,8 @@ first stop the server reads its CPU clock, lays the arguments where the child fi
 at the second it reads the clock and kills it. So import, calls and nothing else are measured, and no argument
 is there before the calls' own time begins. A stop anywhere else is its end.
 
-One request is outstanding at a time; a STOP that comes after its end is for nobody. Frames have one size, so that a stream socket (macOS) does as well as
-a packet socket. A child never sees this socket.
+One request is outstanding at a time, and a STOP that comes after its end is for nobody. Frames have one
+size, so that a stream socket (macOS) does as well as a packet socket. A child never sees this socket.
 
 Everything longer goes through the region, memory shared by the judge, the server and its children:
 
