@@ -6,11 +6,11 @@ import re
 import time
 from collections import deque
 
+from judge.errors import printable
 from judge.problem import Case, Problem
 from judge.problem.declare import Format
 from judge.problem.module import blaming
 from judge.sandbox.boundary import Line, ProgramResult, Reply, Stop
-from judge.sandbox.inside.wire import printable
 
 _LINES = 20  # of a dialogue that are shown, the last ones
 _COLUMNS = 200
@@ -87,7 +87,7 @@ class Talk:
             if why is not None and not (isinstance(why, str) and why.strip()):
                 what = f"FORMAT: talk returns {repr(why)[:_BRIEF]}"
                 raise self._problem.fault(what, "return None, or say why the program is wrong")
-            self._why = printable(why)[:_LONGEST] if why else None
+            self._why = printable(why[:_LONGEST]) if why else None
         finally:
             self._took = time.perf_counter() - began
         return self._why is None

@@ -20,7 +20,7 @@ RIGHT = b"print(int(input()) + 1, flush=True)\n"
 BEGIN = "import fcntl, os, signal, sys, threading, time\n"
 
 
-def _heard(source: str, said: bytes = b"", limits: Limits = LIMITS, level: str = "") -> tuple[ProgramResult, bytes]:
+def _heard(source: str, level: str, said: bytes = b"") -> tuple[ProgramResult, bytes]:
     """What came of a program, and all that was heard of it; the box runs it again."""
     lines = []
 
@@ -31,9 +31,9 @@ def _heard(source: str, said: bytes = b"", limits: Limits = LIMITS, level: str =
         return True
 
     with open_box((BEGIN + source).encode(), "mine.py", level=level) as box:
-        result = box.run_program(talk, limits)
+        result = box.run_program(talk, LIMITS)
         heard = b"".join(lines)
-        assert box.run_program(talk, limits).stop is result.stop
+        assert box.run_program(talk, LIMITS).stop is result.stop
     return result, heard
 
 
@@ -59,19 +59,19 @@ def _heard(source: str, said: bytes = b"", limits: Limits = LIMITS, level: str =
 def test_what_it_does_to_its_pipes_ends_with_it(
     level: str, source: str, stop: Stop, heard: bytes | None
 ) -> None:
-    result, lines = _heard(source, level=level)
+    result, lines = _heard(source, level)
     assert result.stop is stop, result
     assert heard is None or lines + result.stdout == heard or stop is Stop.OUTPUT
 
 
 def test_it_does_not_read_what_it_is_told(level: str) -> None:
-    result, lines = _heard("os.write(1, b'1\\n')\ntime.sleep(99)", b"x" * (1 << 22), level=level)
+    result, lines = _heard("os.write(1, b'1\\n')\ntime.sleep(99)", level, b"x" * (1 << 22))
     assert (result.stop, lines) == (Stop.WALL, b"1\n")
 
 
 def test_it_floods_whoever_talks_on(level: str) -> None:
     """Nobody listens: what comes meanwhile is counted all the same."""
-    result, _ = _heard("while True: os.write(1, b'x' * 9999)", b"x" * (1 << 22), level=level)
+    result, _ = _heard("while True: os.write(1, b'x' * 9999)", level, b"x" * (1 << 22))
     assert result.stop is Stop.OUTPUT
 
 
@@ -89,7 +89,7 @@ if not pid:
 os.write(1, b'1\\n')
 os._exit(0)
 """
-    result, lines = _heard(source, level=level)
+    result, lines = _heard(source, level)
     assert result.stop in (Stop.ANSWERED, Stop.EXITED)
     assert lines in (b"1\n", b"1\n1\n", b"")
 
@@ -108,7 +108,7 @@ for number, way in ((0, os.O_WRONLY), (1, os.O_RDONLY), (0, os.O_RDWR)):
         pass
 os.write(1, b'1\\n')
 """
-    result, lines = _heard(source, level=level)
+    result, lines = _heard(source, level)
     assert result.stop in (Stop.ANSWERED, Stop.EXCEPTION)
     assert lines == b"1\n"
 

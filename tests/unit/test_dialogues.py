@@ -29,6 +29,7 @@ GROUPS = """GROUPS = [
     group("many", "Many numbers.", numbers(1000, 1_000_000)),
     group("last", "It is the last of the numbers.", last),
 ]"""
+SHORT = "cpu_seconds = 0.5\nwall_seconds = 3"
 UNFLUSHED = "import sys\nsys.stdin.readline()\nprint(1)\nsys.stdin.readline()"
 PYPY = "import sys\ninput = lambda: sys.stdin.readline().strip()\n" + RIGHT
 JAVASCRIPT = """
@@ -108,8 +109,8 @@ def kata(tmp_path):
     for kind in ("problems", "solutions"):
         shutil.copytree(KATAS / kind / "higher-lower", tmp_path / kind / "higher-lower")
     folder = tmp_path / "problems" / "higher-lower"
-    change(folder / "problem.py", GROUPS, 'GROUPS = [group("few", "A few numbers.", numbers(2, 9), cases=3)]')
-    change(folder / "problem.toml", "cpu_seconds = 4\nwall_seconds = 12", "cpu_seconds = 0.5\nwall_seconds = 3")
+    change(folder / "problem.py", GROUPS, 'GROUPS = [group("few", "Few numbers.", numbers(2, 9), cases=3)]')
+    change(folder / "problem.toml", "cpu_seconds = 4\nwall_seconds = 12", SHORT)
     return folder
 
 
@@ -175,7 +176,8 @@ def test_a_wrong_program_is_not_waited_for(kata):
 
 def test_a_dialogue_that_nobody_ends(kata):
     change(kata / "problem.py", "for _ in range(high.bit_length())", "while True")
-    found = judged(kata, "input()\nwhile True:\n    print(1, flush=True)\n    input()")
+    slow = "import time\ninput()\nwhile True:\n    print(1, flush=True)\n    input()\n    time.sleep(0.05)"
+    found = judged(kata, slow)
     assert found.verdict is Verdict.TLE
     assert "the dialogue was not over after 3" in found.failure.message
 
@@ -254,7 +256,7 @@ def test_at_every_level(kata, level):
 )
 def test_a_program_in_another_language(kata, language, name, source):
     need(language)
-    change(kata / "problem.toml", "cpu_seconds = 0.5\nwall_seconds = 3", "cpu_seconds = 4\nwall_seconds = 20")
+    change(kata / "problem.toml", SHORT, "cpu_seconds = 4\nwall_seconds = 20")
     result = judged(kata, source, name)
     assert result.verdict is Verdict.AC, result
     wrong = judged(kata, source.replace("higher", "upper"), name)

@@ -145,9 +145,9 @@ class Server:
                 frame, descriptors = self._line.receive(descriptors=4)
                 if not frame:
                     os._exit(0)
-                job = wire.Request(frame, descriptors)
-                if job.kind == wire.STOP:
+                if frame.startswith(wire.STOP):
                     continue
+                job = wire.Request(frame, descriptors)
                 try:
                     answer = self._prepare(job) if job.kind == wire.PREPARE else self._run(job, self._code)
                 except Lacking as lack:
@@ -265,25 +265,15 @@ class Server:
         return True
 
     def _wait(self, pid: int, nanoseconds: int) -> None:
-        """Until something dies or the time is over; the judge's hang-up ends everything at once.
-
-        Its STOP ends the child alone, which has not been waited for.
-        """
+        """Until something dies or the time is over. The judge's hang-up ends all, its STOP the child alone."""
         for number, event in self._events.poll(nanoseconds / 1e6):
             if number == self._deaths:
                 _drain(self._deaths)
             elif event:
                 os.kill(pid, signal.SIGKILL)
-                if not self._is_there():
+                if event & select.POLLHUP or not self._line.receive()[0]:
                     self._sweep(pid)
                     os._exit(0)
-
-    def _is_there(self) -> bool:
-        """Whether the judge has said something, and not hung up."""
-        try:
-            return bool(self._line.receive()[0])
-        except OSError:
-            return False
 
     def _baseline(self) -> int | None:
         try:
