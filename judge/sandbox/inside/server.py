@@ -265,7 +265,7 @@ class Server:
         return True
 
     def _wait(self, pid: int, nanoseconds: int) -> None:
-        """Until something dies or the time is over. That the judge hangs up ends all, its STOP the child."""
+        """Until something dies or the time is over. The judge's hang-up ends all, its STOP the child."""
         for number, event in self._events.poll(nanoseconds / 1e6):
             if number == self._deaths:
                 _drain(self._deaths)
