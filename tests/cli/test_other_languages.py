@@ -26,6 +26,7 @@ MEAN = {  # of two numbers, right
     "java": "class Solution { static double middle(double a, double b) { return (a + b) / 2; } }",
     "javascript": "function middle(a, b) { return (a + b) / 2; }",
     "rust": "fn middle(a: f64, b: f64) -> f64 { (a + b) / 2.0 }",
+    "kotlin": "fun middle(a: Double, b: Double): Double = (a + b) / 2\n",
     "pypy": "def middle(a, b):\n    return (a + b) / 2.0\n",
 }
 
