@@ -17,6 +17,7 @@ from traceback import walk_tb
 from types import CodeType, ModuleType
 from typing import Any
 
+from judge.errors import JudgeError
 from judge.sandbox.boundary import (
     IMPORTING,
     CallsResult,
@@ -25,6 +26,7 @@ from judge.sandbox.boundary import (
     ProgramResult,
     Reply,
     Stop,
+    Talk,
     Usage,
 )
 from judge.sandbox.encode import OnObject, encode, found, place_in
@@ -150,8 +152,11 @@ class InProcess:
             if not _goes_on(reply):
                 break
 
-    def run_program(self, stdin: bytes, limits: Limits) -> ProgramResult:
-        """See `Box.run_program`."""
+    def run_program(self, stdin: bytes | Talk, limits: Limits) -> ProgramResult:
+        """See `Box.run_program`; one that is talked with needs a process. Raises JudgeError."""
+        if not isinstance(stdin, bytes):
+            what = "a dialogue is judged on the command line only"
+            raise JudgeError(what, remedy="use judge run there")
         before, stop, detail, spent = sys.stdin, Stop.ANSWERED, "", 0.0
         with self._process("__main__", limits) as (watch, names, printed):
             sys.stdin = io.TextIOWrapper(io.BytesIO(stdin), "utf-8")

@@ -41,7 +41,7 @@ def _sources_of(language: Language, source: bytes, signature: Signature | None) 
     whole = Sources(((own, source),), own)
     if source.startswith(_UTF16):
         return whole._replace(fault=SourceFault("it is UTF-16: save it as UTF-8"))
-    if signature is None:
+    if signature is None or not signature.entry:
         return whole
     found = _asked(language, text, signature)
     if found:

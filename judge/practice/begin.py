@@ -38,6 +38,7 @@ KINDS = {
     "program": "depot",
     "judged": "tasks-in-order",
     "growth": "hops",
+    "dialogue": "higher-lower",
 }  # katas of these, the usual one first
 _LEFT_OUT = {"pins.json", "libraries", "libraries.json", "same.toml", "__pycache__"}
 _LETTERS = "small letters, digits and single hyphens"

@@ -5,7 +5,8 @@
     INTERVIEW, PRODUCTION = [...]       the test groups of each level, a row each; GROUPS alone in a kata
                                         without levels
     HOOKS = Hooks(...)                  optional: what the kata's topic draws and makes simpler
-    FORMAT = Format(write, read, show)  optional: what a program reads and writes for a case
+    FORMAT = Format(write, read, show)  optional: what a program reads and writes for a case, or
+    FORMAT = Format(talk=talk)          how it is talked with; then `solve` answers nothing
     EXAMPLES = [case, ...]              of a kata without entry, in place of the statement's calls
 
 The group of the examples is no row: it comes first.
@@ -143,18 +144,28 @@ class Hooks(Struct, frozen=True):
 class Format(Struct, frozen=True):
     """What a program of the kata reads and writes for one case: each case is a run of its own.
 
+    A program that must wait for what it reads next is talked with: `talk` stands alone.
+
     Attributes:
         write: the input of a case, from its arguments.
         read: the answer in an output, as plain Python; ValueError says for a person why it holds none.
         show: the output of a right answer. Without `read` and `show` the words of the whole output are the
             answer's tokens, whatever the lines.
+        talk: called with the program (judge.run.talk.Program) and the case's arguments; None where the
+            program is right, or else why it is wrong, for a person.
     """
 
-    write: Callable[..., str]
+    write: Callable[..., str] | None = None
     read: Callable[[str], Any] | None = None
     show: Callable[[Any], str] | None = None
+    talk: Callable[..., str | None] | None = None
 
     def __post_init__(self) -> None:
+        others = [name for name in ("write", "read", "show") if getattr(self, name)]
+        if self.talk is not None and others:
+            raise ProblemError(f"Format has talk and {others[0]}", remedy="talk stands alone")
+        if self.talk is None and self.write is None:
+            raise ProblemError("Format has no write", remedy="give write, or talk alone")
         has, lacks = ("show", "read") if self.read is None else ("read", "show")
         if (self.read is None) is not (self.show is None):
             raise ProblemError(f"Format has {has} without {lacks}", remedy="give both, or neither")

@@ -18,6 +18,7 @@ _SHOWN = 60  # characters of what is no text
 def input_of(problem: Problem, own: Format, case: Case) -> str:
     """The input of a program for a case. Raises ProblemError."""
     with blaming(problem, "FORMAT: write fails"):
+        assert own.write is not None, "a dialogue has no input"
         text = own.write(*problem.calls([case])[0])
     return _text(problem, "write", text)
 

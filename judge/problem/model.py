@@ -289,6 +289,7 @@ class Problem(Listed, frozen=True, kw_only=True):
     growth: GrowthRule | None = None
     source: Source = Source()
     formatted: bool = False  # whether problem.py says what a program reads and writes
+    talks: bool = False  # whether such a program is talked with, and there are no answers
     methods: bool = False  # whether the entry is a class, and a case is calls in a row on one object
     key: str = ""
 

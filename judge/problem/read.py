@@ -45,6 +45,8 @@ from judge.values.letters import USUAL, expanded, texts_of
 from judge.values.types import ArrayType, atoms, lasting
 
 _MOST_DIGITS = 4_000  # of a number's exponent: Python reads and writes no integer above 4,300 digits
+_NO_ANSWER = "the key 'answer' is missing in the file", "add answer = …"
+_NOTHING = "int?"  # the type of a dialogue's answers, which are all None
 _REFERENCED = "add a [time] table that names one"
 _CASES = 60  # of a group, twice as many that take turns
 _RUNS = 12  # of a group whose cases are a run each
@@ -80,10 +82,10 @@ def read_problem(folder: Path, solutions: Path) -> Problem:
     methods = _methods(file, head, types) if head.methods else None
     if methods:
         answer = methods[1]
-    elif head.answer is not None:
-        answer = parsed_type(head.answer.text, types, head.words)
+    elif head.answer is None and head.entry:
+        raise file.fault(*_NO_ANSWER)
     else:
-        raise file.fault("the key 'answer' is missing in the file", "add answer = …")
+        answer = parsed_type(head.answer.text if head.answer else _NOTHING, types, head.words)
     parameters = []
     for name, row in head.parameters.items():
         if isinstance(row, dict):
@@ -103,7 +105,14 @@ def read_problem(folder: Path, solutions: Path) -> Problem:
         **{key: getattr(head, key) for key in (*Titled.__struct_fields__, "limits", "time", "source")},
     )
     module = load_module(problem)
-    problem = replace(problem, formatted=module.format is not None)
+    talks = module.format is not None and module.format.talk is not None
+    if talks and problem.entry:
+        raise file.fault("a dialogue calls no function", "remove entry", "entry")
+    if talks and head.answer is not None:
+        raise file.fault("a dialogue has no answer: talk decides", "remove answer", "answer")
+    if head.answer is None and not (talks or methods):
+        raise file.fault(*_NO_ANSWER)
+    problem = replace(problem, formatted=module.format is not None, talks=talks)
     statement, examples = read_statement(problem, module, file.raw)
     problem = replace(problem, statement=statement, examples=examples)
     groups = _groups(problem, module.rows, head.tolerance if answer.measured else Tolerance())

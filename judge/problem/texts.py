@@ -6,7 +6,8 @@ once. A worked example is written as at Python's prompt, and is read as data, ne
     >>> line_count(0, 0, 1, (0, 1), (4, 1))
     1
 
-In a kata without entry `{{examples}}` stands for the input and the output of each case of EXAMPLES.
+In a kata without entry `{{examples}}` stands for the input and the output of each case of EXAMPLES. Of a
+dialogue the setter writes one down.
 
 The hints go one step after another, from a nudge to nearly everything:
 
@@ -84,14 +85,17 @@ def _of_programs(problem: Problem, module: Module, raw: Mapping[str, Any]) -> tu
         except InvalidCase as broken:
             raise problem.fault(f"EXAMPLES: case {number} is invalid: {broken}", "correct it") from None
         target = check.target(problem.answer, exact, _NEARLY)
-        given, wanted = input_of(problem, module.format, case), output_of(problem, module.format, target)
-        shown.append(f"Input\n\n```\n{given}```\n\nOutput\n\n```\n{wanted}```\n")
         examples.append(Example(case, show.best(problem.answer, target), 0))
-    lines = _filled(problem, "statement.md", raw, examples="\n".join(shown).rstrip())
+        if not problem.talks:
+            given, wanted = input_of(problem, module.format, case), output_of(problem, module.format, target)
+            shown.append(f"Input\n\n```\n{given}```\n\nOutput\n\n```\n{wanted}```\n")
+    more = {} if problem.talks else {"examples": "\n".join(shown).rstrip()}
+    lines = _filled(problem, "statement.md", raw, **more)
     for number, line in enumerate(read_text(problem.folder / "statement.md").splitlines(), 1):
         if line.lstrip().startswith(">>>"):
             what = "a kata without entry has no calls"
-            raise problem.fault(what, "write {{examples}}", number, "statement.md")
+            remedy = "write a dialogue as text" if problem.talks else "write {{examples}}"
+            raise problem.fault(what, remedy, number, "statement.md")
     return "\n".join([*lines, ""]), tuple(examples)
 
 

@@ -88,7 +88,7 @@ def _facts(tried: Tried, why: str, brief: bool) -> Iterator[tuple[Cell, Cell]]:
     if tried.case:
         plain = arguments(problem.named(tried.case))
         yield from under("case", typed_lines(problem, tried.case) if problem.methods else [plain])
-    if tried.case and not brief and not problem.methods:
+    if tried.case and not brief and not (problem.methods or problem.talks):
         own = tried.module.format
         given = input_of(problem, own, tried.case).rstrip() if own else line_of(problem, tried.case)
         yield from under("as program input", given.split("\n"))

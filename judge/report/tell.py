@@ -84,7 +84,8 @@ def tell(
     shown = None if hurdle else shown_failure(result)
     failing = [] if hurdle else _failing(result)
     stub = hurdle is not None and hurdle.kind is Obstacle.STUB
-    values = shown.input if shown and shown.input and not shown.shown else {}
+    talks = problem is not None and problem.talks
+    values = shown.input if shown and shown.input and (talks or not shown.shown) else {}
     text = source.decode("utf-8", "replace")
     order = other_order(problem, text) if problem is not None and failing else ""
     return Told(
@@ -240,10 +241,10 @@ def _facts(
     if shown is None:
         return
     wrong = result.verdict is Verdict.WA
-    in_a_row = problem is not None and problem.methods
+    in_a_row, talks = (problem.methods, problem.talks) if problem else (False, False)
     if shown.shown:
-        yield "calls" if in_a_row else "input", shown.shown
-    if shown.expected is not None and not in_a_row:
+        yield "calls" if in_a_row else "dialogue" if talks else "input", shown.shown
+    if shown.expected is not None and not (in_a_row or talks):
         yield "expected", shown.expected
         if shown.got is not None and wrong:
             yield "got", shown.got

@@ -1,10 +1,13 @@
 """Programs with a format of the kata's own: each case is a run, and its whole output one answer.
 
+A program that is talked with answers "", or why it is wrong: there is nothing to compare.
+
 The limits hold for all runs of a group together. A run that fails costs its own case alone.
 """
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Sequence
 from functools import cached_property
 from typing import Any, ClassVar
@@ -18,17 +21,19 @@ from judge.problem.model import Mode, case_of
 from judge.problem.module import load_module
 from judge.run.replies import Replies
 from judge.run.result import NOTHING, Behaviour, Failure
+from judge.run.talk import Talk
 from judge.sandbox.boundary import Box, Limits, Reply, Stop, Usage
 from judge.sandbox.encode import encode
 from judge.values import check, outline, reading
 from judge.values.answers import Target
-from judge.values.check import ExactOf, Outcome, Rejection
+from judge.values.check import Accepted, ExactOf, Outcome, Rejection
 from judge.values.outline import UNREADABLE, Outline
 from judge.values.wire import Raw, Unreadable
 
 _LINES = 20  # of an input or an output that are shown
 _COLUMNS = 200
 _LONGEST = 120  # characters of why an output cannot be read
+_NUMBER = re.compile(r"-?[0-9]+")
 _LEAST = 1e-3  # seconds of a run whose group has used all of its time
 _ITS_OWN = (Stop.ANSWERED, Stop.EXCEPTION, Stop.EXITED)  # ends that the next case need not hear of
 
@@ -42,6 +47,7 @@ class FormatRunner:
     def __init__(self, problem: Problem, language: str = "") -> None:
         self.problem = problem
         self.language = language
+        self._said: dict[str, str] = {}  # in the dialogues that went wrong, by their case
 
     @cached_property
     def _own(self) -> Format:
@@ -58,10 +64,17 @@ class FormatRunner:
                 wall_seconds=max(_LEAST, limits.wall_seconds - used.wall_seconds),
                 waiting_seconds=max(_LEAST, limits.waiting_seconds - used.waiting_seconds),
             )
-            result = box.run_program(input_of(self.problem, self._own, case).encode(), left)
+            if self.problem.talks:
+                talk = Talk(self.problem, self._own, case)
+                result = box.run_program(talk, left)
+                replies.append(talk.reply(result))
+                if replies[-1].answer != "":
+                    self._said[repr(case)] = talk.text
+            else:
+                result = box.run_program(input_of(self.problem, self._own, case).encode(), left)
+                output = result.stdout.decode(errors="backslashreplace").replace("\r\n", "\n")
+                replies.append(Reply(result.stop, output, result.detail))
             used += result.usage
-            output = result.stdout.decode(errors="backslashreplace").replace("\r\n", "\n")
-            replies.append(Reply(result.stop, output, result.detail))
             if result.stop not in _ITS_OWN:
                 stop = result.stop
                 break
@@ -73,6 +86,8 @@ class FormatRunner:
         return self._decide
 
     def _decide(self, output: str, target: Target, exact: ExactOf) -> Outcome:
+        if self.problem.talks:
+            return Rejection(output, "", "") if output else Accepted()
         try:
             answer = self._read(output)
         except Unreadable as why:
@@ -101,11 +116,13 @@ class FormatRunner:
         raise Unreadable(said.splitlines()[0][:_LONGEST] if said.strip() else "the output cannot be read")
 
     def wanted(self, target: Target) -> str:
-        """The output of a perfect program."""
-        return shown(output_of(self.problem, self._own, target))
+        """The output of a perfect program; nothing in a dialogue."""
+        return "" if self.problem.talks else shown(output_of(self.problem, self._own, target))
 
     def outline(self, answer: Any) -> Outline:
         """A wrong answer's form and numbers."""
+        if self.problem.talks:
+            return f"told {_NUMBER.sub('0', answer)}", ()
         try:
             return outline.outline(self.problem.answer, self._read(answer))
         except Unreadable:
@@ -113,6 +130,8 @@ class FormatRunner:
 
     def raw(self, answer: Any) -> Raw:
         """What the output holds; None where it holds no answer."""
+        if self.problem.talks:
+            return None
         try:
             return self._read(answer)
         except Unreadable:
@@ -123,11 +142,13 @@ class FormatRunner:
         return rule.program
 
     def explained(self, failure: Failure, does: Behaviour = NOTHING) -> Failure:  # noqa: ARG002
-        """The failure with what the program read."""
+        """The failure with what the program read, or what was said."""
         if failure.input is None:
             return failure
-        text = input_of(self.problem, self._own, case_of(failure.input))
-        return replace(failure, shown=shown(text))
+        case = case_of(failure.input)
+        if self.problem.talks:
+            return replace(failure, shown=self._said.get(repr(case), ""))
+        return replace(failure, shown=shown(input_of(self.problem, self._own, case)))
 
 
 def shown(text: str) -> str:

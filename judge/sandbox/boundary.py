@@ -162,6 +162,21 @@ class ProgramResult(NamedTuple):
     usage: Usage
 
 
+class Line(Protocol):
+    """What a program is talked with, line by line, while it runs."""
+
+    def say(self, data: bytes) -> None:
+        """Hand it over, as far as the program is there to read it."""
+        ...
+
+    def hear(self) -> bytes:
+        """The program's next line, with its line feed; what is left of one, and then nothing, at its end."""
+        ...
+
+
+Talk = Callable[[Line], bool]  # whether the program may go on to its own end, or else is ended there
+
+
 class Box(Protocol):
     """One submission in containment; a context manager, nothing of it outlives the `with`."""
 
@@ -190,6 +205,10 @@ class Box(Protocol):
         """
         ...
 
-    def run_program(self, stdin: bytes, limits: Limits) -> ProgramResult:
-        """Run the source as `__main__` with this standard input, in a process of its own."""
+    def run_program(self, stdin: bytes | Talk, limits: Limits) -> ProgramResult:
+        """Run the source as `__main__` with this standard input, in a process of its own.
+
+        Of a program that is talked with, in a thread, `stdout` is what nobody has heard of it. What the talk
+        raises is raised here. One that the program's end does not end is left alone.
+        """
         ...

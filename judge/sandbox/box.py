@@ -12,12 +12,14 @@ import signal
 import threading
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
+from functools import partial
 from typing import TYPE_CHECKING
 
 from judge.errors import LIMIT_ON_TASKS, NO_THREAD, ShortageError, shortage_of
 from judge.sandbox import outcome, room, shared
-from judge.sandbox.boundary import Inspection, Limits, ProgramResult, Stop, Usage
+from judge.sandbox.boundary import Inspection, Limits, ProgramResult, Stop, Talk, Usage
 from judge.sandbox.container import Container, Done, Lost
+from judge.sandbox.dialogue import Dialogue
 from judge.sandbox.inside import wire
 from judge.sandbox.levels import StartError
 
@@ -47,6 +49,7 @@ class ContainerBox(ABC):
         self._oom_kills = room.oom_kills()
         self._closed = threading.Event()
         self._container: Container | None = None
+        self._dialogue: Dialogue | None = None  # with the program that is run
 
     @property
     def isolation(self) -> str:
@@ -73,24 +76,37 @@ class ContainerBox(ABC):
             self._inspection = self._inspect()
         return self._inspection
 
-    def run_program(self, stdin: bytes, limits: Limits) -> ProgramResult:
+    def run_program(self, stdin: bytes | Talk, limits: Limits) -> ProgramResult:
         """Run the source as a program, in a process of its own; see `Box.run_program`."""
         if fault := self._prepare():
             return ProgramResult(Stop.EXCEPTION, b"", b"", fault, Usage())
         try:
-            with shared.stdio(stdin) as stdio:
-                done = self._run(stdio, limits)
-                printed = max(map(shared.size, stdio[1:]))
-                out, err = (
-                    shared.head(stdio[1], limits.output_bytes),
-                    shared.tail(stdio[2], self.stderr_bytes),
-                )
+            with shared.stdio(stdin if isinstance(stdin, bytes) else b"") as stdio:
+                if isinstance(stdin, bytes):
+                    done = self._run(stdio, limits)
+                    printed, out = shared.size(stdio[1]), shared.head(stdio[1], limits.output_bytes)
+                else:
+                    done, printed, out = self._talked(stdin, stdio[2], limits)
+                printed = max(printed, shared.size(stdio[2]))
+                err = shared.tail(stdio[2], self.stderr_bytes)
         except Lost:
             return ProgramResult(Stop.TAMPERED, b"", b"", LOST, Usage())
         note, words = self._said(done, err)
         stop, detail = self._overrun(done, limits, printed, note) or outcome.end_of(done, note, words)
         detail = "" if stop is Stop.ANSWERED else self._with_threads(detail)
         return ProgramResult(stop, out, err, detail, done.usage)
+
+    def _talked(self, talk: Talk, stderr: int, limits: Limits) -> tuple[Done, int, bytes]:
+        """Run the program while it is talked with: how much it wrote, and what nobody has heard."""
+        self._dialogue = dialogue = Dialogue(talk, limits.output_bytes)
+        try:
+            done = self._run((*dialogue.ends, stderr), limits)
+        finally:
+            self._dialogue = None
+            dialogue.end(limits.wall_seconds)
+        if dialogue.fault is not None:
+            raise dialogue.fault
+        return done, dialogue.printed, dialogue.unheard
 
     @abstractmethod
     def _inspect(self) -> Inspection:
@@ -150,7 +166,9 @@ class ContainerBox(ABC):
         if runs:
             room.check_memory(memory)
         try:
-            done = self._here().ask(kind, stdio, payload, limits, memory)
+            container = self._here()
+            begun = partial(self._dialogue.begin, container.stop) if self._dialogue else None
+            done = container.ask(kind, stdio, payload, limits, memory, begun)
         except BaseException as fault:
             self._drop()
             if isinstance(fault, Lost):

@@ -245,10 +245,12 @@ class Container:
         payload: bytes,
         limits: Limits,
         memory: int,
+        begun: Callable[[], None] | None = None,
     ) -> Done:
         """One request and its answer. Raises Lost and StartError; ShortageError before anything foreign runs.
 
-        `memory` is the bytes that the process may have in all, more than the limit of the submission.
+        `memory` is the bytes that the process may have in all, more than the limit of the submission. `begun`
+        is called once the request is on its way, which `stop` may end from another thread.
         """
         if self._process is None:
             raise Lost
@@ -269,6 +271,8 @@ class Container:
         except OSError:
             self.close()
             raise Lost(asked=False) from None
+        if begun is not None:
+            begun()
         began = time.monotonic_ns()
         answer = self._receive(2 * limits.wall_seconds + GRACE_SECONDS)  # an import has a limit of its own
         if answer.startswith(wire.LACKING):
@@ -278,6 +282,11 @@ class Container:
         data = self.replies(payload, limits.output_bytes)
         self.close()
         raise Lost(data, time.monotonic_ns() - began)
+
+    def stop(self) -> None:
+        """End what the request has begun, if it has not ended."""
+        with contextlib.suppress(OSError):  # all of it has
+            self._line.send(wire.STOP)
 
     def replies(self, payload: bytes, output: int) -> bytes:
         """What the last child appended; foreign data."""

@@ -27,6 +27,7 @@ from judge.sandbox.boundary import (
     Reply,
     SourceFault,
     Stop,
+    Talk,
     Usage,
 )
 from judge.sandbox.box import BUSY, ContainerBox
@@ -166,7 +167,7 @@ class NativeBox(ContainerBox):
 
     # -- running
 
-    def run_program(self, stdin: bytes, limits: Limits) -> ProgramResult:
+    def run_program(self, stdin: bytes | Talk, limits: Limits) -> ProgramResult:
         """Run it in a process of its own; see `Box.run_program`."""
         done = self.run_whole(stdin, limits)
         if done.stop is Stop.EXCEPTION:  # a fault of the source
@@ -174,7 +175,7 @@ class NativeBox(ContainerBox):
         cpu = max(0.0, done.usage.cpu_seconds - self.idle.cpu_seconds)
         return done._replace(usage=done.usage._replace(cpu_seconds=cpu))
 
-    def run_whole(self, stdin: bytes, limits: Limits) -> ProgramResult:
+    def run_whole(self, stdin: bytes | Talk, limits: Limits) -> ProgramResult:
         """As `run_program`, with the start of its language in the CPU time; `limits` are without."""
         done = super().run_program(stdin, limits)
         self._errors = done.stderr

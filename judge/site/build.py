@@ -242,6 +242,8 @@ def _elsewhere(problem: Problem) -> str:
     where = f"In the terminal: judge start {problem.id}"
     if problem.growth is not None:
         return f"{where}. It measures how your time grows."
+    if problem.talks:
+        return f"{where}. A dialogue is judged on the command line only."
     if problem.time is not None and problem.time.needs:
         return f"{where}. It is timed beside {', '.join(problem.time.needs)}."
     return ""

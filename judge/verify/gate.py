@@ -36,9 +36,10 @@ from judge.run.reference import check_needs
 from judge.run.settings import Settings
 from judge.sandbox import Boxes
 from judge.verify.edges import edges_of
+from judge.verify.formats import format_faults, odd_outputs
 from judge.verify.mistakes import ChoicesReport, verify_choices
 from judge.verify.model import ENOUGH, Fault, Progress, SolutionReport, Verified, fault_of
-from judge.verify.written import draws_twice, format_faults, odd_outputs, own_tokens
+from judge.verify.written import draws_twice, own_tokens
 
 
 class Options(Struct, frozen=True):

@@ -1,62 +1,21 @@
-"""What a setter's own code promises: draws, types and formats that come to the same when asked again."""
+"""What a setter's own code promises: draws and types that come to the same when they are asked again."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from functools import partial
 from itertools import chain
 from typing import Any
 
 from judge.data.draw import Draw, Rejected, seeded
 from judge.data.model import ProblemData
-from judge.errors import ProblemError
-from judge.problem.formats import input_of, output_of
 from judge.problem.model import EXAMPLES
-from judge.run.formatted import FormatRunner
 from judge.values import parameters, show
 from judge.values.atoms import Atom
-from judge.values.check import Rejection
-from judge.verify.model import Fault, fault_of
+from judge.verify.model import Fault
 
 _TWICE = 5  # cases of a group that are drawn again
 _OWN = re.compile(r"judge_type_(\w+)_[0-9a-f]+")  # the module of a pack's own type
-_ODD = ("", "\n", "?\n")  # outputs of a program that is not done
-_SHOWN = 60
-
-
-def format_faults(data: ProblemData) -> Iterator[Fault]:
-    """The first case that is not written, or whose answer is not read as it is shown."""
-    problem, own, where = data.problem, data.module.format, f"{data.problem.id}/problem.py"
-    if own is None:
-        return
-    decide = FormatRunner(problem).decide
-    for group in data.groups:
-        for case, target in zip(group.cases, group.targets, strict=True):
-            try:
-                input_of(problem, own, case)
-                output = output_of(problem, own, target)
-            except ProblemError as error:
-                yield fault_of(error, where)
-                return
-            outcome = decide(output, target, partial(data.exact, case, group.group))
-            if isinstance(outcome, Rejection):
-                what = f"FORMAT: show gives {repr(output)[:_SHOWN]}, which read refuses: {outcome.message}"
-                yield Fault(what, where, "make read and show agree")
-                return
-
-
-def odd_outputs(data: ProblemData) -> Iterator[Fault]:
-    """Outputs on which `read` fails itself, so that a learner hears no reason."""
-    own = data.module.format
-    for text in _ODD if own and own.read else ():
-        try:
-            own.read(text)  # type: ignore[misc, union-attr]  # it is there
-        except ValueError:
-            pass
-        except Exception as fault:
-            what = f"FORMAT: read({text!r}) raises {type(fault).__name__}"
-            yield Fault(what, f"{data.problem.id}/problem.py", "raise ValueError with what is wrong")
 
 
 def draws_twice(data: ProblemData) -> Iterator[Fault]:

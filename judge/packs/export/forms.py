@@ -79,6 +79,8 @@ def _ends(low: Surd, high: Surd) -> list[int]:
 
 def check_forms(problem: Problem) -> None:
     """Raises NoForm where a problem cannot be a package, as far as its toml tells."""
+    if problem.talks:
+        raise NoForm("its programs are talked with")
     if problem.formatted:
         raise NoForm("its programs have a format of their own")
     if problem.growth is not None:

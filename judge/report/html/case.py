@@ -65,7 +65,7 @@ class Cases:
         picture, shown = self.picture(known, result), shown_failure(result)
         told = tell(known, result, why=picture.why if picture else "")
         facts = [*told.facts, ("why", told.happened)]
-        if shown and shown.input and not shown.shown:
+        if shown and shown.input and (not shown.shown or (known and known.talks)):
             facts.insert(0, ("input", arguments(_as_called(known, shown.input))))
         return Case(
             anchor,

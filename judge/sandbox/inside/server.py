@@ -126,7 +126,7 @@ class Server:
         self._deaths = self._watch_for_deaths()
         self._events = select.poll()
         self._events.register(self._deaths, select.POLLIN)
-        self._events.register(line.fileno(), select.POLLIN)  # no request comes now: it can only be a hang-up
+        self._events.register(line.fileno(), select.POLLIN)  # no request comes now: a STOP, or a hang-up
 
     def _watch_for_deaths(self) -> int:
         wake, wake_end = os.pipe()
@@ -145,6 +145,8 @@ class Server:
                 frame, descriptors = self._line.receive(descriptors=4)
                 if not frame:
                     os._exit(0)
+                if frame.startswith(wire.STOP):
+                    continue
                 job = wire.Request(frame, descriptors)
                 try:
                     answer = self._prepare(job) if job.kind == wire.PREPARE else self._run(job, self._code)
@@ -263,14 +265,15 @@ class Server:
         return True
 
     def _wait(self, pid: int, nanoseconds: int) -> None:
-        """Until something dies or the time is over; the judge's hang-up ends everything at once."""
+        """Until something dies or the time is over. The judge's hang-up ends all, its STOP the child."""
         for number, event in self._events.poll(nanoseconds / 1e6):
             if number == self._deaths:
                 _drain(self._deaths)
             elif event:
                 os.kill(pid, signal.SIGKILL)
-                self._sweep(pid)
-                os._exit(0)
+                if event & select.POLLHUP or not self._line.receive()[0]:
+                    self._sweep(pid)
+                    os._exit(0)
 
     def _baseline(self) -> int | None:
         try:

@@ -2,6 +2,7 @@
 
     judge → server   one 64-byte frame: REQUEST, with the descriptors of stdin, stdout, stderr
                      and, of calls, that of a file with their arguments
+                     and, while one is outstanding, perhaps STOP: its child is killed
     server → judge   one 64-byte frame DONE, after the child is dead and reaped;
                      or LACK, where the machine had no process or descriptor left for a child
 
@@ -10,8 +11,8 @@ first stop the server reads its CPU clock, lays the arguments where the child fi
 at the second it reads the clock and kills it. So import, calls and nothing else are measured, and no argument
 is there before the calls' own time begins. A stop anywhere else is its end.
 
-One request is outstanding at a time. Frames have one size, so that a stream socket (macOS) does as well as
-a packet socket. A child never sees this socket.
+One request is outstanding at a time, and a STOP that comes after its end is for nobody. Frames have one
+size, so that a stream socket (macOS) does as well as a packet socket. A child never sees this socket.
 
 Everything longer goes through the region, memory shared by the judge, the server and its children:
 
@@ -50,6 +51,7 @@ FAILED = b"failed"  # the reason is in the region's note
 
 INSPECT, PREPARE, CALLS, PROGRAM = b"I", b"M", b"F", b"P"
 EXECUTE, COLLECT = b"X", b"C"  # of what is not Python: see exec.py
+STOP = b"S"
 PAUSES = sys.platform == "linux"  # elsewhere no clock of another process says when an import is over
 
 MOST_DESCRIPTORS = 64

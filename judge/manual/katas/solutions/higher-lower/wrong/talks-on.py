@@ -1,0 +1,16 @@
+"""talks-on
+
+More is printed after `found`. Print guesses, and nothing else.
+"""
+
+low, high = 1, int(input())
+answer = ""
+while answer != "found":
+    guess = (low + high) // 2
+    print(guess, flush=True)
+    answer = input()
+    if answer == "higher":
+        low = guess + 1
+    elif answer == "lower":
+        high = guess - 1
+print("it is", guess)
