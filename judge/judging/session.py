@@ -200,9 +200,8 @@ class Session:
                 on_verdict(result)
             judged = judged._replace(result=result)
             if options.diagnosed:
-                judged = judged._replace(result=self.diagnosed(judged, self.data, box))
-            if runner.language and judged.result.verdict in NAMED:
-                judged = judged._replace(result=self.checked(judged.result, runner, box))
+                result = self.diagnosed(judged, self.data, box)
+                judged = judged._replace(result=self.checked(result, runner, box))
             return self.named(judged, source, box, on_verdict) if options.named else judged.result
 
     def diagnosed(

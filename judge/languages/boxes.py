@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from judge.languages import language_of
@@ -55,6 +56,7 @@ def recipe_of(found: Toolchain) -> Recipe:
         name, variable = running.packages
         packages = package_folders(name)
         environment[variable] = os.pathsep.join(packages)
+    files = [(path.name, path.read_bytes()) for path in Path(language.folder).glob("checks.*")]
     return Recipe(
         name=language.name,
         key=found.key,
@@ -73,9 +75,9 @@ def recipe_of(found: Toolchain) -> Recipe:
         empty=(own_file(language, language.empty), language.empty.encode()),
         complaint=compiling.complaint,
         warning=compiling.warning,
-        checks=found.filled(compiling.checks),
+        checks=tuple(map(found.filled, compiling.checks)),
         finds=compiling.finds,
-        help=found.files,
+        help=(*found.files, *files),
     )
 
 

@@ -35,8 +35,9 @@ class Compiling(Struct, frozen=True, forbid_unknown_fields=True):
     `keeps` says that nothing is made: what is run is the source itself. `complaint` is a pattern of what a
     compiler says of a fault, with groups `message`, `file`, `line` and perhaps `column`; without it the usual
     forms are known, such as `file:line:column: error: message`. `warning` is one of what it says of a source
-    that it compiles, and that may well be why an answer is wrong. With the words of `checks` at the end of
-    each command line it makes a program that tells of its own faults: each of `finds` is a pattern of that,
+    that it compiles, and that may well be why an answer is wrong. With one of `checks`, the first
+    that this machine has all for, at the end of each command line it makes a program that tells of its own
+    faults; a file checks.* of the language's folder is there as well. Each of `finds` is a pattern of that,
     with groups `message` and perhaps `line` and `of`, what the message is about.
     """
 
@@ -47,7 +48,7 @@ class Compiling(Struct, frozen=True, forbid_unknown_fields=True):
     keeps: bool = False
     complaint: str = ""
     warning: str = ""
-    checks: _Words = ()
+    checks: tuple[_Words, ...] = ()
     finds: _Words = ()
 
 

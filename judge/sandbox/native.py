@@ -11,7 +11,6 @@ import marshal
 import os
 import re
 from collections.abc import Callable, Sequence
-from contextlib import suppress
 from functools import cached_property, partial
 from pathlib import Path
 from typing import Any
@@ -68,6 +67,7 @@ class NativeBox(ContainerBox):
         self._subtracts = idle
         self._artifact: Files = ()
         self._errors = b""  # what the last run wrote there
+        self._raised: list[str] = []  # what its calls have raised
         self._folder: TemporaryFolder | None = None
         self._place: Workplace | None = None
         self._more: tuple[str, ...] = ()  # what the container shows besides
@@ -251,14 +251,19 @@ class NativeBox(ContainerBox):
         Nothing where there are none, or where this machine lacks what they need.
         """
         recipe, sources = self._ordered
-        if not recipe.checks:
-            return ()
-        steps = tuple((*step, *recipe.checks) for step in recipe.steps)
-        order = recipe._replace(key=f"{recipe.key}-checked", steps=steps), sources
-        with suppress(JudgeError), NativeBox(lambda: order, self._boxes, self._store, idle=False) as box:
-            if box.inspect().fault is None:
-                ask(box, LIMITS)
-                return found(box._errors, recipe.finds, sources)
+        for words in recipe.checks:
+            key = hashlib.blake2b(f"{recipe.key} {words} {recipe.help}".encode(), digest_size=16).hexdigest()
+            if self._store.artifact(f"{key}-lacking") is not None:
+                continue
+            steps = tuple((*step, *words) for step in recipe.steps)
+            order = recipe._replace(key=key, steps=steps), sources
+            with NativeBox(lambda order=order: order, self._boxes, self._store, idle=False) as box:  # type: ignore[misc]
+                try:
+                    if box.inspect().fault is None:
+                        ask(box, LIMITS)
+                        return found(box._errors, recipe.finds, sources, box._raised)
+                except JudgeError:  # not even the empty program
+                    self._store.keep_artifact(f"{key}-lacking", ())
         return ()
 
     # -- calling
@@ -293,6 +298,7 @@ class NativeBox(ContainerBox):
         for place, each in raised.items():
             what, call = calls.parted(each.detail, cases[place])
             found[place] = each._replace(detail=within(what, self._sources) + call)
+        self._raised = [found[place].detail for place in raised]
         return found, kept_form
 
 
@@ -329,15 +335,15 @@ def last_words(stderr: bytes) -> str:
     return found[:_SHOWN]
 
 
-def found(stderr: bytes, finds: Sequence[str], sources: Sources) -> tuple[str, ...]:
+def found(stderr: bytes, finds: Sequence[str], sources: Sources, raised: Sequence[str]) -> tuple[str, ...]:
     """What checks have found, in sentences, each once and a few of them."""
     said = stderr.decode(errors="replace")
-    told = []
+    told = [each for each in raised if " (line " in each]
     for each in (each for pattern in finds for each in re.finditer(pattern, said)):
         of, line = (each.groupdict().get(name) for name in ("of", "line"))
         what = wire.printable(f"{of}: {each['message']} fails" if of else each["message"])
-        told.append(within(f"run with checks: {what}" + (f" (line {line})" if line else ""), sources))
-    return tuple(dict.fromkeys(told))[:_MOST_FOUND]
+        told.append(within(what + (f" (line {line})" if line else ""), sources))
+    return tuple(f"run with checks: {each}" for each in dict.fromkeys(told))[:_MOST_FOUND]
 
 
 def placed(detail: str, stderr: bytes, sources: Sources) -> str:

@@ -19,7 +19,7 @@ class Recipe(NamedTuple):
 
     `empty` is a program that does nothing, by its file's name; `stack`, `allowance` are bytes, `stack` 0 for
     as much as the memory limit. `complaint` and `warning` are patterns of what a compiler says; with
-    the words of `checks` at their ends its command lines make a program that says what it does wrong, in the
+    one of `checks` at their ends its command lines make a program that says what it does wrong, in the
     forms of `finds`.
     """
 
@@ -40,7 +40,7 @@ class Recipe(NamedTuple):
     empty: tuple[str, bytes]
     complaint: str = ""
     warning: str = ""
-    checks: tuple[str, ...] = ()
+    checks: tuple[tuple[str, ...], ...] = ()
     finds: tuple[str, ...] = ()
     help: Files = ()  # files for the compiler, that no program is made of
 

@@ -26,6 +26,7 @@ MEAN = {  # of two numbers, right
     "java": "class Solution { static double middle(double a, double b) { return (a + b) / 2; } }",
     "javascript": "function middle(a, b) { return (a + b) / 2; }",
     "rust": "fn middle(a: f64, b: f64) -> f64 { (a + b) / 2.0 }",
+    "kotlin": "fun middle(a: Double, b: Double): Double = (a + b) / 2\n",
     "pypy": "def middle(a, b):\n    return (a + b) / 2.0\n",
 }
 
@@ -144,11 +145,29 @@ def test_where_there_are_no_checks_nothing_is_told(judge, submit, monkeypatch, t
     assert "checks" not in ended.err
 
 
-def sanitized(name):
+ENDS = {
+    'throw std::out_of_range("gone");': "std::out_of_range: gone (line 5)",
+    "some[0] = *(int *)(long long)(a != a);": "SIGSEGV ends it (line 5)",
+    "return std::vector<int>(3)[(a == a) + 2];": "SIGABRT ends it (line 5)",
+}
+
+
+@pytest.mark.parametrize("ends", daily(ENDS, [next(iter(ENDS))]))
+def test_the_line_of_an_exception_and_of_a_signal_is_found(judge, submit, ends):
+    need("cpp")
+    if not sanitized("cpp", "libbacktrace.a"):
+        pytest.skip("gcc has no library that finds lines")
+    head = "#include <stdexcept>\n#include <vector>\ndouble middle(double a, double b) {\n"
+    source = f"{head}    int some[2] = {{0, 0}};\n    {ends}\n    return some[0];\n}}\n"
+    notes = json.loads(judge("run", "middle", submit(source, "wrong.cpp"), "--json").out)["notes"]
+    assert any(each.endswith(ENDS[ends]) for each in notes), notes
+
+
+def sanitized(name, library="libubsan.a"):
     """Whether gcc has what its checks need."""
     language = need(name)
     tool = find.toolchain(language).filled(["{cc}" if name == "c" else "{cxx}"])[0]
-    said = subprocess.run([tool, "-print-file-name=libubsan.a"], capture_output=True, text=True, check=True)
+    said = subprocess.run([tool, f"-print-file-name={library}"], capture_output=True, text=True, check=True)
     return said.stdout.startswith("/")
 
 

@@ -33,6 +33,7 @@ BROKEN = {  # the line, the column and words of what is told
     "type.rs": (2, 15, "mismatched"),
     "twice.js": (2, 5, "SyntaxError"),
     "open.pypy": (2, 0, "SyntaxError"),
+    "type.kt": (2, 18, "mismatch"),
 }
 
 
@@ -136,7 +137,7 @@ ALL = signature(
 # Each prints what an answer looks like, has a main of its own, and fails when told to throw or to leave.
 EVERYTHING = sources("everything")
 LEFT = {"a.c": "SIGABRT", "a.cpp": "SIGSEGV", "a.go": "mid-call", "Any.java": "status 3"}
-LEFT |= {"a.rs": "status 4", "a.js": "mid-call", "a.pypy": "status 5"}
+LEFT |= {"a.rs": "status 4", "a.js": "mid-call", "a.pypy": "status 5", "a.kt": "status 3"}
 
 
 def wanted(x, a, n, w, items, more, raw):
@@ -230,6 +231,10 @@ RAISED = {  # a function that raises in its third line, and what is told of that
         "fn mirror_all(x: f64) -> f64 {\n let a: Vec<f64> = vec![];\n a[x as usize] }",
         r"panic: index out of bounds: the len is 0 but the index is 2 \(line 3\)",
     ),
+    "a.kt": (
+        "fun mirrorAll(x: Double): Double {\n val a = listOf<Double>()\n return a[x.toInt()] }",
+        r"java\.lang\.IndexOutOfBoundsException: .* \(line 3\)",
+    ),
     "a.pypy": ("def mirror_all(x):\n    a = []\n    return a[int(x)]", r"IndexError: .* \(line 3\)"),
 }
 
@@ -248,6 +253,7 @@ ENDED = {  # a program that ends in its third line
     "A.java": "class A {\n public static void main(String[] a) {\n  System.out.println(a[2]); } }",
     "a.js": "const fs = require('fs');\nlet a = null;\nconsole.log(a.b);",
     "a.rs": 'fn main() {\n let a: Option<i32> = None;\n println!("{}", a.unwrap()); }',
+    "a.kt": "fun main() {\n val a = listOf<Int>()\n println(a.first()) }",
     "a.pypy": "def f():\n    # fails\n    return [][3]\nf()\n",
 }
 

@@ -72,12 +72,13 @@ template <class T> struct Put<std::vector<T>> { static void it(const std::vector
 template <class T> struct Put<std::optional<T>> { static void it(const std::optional<T>& v) { if (v) judge_put(*v); else judge_out += "null"; } };
 static std::string name_of(const std::type_info& type) { char* name = abi::__cxa_demangle(type.name(), nullptr, nullptr, nullptr); std::string all = name ? name : type.name(); std::free(name); return all; }
 static void flush() { if (std::fwrite(judge_out.data(), 1, judge_out.size(), answers) != judge_out.size() || std::fflush(answers)) _exit(1); judge_out.clear(); }
+extern "C" __attribute__((weak)) int judge_line;  // of checks.cpp, where that is linked
 static long long judge_call;  // which one of calls in a row is made
 // @if methods
 template <class T> struct Held { T* it; ~Held() { delete it; } };  // of memory's, which brings the names of unistd.h
 template <class T> static void each_call(T one) { long long n = Read<long long>::get(); judge_out += '['; for (judge_call = 1; judge_call <= n; ++judge_call) { if (judge_call > 1) judge_out += ','; one(Read<std::string>::get()); } judge_out += ']'; }
 // @end
-static std::string in_call() { return judge_call ? ", in call " + std::to_string(judge_call) : ""; }
+static std::string in_call() { return (&judge_line && judge_line ? " (line " + std::to_string(judge_line) + ")" : "") + (judge_call ? ", in call " + std::to_string(judge_call) : ""); }
 static int drive(void (*answer)()) {
     char block[1 << 16];
     size_t n;
