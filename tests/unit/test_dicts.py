@@ -6,6 +6,7 @@ import json
 from collections import Counter
 
 import pytest
+from native import need
 
 from judge import judge
 from judge.data.load import load_data
@@ -17,6 +18,7 @@ from judge.problem import Verdict
 from judge.problem.load import load_problem
 from judge.problem.module import load_module
 from judge.report.words import arguments
+from judge.run.result import Mode
 from judge.sandbox.encode import encode as sent
 from judge.values import check, parameters
 from judge.values.answers import AnyOf, Judged, Real, Tolerance
@@ -246,3 +248,93 @@ def test_a_dict_is_judged_and_the_smallest_failing_case_is_shown(made):
     assert json.loads(json.dumps(small.input)) == {"d": [["a", 0], ["b", 0]]}
     assert repr(small.input["d"]) == "{'a': 0, 'b': 0}"
     assert small.message == "entry 0: 2 items expected, 1 given"
+
+
+OTHERS = {
+    "turned.cpp": """
+#include <map>
+#include <string>
+#include <vector>
+std::map<long long, std::vector<std::string>> turned(const std::map<std::string, long long>& d) {
+    std::map<long long, std::vector<std::string>> found;
+    for (const auto& [key, value] : d) found[value].push_back(key);
+    return found;
+}
+""",
+    "Turned.java": """
+import java.util.*;
+class Solution {
+    static Map<Long, List<String>> turned(Map<String, Long> d) {
+        var found = new TreeMap<Long, List<String>>();
+        for (var key : new TreeSet<>(d.keySet())) {
+            found.putIfAbsent(d.get(key), new ArrayList<>());
+            found.get(d.get(key)).add(key);
+        }
+        return found;
+    }
+}
+""",
+    "turned.go": """
+package main
+
+import "sort"
+
+func turned(d map[string]int) map[int][]string {
+	found := map[int][]string{}
+	for key, value := range d {
+		found[value] = append(found[value], key)
+	}
+	for _, keys := range found {
+		sort.Strings(keys)
+	}
+	return found
+}
+""",
+    "turned.rs": """
+use std::collections::{BTreeMap, HashMap};
+fn turned(d: BTreeMap<String, i64>) -> HashMap<i64, Vec<String>> {
+    let mut found: HashMap<i64, Vec<String>> = HashMap::new();
+    for (key, value) in d { found.entry(value).or_default().push(key) }
+    found
+}
+""",
+    "turned.js": """
+function turned(d) {
+  const found = new Map();
+  for (const key of [...d.keys()].sort()) found.set(d.get(key), [...(found.get(d.get(key)) || []), key]);
+  return found;
+}
+""",
+    "object.js": """
+function turned(d) {
+  const found = {};
+  for (const [key, value] of [...d].sort()) (found[value] = found[value] || []).push(key);
+  return found;
+}
+""",
+    "turned.pypy.py": RIGHT,
+}
+WRONG = {  # what makes them wrong: an answer's entry is missing
+    ".cpp": ("return found;", "found.erase(0); return found;"),
+    ".java": ("return found;", "found.remove(0L); return found;"),
+    ".go": ("return found", "delete(found, 0); return found"),
+    ".rs": ("    found\n}", "    found.remove(&0); found\n}"),
+    "d.js": ("return found;", "found.delete(0); return found;"),
+    "t.js": ("return found;", "delete found[0]; return found;"),
+    ".py": ("in found.items()}", "in found.items() if value}"),
+}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", OTHERS)
+def test_a_dict_in_other_languages(made, name):
+    problem, source = load_problem(made()), OTHERS[name].encode()
+    need("pypy" if "pypy" in name else name.rpartition(".")[2])
+    result = judge(problem, source, name=name)
+    assert (result.verdict, result.mode, result.failure) == (Verdict.AC, Mode.FUNCTION, None)
+    old, new = next(edit for end, edit in WRONG.items() if name.endswith(end))
+    assert source.decode().count(old) == 1
+    result = judge(problem, source.decode().replace(old, new), name=name)
+    small = result.counterexample
+    assert (result.verdict, small.message) == (Verdict.WA, "no entry 0")
+    assert repr(small.input) == "{'d': {'a': 0}}"
