@@ -130,10 +130,14 @@ class Namer:
         if formed.unreadable:
             return result, None
         made = [each for each in self._ready() if _may_be(each.maker.words, has, faulty=formed.faulty)]
-        likeness = Likeness([each.known for each in made], does)
+        likeness = Likeness([each.known for each in made if not each.maker.offered], does)
         best = likeness.best()
         if best is None:
-            return result, likeness
+            wider = Likeness([each.known for each in made], does)
+            best = wider.best()
+            if best is None:
+                return result, likeness
+            likeness = wider
         name, share = best
         nearest = likeness.nearest(name)
         state = self._maker(nearest).words.state and self._steady(does, alone)
