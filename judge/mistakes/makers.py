@@ -21,7 +21,7 @@ class Maker(Struct, frozen=True):
 
     `file` is where it stands, `text` what is said of whoever makes it, `words` what mistakes.toml says of the
     mistake, `lines` are those that it spoils, where they are known. One that is `offered` comes from the
-    types alone: it is a name where there is no other, and may be no mistake of this kata.
+    types alone: it may be no mistake of this kata, and is a name where no other is nearly as like.
     """
 
     name: str

@@ -130,14 +130,13 @@ class Namer:
         if formed.unreadable:
             return result, None
         made = [each for each in self._ready() if _may_be(each.maker.words, has, faulty=formed.faulty)]
-        likeness = Likeness([each.known for each in made if not each.maker.offered], does)
+        likeness = Likeness([each.known for each in made], does)
         best = likeness.best()
+        if best is None or not self._maker(likeness.nearest(best[0])).offered:  # it must be far ahead
+            likeness = Likeness([each.known for each in made if not each.maker.offered], does)
+            best = likeness.best()
         if best is None:
-            wider = Likeness([each.known for each in made], does)
-            best = wider.best()
-            if best is None:
-                return result, likeness
-            likeness = wider
+            return result, likeness
         name, share = best
         nearest = likeness.nearest(name)
         state = self._maker(nearest).words.state and self._steady(does, alone)
