@@ -10,6 +10,7 @@ import sys
 import traceback
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
+from copy import deepcopy
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
@@ -193,10 +194,18 @@ def _by_class(module: ModuleType, problem: Problem) -> Callable[..., Exact]:
     def solve(*case: Any) -> Exact:
         *own, row = problem.calls([case])[0]
         one = made(*own)
-        return [Called(calls.place[name], getattr(one, name)(*given), (name, *given)) for name, *given in row]
+        return [
+            Called(calls.place[name], _as_it_is(getattr(one, name)(*given)), (name, *given))
+            for name, *given in row
+        ]
 
     solve.__signature__ = inspect.signature(lambda *case: case)  # type: ignore[attr-defined]
     return solve
+
+
+def _as_it_is(answer: Exact) -> Exact:
+    """An answer that stays as it is, though the object changes what it has returned."""
+    return deepcopy(answer) if isinstance(answer, list | dict) else answer
 
 
 def _rows(module: ModuleType, problem: Problem) -> Iterator[tuple[KataLevel | None, Declared]]:

@@ -212,8 +212,8 @@ class Atom(Type):
         """What is accepted, as JSON: the least and the greatest number."""
         return list(target[:2]) if self.measured else target
 
-    def listed(self, value: Value) -> Any:
-        """A parameter's value as a submission receives it."""
+    def listed(self, value: Value, *, received: bool = False) -> Any:
+        """A parameter's value as JSON can hold it, or as a submission receives it."""
         return value
 
     def kept(self, value: Any) -> Value:

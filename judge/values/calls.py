@@ -96,12 +96,10 @@ class CallType(_Methods):
                         return f"{leaf}, of more than 64 bits, as {name} of {call[0]}: give its type bounds"
         return None
 
-    def listed(self, value: Any) -> Any:
-        """Each call as a submission receives it."""
-        return [
-            (call[0], *map(parameters.argument, (type_ for _, type_ in self.of(call).takes), call[1:]))
-            for call in value
-        ]
+    def listed(self, value: Any, *, received: bool = False) -> Any:
+        """Each call as a submission receives it; or else with the pairs of a dict, as JSON can hold them."""
+        way = parameters.argument if received or not self.keyed else parameters.listed
+        return [(call[0], *map(way, (type_ for _, type_ in self.of(call).takes), call[1:])) for call in value]
 
     @cached_property
     def keyed(self) -> bool:  # type: ignore[override]

@@ -85,7 +85,10 @@ def listed(type_: Type, value: Value) -> Any:
 
 def argument(type_: Type, value: Value) -> Any:
     """The value as a submission receives it."""
-    if value is not None and type_.keyed and isinstance(inner := lasting(type_), Composite):
+    inner = lasting(type_)
+    if value is not None and type_.keyed:
+        if isinstance(inner, Atom):
+            return inner.listed(value, received=True)
         parts = [argument(part, each) for part, each in inner.pairs(value)]
         return dict(parts) if isinstance(inner, DictType) else inner.kind(parts)
     found = dense(type_, value)

@@ -250,6 +250,63 @@ def test_a_dict_is_judged_and_the_smallest_failing_case_is_shown(made):
     assert small.message == "entry 0: 2 items expected, 1 given"
 
 
+CLASS_TOML = """
+title = "Store"
+tier = "junior"
+summary = "Counts."
+entry = "Store"
+
+[parameters]
+d = { type = "{int(0..9): int(0..9); 0..3}", about = "what is there" }
+
+[methods]
+more = "(d: {int(0..9): int(0..9); 1..3})"
+all = "() -> {int: int}"
+"""
+CLASS_STATEMENT = """# Store
+
+    >>> store = Store({2: 1})
+    >>> store.more({3: 1, 2: 4})
+    >>> store.all()
+    {2: 5, 3: 1}
+"""
+CLASS_MODULE = """
+from judge.problem.declare import group
+
+class Store:
+    def __init__(self, d):
+        self.d = dict(d)
+
+    def more(self, d):
+        for key, value in d.items():
+            self.d[key] = self.d.get(key, 0) + value
+
+    def all(self):
+        return self.d
+
+def some(draw):
+    d = lambda: {draw.integer(0, 9): draw.integer(0, 9) for _ in range(draw.integer(1, 3))}
+    return d(), (("more", d()), ("all",), ("more", d()), ("all",))
+
+GROUPS = [group("some", "Some.", some, cases=20)]
+"""
+
+
+def test_a_class_takes_and_returns_dicts(made):
+    edits = ((TOML, CLASS_TOML), (STATEMENT, CLASS_STATEMENT), (MODULE, CLASS_MODULE), ("turned", "store"))
+    folder = made(*edits)
+    first, problem = load_problem(folder), load_problem(folder)
+    assert problem == first
+    assert repr(problem.examples[0].wanted) == "[None, None, {2: 5, 3: 1}]".replace("None, ", "", 1)
+    right = CLASS_MODULE.partition("def some")[0].partition("\n\n")[2]
+    result = judge(problem, right)
+    assert (result.verdict, result.failure, result.notes) == (Verdict.AC, None, ())
+    result = judge(problem, right.replace("self.d.get(key, 0) + value", "value"))
+    assert "entry" in result.counterexample.message
+    calls = json.loads(json.dumps(result.counterexample.input))["calls"]
+    assert [name for name, *_ in calls] == ["more", "all"]
+
+
 OTHERS = {
     "turned.cpp": """
 #include <map>
