@@ -46,7 +46,7 @@ from judge.run.result import Behaviour, Result, earned
 from judge.run.settings import Progress, Settings
 from judge.sandbox.boundary import Usage
 from judge.sandbox.encode import encode
-from judge.values import show
+from judge.values import parameters, show
 from judge.values.check import is_right
 
 __all__ = ["Case", "JudgeGroup", "JudgeProblem", "check_case", "judge_problem"]
@@ -99,25 +99,35 @@ class Case(tuple[Any, ...]):
     def accepts(self, answer: object) -> bool:
         """Whether the judge accepts that answer to it. Raises ProblemError."""
         data, group = self._data, self._group
-        exact, tolerance = data.exact(self, group)
+        exact, tolerance = data.exact(self._kept, group)
         target = target_of(data.problem, exact, tolerance)
         return is_right(data.problem.answer, encode(answer), target, lambda: (exact, tolerance))
 
+    @property
+    def _kept(self) -> tuple[Any, ...]:
+        return self._data.problem.kept(tuple(self))
+
+    def _named(self) -> dict[str, Any]:
+        pairs = zip(self._data.problem.parameters, self._kept, strict=True)
+        ways = parameters.listed, parameters.argument
+        return {each.name: ways[each.type.keyed](each.type, value) for each, value in pairs}
+
     def __getattr__(self, name: str) -> Any:
-        named = {} if name.startswith("_") else self._data.problem.named(self)
+        named = {} if name.startswith("_") else self._named()
         if name not in named:
             raise AttributeError(name)
         return named[name]
 
     def __repr__(self) -> str:
-        named = self._data.problem.named(self)
+        named = self._named()
         return f"Case({', '.join(f'{name}={value!r}' for name, value in named.items())})"
 
 
 def _case(data: ProblemData, group: Group, case: Sequence[Any]) -> Case:
-    made = Case(case)
+    types = [each.type for each in data.problem.parameters]
+    made = Case(map(parameters.given, types, case))
     made._data, made._group = data, group
-    exact, tolerance = data.exact(made, group)
+    exact, tolerance = data.exact(tuple(case), group)
     made.expected = show.wanted(data.problem.answer, target_of(data.problem, exact, tolerance))
     return made
 

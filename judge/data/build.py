@@ -32,6 +32,7 @@ from judge.problem.model import EXAMPLES, Parameter
 from judge.problem.module import Module, blaming
 from judge.values import check, parameters
 from judge.values.atoms import Atom, NumberType
+from judge.values.dicts import Entries
 
 if TYPE_CHECKING:
     from judge.values.answers import Exact, Target
@@ -202,6 +203,8 @@ def _as_json(value: Any) -> Any:
     """A literal as a submission's answer arrives: tuples are lists, and a text says that it is one."""
     if isinstance(value, str):
         return {"word": value}
+    if isinstance(value, Entries):
+        return {"dict": [[_as_json(key), _as_json(each)] for key, each in value]}
     return [_as_json(each) for each in value] if isinstance(value, list | tuple) else value
 
 

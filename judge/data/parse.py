@@ -69,11 +69,13 @@ def _with_texts(problem: Problem, text: str) -> Case:
     for read in (_python, lambda problem, text: _line(problem, wire.tokens(text))):
         try:
             case = read(problem, text)
-        except UsageError as fault:
-            why = why or fault
+        except UsageError as error:
+            why = why or error
         else:
-            if shape_fault(problem, case) is None:
+            fault = shape_fault(problem, case)
+            if fault is None:
                 return case
+            why = why or _unreadable(problem, fault)
     if why is not None:
         raise why
     return _python(problem, text)
@@ -179,7 +181,7 @@ def _python(problem: Problem, text: str) -> Case:
             raise _unreadable(problem, f"{name}: {fault}") from None
     if lacking := [name for name in names if name not in found]:
         raise _unreadable(problem, f"{' and '.join(lacking[:3])} {'are' if lacking[1:] else 'is'} missing")
-    return tuple([found[name] for name in names])
+    return problem.kept(tuple([found[name] for name in names]))
 
 
 def _call(problem: Problem, text: str) -> ast.Call:
@@ -209,6 +211,12 @@ def _value(node: ast.expr, depth: int = 0) -> Any:
             return value
         case ast.Tuple(parts) | ast.List(parts):
             return tuple([_value(each, depth + 1) for each in parts])
+        case ast.Dict(keys, parts) if None not in keys:
+            return {
+                _value(key, depth + 1): _value(part, depth + 1)
+                for key, part in zip(keys, parts, strict=True)
+                if key
+            }
         case ast.UnaryOp(sign, inner) if type(sign) in _OPERATORS:
             return _OPERATORS[type(sign)](_number(inner, depth))
         case ast.BinOp(first, sign, second) if type(sign) in _OPERATORS:

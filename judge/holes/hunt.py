@@ -82,7 +82,8 @@ def look_for_holes(
         return Holes(problem.id)
     programs = bases(problem, search.program)
     if not programs:
-        remedy = f"write a function {problem.entry} in Python into accepted" if problem.entry else ""
+        kind = "class" if problem.methods else "function"
+        remedy = f"write a {kind} {problem.entry} in Python into accepted" if problem.entry else ""
         what = (
             "no accepted program can be changed" if remedy else "a kata of programs has no function to change"
         )

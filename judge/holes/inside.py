@@ -1,11 +1,12 @@
 """What stands in the box: mutants by the hundred, some with other numbers.
 
-Ints that wrap, floats of fewer bits, so many digits; rounded in and out. This file is handed to the contained
-process by itself: standard library only, and no import of judge.
+Ints that wrap, floats of fewer bits, so many digits; rounded in and out; texts that are cut or turned. This
+file is handed to the contained process by itself: standard library only, and no import of judge.
 """
 
 from __future__ import annotations
 
+import copy
 import decimal
 import marshal
 import math
@@ -33,6 +34,18 @@ _LADDERS = {  # what is changed, by the numbers that it may be changed to, the w
     "input of {} digits": (4, 6, 8, 9, 10, 12, 15),
     "input as floats of {} bits": (24,),
     "input as whole numbers": (0,),
+}
+# What people do to a text; the number says of which parameter, or -1 of the answer.
+TEXTS: dict[str, Callable[[str], str]] = {
+    "{} without blanks at the ends": str.strip,
+    "{} in small letters": str.lower,
+    "{} in large letters": str.upper,
+    "{} backwards": lambda text: text[::-1],
+    "{} without the first letter": lambda text: text[1:],
+    "{} without the last letter": lambda text: text[:-1],
+    "{} cut after 32 letters": lambda text: text[:32],
+    "{} cut after 64 letters": lambda text: text[:64],
+    "{} cut after 255 letters": lambda text: text[:255],
 }
 _WHOLE = tuple(_LADDERS)[:4]  # where all numbers are ints
 _TOOLS = ("sqrt", "hypot", "fabs", "copysign")
@@ -91,7 +104,19 @@ def _all_answers(entry: str, made: Made, given: list[bytes]) -> list[bytes | Non
 def _loaded(entry: str, code: str, name: str, number: int) -> Callable[..., Any]:
     names: dict[str, Any] = {"__name__": "submission"}
     exec(marshal.loads(code.encode("latin-1")), names)
-    return changed(name, number, names[entry], names) if name else names[entry]
+    function = _in_a_row(names[entry[:-2]]) if entry.endswith("()") else names[entry]
+    return changed(name, number, function, names) if name else function
+
+
+def _in_a_row(made: Callable[..., Any]) -> Callable[..., Any]:
+    """What makes an object of a class, and the calls that are its last argument."""
+
+    def call(*arguments: Any) -> list[Any]:
+        *own, calls = arguments
+        one = made(*own)
+        return [copy.deepcopy(getattr(one, name)(*given)) for name, *given in calls]
+
+    return call
 
 
 def _within(function: Callable[..., Any], *given: Any) -> Any:
@@ -124,6 +149,8 @@ def changed(
     name: str, number: int, function: Callable[..., Any], names: dict[str, Any]
 ) -> Callable[..., Any]:
     """The function with other numbers; `names` are those of its module."""
+    if name in TEXTS:
+        return _other_texts(TEXTS[name], number, function)
     into, out = _KINDS.get(name, (None, None))
     if into is None and out is None:
         return _other_numbers(name, number, function, names)
@@ -134,6 +161,27 @@ def changed(
         return each(answer, lambda x: out(x, number)) if out else answer
 
     return call
+
+
+def _other_texts(
+    change: Callable[[str], str], place: int, function: Callable[..., Any]
+) -> Callable[..., Any]:
+    def call(*case: Any) -> Any:
+        answer = function(
+            *[_each_text(each, change) if at == place else each for at, each in enumerate(case)]
+        )
+        return answer if place >= 0 else _each_text(answer, change)
+
+    return call
+
+
+def _each_text(value: Any, change: Callable[[str], str]) -> Any:
+    """The value with every text in it changed."""
+    if isinstance(value, dict):
+        return {_each_text(key, change): _each_text(item, change) for key, item in value.items()}
+    if isinstance(value, list | tuple):
+        return type(value)(_each_text(item, change) for item in value)
+    return change(value) if isinstance(value, str) else value
 
 
 def _rounded(x: Any, decimals: int) -> Any:
@@ -167,6 +215,8 @@ _KINDS: dict[str, tuple[Any, Any]] = {  # what becomes of the input, and of the 
 
 def each(value: Any, change: Callable[[Any], Any]) -> Any:
     """The value with every number in it changed; words and truth values are none."""
+    if isinstance(value, dict):
+        return {key: each(item, change) for key, item in value.items()}
     if isinstance(value, list | tuple):
         return type(value)(each(item, change) for item in value)
     return value if value is None or isinstance(value, bool | str) else change(value)

@@ -20,6 +20,8 @@ from judge.mistakes.family import Family
 from judge.problem import Case, Problem
 from judge.problem.solutions import Kind, read_solutions, tree_of
 from judge.sandbox.boundary import Box, Limits, Reply, Stop
+from judge.values.letters import texts_of
+from judge.values.types import atoms
 from judge.values.wire import items
 
 SOURCE = Path(inside.__file__).read_bytes()
@@ -37,13 +39,15 @@ GIVEN_UP = Reply(Stop.EXITED)
 class Base(Struct, frozen=True):
     """A right program: `file` is where it stands, `shared` are lines that another base has, too.
 
-    Of those that were written out, `whole`, the numbers are changed as well: the others work alike.
+    Of those that were written out, `whole`, the numbers are changed as well: the others work alike. `texts`
+    are the parameters that hold texts, by their place, and at -1 the answer, where it does.
     """
 
     file: str
     source: str
     whole: bool = True
     shared: frozenset[str] = frozenset()
+    texts: tuple[tuple[int, str], ...] = ()
 
     def mutants(self, measured: bool) -> Iterator[Candidate]:
         """All of its mutants."""
@@ -53,6 +57,11 @@ class Base(Struct, frozen=True):
         for name, number in inside.ladders(measured) if self.whole else ():
             told = Mutant("numbers", 0, "", name.format(number), self.source, name, (name, number))
             yield Candidate(self, told)
+        for name in inside.TEXTS if self.texts else ():
+            for place, what in self.texts:
+                yield Candidate(
+                    self, Mutant("text", 0, "", name.format(what), self.source, "", (name, place))
+                )
 
 
 class Candidate(Struct, frozen=True, dict=True):
@@ -90,18 +99,30 @@ def original(base: Base) -> Candidate:
 
 
 def bases(problem: Problem, only: str = "") -> list[Base]:
-    """Right Python functions, of accepted/ and of mistakes.py; `only` is one file, as accepted/exact.py.
+    """Right Python functions or classes, of accepted/, mistakes.py; `only` is one file, as accepted/exact.py.
 
     Slow ones are left out where there are others.
     """
+    called = not problem.methods
+    texts = tuple(_texts(problem)) if called else ()
     found = [
-        Base(each.file, each.source.decode("utf-8-sig"))
+        Base(each.file, each.source.decode("utf-8-sig"), whole=called, texts=texts)
         for each in read_solutions(problem, Kind.ACCEPTED).programs
         if each.language is None and only in ("", each.file)
     ]
     found = [each for each in found if _defines(each.source, problem.entry)]
     found += [] if only else _routes(problem)
     return [each for each in found if not _imports(each.source) & _SLOW] or found
+
+
+def _texts(problem: Problem) -> Iterator[tuple[int, str]]:
+    """The answer and the parameters that hold texts, and no words beside them."""
+    types = [(-1, "the answer", problem.answer)]
+    types += [(at, each.name, each.type) for at, each in enumerate(problem.parameters)]
+    for place, what, type_ in types:
+        strs = [each for each in atoms(type_) if each.annotation == "str"]
+        if strs and len(strs) == len(texts_of(type_)):
+            yield place, what
 
 
 def _routes(problem: Problem) -> list[Base]:
@@ -146,7 +167,8 @@ def _binds(node: ast.stmt) -> set[str]:
 
 
 def _defines(source: str, entry: str) -> bool:
-    return any(isinstance(node, ast.FunctionDef) and node.name == entry for node in tree_of(source).body)
+    nodes = tree_of(source).body
+    return any(isinstance(node, ast.FunctionDef | ast.ClassDef) and node.name == entry for node in nodes)
 
 
 def _imports(source: str) -> set[str]:
@@ -191,7 +213,7 @@ class Crowd:
         right = {each.base.source: original(each.base).made for each in some}
         order = {source: place for place, source in enumerate(right)}
         mutants = [(order[each.base.source], each.made) for each in some]
-        call = self._problem.entry, [*right.values()], mutants, given
+        call = self._problem.called, [*right.values()], mutants, given
         found = self._box.call("differ", [call], self._limits(len(some), len(some) * len(given)))
         reply = found.replies[0]
         if reply.stop is not Stop.ANSWERED:
@@ -225,7 +247,7 @@ class Crowd:
 
     def _calls(self, place: int, candidate: Candidate, cases: Sequence[Case]) -> Iterator[tuple[object, ...]]:
         for number, given in enumerate(self._problem.calls(cases)):
-            yield place, self._problem.entry, None if number else candidate.made, *given
+            yield place, self._problem.called, None if number else candidate.made, *given
 
     def _limits(self, mutants: int, places: int = 0) -> Limits:
         seconds, most = _PATIENCE + mutants * inside.SECONDS, max(places, self._problem.answer.items)

@@ -24,6 +24,7 @@ class Rows:
     """The draws of problem.py as they are written, of which a literal is changed."""
 
     def __init__(self, data: ProblemData, seed: int) -> None:
+        self._problem = data.problem
         path = data.problem.folder / "problem.py"
         self._names = runpy.run_path(str(path))
         nodes = ast.walk(ast.parse(path.read_text("utf-8")))
@@ -70,7 +71,7 @@ class Rows:
             draw_case = eval(compile(text, "row", "eval"), dict(self._names))
             for _ in range(_CASES):
                 try:
-                    cases.append(draw_case(Draw(quick(str(random.random())))))
+                    cases.append(self._problem.kept(draw_case(Draw(quick(str(random.random()))))))
                 except Rejected:
                     continue
         return cases

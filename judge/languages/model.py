@@ -26,7 +26,7 @@ from judge.languages.scan import MARK, PARAMETERS, Tokens, beginning, usual_toke
 
 _Words = tuple[str, ...]
 _Name = Annotated[str, Meta(min_length=1)]
-_Over = Literal["parameters", "structs", "lacking", "fields", "parts", "big", "methods", "members"]
+_Over = Literal["parameters", "structs", "lacking", "fields", "parts", "big", "dicts", "methods", "members"]
 
 
 class Compiling(Struct, frozen=True, forbid_unknown_fields=True):

@@ -2,6 +2,7 @@
 
 real, int, big (an int of more than 64 bits), word, text, bool      atoms
 tuple (`parts` named `fields`), list, optional          of other shapes
+dict (its `parts` are a key and a value)
 """
 
 from __future__ import annotations
@@ -10,6 +11,7 @@ from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
 from judge.values.atoms import LONGEST, IntType, RealType, Type, WordType
+from judge.values.dicts import DictType
 from judge.values.letters import BoolType, TextType
 from judge.values.types import ArrayType, ListType, OptionalType, TupleType
 
@@ -54,6 +56,11 @@ def shape_of(type_: Type, *, big: bool = False) -> Shape:
         return Shape("list", (Shape("real"),), packed=True)
     if isinstance(type_, OptionalType):
         return Shape("optional", (shape_of(type_.inner, big=big),))
+    if isinstance(type_, DictType):
+        key, value = shape_of(type_.key, big=big), shape_of(type_.value, big=big)
+        if key.kind == "big":
+            raise Unsupported("a dict whose keys are ints of any size")
+        return Shape("dict", (key, value))
     if isinstance(type_, ListType):
         item = shape_of(type_.item, big=big)
         return Shape("list", (item,), most=type_.high, packed=type_.most > LONGEST and not item.parts)

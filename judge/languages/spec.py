@@ -46,12 +46,12 @@ class Spec(NamedTuple):
 
     def has(self, what: str) -> bool:
         """Whether it has methods, some of its integers may be of any size ("big"), of its answers ("digits"),
-        or it answers bools."""
+        it answers bools, or there are dicts."""
         if what == "methods":
             return bool(self.methods)
         every = (self, *(each for _, each in self.methods))
-        if what == "big":
-            return any(is_big(shape) for each in every for shape in each.shapes)
+        if kind := {"big": "big", "dicts": "dict"}.get(what):
+            return any(_holds(shape, kind) for each in every for shape in each.shapes)
         return any(is_big(each.answer) if what == "digits" else _holds(each.answer, "bool") for each in every)
 
     @property

@@ -2,14 +2,14 @@
 
 A rule is a text with holes; or a text for each kind of type, `any` for the others; or a list of three: a
 text for each of the `parameters`, `structs`, `lacking` structs, `fields` or `parts`, or once where there are
-`big` integers, or `digits` or `bools` in the answer, and what stands between. Of a class it may be one for
+`big` integers or `dicts`, and what stands between. Of a class it may be one for
 each of its `methods`, written as a function is, or its `members`: its constructor, of kind `made`, and
 these. A hole `{rule}` is written for the type at hand, `{inner.rule}` for what a list or an optional value
 is of, `{answer.rule}` for the answer as the problem has it. What no rule and no name of `Writer` fits stays
 as it is. The rule `driver` is what the driver's file is called where it is compiled, `judge_driver.*`
 without it. The driver has holes `@rule@`, and parts for some functions alone:
 
-    // @if big        or // @if not big, digits, bools, methods
+    // @if big        or // @if not big, dicts, digits, bools, methods
     …
     // @end
 """

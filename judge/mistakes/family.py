@@ -95,6 +95,10 @@ class Family:
         """Whether nothing of this problem's own file is changed, but input or answer as in any problem."""
         return not choice.changes and (choice.before >= 0 or choice.after >= 0)
 
+    def offered(self, choice: Choice) -> bool:
+        """Whether its name may be said, and no group need reject it: it comes from the types alone."""
+        return any(self._transforms[i].offered for i in (choice.before, choice.after) if i >= 0)
+
     def words(self, name: str) -> Words:
         """What mistakes.toml says of a mistake; nothing where it does not know it."""
         return self.catalogue.get(name, KEPT if name == KEPT_BETWEEN_CALLS else Words())

@@ -46,7 +46,7 @@ class Jury:
         """
         if not cases:
             return "no case is given"
-        tupled_cases: list[Case] = [tupled(case) for case in cases]
+        tupled_cases: list[Case] = [self._problem.kept(tupled(case)) for case in cases]
         for place, case in enumerate(tupled_cases, 1):
             try:
                 validate(self._problem, self._module, case)

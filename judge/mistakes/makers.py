@@ -20,7 +20,8 @@ class Maker(Struct, frozen=True):
     """A program that makes a known mistake: a choice, or a file.
 
     `file` is where it stands, `text` what is said of whoever makes it, `words` what mistakes.toml says of the
-    mistake, `lines` are those that it spoils, where they are known.
+    mistake, `lines` are those that it spoils, where they are known. One that is `offered` comes from the
+    types alone: it may be no mistake of this kata, and is a name where no other is nearly as like.
     """
 
     name: str
@@ -30,6 +31,7 @@ class Maker(Struct, frozen=True):
     program: Program
     lines: tuple[Line, ...] = ()
     choice: Choice | None = None
+    offered: bool = False
 
     @property
     def seen(self) -> str:
@@ -76,7 +78,8 @@ def read_makers(problem: Problem) -> Makers:
 def _of_choice(family: Family, choice: Choice, name: str) -> Maker:
     place = family.place(choice)
     program = Program(family.program(choice).encode(), place, trusted=True)
-    return Maker(name, place, family.told(choice), family.words(name), program, family.lines(choice), choice)
+    words, lines, offered = family.words(name), family.lines(choice), family.offered(choice)
+    return Maker(name, place, family.told(choice), words, program, lines, choice, offered)
 
 
 def _of_file(solution: Solution, words: Words) -> Maker:

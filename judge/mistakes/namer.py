@@ -132,6 +132,9 @@ class Namer:
         made = [each for each in self._ready() if _may_be(each.maker.words, has, faulty=formed.faulty)]
         likeness = Likeness([each.known for each in made], does)
         best = likeness.best()
+        if best is None or not self._maker(likeness.nearest(best[0])).offered:  # it must be far ahead
+            likeness = Likeness([each.known for each in made if not each.maker.offered], does)
+            best = likeness.best()
         if best is None:
             return result, likeness
         name, share = best

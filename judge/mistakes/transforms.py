@@ -2,7 +2,8 @@
 
 They are lines of Python around a call of the right way, written once for all problems:
 
-    those of this file      for whatever has parameters and an answer of fitting types
+    those of this file      for whatever has parameters and an answer of fitting types; those that come from
+                            the types alone are `offered` as names, and no group need reject them
     `edits` of a mistake    in mistakes.toml, for the problems with the parameters that they assign
 """
 
@@ -16,10 +17,16 @@ from msgspec import Struct
 from judge.errors import ProblemError
 from judge.mistakes.catalogue import FILE, Catalogue
 from judge.problem import Problem
+from judge.values.atoms import IntType, Type
+from judge.values.dicts import DictType
+from judge.values.letters import BoolType, TextType
+from judge.values.types import ListType, lasting
 
 HELPERS = '''\
 def each(value, change):
     """The value with every number in it changed."""
+    if isinstance(value, dict):
+        return {key: each(item, change) for key, item in value.items()}
     if isinstance(value, (list, tuple)):
         return type(value)([each(item, change) for item in value])
     if value is None or isinstance(value, (bool, str)):
@@ -46,6 +53,26 @@ KEPT = {}'''
 
 _PLACES = (2, 3, 4, 6, 8, 9, 12)
 _DIGITS = (6, 8)
+_CUTS = (32, 64, 255)
+_BY_TYPE: dict[type[Type], tuple[tuple[str, str], ...]] = {  # the first that fits
+    BoolType: (("negated", "not answer"),),
+    TextType: (
+        ("other-case", "answer.swapcase()"),
+        ("other-case", "answer.upper()"),
+        ("other-case", "answer.lower()"),
+        ("stripped", "answer.strip()"),
+        ("reversed-text", "answer[::-1]"),
+        ("first-letter-lost", "answer[1:]"),
+        ("last-letter-lost", "answer[:-1]"),
+    ),
+    DictType: (("last-item-lost", "dict([*answer.items()][:-1])"),),
+    ListType: (
+        ("sorted-answer", "sorted(answer)"),
+        ("each-once", "[item for at, item in enumerate(answer) if item not in answer[:at]]"),
+        ("last-item-lost", "answer[:-1]"),
+    ),
+    IntType: (("one-too-many", "answer + 1"), ("one-too-few", "answer - 1")),
+}
 ANSWER = "answer"
 KEPT_BETWEEN_CALLS = "kept-between-calls"
 
@@ -53,18 +80,20 @@ KEPT_BETWEEN_CALLS = "kept-between-calls"
 class Transform(Struct, frozen=True):
     """A mistake by its name, and the line that makes it, before the right way is called or `after` it.
 
-    `text` is said of it instead of what mistakes.toml says.
+    `text` is said of it instead of what mistakes.toml says. One that is `offered` may be no mistake here.
     """
 
     name: str
     line: str
     after: bool = False
     text: str = ""
+    offered: bool = False
 
 
 def transforms(problem: Problem, catalogue: Catalogue) -> tuple[Transform, ...]:
     """Those that make sense for a problem's parameters and answer. Raises ProblemError."""
-    return (*_before(problem), *_after(problem), *_kept(problem), *_of_pack(problem, catalogue))
+    usual = (*_before(problem), *_after(problem), *_kept(problem), *_of_pack(problem, catalogue))
+    return (*usual, *_of_types(problem))
 
 
 def _before(problem: Problem) -> Iterator[Transform]:
@@ -95,10 +124,29 @@ def _after(problem: Problem) -> Iterator[Transform]:
         yield _answered("whole-numbers", "each(answer, int)")
     if answer.lengths > 1:
         several = "answer if answer is None else"
-        yield _answered("reversed-order", f"{several} answer[::-1]")
+        is_dict = isinstance(lasting(answer), DictType)
+        if not is_dict:
+            yield _answered("reversed-order", f"{several} answer[::-1]")
         yield _answered("none-for-empty", "answer or None")
-        if answer.width is None:
+        if answer.width is None and not is_dict:
             yield _answered("swapped-coordinates", f"{several} [item[::-1] for item in answer]")
+
+
+def _of_types(problem: Problem) -> Iterator[Transform]:
+    """What people do to a value of such a type."""
+    answer = lasting(problem.answer)
+    ways = next((ways for type_, ways in _BY_TYPE.items() if isinstance(answer, type_)), ())
+    for name, expression in ways:
+        line = f"answer = answer if answer is None else {expression}"
+        yield Transform(name, line, after=True, offered=True)
+    for each in problem.parameters:
+        if isinstance(each.type, TextType):
+            for most in _CUTS:
+                if most < each.type.high:
+                    text = f"Only the first {most} letters of {each.name} are looked at. Read all of it."
+                    yield Transform(
+                        "cut-after-n", f"{each.name} = {each.name}[:{most}]", text=text, offered=True
+                    )
 
 
 def _answered(name: str, expression: str) -> Transform:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from judge.problem.declare import Format
 from judge.problem.model import Case, Problem
 from judge.problem.module import blaming
-from judge.values import show
+from judge.values import parameters, show
 
 if TYPE_CHECKING:
     from judge.values.answers import Target
@@ -28,7 +28,7 @@ def output_of(problem: Problem, own: Format, target: Target) -> str:
     if own.show is None:
         return show.line(problem.answer, target) + "\n"
     with blaming(problem, "FORMAT: show fails"):
-        text = own.show(show.best(problem.answer, target))
+        text = own.show(parameters.given(problem.answer, show.best(problem.answer, target)))
     return _text(problem, "show", text)
 
 

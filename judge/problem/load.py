@@ -97,13 +97,17 @@ class Shelf:
             problem = msgspec.json.decode(plain or b"", type=Problem, dec_hook=made)
         except (ValueError, TypeError, KeyError):  # msgspec's and TypeFault are ValueErrors
             return None
+        from judge.problem.transcripts import listed_answers
         from judge.values.parameters import listed
 
-        examples = tuple(
-            replace(each, case=tupled(each.case), wanted=listed(problem.answer, tupled(each.wanted)))
-            for each in problem.examples
-        )
-        return replace(problem, solutions=self._solutions / folder.name, examples=examples)
+        examples = []
+        for each in problem.examples:
+            case, wanted = tupled(each.case), tupled(each.wanted)
+            wanted = (
+                listed_answers(problem, case, wanted) if problem.methods else listed(problem.answer, wanted)
+            )
+            examples.append(replace(each, case=case, wanted=wanted))
+        return replace(problem, solutions=self._solutions / folder.name, examples=tuple(examples))
 
     def keep(self) -> None:
         """Write what changed to the cache."""

@@ -325,6 +325,13 @@ class Problem(Listed, frozen=True, kw_only=True):
             return cases
         return [tuple(map(parameters.argument, taken, case)) for case in cases]
 
+    def kept(self, case: Case) -> Case:
+        """A case as a draw, a literal or a person gives it, with its dicts as pairs."""
+        from judge.values import parameters
+
+        taken = [parameter.type for parameter in self.parameters]
+        return tuple(map(parameters.kept, taken, case)) if len(taken) == len(case) else case
+
     def named(self, case: Case) -> dict[str, Any]:
         """A case's arguments by parameter name: tuples as such, lists and arrays as lists."""
         from judge.values import parameters

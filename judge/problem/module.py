@@ -10,6 +10,7 @@ import sys
 import traceback
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
+from copy import deepcopy
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
@@ -19,6 +20,7 @@ from judge.errors import JudgeError, ProblemError
 from judge.problem.declare import Declared, Format, Hooks, InvalidCase
 from judge.problem.model import Case, KataLevel, Problem, tupled
 from judge.problem.toml import read_text
+from judge.values import parameters
 
 if TYPE_CHECKING:
     from judge.values.answers import Exact
@@ -65,9 +67,21 @@ def load_module(problem: Problem) -> Module:
             remedy = f"make it of judge.problem.declare.{kind.__name__}, or remove it"
             raise problem.fault(f"{name} is {value!r}, which is no {kind.__name__}", remedy)
     rows = tuple(_rows(module, problem))
-    draws = {str(row.row["name"]): row.draw for _, row in rows}
+    draws = {str(row.row["name"]): _drawn(problem, row.draw) for _, row in rows}
     examples = () if problem.entry else _examples(module, problem, own)
     return Module(_solver(module, problem), draws, hooks, rows, own, examples)
+
+
+def _drawn(problem: Problem, draw: Callable[[Any], Case]) -> Callable[[Any], Case]:
+    """A group's draw, whose dicts are kept as pairs."""
+    if not any(each.type.keyed for each in problem.parameters):
+        return draw
+
+    def case(source: Any) -> Case:
+        found = draw(source)
+        return problem.kept(found) if type(found) is tuple else found
+
+    return case
 
 
 def _examples(module: ModuleType, problem: Problem, own: Format | None) -> tuple[Case, ...]:
@@ -79,7 +93,7 @@ def _examples(module: ModuleType, problem: Problem, own: Format | None) -> tuple
     examples = getattr(module, "EXAMPLES", ())
     if not isinstance(examples, list | tuple) or not examples:
         raise problem.fault("EXAMPLES is missing", "list a case or more: EXAMPLES = [(…), …]")
-    return tuple(map(tupled, examples))
+    return tuple(problem.kept(tupled(each)) for each in examples)
 
 
 @contextmanager
@@ -130,7 +144,12 @@ def _solver(module: ModuleType, problem: Problem) -> Callable[..., Exact]:
         remedy = f"define solve({', '.join(each.name for each in problem.parameters)})"
         raise problem.fault(what, remedy, line) from None
 
+    taken = [each.type for each in problem.parameters]
+    keyed = any(type_.keyed for type_ in taken) and not problem.methods
+
     def solve(*case: Any) -> Exact:
+        if keyed:
+            case = tuple(map(parameters.given, taken, case))
         try:
             answer = function(*case)
         except InvalidCase as broken:
@@ -139,6 +158,7 @@ def _solver(module: ModuleType, problem: Problem) -> Callable[..., Exact]:
             with blaming(problem, f"solve{_shortened(case)} fails"):
                 raise
         answers = [each.answer for each in answer] if problem.methods else answer
+        answers = tuple(answers.values()) if isinstance(answers, dict) else answers
         if isinstance(answer, float) or (isinstance(answers, tuple | list) and float in map(type, answers)):
             what = f"solve{_shortened(case)} returns {answer!r}, and a float is not exact"
             raise problem.fault(what, "return ints, Fractions or Real(x, unit)", line)
@@ -174,10 +194,18 @@ def _by_class(module: ModuleType, problem: Problem) -> Callable[..., Exact]:
     def solve(*case: Any) -> Exact:
         *own, row = problem.calls([case])[0]
         one = made(*own)
-        return [Called(calls.place[name], getattr(one, name)(*given), (name, *given)) for name, *given in row]
+        return [
+            Called(calls.place[name], _as_it_is(getattr(one, name)(*given)), (name, *given))
+            for name, *given in row
+        ]
 
     solve.__signature__ = inspect.signature(lambda *case: case)  # type: ignore[attr-defined]
     return solve
+
+
+def _as_it_is(answer: Exact) -> Exact:
+    """An answer that stays as it is, though the object changes what it has returned."""
+    return deepcopy(answer) if isinstance(answer, list | dict) else answer
 
 
 def _rows(module: ModuleType, problem: Problem) -> Iterator[tuple[KataLevel | None, Declared]]:

@@ -140,7 +140,7 @@ def _case(text: str, problem: Problem, line: int) -> Case:
     try:
         match ast.parse(text, mode="eval").body:
             case ast.Call(ast.Name(problem.entry), given, []) if len(given) == len(taken):
-                case = tuple(tupled(ast.literal_eval(each)) for each in given)
+                case = problem.kept(tuple(tupled(ast.literal_eval(each)) for each in given))
             case _:
                 raise ValueError
     except _UNREADABLE:
@@ -157,10 +157,10 @@ def _case(text: str, problem: Problem, line: int) -> Case:
 def _wanted(text: str, problem: Problem, line: int) -> Any:
     """The answer that an example shows."""
     try:
-        answer = tupled(ast.literal_eval(text))
+        answer = parameters.kept(problem.answer, tupled(ast.literal_eval(text)))
     except _UNREADABLE:
         what = f"the example's answer {_brief(text)!r} is not a plain value"
-        remedy = "write numbers, texts, True, False, tuples, lists or None"
+        remedy = "write numbers, texts, True, False, tuples, lists, dicts or None"
         if not text:
             what, remedy = "the example shows no answer", "write it on the next line (None as None)"
     else:

@@ -10,12 +10,15 @@ from __future__ import annotations
 
 import ast
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any
+
+from msgspec.structs import replace
 
 from judge.problem.model import Case, Example, Problem, tupled
 from judge.values import parameters
-from judge.values.calls import CallType, shown_call
+from judge.values.atoms import Type
+from judge.values.calls import CallType, ReturnType, shown_call
 
 _BRIEF = 80  # characters of what is wrong
 
@@ -45,7 +48,8 @@ def read_transcripts(problem: Problem, text: str, prompt: str) -> tuple[Example,
             what = f"the example {typed[:_BRIEF]!r} is no call with plain values"
             remedy = f"begin with {var_of(problem)} = {problem.entry}(…), then call its methods"
             raise problem.fault(what, remedy, line, "statement.md") from None
-    for example in found:
+    for at, read in enumerate(found):
+        example = replace(read, case=problem.kept(read.case))
         if len(example.case) != len(problem.parameters):
             takes = ", ".join(each.name for each in problem.parameters[:-1])
             what = f"the example makes {problem.entry} of other arguments"
@@ -54,7 +58,24 @@ def read_transcripts(problem: Problem, text: str, prompt: str) -> tuple[Example,
             if fault := parameters.fault(parameter.type, parameter.name, value):
                 what = f"the example is invalid: {fault}"
                 raise problem.fault(what, "correct the example", example.line, "statement.md")
+        pairs = zip(_answer_types(problem, example.case), example.wanted, strict=True)
+        wanted = [parameters.kept(type_, value) if type_ else value for type_, value in pairs]
+        found[at] = replace(example, wanted=listed_answers(problem, example.case, wanted))
     return tuple(found)
+
+
+def _answer_types(problem: Problem, case: Case) -> list[Type | None]:
+    type_ = problem.answer
+    assert isinstance(type_, ReturnType)
+    return [type_.of(call).answer for call in case[-1]]
+
+
+def listed_answers(problem: Problem, case: Case, wanted: Sequence[Any]) -> list[Any]:
+    """What an example's calls return, as their types have it; also where JSON has lost it."""
+    return [
+        parameters.listed(type_, each) if type_ and not parameters.fault(type_, "it", each) else each
+        for type_, each in zip(_answer_types(problem, case), wanted, strict=True)
+    ]
 
 
 def _literal(node: ast.expr) -> Any:

@@ -9,6 +9,7 @@ from datetime import date, datetime
 from typing import Any
 
 from judge.errors import printable as printable
+from judge.values.dicts import Entries
 from judge.values.wire import brief
 
 _ITEMS = 40  # of a list that are shown
@@ -26,6 +27,10 @@ def argument(value: Any) -> str:
         parts = [argument(part) for part in value[:_ITEMS]]
         more = f", …] ({len(value):,} items)" if len(value) > _ITEMS else "]"
         return f"[{', '.join(parts)}{more}"
+    if isinstance(value, Entries):
+        entries = [f"{argument(key)}: {argument(each)}" for key, each in value[:_ITEMS]]
+        more = f", …}} ({len(value):,} entries)" if len(value) > _ITEMS else "}"
+        return f"{{{', '.join(entries)}{more}"
     if isinstance(value, tuple):
         return f"({', '.join(argument(part) for part in value)})"
     return brief(value, _LETTERS) if isinstance(value, str) else repr(value)

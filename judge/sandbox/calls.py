@@ -1,7 +1,8 @@
 """Calls as a process reads them: as bytes in Python, as text in another language, whose replies are text too.
 
     the input      cases, and 1 where each answer is to be written at once, else 0; then a line for each call,
-                   tokens: a number, `true` or `false`, the items of a tuple; of a list its length first;
+                   tokens: a number, `true` or `false`, the items of a tuple; of a list its length first, and
+                   of a dict, whose keys and values follow in the order of the keys;
                    `none` for what is not there; a word or a text, which is `=` and hexadecimal where it
                    has other signs than a word's
     the output     a line of JSON for each call, [0, answer] or [1, "what was raised"]
@@ -69,6 +70,8 @@ def _words(value: Any) -> str:
         return " ".join([str(len(value)), *map(each, value)])
     if isinstance(value, tuple):
         return " ".join(map(_words, value))
+    if isinstance(value, dict):
+        return " ".join([str(len(value)), *map(_words, sorted(value.items(), key=lambda entry: entry[0]))])
     if value is None:
         return "none"
     if isinstance(value, str):
@@ -99,6 +102,8 @@ def _sent(answer: Any) -> Any:
         return {"int": f"{answer:x}"}
     if kind is str:
         return encode(answer)
+    if kind is dict and type(answer.get("dict")) is list:
+        return {"dict": [_sent(entry) for entry in answer["dict"]]}
     if kind is list:
         kinds = set(map(type, answer))
         if kinds == {float} or (kinds == {int} and min(answer) >= -_SMALL and max(answer) < _SMALL):

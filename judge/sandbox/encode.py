@@ -10,6 +10,7 @@
                                                in array.array, the bytes, little-endian, in hexadecimal
     a str of at most 1,000,000 characters      {"word": "enter"}
     a tuple of a single item                   {"tuple": [item]}
+    a dict, also one of collections            {"dict": [[key, value], …]}
     anything else, a wrong type                {"type": "complex", "text": "1j"}
 
 The mirror image is `judge.values.wire`, which believes nothing of what it reads. Standard library only,
@@ -96,6 +97,7 @@ _CODES = {  # by kind and size
 }  # fmt: skip
 _KINDS = {"b": "i", "h": "i", "i": "i", "l": "i", "q": "i", "f": "f", "d": "f"}  # the others are unsigned
 _SEQUENCE_METHODS = ("__iter__", "__len__", "__getitem__")
+_DICT_METHODS = (*_SEQUENCE_METHODS, "keys", "items")
 _SHOWN = (bytes, complex)  # types whose repr is the interpreter's own
 
 
@@ -132,6 +134,8 @@ def _encode(value: Any, depth: int, budget: list[int]) -> Any:
         return {"tuple": found} if length == 1 and kind is tuple and type(found) is list else found
     if kind is str:
         return _text(value, budget)
+    if kind is dict:
+        return _entries(value, depth, budget)
     if kind in _SHOWN:
         return _wrong(kind.__name__, repr(value[:MOST_TEXT] if kind is bytes else value))
     return _unusual(value, kind, depth, budget)
@@ -153,6 +157,12 @@ def _items(items: Any, length: int, depth: int, budget: list[int]) -> Any:
     if budget[0] < 0:
         return _wrong("list", f"of more than {budget[1]} items")
     return [_encode(item, depth + 1, budget) for item in items]
+
+
+def _entries(value: dict[Any, Any], depth: int, budget: list[int]) -> Any:
+    """What the dict itself holds, whatever a class that derives from dict says of it."""
+    found = _items(dict.items(value), dict.__len__(value), depth, budget)
+    return {"dict": found} if type(found) is list else found
 
 
 def _packed(numbers: Any) -> dict[str, Any] | None:
@@ -203,7 +213,13 @@ def _unusual(value: Any, kind: type, depth: int, budget: list[int]) -> Any:
                     _name(kind), f"a subclass of {sequence.__name__} with its own way of reading it"
                 )
             return _items(sequence.__iter__(value), sequence.__len__(value), depth, budget)
-    for base in (int, float, str, complex, dict, set):
+    if dict in bases:
+        ordered = getattr(sys.modules.get("collections"), "OrderedDict", None)
+        foreign = [each for each in bases[: bases.index(dict)] if each is not ordered]
+        if any(method in _namespace(each) for each in foreign for method in _DICT_METHODS):
+            return _wrong(_name(kind), "a subclass of dict with its own way of reading it")
+        return _entries(value, depth, budget)
+    for base in (int, float, str, complex, set):
         if base in bases and base is not kind:
             return _wrong(_name(kind), f"a subclass of {base.__name__}")
     return _wrong(_name(kind), "")

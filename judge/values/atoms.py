@@ -10,14 +10,11 @@ from collections.abc import Callable, Iterable, Sequence
 from functools import cached_property
 from math import ulp
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 from judge.values import answers, wire
 from judge.values.answers import NO_WORDS, Bounds, Errors, Exact, Real, Target, Tolerance, Words
 from judge.values.wire import Raw, Tokens, Unreadable
-
-if TYPE_CHECKING:
-    from judge.values.types import Composite
 
 Number = int | float
 Value = Any  # an answer that was read, or a parameter's
@@ -41,7 +38,7 @@ class Place(NamedTuple):
 
     outer: Place | None = None
     at: int = 0
-    composite: Composite | None = None
+    composite: Any = None  # a Composite or an Entry, which names its parts
     of: int = 0
 
     def steps(self) -> tuple[int, ...]:
@@ -93,6 +90,7 @@ class Type:
     is_parameter = True  # whether simple values are known, which the search for simple cases needs
     is_plain = True  # whether a submission receives a parameter's value as it is kept here
     settled = True  # whether an example shows the right answer, and not one of many that differ widely
+    keyed = False  # whether it holds a dict, which is kept as pairs in the order of their keys
     measured = False  # whether it holds real numbers, which have a tolerance
     optional = False  # whether the first token of a value may be `none`
     width: int | None = 1  # tokens on a line; None where that varies
@@ -214,8 +212,12 @@ class Atom(Type):
         """What is accepted, as JSON: the least and the greatest number."""
         return list(target[:2]) if self.measured else target
 
-    def listed(self, value: Value) -> Any:
-        """A parameter's value as a submission receives it."""
+    def listed(self, value: Value, *, received: bool = False) -> Any:
+        """A parameter's value as JSON can hold it, or as a submission receives it."""
+        return value
+
+    def kept(self, value: Any) -> Value:
+        """What a draw or a literal gives, as it is kept: a dict in it as pairs."""
         return value
 
     def take(self, tokens: Tokens, meant: str) -> Raw:

@@ -66,7 +66,7 @@ class CallType(_Methods):
             return f"{value!r} where a tuple of calls is expected"
         return next(filter(None, map(self._fault, value)), None)
 
-    def _fault(self, call: Any) -> str | None:
+    def _no_call(self, call: Any) -> str | None:
         known = type(call) is tuple and call and type(call[0]) is str and call[0] in self.place
         names = " or ".join(self.place)
         if not known:
@@ -75,6 +75,12 @@ class CallType(_Methods):
         if len(call) - 1 != len(method.takes):
             takes = ", ".join(name for name, _ in method.takes) or "nothing"
             return f"{wire.cut(repr(call))} where a call of {names} is expected; {method.name} takes {takes}"
+        return None
+
+    def _fault(self, call: Any) -> str | None:
+        if wrong := self._no_call(call):
+            return wrong
+        method = self.of(call)
         pairs = zip(method.takes, call[1:], strict=True)
         faults = (parameters.fault(type_, f"{method.name}: {name}", each) for (name, type_), each in pairs)
         return next(filter(None, faults), None)
@@ -90,12 +96,26 @@ class CallType(_Methods):
                         return f"{leaf}, of more than 64 bits, as {name} of {call[0]}: give its type bounds"
         return None
 
-    def listed(self, value: Any) -> Any:
-        """Each call as a submission receives it."""
-        return [
-            (call[0], *map(parameters.argument, (type_ for _, type_ in self.of(call).takes), call[1:]))
-            for call in value
-        ]
+    def listed(self, value: Any, *, received: bool = False) -> Any:
+        """Each call as a submission receives it; or else with the pairs of a dict, as JSON can hold them."""
+        way = parameters.argument if received or not self.keyed else parameters.listed
+        return [(call[0], *map(way, (type_ for _, type_ in self.of(call).takes), call[1:])) for call in value]
+
+    @cached_property
+    def keyed(self) -> bool:  # type: ignore[override]
+        """Whether a method takes a dict."""
+        return any(type_.keyed for each in self.methods for _, type_ in each.takes)
+
+    def kept(self, value: Any) -> Any:
+        """Each dict as its pairs."""
+        if type(value) is not tuple or any(map(self._no_call, value)):
+            return value
+        return tuple(
+            [
+                (call[0], *map(parameters.kept, (type_ for _, type_ in self.of(call).takes), call[1:]))
+                for call in value
+            ]
+        )
 
     def simpler(self, value: Any) -> Iterator[Any]:
         """Fewer calls, half of them or one, then simpler arguments."""

@@ -20,8 +20,9 @@ from msgspec.structs import replace
 from judge.errors import ProblemError
 from judge.values.answers import AnyOf, Exact, Judged, Target, Tolerance, Words
 from judge.values.atoms import NOTHING, ROOT, Atom, Mismatch, Place, Type, Unfit, Value
+from judge.values.dicts import DictType, Entries
 from judge.values.parameters import leaves
-from judge.values.reading import read, read_line
+from judge.values.reading import entry, read, read_line
 from judge.values.show import shown, wanted, wanted_line
 from judge.values.types import ListType, lasting
 from judge.values.wire import Raw, Unreadable, Written, exactly, quoted
@@ -85,6 +86,8 @@ def _target(type_: Type, exact: Exact, tolerance: Tolerance) -> Target:
         return None
     if isinstance(inner, Atom):
         return inner.aim(exact, tolerance)
+    if isinstance(inner, DictType):
+        exact = inner.ordered(exact)
     if wrong := inner.why_not(tuple(exact) if type(exact) is list else exact):
         raise Unfit(wrong)
     return tuple([_target(part, each, tolerance) for part, each in inner.pairs(exact)])
@@ -138,7 +141,8 @@ class _Ask(NamedTuple):
         """The exact answer there, and the tolerance."""
         found, tolerance = self.exact()
         for step in place.steps():
-            found = (found.answers if isinstance(found, AnyOf) else found)[step]
+            found = found.answers if isinstance(found, AnyOf) else found
+            found = (sorted(found.items()) if type(found) is dict else found)[step]
         return found, tolerance
 
 
@@ -162,6 +166,8 @@ def _off(type_: Type, value: Value, target: Target, ask: _Ask, place: Place) -> 
         return (
             _Miss(place, partial(inner.miss, value, target, leaf, ask.words, place)) if off is None else off
         )
+    if isinstance(inner, DictType):
+        return _off_entries(inner, value, target, ask, place)
     count, worst = len(value), NOTHING
     if count != len(target) and isinstance(inner, ListType):
         return _Miss(place, partial(_other_count, inner, value, target, ask, place))
@@ -173,6 +179,21 @@ def _off(type_: Type, value: Value, target: Target, ask: _Ask, place: Place) -> 
             return one
         if one > worst:
             worst = one
+    return worst
+
+
+def _off_entries(type_: DictType, value: Value, target: Target, ask: _Ask, place: Place) -> float | _Miss:
+    """The same for a dict: first its keys, then what stands there."""
+    given, wanted, worst = dict(value), dict(target), NOTHING
+    if missing := [key for key in wanted if key not in given]:
+        return _Miss(place, partial(place.mismatch, f"no entry {type_.key.shown(missing[0])}"))
+    if surplus := [key for key in given if key not in wanted]:
+        return _Miss(place, partial(place.mismatch, f"an entry {type_.key.shown(surplus[0])} too many"))
+    for at, (key, each) in enumerate(target):
+        one = _off(type_.value, given[key], each, ask, entry(type_, key, place, at))
+        if isinstance(one, _Miss):
+            return one
+        worst = max(worst, one)
     return worst
 
 
@@ -196,6 +217,8 @@ def _off_any(type_: Type, value: Value, target: Target, ask: _Ask, place: Place)
 
 def _plain(value: Value) -> Any:
     """A value that was read, as Python has it: digits alone are an int, another decimal its double."""
+    if isinstance(value, Entries):
+        return {key: _plain(each) for key, each in value}
     if isinstance(value, list | tuple):
         return type(value)([_plain(each) for each in value])
     if isinstance(value, Written):

@@ -5,6 +5,7 @@
           |  name [ "(" low ".." high ")" ]              an int, a real or a text with its bounds
           |  "(" type "," type … ")"                     a tuple of fixed parts
           |  "[" type [ ";" n | ";" low ".." high ] "]"  a list
+          |  "{" key ":" type [ … as of a list ] "}"     a dict; the keys are ints, words, texts or bools
           |  "calls{" method ";" method … "}"            calls in a row, and "returns{…}" what they return
     method =  name "(" name ":" type "," … ")" [ "->" type ]
 
@@ -25,6 +26,7 @@ from judge.errors import nearest
 from judge.values.answers import NO_WORDS, Words
 from judge.values.atoms import COORDINATES, IntType, RealType, Type, WordType
 from judge.values.calls import CallType, Method, ReturnType
+from judge.values.dicts import DictType
 from judge.values.letters import BoolType, TextType, texts_of
 from judge.values.types import ArrayType, ListType, OptionalType, TupleType
 
@@ -66,6 +68,8 @@ _ELSEWHERE = {
     "enum": "word(a|b)",
     "list vector": "[T]",
     "tuple pair": "(T, T)",
+    "dict map mapping Dict": "{K: V}",
+    "class": "[methods]",
     "none null optional Optional None": "T?",
 }
 
@@ -137,6 +141,10 @@ class _Parser:
             found = TupleType(self._several(self._type, ","))
         elif token == "[":
             found = self._list()
+        elif token == "{":
+            key = self._type()
+            self._next(":")
+            found = DictType(key, self._type(), *self._lengths("}"))
         elif token in _BOUNDED:
             found = self._bounded(token)
         elif token in _IN_A_ROW and self._take("{"):
@@ -158,14 +166,17 @@ class _Parser:
         return found
 
     def _list(self) -> ListType:
-        item = self._type()
+        return ListType(self._type(), *self._lengths("]"))
+
+    def _lengths(self, end: str) -> tuple[int, int | None]:
+        """How many items there may be, up to the closing sign."""
         low, high = 0, None
         if self._take(";"):
             low = high = self._length()
             if self._take(".."):
                 high = self._length()
-        self._next("]")
-        return ListType(item, low, high)
+        self._next(end)
+        return low, high
 
     def _methods(self) -> list[Method]:
         """Those up to the closing brace."""

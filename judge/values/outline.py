@@ -27,7 +27,7 @@ from judge.values.check import ExactOf, decide
 from judge.values.letters import TextType
 from judge.values.reading import read, read_line
 from judge.values.show import best
-from judge.values.types import TupleType, lasting
+from judge.values.types import TupleType, atoms, lasting
 from judge.values.wire import Fault, Raw, Unreadable, items, near, number, word
 
 Outline = tuple[str, tuple[float, ...]]
@@ -98,7 +98,7 @@ def _form(type_: Type, value: Value, numbers: list[float]) -> str:
 def _misread(type_: Type, raw: Raw) -> Outline:
     found = items(raw)
     if found is not None:
-        return _shape(found)
+        return _shape(found, texts=any(atom.annotation == "str" for atom in atoms(type_)))
     given = number(raw)
     if isinstance(given, Fault):
         return _wrong_type(raw)
@@ -106,9 +106,11 @@ def _misread(type_: Type, raw: Raw) -> Outline:
     return form, (near(given),)
 
 
-def _shape(found: Sequence[Raw]) -> Outline:
+def _shape(found: Sequence[Raw], *, texts: bool) -> Outline:
     for each in found:
         for inner in items(each) or ():
+            if texts and word(inner) is not None:  # which it may hold
+                continue
             if isinstance(number(inner), Fault) and items(inner) is None:
                 return _wrong_type(inner)
     given = [number(item) for item in found[:4]]

@@ -1,5 +1,7 @@
 """The values of parameters, kept as plain Python: ints, floats, texts, bools, None, tuples (for lists too).
 
+A dict is kept as the tuple of its entries, pairs in the order of their keys.
+
 What is asked of a value walks over its type's parts.
 """
 
@@ -11,6 +13,7 @@ from itertools import chain, repeat
 from typing import Any
 
 from judge.values.atoms import LONGEST, Atom, Number, NumberType, Type, Value
+from judge.values.dicts import DictType
 from judge.values.types import ArrayType, Composite, ListType, OptionalType, TupleType, lasting
 
 
@@ -64,7 +67,10 @@ def from_tokens(type_: Type, words: Iterator[str]) -> Value:
     count = int(next(words)) if isinstance(inner, ListType) else 0
     if isinstance(inner, ListType) and not 0 <= count <= (LONGEST if inner.high is None else inner.high):
         raise ValueError("no such length")
-    return tuple([from_tokens(part, words) for part in inner.parts(count)])
+    found = inner.arranged([from_tokens(part, words) for part in inner.parts(count)])
+    if found is None:
+        raise ValueError("a key is there twice")
+    return found
 
 
 def listed(type_: Type, value: Value) -> Any:
@@ -73,14 +79,43 @@ def listed(type_: Type, value: Value) -> Any:
     if type_.is_plain or value is None or not isinstance(inner, Composite):
         return value if value is None or not isinstance(inner, Atom) else inner.listed(value)
     if isinstance(inner, ListType) and inner.item.is_plain:
-        return list(value)
+        return inner.kind(value)
     return inner.kind([listed(part, each) for part, each in inner.pairs(value)])
 
 
 def argument(type_: Type, value: Value) -> Any:
     """The value as a submission receives it."""
+    inner = lasting(type_)
+    if value is not None and type_.keyed:
+        if isinstance(inner, Atom):
+            return inner.listed(value, received=True)
+        parts = [argument(part, each) for part, each in inner.pairs(value)]
+        return dict(parts) if isinstance(inner, DictType) else inner.kind(parts)
     found = dense(type_, value)
     return listed(type_, value) if found is value else found
+
+
+def given(type_: Type, value: Value) -> Any:
+    """The value as `solve` receives it: as it is kept, a dict as one."""
+    inner = lasting(type_)
+    if value is None or not type_.keyed or not isinstance(inner, Composite):
+        return value
+    parts = [given(part, each) for part, each in inner.pairs(value)]
+    return dict(parts) if isinstance(inner, DictType) else tuple(parts)
+
+
+def kept(type_: Type, value: Any) -> Value:
+    """What a draw or a literal gives, as it is kept; what is of another shape is left as it is."""
+    inner = lasting(type_)
+    if not type_.keyed or value is None:
+        return value
+    if isinstance(inner, Atom):
+        return inner.kept(value)
+    if isinstance(inner, DictType):
+        value = inner.ordered(value) if type(value) is dict else [value]  # pairs are not a dict
+    if type(value) is not tuple or len(parts := inner.parts(len(value))) != len(value):
+        return value
+    return tuple(map(kept, parts, value))
 
 
 def dense(type_: Type, value: Value) -> Any:
@@ -114,7 +149,9 @@ def simpler(type_: Type, value: Value) -> Iterator[Value]:
     elif not isinstance(inner, ArrayType):
         for at, (part, each) in enumerate(inner.pairs(value)):
             for other in simpler(part, each):
-                yield (*value[:at], other, *value[at + 1 :])
+                found = inner.arranged((*value[:at], other, *value[at + 1 :]))
+                if found is not None:
+                    yield found
 
 
 def simple(
@@ -140,4 +177,5 @@ def simple(
         count = integer(inner.low, most if inner.high is None else min(inner.high, most))
     elif isinstance(inner, TupleType) and inner.is_vector:  # a coordinate may always be negative
         positive = False
-    return tuple([simple(part, integer, number, positive=positive) for part in inner.parts(count)])
+    parts = [simple(part, integer, number, positive=positive) for part in inner.parts(count)]
+    return inner.arranged([*dict(parts).items()] if isinstance(inner, DictType) else parts)

@@ -6,10 +6,11 @@ from collections.abc import Sequence
 
 from judge.values.answers import NO_WORDS, Words
 from judge.values.atoms import ROOT, Atom, IntType, Place, Type, Value
+from judge.values.dicts import DictType, Entries, Entry
 from judge.values.letters import TextType
 from judge.values.show import is_one_item, shown
 from judge.values.types import Composite, ListType, OptionalType, TupleType, lasting
-from judge.values.wire import Raw, Tokens, Unreadable, collecting, fault, items, quoted, show
+from judge.values.wire import Raw, Tokens, Unreadable, collecting, fault, quoted, show
 
 
 def read(type_: Type, raw: Raw, place: Place = ROOT, *, bounded: bool = True) -> Value:
@@ -22,12 +23,14 @@ def read(type_: Type, raw: Raw, place: Place = ROOT, *, bounded: bool = True) ->
         return None
     if isinstance(inner, Atom):
         return inner.read(raw, place, type_.noun if place is ROOT else inner.noun)
-    found = items(raw)
+    found = inner.found(raw)
     if found is None or is_one_item(inner, found):
         raise Unreadable(_no_parts(inner, raw, found, place))
     count = len(found)
     if (bounded or isinstance(inner, TupleType)) and (wrong := inner.wrong_count(count)):
         raise Unreadable(f"{place.name() or 'the answer'} has {wrong}")
+    if isinstance(inner, DictType):
+        return _entries(inner, found, place, bounded=bounded)
     if isinstance(inner, ListType) and isinstance(inner.item, IntType) and set(map(type, found)) <= {int}:
         return list(found)  # a million of them, perhaps
     return inner.kind(
@@ -38,6 +41,22 @@ def read(type_: Type, raw: Raw, place: Place = ROOT, *, bounded: bool = True) ->
     )
 
 
+def _entries(type_: DictType, found: Sequence[Raw], place: Place, *, bounded: bool) -> Value:
+    """The entries, in the order of their keys."""
+    read_ones: dict[Value, Value] = {}
+    for at, (sent, raw) in enumerate(found):
+        key = read(type_.key, sent, Place(place, at, Entry("a key")), bounded=bounded)
+        if key in read_ones:
+            raise Unreadable(f"{place.prefix()}the key {type_.key.shown(key)} is there twice")
+        read_ones[key] = read(type_.value, raw, entry(type_, key, place, at), bounded=bounded)
+    return Entries(sorted(read_ones.items()))
+
+
+def entry(type_: DictType, key: Value, place: Place, at: int) -> Place:
+    """The place of what stands at that key; `at` is where its pair is."""
+    return Place(Place(place, at, Entry(f"entry {type_.key.shown(key)}")), 1)
+
+
 def _no_parts(type_: Composite, raw: Raw, found: Sequence[Raw] | None, place: Place) -> str:
     name = place.name()
     what = f"{name} is expected to be {type_.noun}" if name else f"{type_.noun} is expected"
@@ -46,7 +65,8 @@ def _no_parts(type_: Composite, raw: Raw, found: Sequence[Raw] | None, place: Pl
         return wrong.where(what)
     if found is not None:
         return f"{shown(type_.item, raw)} where {what}"
-    none = f"no {type_.several} are []" if raw is None and not type_.low else ""
+    empty = "no entries are {}" if isinstance(type_, DictType) else f"no {type_.several} are []"
+    none = empty if raw is None and not type_.low else ""
     return wrong.where(what, none or collecting(wrong.type))
 
 
@@ -81,7 +101,8 @@ def _take(type_: Type, line: Tokens, *, whole: bool = False) -> Raw:
     if isinstance(inner, Atom):
         return inner.take(line, line.meant if whole else inner.noun)
     count = _count(inner, line, whole=whole) if isinstance(inner, ListType) else 0
-    return [_take(part, line) for part in inner.parts(count)]
+    found = [_take(part, line) for part in inner.parts(count)]
+    return {"dict": found} if isinstance(inner, DictType) else found
 
 
 def _count(type_: ListType, line: Tokens, *, whole: bool) -> int:
@@ -106,6 +127,8 @@ def _hint(type_: Type, words: Words = NO_WORDS) -> str:
         return f"{_hint(type_.inner, words)} or none"
     if isinstance(type_, TupleType):
         return " ".join(type_.names) if type_.is_vector else ", ".join(map(_hint, type_.made_of))
+    if isinstance(type_, DictType):
+        return f"k and then k times a key and its value: {_hint(type_.key)}, {_hint(type_.value)}"
     if isinstance(type_, ListType):
         if isinstance(type_.item, TupleType) and type_.item.is_vector:
             return f"k {' '.join(f'{name}1' for name in type_.item.names)} …"

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Sequence
 from itertools import islice, starmap
 from typing import Any
 
 from judge.values.answers import AnyOf, Called, Exact, Judged, Real, Target
 from judge.values.atoms import Atom, Type, Value
+from judge.values.dicts import DictType
 from judge.values.parameters import tokens
 from judge.values.types import Composite, ListType, TupleType, lasting
 from judge.values.wire import Raw, cut, items, show
@@ -50,17 +51,18 @@ def wanted(type_: Type, target: Target) -> str:
     inner = lasting(type_)
     if isinstance(inner, Atom):
         return inner.shown(inner.best(target))
-    return _bracketed(inner, starmap(wanted, inner.pairs(target)), len(target))
+    return _bracketed(wanted, inner, target)
 
 
 def shown(type_: Type, raw: Raw) -> str:
     """An answer, as JSON or read, as a person would write it, bounded whatever its shape."""
-    inner, found = lasting(type_), items(raw)
+    inner = lasting(type_)
+    found = items(raw) if isinstance(inner, Atom) else inner.found(raw)
     if found is None or isinstance(inner, Atom) or is_one_item(inner, found):
         return show(raw)
     if isinstance(inner, TupleType) and len(found) != len(inner.made_of):
         return show(raw)
-    return _bracketed(inner, starmap(shown, inner.pairs(found)), len(found))
+    return _bracketed(shown, inner, found)
 
 
 def is_one_item(type_: Composite, found: Sequence[Raw]) -> bool:
@@ -75,11 +77,17 @@ def is_one_item(type_: Composite, found: Sequence[Raw]) -> bool:
     )
 
 
-def _bracketed(type_: Composite, parts: Iterator[str], count: int) -> str:
+def _bracketed(tell: Callable[[Type, Any], str], type_: Composite, values: Sequence[Any]) -> str:
     if isinstance(type_, TupleType):
-        return f"({', '.join(parts)})"
-    text = ", ".join(islice(parts, _ITEMS))
-    return f"[{text}]" if count <= _ITEMS else f"[{text}, …] ({count:,} items)"
+        return f"({', '.join(starmap(tell, type_.pairs(values)))})"
+    if isinstance(type_, DictType):
+        kinds = type_.key, type_.value
+        first, last, parts = "{", "}", map(": ".join, (map(tell, kinds, each) for each in values))
+    else:
+        first, last, parts = "[", "]", map(tell, type_.parts(len(values)), values)
+    text, count = ", ".join(islice(parts, _ITEMS)), len(values)
+    end = last if count <= _ITEMS else f", …{last} ({count:,} {'entries' if last == '}' else 'items'})"
+    return f"{first}{text}{end}"
 
 
 def exact_text(exact: Exact) -> Any:
@@ -94,6 +102,8 @@ def exact_text(exact: Exact) -> Any:
         from judge.exact import Surd
 
         return Surd.of(exact.x).decimal(40)
+    if isinstance(exact, dict):
+        exact = sorted(exact.items())
     return list(map(exact_text, exact)) if isinstance(exact, list | tuple) else exact
 
 

@@ -12,6 +12,7 @@ from judge.values.atoms import COORDINATES, LONGEST, NOTHING, Atom, DoubleType, 
 from judge.values.wire import Raw, items
 
 MANY_LENGTHS = 1000  # of a list without a bound
+_Kind = type[tuple[Any, ...]] | type[list[Any]]
 
 
 class Made(Type):
@@ -21,6 +22,7 @@ class Made(Type):
         if any(isinstance(part, ArrayType) for part in parts) and not self.optional:
             raise ValueError("an array is a whole parameter")
         self.measured = any(part.measured for part in parts)
+        self.keyed = any(part.keyed for part in parts)
         self.lengths = max(part.lengths for part in parts)
         for name in ("is_parameter", "is_plain", "settled"):
             setattr(self, name, all(getattr(part, name) for part in parts))
@@ -60,12 +62,12 @@ class Composite(Made):
     How many parts a value has is asked of `wrong_count`.
     """
 
-    kind: type[tuple[Any, ...]] | type[list[Any]]  # of an answer that was read
+    kind: _Kind  # of an answer that was read; Entries of a dict
     made_of: tuple[Type, ...]
 
     def parts(self, count: int) -> Sequence[Type]:
         """The types of the parts of a value that has so many."""
-        return self.made_of * count if self.kind is list else self.made_of
+        return self.made_of if self.kind is tuple else self.made_of * count
 
     def pairs(self, values: Sequence[Value]) -> Iterator[tuple[Type, Value]]:
         """The parts of a value, or of what stands for them, each after its type."""
@@ -74,6 +76,14 @@ class Composite(Made):
     def word(self, at: int) -> str:
         """What the part `at` is called."""
         return f"{self.one} {at + 1}"
+
+    def found(self, raw: Raw) -> Sequence[Raw] | None:
+        """The parts of what was sent or read; None where it has none."""
+        return items(raw)
+
+    def arranged(self, parts: Sequence[Value]) -> tuple[Value, ...] | None:
+        """A value of these parts; None where there is none."""
+        return tuple(parts)
 
     def wrong_count(self, count: int) -> str | None:
         """Why a value cannot have so many parts: "3 points where 0 to 2 are expected"."""
@@ -89,11 +99,11 @@ class Composite(Made):
     def quick(self) -> Quick:
         """All parts, one after the other; of several right answers to a part the first that accepts it."""
         each = [part.quick for part in self.made_of]
-        quicks = repeat(each[0]) if self.kind is list else each
+        quicks = each if self.kind is tuple else repeat(each[0])
 
         def quick(raw: Raw, target: Target) -> float | None:
-            if type(raw) is dict:  # many numbers, sent as bytes; or what is no list at all
-                found = items(raw)
+            if type(raw) is dict:  # many numbers, sent as bytes; a dict; or what has no parts at all
+                found = self.found(raw)
                 raw = None if found is None else list(found)
             if type(raw) is not list or type(target) is dict or len(raw) != len(target):
                 return None
@@ -158,7 +168,7 @@ class TupleType(Composite):
 class ListType(Composite):
     """`[T]`, `[T; n]`, `[T; low..high]`: so many items; `high` is None where there is no bound."""
 
-    kind = list
+    kind: _Kind = list
     width = None
     plural = "lists"
 
@@ -168,8 +178,8 @@ class ListType(Composite):
         self._made(item)
         self.is_plain = False
         self.made_of, self.item, self.low, self.high = (item,), item, low, high
-        bounds = "" if high is None and not low else f"; {low}" if low == high else f"; {low}..{high}"
-        self.text = f"[{item.text}{bounds}]"
+        self._bounds = "" if high is None and not low else f"; {low}" if low == high else f"; {low}..{high}"
+        self.text = f"[{item.text}{self._bounds}]"
         each = item.most + isinstance(lasting(item), Composite)
         self.most = LONGEST if high is None else high * each
         self.lengths = max(item.lengths, MANY_LENGTHS if high is None else high - low + 1)

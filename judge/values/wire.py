@@ -6,6 +6,7 @@ decimal; whatever else was sent, forged or absurd, comes out as a `Fault` that s
     {"word": "enter"}              a str, a word or a text
     {"array": ["d", "00…"]}        numbers of one type: its code in Python's `array`, and their bytes
     {"tuple": [item]}              a tuple of a single item
+    {"dict": [[key, value], …]}    a dict, which only its own type reads
 """
 
 from __future__ import annotations
@@ -141,6 +142,14 @@ def items(raw: Raw) -> Sequence[Raw] | None:
     return None
 
 
+def entries(raw: Raw) -> list[list[Raw]] | None:
+    """The pairs of a dict; None for anything else."""
+    sent = raw.get("dict") if type(raw) is dict and len(raw) == 1 else None
+    if type(sent) is not list or not all(type(each) is list and len(each) == 2 for each in sent):
+        return None
+    return sent
+
+
 def numbers(raw: Raw) -> array[Any] | None:
     """The typed array that `raw` stands for, or None."""
     sent = raw.get("array") if type(raw) is dict and len(raw) == 1 else None
@@ -165,6 +174,8 @@ def fault(raw: Raw) -> Fault:
         return Fault("a list")
     if kind is bool:
         return _typed("bool", repr(raw))
+    if entries(raw) is not None:
+        return Fault("a dict", "", "dict")
     if text is not None:
         return _typed("str", show(raw))
     if items(raw) is not None:
@@ -220,6 +231,9 @@ def show(raw: Raw, depth: int = 3) -> str:
         # A list of two numbers is a point, however it was written.
         point = len(found) == 2 and not any(type(item) in (list, tuple) for item in found)
         return f"({', '.join(parts)})" if point else f"[{', '.join(parts)}]"
+    if (pairs := entries(raw)) is not None:
+        parts = [": ".join(show(each, depth - 1) for each in pair) for pair in pairs[: 4 * (depth > 0)]]
+        return f"{{{', '.join(parts + ['…'] * (len(pairs) > len(parts)))}}}"
     if text is not None or kind is str:
         return brief(raw if text is None else text)
     if raw is None or kind is float or kind is bool:

@@ -62,31 +62,32 @@ def verify_choices(
     read = read_makers(problem)
     where = f"{problem.solutions.name}/mistakes.py"
     faults = [fault_of(each, where) for each in read.faults]
-    choices = [maker for maker in read.all if maker.choice is not None]
-    if read.family is None:
+    family = read.family
+    if family is None:
         return ChoicesReport(faults=tuple(faults))
+    choices = [each for each in read.all if each.choice is not None and not each.offered]
     warnings: list[Fault] = []
     counts: dict[str, list[_Counted]] = {}
     try:
         computers = [Computer(each) for each in data]
         for computer in computers:
-            faults += _wrong_right_ways(read.family, computer)
+            faults += _wrong_right_ways(family, computer)
         for done, maker in enumerate(choices):
             progress("judging mistakes", done, len(choices))
             rejected = [_rejected(maker, computer, data[0], box_factory) for computer in computers]
-            if maker.choice is not None and read.family.equal(maker.choice):
+            if maker.choice is not None and family.equal(maker.choice):
                 warnings += _still_told(maker, rejected[0])
             else:
                 counts.setdefault(maker.name, []).append(_Counted(maker, rejected[0], tuple(rejected)))
     except ProblemError as fault:
         faults.append(fault_of(fault, where))
-    kept = {name: _told_apart(each, read.family) for name, each in counts.items()}
+    kept = {name: _told_apart(each, family) for name, each in counts.items()}
     faults += [
         Fault(f"{maker.seen!r} of {maker.name} has signs of code", maker.file, _WITHOUT_CODE)
         for maker in choices
         if _CODE.search(maker.seen)
     ]
-    untagged, unruled = _rule_faults(read.family)
+    untagged, unruled = _rule_faults(family)
     faults += untagged
     if not partial:
         faults += [fault for name, each in kept.items() for fault in _measured(name, each)]

@@ -95,6 +95,19 @@ def listed(kind: Kind, bounds: tuple[int, int] | None) -> Kind:
     return Kind(text, exact, values.map(tuple))
 
 
+def keyed(key: Kind, kind: Kind, bounds: tuple[int, int] | None) -> Kind:
+    low, high = bounds or (0, 4)
+    text = f"{{{key.text}: {kind.text}}}" if bounds is None else f"{{{key.text}: {kind.text}; {low}..{high}}}"
+    exact, values = (
+        st.dictionaries(key.values, each, min_size=low if low < 2 else 0, max_size=high).filter(
+            lambda found: low <= len(found) <= high
+        )
+        for each in (kind.exact, kind.values)
+    )
+    return Kind(text, exact, values.map(lambda found: tuple(sorted(found.items()))))
+
+
+KEYS = [each for each in ATOMS if each.text[:4] in ("text", "int(", "word", "bool")]
 bounds = st.none() | st.tuples(st.integers(0, 2), st.integers(2, 4))
 kinds = st.recursive(
     st.sampled_from(ATOMS),
@@ -102,6 +115,7 @@ kinds = st.recursive(
         inner.map(optional),
         st.lists(inner, min_size=2, max_size=3).map(several),
         st.builds(listed, inner, bounds),
+        st.builds(keyed, st.sampled_from(KEYS), inner, bounds),
     ),
     max_leaves=5,
 )
@@ -115,6 +129,8 @@ def given_for(exact: Any, target: Any) -> Any:
     """What a perfect function returns: the correctly rounded doubles of the exact answer."""
     if isinstance(exact, Real):
         return target[2]
+    if isinstance(exact, dict):
+        return {key: given_for(exact[key], each) for key, each in target}
     if isinstance(exact, tuple | list):
         return type(exact)(map(given_for, exact, target))
     return exact
@@ -216,6 +232,8 @@ def test_any_other_shape_is_refused_and_never_raises(answer, data):
 
 
 def tupled(value: Any) -> Any:
+    if isinstance(value, dict):
+        return {key: tupled(each) for key, each in value.items()}
     return tuple(map(tupled, value)) if isinstance(value, list | tuple) else value
 
 
@@ -240,7 +258,8 @@ def test_parameters_go_through_text_and_json(parameter):
     assert fullmatch(rb"1 0\n[\w.+=-]*( [\w.+=-]+)*\n", sent)
     assert repr(tupled(json.loads(json.dumps(value)))) == repr(value)
     if "array" not in text:
-        assert repr(tupled(ast.literal_eval(own.literal(type_, value)))) == repr(value)
+        written = tupled(ast.literal_eval(own.literal(type_, value)))
+        assert repr(own.kept(type_, written)) == repr(value)
     for simpler in own.simpler(type_, value):
         assert own.fault(type_, "p", simpler) is None
         assert not [each for atom, each in own.leaves(type_, simpler) if atom.beyond(each)]

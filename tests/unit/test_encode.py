@@ -10,6 +10,7 @@ import sys
 import typing
 import warnings
 from array import array
+from collections import Counter, OrderedDict, defaultdict
 
 import numpy as np
 import pytest
@@ -35,6 +36,11 @@ class Point(typing.NamedTuple):
 class Liar(list):
     def __iter__(self):
         return iter([1])
+
+
+class LyingDict(dict):
+    def __getitem__(self, key):
+        return 3
 
 
 class LyingTuple(tuple):
@@ -95,7 +101,11 @@ class Loud:
         (LyingTuple((1,)), wrong("LyingTuple", "a subclass of tuple with its own way of reading it")),
         (MyFloat(1.0), wrong("MyFloat", "a subclass of float")),
         (Colour.RED, wrong("Colour", "a subclass of int")),
-        ({1: 2}, wrong("dict")),
+        ({1: 2}, {"dict": [[1, 2]]}),
+        (Counter("aba"), {"dict": [[{"word": "a"}, 2], [{"word": "b"}, 1]]}),
+        (defaultdict(list, {1: [2]}), {"dict": [[1, [2]]]}),
+        (OrderedDict({2: 1, 1: ()}), {"dict": [[2, 1], [1, []]]}),
+        (LyingDict({1: 2}), wrong("LyingDict", "a subclass of dict with its own way of reading it")),
         ((i for i in range(3)), wrong("generator")),
         (Loud(), wrong("Loud")),
         (2**5000, wrong("int", "5001 bits long")),

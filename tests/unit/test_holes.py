@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import json
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -384,3 +385,34 @@ class TestSearch:
             found = looked(pack, cases=3000)
             assert found.holes, way
             assert {hole.way for hole in found.holes} == {way}
+
+
+KATAS = Path(__file__).parents[2] / "judge" / "manual" / "katas"
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(not HELD, reason="programs are changed only where they are contained")
+@pytest.mark.parametrize(
+    ("kata", "kept", "change"),
+    [
+        ("runs", ["short", "alone", "long"], "s without blanks at the ends"),
+        ("least-recently-used", ["one-place"], "pass"),
+        ("knapsack", ["heavy"], "max("),
+    ],
+)
+def test_a_hole_is_found_where_groups_are_missing(kata, kept, change, tmp_path, monkeypatch):
+    monkeypatch.setenv("JUDGE_CACHE", str(tmp_path / "cache"))
+    shutil.copytree(KATAS, tmp_path / "katas")
+    folder = tmp_path / "katas" / "problems" / kata
+    path = folder / "problem.py"
+    lines = path.read_text("utf-8").splitlines(keepends=True)
+    rows = [f'    group("{name}"' for name in kept]
+    path.write_text(
+        "".join(line for line in lines if not line.startswith("    group(") or line.startswith((*rows,)))
+    )
+    problem = load_problem(folder)
+    assert [each.name for each in problem.groups] == ["examples", *kept]
+    search = Search(cases=4000, seconds=1e9)
+    found = look_for_holes(problem, [load_data(problem, store=None)], Boxes(), search, Memory())
+    assert found.faults == ()
+    assert any(change in hole.becomes for hole in found.holes)

@@ -5,6 +5,9 @@
 #include <cstdlib>
 #include <cxxabi.h>
 #include <exception>
+// @if dicts
+#include <map>
+// @end
 #include <new>
 #include <optional>
 #include <stdexcept>
@@ -70,6 +73,10 @@ template <> struct Put<bool> { static void it(bool v) { judge_out += v ? "true" 
 // @end
 template <class T> struct Put<std::vector<T>> { static void it(const std::vector<T>& v) { judge_out += '['; for (size_t i = 0; i < v.size(); ++i) { if (i) judge_out += ','; judge_put<T>(v[i]); } judge_out += ']'; } };
 template <class T> struct Put<std::optional<T>> { static void it(const std::optional<T>& v) { if (v) judge_put(*v); else judge_out += "null"; } };
+// @if dicts
+template <class K, class V> struct Read<std::map<K, V>> { static std::map<K, V> get() { std::map<K, V> v; for (long long n = Read<long long>::get(); n > 0; --n) { K key = Read<K>::get(); v.emplace(key, Read<V>::get()); } return v; } };
+template <class K, class V> struct Put<std::map<K, V>> { static void it(const std::map<K, V>& v) { judge_out += "{\"dict\":["; const char* gap = "["; for (const auto& each : v) { judge_out += gap; judge_put<K>(each.first); judge_out += ','; judge_put<V>(each.second); judge_out += ']'; gap = ",["; } judge_out += "]}"; } };
+// @end
 static std::string name_of(const std::type_info& type) { char* name = abi::__cxa_demangle(type.name(), nullptr, nullptr, nullptr); std::string all = name ? name : type.name(); std::free(name); return all; }
 static void flush() { if (std::fwrite(judge_out.data(), 1, judge_out.size(), answers) != judge_out.size() || std::fflush(answers)) _exit(1); judge_out.clear(); }
 extern "C" __attribute__((weak)) int judge_line;  // of checks.cpp, where that is linked

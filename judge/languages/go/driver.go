@@ -52,6 +52,13 @@ func judgeList[T any](read func() T) []T {
 	for i := range found { found[i] = read() }
 	return found
 }
+// @if dicts
+func judgeMap[K comparable, V any](key func() K, value func() V) map[K]V {
+	found := map[K]V{}
+	for left := judgeInt(); left > 0; left-- { first := key(); found[first] = value() }
+	return found
+}
+// @end
 func judgeOptional[T any](read func() T) *T {
 	before := judgeIn
 	if judgeToken() == "none" { return nil }

@@ -53,6 +53,13 @@ def _put(writer: Writer, shape: Shape, value: str) -> str:
         item = f"item{len(value)}"
         each = f"for _, {item} := range {value} {{ {_put(writer, shape.inner, item)}; judgeComma() }}"
         return f"judgeOut = append(judgeOut, '['); {each}; judgeClose()"
+    if shape.kind == "dict":
+        key, item = f"key{len(value)}", f"item{len(value)}"
+        puts = "; judgeComma(); ".join(map(_put, (writer, writer), shape.parts, (key, item)))
+        each = f"judgeOut = append(judgeOut, '['); {puts}; judgeClose(); judgeComma()"
+        begin = 'judgeOut = append(judgeOut, "{\\"dict\\":["...)'
+        end = "judgeClose(); judgeOut = append(judgeOut, '}')"
+        return f"{begin}; for {key}, {item} := range {value} {{ {each} }}; {end}"
     if shape.kind == "optional":
         put = _put(writer, shape.inner, f"(*{value})")
         return f'if {value} == nil {{ judgeOut = append(judgeOut, "null"...) }} else {{ {put} }}'

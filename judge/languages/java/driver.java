@@ -1,4 +1,7 @@
 import java.util.List;
+// @if dicts
+import java.util.Map;
+// @end
 @lacking@
 final class JudgeDriver {
     private static byte[] in;
@@ -22,6 +25,13 @@ final class JudgeDriver {
         for (long left = integer(); left > 0; left--) found.add(read.get());
         return found;
     }
+    // @if dicts
+    private static <K, V> Map<K, V> map(java.util.function.Supplier<K> key, java.util.function.Supplier<V> value) {
+        var found = new java.util.HashMap<K, V>();
+        for (long left = integer(); left > 0; left--) { K first = key.get(); found.put(first, value.get()); }
+        return found;
+    }
+    // @end
     private static double[] reals() { var found = new double[(int) integer()]; for (int i = 0; i < found.length; i++) found[i] = real(); return found; }
     private static long[] integers() { var found = new long[(int) integer()]; for (int i = 0; i < found.length; i++) found[i] = integer(); return found; }
     private static void put(Object value) {
@@ -31,6 +41,7 @@ final class JudgeDriver {
         else if (value instanceof Number || value instanceof Boolean) out.append(value);
         else if (value instanceof Iterable<?> items) { out.append('['); String gap = ""; for (Object item : items) { out.append(gap); put(item); gap = ","; } out.append(']'); }
         else if (value.getClass().isArray()) { out.append('['); for (int i = 0; i < java.lang.reflect.Array.getLength(value); i++) { if (i > 0) out.append(','); put(java.lang.reflect.Array.get(value, i)); } out.append(']'); }
+        else if (value instanceof java.util.Map<?, ?> map) { out.append("{\"dict\":["); String gap = ""; for (var entry : map.entrySet()) { out.append(gap); put(java.util.Arrays.<Object>asList(entry.getKey(), entry.getValue())); gap = ","; } out.append("]}"); }
         else if (value instanceof java.util.Optional<?> held) put(held.orElse(null));
         @puts@
         else if (value instanceof String word) text(word);

@@ -14,6 +14,7 @@ const methods = { @calls@ };
 function read(shape, words) {
   if (shape.kind === 'tuple') return Object.fromEntries(shape.parts.map((part, i) => [shape.fields[i], read(part, words)]));
   if (shape.kind === 'list') return Array.from({ length: +words.shift() }, () => read(shape.parts[0], words));
+  if (shape.kind === 'dict') return new Map(Array.from({ length: +words.shift() }, () => shape.parts.map(part => read(part, words))));
   if (shape.kind === 'optional') return words[0] === 'none' ? (words.shift(), null) : read(shape.parts[0], words);
   const word = words.shift();
   if (shape.kind === 'bool') return word === 'true';
@@ -32,6 +33,11 @@ function put(value, shape) {
   if (typeof value === 'string') return JSON.stringify(value);
   if (shape && shape.kind === 'optional') return put(value, shape.parts[0]);
   if (Array.isArray(value)) return '[' + value.map((item, i) => put(item, shape && (shape.kind === 'list' ? shape.parts[0] : shape.parts[i]))).join(',') + ']';
+  if (shape && shape.kind === 'dict' && (value instanceof Map || Object.getPrototypeOf(value) === Object.prototype)) {
+    const own = shape.parts[0].kind, key = text => own === 'int' && String(+text) === text ? +text : own === 'bool' && text in { true: 0, false: 0 } ? text === 'true' : text;
+    const entries = value instanceof Map ? [...value] : Object.entries(value).map(([name, item]) => [key(name), item]);
+    return '{"dict":[' + entries.map(entry => '[' + entry.map((item, i) => put(item, shape.parts[i])).join(',') + ']').join(',') + ']}';
+  }
   if (typeof value === 'object' && shape && shape.kind === 'tuple' && shape.fields.every(field => field in value)) return '[' + shape.fields.map((field, i) => put(value[field], shape.parts[i])).join(',') + ']';
   return odd(typeof value, value);
 }

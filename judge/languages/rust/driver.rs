@@ -32,6 +32,14 @@ impl Put for String { fn put(&self, out: &mut String) { self.as_str().put(out) }
 impl Put for &str { fn put(&self, out: &mut String) { (**self).put(out) } }
 impl<T: Put> Put for Vec<T> { fn put(&self, out: &mut String) { out.push('['); for (i, v) in self.iter().enumerate() { if i > 0 { out.push(',') } v.put(out) } out.push(']'); } }
 impl<T: Put> Put for Option<T> { fn put(&self, out: &mut String) { match self { Some(v) => v.put(out), None => out.push_str("null") } } }
+// @if dicts
+macro_rules! maps { ($($t:ident: $($bound:ident)*;)*) => { $(
+    impl<K: Get + $($bound +)*, V: Get> Get for std::collections::$t<K, V> { fn get(w: &mut Words) -> Self { let n = i64::get(w); (0..n).map(|_| { let key = K::get(w); (key, V::get(w)) }).collect() } }
+    impl<K: Put, V: Put> Put for std::collections::$t<K, V> { fn put(&self, out: &mut String) { out.push_str("{\"dict\":["); for (i, (key, v)) in self.iter().enumerate() { out.push_str(if i > 0 { ",[" } else { "[" }); key.put(out); out.push(','); v.put(out); out.push(']') } out.push_str("]}") } }
+)* } }
+use std::hash::Hash;
+maps!(HashMap: Eq Hash; BTreeMap: Ord;);
+// @end
 @tuples@
 fn text_of(fault: Box<dyn std::any::Any + Send>) -> String {
     fault.downcast_ref::<String>().cloned().or(fault.downcast_ref::<&str>().map(|s| s.to_string())).unwrap_or("what is no text".to_string())

@@ -36,7 +36,7 @@ def form_of(type_: Type, within: Parameter | None = None) -> Form:
         return ["optional", form_of(type_.inner, within)]
     if isinstance(type_, ArrayType):
         raise NoForm(f"a line holds no {type_.text}")
-    if isinstance(type_, ListType):
+    if isinstance(type_, ListType) and kind is ListType:
         return ["list", form_of(type_.item, within), type_.low, type_.high]
     raise NoForm(f"a package knows no type {type_.text}")
 

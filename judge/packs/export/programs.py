@@ -138,7 +138,7 @@ class Exporter:
         """Of each mistake some programs that make it, a file of its name first, then the choices."""
         by_name: dict[str, list[Maker]] = {}
         for maker in sorted(read_makers(self._problem).all, key=lambda each: each.choice is not None):
-            if maker.name:
+            if maker.name and not maker.offered:
                 by_name.setdefault(maker.name, []).append(maker)
         for name, makers in by_name.items():
             sources = [each.program.source for each in makers[:_TRIES]]

@@ -1,0 +1,119 @@
+"""Names of mistakes that come from the types of a kata alone."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from judge import judge
+from judge.data.load import load_data
+from judge.mistakes.makers import read_makers
+from judge.problem.load import load_problem
+from judge.sandbox import Boxes
+from judge.verify.mistakes import verify_choices
+
+KATAS = Path(__file__).parents[2] / "judge" / "manual" / "katas" / "problems"
+TOML = """
+title = "Ordered"
+tier = "junior"
+summary = "The parts in order."
+entry = "ordered"
+answer = "[text]"
+
+[parameters]
+s = { type = "text(0..40)", letters = "A-Ca-c ", about = "some parts" }
+"""
+STATEMENT = """# Ordered
+
+    >>> ordered('b a b')
+    ['a', 'b', 'b']
+"""
+MODULE = """
+from judge.problem.declare import group
+
+def solve(s):
+    return sorted(s.split())
+
+def some(draw):
+    parts = " ".join(draw.choice(("a", "b", "cc", "A")) for _ in range(draw.integer(-3, 14)))
+    return (parts or " " * draw.integer(0, 30),)
+
+GROUPS = [group("some", "Some.", some)]
+"""
+MISTAKES = """
+def ordered(s):
+    "right"
+    parts = s.split()
+    parts.sort()
+    # ? first-part-lost: parts = sorted(parts[1:])
+    # : The first part is missing. Take all of them.
+    return parts
+"""
+
+
+@pytest.fixture
+def ordered(tmp_path, monkeypatch):
+    monkeypatch.setenv("JUDGE_CACHE", str(tmp_path / "cache"))
+    folder, solutions = tmp_path / "problems" / "ordered", tmp_path / "solutions" / "ordered"
+    folder.mkdir(parents=True)
+    solutions.mkdir(parents=True)
+    for name, text in (("problem.toml", TOML), ("statement.md", STATEMENT), ("problem.py", MODULE)):
+        (folder / name).write_text(text)
+    (solutions / "mistakes.py").write_text(MISTAKES)
+    return load_problem(folder)
+
+
+def test_no_group_need_reject_them(ordered):
+    """Every answer is sorted: no case tells `sorted-answer` from a right program."""
+    offered = {each.name for each in read_makers(ordered).all if each.offered}
+    assert offered == {"sorted-answer", "each-once", "last-item-lost", "cut-after-n"}
+    found = verify_choices(ordered, [load_data(ordered, store=None)], Boxes(), lambda *_: None)
+    assert found.faults == ()
+    assert "first-part-lost" in found.kills["some"]
+    assert not offered & {name for names in found.kills.values() for name in names}
+
+
+@pytest.mark.parametrize(
+    ("body", "names"),
+    [
+        ("sorted(set(s.split()))", ("each-once",)),
+        ("sorted(s.split())[:-1]", ("last-item-lost",)),
+        ("sorted(s.split()[1:])", ("first-part-lost",)),
+    ],
+)
+def test_they_are_said_where_no_name_of_the_kata_is_nearly_as_like(ordered, body, names):
+    found = judge(ordered, f"def ordered(s):\n    return {body}\n").pitfall
+    assert found is not None
+    assert found.names == names
+
+
+@pytest.mark.parametrize(
+    ("kata", "wrapped", "name"),
+    [
+        ("runs", "right(s).upper()", "other-case"),
+        ("runs", "right(s).strip()", "stripped"),
+        ("runs", "right(s)[::-1]", "reversed-text"),
+        ("runs", "right(s)[1:]", "first-letter-lost"),
+        ("runs", "right(s[:32])", "cut-after-n"),
+        ("brackets", "not right(s)", "negated"),
+        ("knapsack", "right(s) + 1", "one-too-many"),
+        ("knapsack", "right(s) - 1", "one-too-few"),
+        ("inventory", "dict([*right(s).items()][:-1])", "last-item-lost"),
+    ],
+)
+def test_what_people_do_to_a_value_is_named(kata, wrapped, name, tmp_path, monkeypatch):
+    monkeypatch.setenv("JUDGE_CACHE", str(tmp_path / "cache"))
+    problem = load_problem(KATAS / kata)
+    path = next(
+        each
+        for each in sorted((problem.solutions / "accepted").glob("*.py"))
+        if "def " + problem.entry in each.read_text()
+    )
+    given = ", ".join(each.name for each in problem.parameters)
+    source = path.read_text().replace(f"def {problem.entry}(", "def right(")
+    wrapped = wrapped.replace("right(s)", f"right({given})")
+    source += f"\n\ndef {problem.entry}({given}):\n    return {wrapped}\n"
+    found = judge(problem, source).pitfall
+    assert found is not None
+    assert found.names[0] == name
