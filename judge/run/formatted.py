@@ -16,6 +16,7 @@ from judge.problem.declare import Format
 from judge.problem.formats import input_of, output_of
 from judge.problem.model import Mode, case_of
 from judge.problem.module import load_module
+from judge.run.program import text_of
 from judge.run.replies import Replies
 from judge.run.result import NOTHING, Behaviour, Failure
 from judge.sandbox.boundary import Box, Limits, Reply, Stop, Usage
@@ -60,8 +61,7 @@ class FormatRunner:
             )
             result = box.run_program(input_of(self.problem, self._own, case).encode(), left)
             used += result.usage
-            output = result.stdout.decode(errors="backslashreplace").replace("\r\n", "\n")
-            replies.append(Reply(result.stop, output, result.detail))
+            replies.append(Reply(result.stop, text_of(result.stdout), result.detail))
             if result.stop not in _ITS_OWN:
                 stop = result.stop
                 break
@@ -88,7 +88,7 @@ class FormatRunner:
         if own.read is None:
             if not output.split():
                 raise Unreadable("nothing was printed")
-            read = reading.read_line(type_, " ".join(output.split()))
+            read = reading.read_line(type_, " ".join(output.splitlines()))
             if isinstance(read, str):
                 raise Unreadable(read.replace("one line holds", "the output holds"))
             return read[0]
