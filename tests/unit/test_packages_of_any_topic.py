@@ -5,6 +5,8 @@ import json
 import shutil
 import subprocess
 import sys
+from decimal import Decimal
+from fractions import Fraction
 from functools import partial
 from pathlib import Path
 
@@ -23,7 +25,7 @@ from judge.problem.load import load_problem
 from judge.run.formatted import FormatRunner
 from judge.sandbox.encode import encode
 from judge.values import check
-from judge.values.answers import AnyOf, Real, Tolerance
+from judge.values.answers import AnyOf, Judged, Real, Tolerance
 from judge.values.check import Accepted
 from judge.values.grammar import parse
 
@@ -222,3 +224,22 @@ def test_what_read_returns_is_taken_as_here(text, exact, values):
         except VALIDATOR["Wrong"]:
             there = False
         assert there is isinstance(here, Accepted), value
+
+
+BEYOND = [  # an answer's type, a right value, values within the bounds or beyond them
+    ("int(0..9)", 7, [0, 9, 10, -1]),
+    ("real(0..1)?", Real(1), [1, 1.0000000000000002, None, Fraction(1, 3), Decimal("1.0"), Decimal("1.1")]),
+    ("[text(1..2)]", ["a"], [["ab", ""], ["ab"], ["\u00fc"], []]),
+    ("(word(a|b), bool)", ("a", True), [("b", False), ("c", False)]),
+]
+
+
+@pytest.mark.parametrize(("text", "sample", "values"), BEYOND)
+def test_a_checker_is_not_asked_about_what_is_beyond_the_bounds(text, sample, values):
+    type_, exact, asked = parse(text), Judged(lambda value, _group: asked.append(value), sample), []
+    target, form = check.target(type_, exact, Tolerance()), form_of(type_)
+    for value in values:
+        asked.clear()
+        check.check(type_, encode(value), target, lambda: (exact, Tolerance()))
+        found = VALIDATOR["given"](form, value)
+        assert ([VALIDATOR["plain"](found)] if VALIDATOR["bounded"](form, found) else []) == asked

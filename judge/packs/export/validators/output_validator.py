@@ -46,7 +46,7 @@ class Wrong(Exception):  # noqa: N818
 
 
 class Number(NamedTuple):
-    """A real number: top/bottom, and what a checker is given for it."""
+    """A real number: top/bottom, and what a checker is given for it: an int, its double, or a Fraction."""
 
     top: int
     bottom: int
@@ -128,15 +128,9 @@ class Tokens:
             raise Wrong("%r has an exponent beyond %d" % (token[:60], MOST_EXPONENT))
         exponent = int(power or 0) - len(places or "")
         top = int(minus + whole + (places or ""))
-        return Number(top * 10 ** max(exponent, 0), 10 ** max(-exponent, 0), finite(token))
-
-
-def finite(text: str) -> Any:
-    """A decimal as Python has it: digits alone are an int, another its double, or a Fraction beyond them."""
-    if text.lstrip("+-").isdigit():
-        return int(text)
-    double = float(text)
-    return double if double - double == 0 else Fraction(text)
+        own = int(token) if token.lstrip("+-").isdigit() else float(token)  # type: Any
+        own = own if own - own == 0 else Fraction(token)
+        return Number(top * 10 ** max(exponent, 0), 10 ** max(-exponent, 0), own)
 
 
 LEAVES = {
@@ -202,23 +196,21 @@ def pairs(kind: Any, value: Any) -> Any:
     return zip(kind[1] if kind[0] == "tuple" else [kind[1]] * len(value), value)
 
 
-def bounded(kind: Any, value: Any) -> None:
-    """Raises Wrong for what is beyond the bounds of its type: a checker is not asked about that."""
-    name, fits = kind[0], True
-    if value is None or name == "optional":
-        return None if value is None else bounded(kind[1], value)
+def bounded(kind: Any, value: Any) -> bool:
+    """Whether a value keeps to the bounds of its type: a checker is not asked about any other."""
+    name = kind[0]
+    if value is None:
+        return True
+    if name == "optional":
+        return bounded(kind[1], value)
     if name in ("tuple", "list"):
-        for part, each in pairs(kind, value):
-            bounded(part, each)
-    elif name == "word":
-        fits = value in kind[1]
-    elif name == "text":
-        fits = kind[1] <= len(value) <= kind[2] and not set(value) - set(kind[3])
-    elif kind[1:]:
-        fits = kind[1] <= (Fraction(value.top, value.bottom) if name == "real" else value) <= kind[2]
-    if not fits:
-        raise Wrong("%s is out of bounds" % ascii(plain(value))[:60])
-    return None
+        return all(bounded(*each) for each in pairs(kind, value))
+    if name == "text":
+        return kind[1] <= len(value) <= kind[2] and not set(value) - set(kind[3])
+    if name == "word":
+        return value in kind[1]
+    exact = Fraction(value.top, value.bottom) if name == "real" else value
+    return not kind[1:] or kind[1] <= exact <= kind[2]
 
 
 def plain(value: Any) -> Any:
@@ -256,8 +248,7 @@ def held(kind: Any, value: Any, wanted: Any, where: str) -> None:
                 return
         raise Wrong("%s is none of the right ones" % where)
     if isinstance(wanted, dict):
-        bounded(kind, value)
-        why = why_not(value, wanted)
+        why = why_not(value, wanted) if bounded(kind, value) else "out of bounds"
         if why is not None:
             raise Wrong("%s: %s" % (where, why))
         return
