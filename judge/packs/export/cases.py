@@ -51,20 +51,21 @@ def tests_in(data: ProblemData, large: list[str]) -> Iterator[Test]:
                 for at, (case, target) in enumerate(zip(whole.cases, whole.targets, strict=True), 1)
             }
         for stem, group in parts.items():
-            given = _given(data, group)
+            given, answers = _both(data, group)
             if len(given) > MOST_INPUT * 10**6:
                 large.append(f"{stem}, {len(given) / 10**6:,.0f} MB")
                 continue
             rows = [accepted_form(answer, *data.exact(case, group.group), case) for case in group.cases]
             folder = "sample" if name == EXAMPLES else "secret"
-            yield Test(group, folder, stem, given, _answers(data, group), rows)
+            yield Test(group, folder, stem, given, answers, rows)
 
 
-def _given(data: ProblemData, group: GroupData) -> bytes:
-    """What a program reads."""
-    if own := data.module.format:
-        return "".join([input_of(data.problem, own, case) for case in group.cases]).encode()
-    return render_group(data.problem, group.cases)
+def _both(data: ProblemData, group: GroupData) -> tuple[bytes, bytes]:
+    """What a program reads and what a right one prints."""
+    if not (own := data.module.format):
+        return render_group(data.problem, group.cases), _answers(data, group)
+    (case,), (target,) = group.cases, group.targets
+    return input_of(data.problem, own, case).encode(), output_of(data.problem, own, target).encode()
 
 
 def file_names(problem: Problem) -> list[str]:
@@ -83,8 +84,6 @@ def group_files(data: ProblemData, group: GroupData) -> dict[str, bytes]:
 
 
 def _answers(data: ProblemData, group: GroupData) -> bytes:
-    if own := data.module.format:
-        return "".join([output_of(data.problem, own, target) for target in group.targets]).encode()
     return "".join(f"{show.line(data.problem.answer, target)}\n" for target in group.targets).encode()
 
 
