@@ -19,12 +19,14 @@ from judge.run.program import ProgramRunner
 from judge.sandbox.boundary import Limits, ProgramResult, Stop, Usage
 from judge.values import show
 from judge.values.check import Accepted, check_line
+from judge.values.letters import TextType
 
 WIDE = Context(prec=1200)  # of its own: every other test in this process has what it had
 VALIDATOR = runpy.run_path(str(Path(export.__file__).parent / "validators" / "output_validator.py"))
 ANYWHERE = [
     *("", " ", "none", "None", "null", "none none", "0", "1", "2", "-1", "1.0", "0.5", "nan", "inf", "1_0"),
     *("0x1", "+1", "-0", "01", "1e0", "1e400", "1e5001", "1e-5001", "1e1000000", ".5", "5.", "1,5", "1 2"),
+    *('"a b"', '"a  b', '"1"', '"none"', '""', '""x', '"\\u00e9"', '"\\ud800"', "true", "True", "false"),
     *(".", "+.", "-.5e1", "+5.E-1", ".e1", "5..", "1E+05", "1.0.", "5e"),
     *(
         "2 0 0 0 0",
@@ -82,7 +84,9 @@ def rows(kind: Any, wanted: Any, rng: random.Random) -> list[str | Slot]:
             run = list(each["run"]) if isinstance(each, dict) and "run" in each else [each]
             items += rng.sample(run, len(run)) if rng.randrange(3) else rng.choices(run, k=len(run))
         return [str(len(items)), *(token for each in items for token in rows(kind[1], each, rng))]
-    return [str(wanted)]
+    if name == "text":
+        return [TextType().text_of(wanted)]
+    return [str(wanted).lower() if name == "bool" else str(wanted)]
 
 
 def middle(slot: Slot) -> str:

@@ -19,6 +19,7 @@ from judge.problem.declare import Format
 from judge.problem.formats import input_of, output_of
 from judge.problem.model import Mode, case_of
 from judge.problem.module import load_module
+from judge.run.program import text_of
 from judge.run.replies import Replies
 from judge.run.result import NOTHING, Behaviour, Failure
 from judge.run.talk import Talk
@@ -72,8 +73,7 @@ class FormatRunner:
                     self._said[repr(case)] = talk.text
             else:
                 result = box.run_program(input_of(self.problem, self._own, case).encode(), left)
-                output = result.stdout.decode(errors="backslashreplace").replace("\r\n", "\n")
-                replies.append(Reply(result.stop, output, result.detail))
+                replies.append(Reply(result.stop, text_of(result.stdout), result.detail))
             used += result.usage
             if result.stop not in _ITS_OWN:
                 stop = result.stop
@@ -103,7 +103,7 @@ class FormatRunner:
         if own.read is None:
             if not output.split():
                 raise Unreadable("nothing was printed")
-            read = reading.read_line(type_, " ".join(output.split()))
+            read = reading.read_line(type_, " ".join(output.splitlines()))
             if isinstance(read, str):
                 raise Unreadable(read.replace("one line holds", "the output holds"))
             return read[0]

@@ -125,14 +125,18 @@ def _words(parameter: Parameter) -> str:
     return parameter.name if parameter.type.width == 1 else f"{parameter.name} …"
 
 
+def text_of(stdout: bytes) -> str:
+    """An output as text; what is no UTF-8 is written as ASCII."""
+    return stdout.decode(errors="backslashreplace").replace("\r\n", "\n")
+
+
 def answer_lines(stdout: bytes, *, complete: bool) -> list[str]:
     """The lines of an output, without blank ones at its end.
 
     What is no ASCII stays, and no answer holds it. Where the output is not `complete`, an
     unfinished last line is left out: it may be half a number.
     """
-    text = stdout.decode(errors="backslashreplace").replace("\r\n", "\n")
-    *lines, rest = text.split("\n")
+    *lines, rest = text_of(stdout).split("\n")
     if complete:
         lines.append(rest)
     while lines and not lines[-1].strip(" \t"):

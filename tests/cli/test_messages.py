@@ -155,7 +155,7 @@ def test_a_package_of_javascript_is_told(judge, submit, folder, said):
 
 def test_a_slow_program_that_is_too_fast_is_left_out_with_its_margin():
     told = _misfit(Kind.SLOW, _Trial(Verdict.AC, None, 2.61), 1)
-    assert told == "too near the package's time limit of 1 s: it takes 2.61 s and must take more than 6 s"
+    assert told == "too near the package's time limit of 1 s: it takes 2.61 s, and must take 6 s"
 
 
 @pytest.mark.parametrize(

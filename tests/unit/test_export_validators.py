@@ -32,6 +32,12 @@ ANSWERS = [  # of every kind, alone and within others
     ("int?", None),
     ("int?", -3),
     ("word(lit|dark)?", "dark"),
+    ("bool", True),
+    ("[bool?]", [None, False]),
+    ("text(0..9)", "a  b"),
+    ("text(0..9)?", "none"),
+    ("[text?; 0..5]", ["", None, "ab", 'a"b', "c\\\nd"]),
+    ("int(0..9)", 7),
     ("real", Real(ROOT2)),
     ("real", Real(Fraction(1, 3), 1)),
     ("real", Real(0, 5)),
@@ -60,16 +66,17 @@ def test_every_line_is_decided_as_the_judge_does():
                 outcome = check_line(type_, line, target, lambda exact=exact, own=tolerance: (exact, own))
                 differ += isinstance(outcome, Accepted) != theirs(form, line, wanted)
                 count += 1
-    assert (differ, count) == (0, 1360)
+    assert (differ, count) == (0, 1840)
 
 
-@pytest.mark.parametrize("name", ["input_validator.py", "output_validator.py"])
+@pytest.mark.parametrize("name", ["declare.py", "input_validator.py", "output_validator.py"])
 def test_a_validator_is_for_python_3_6_and_needs_nothing(name):
     tree = ast.parse((FOLDER / name).read_text(encoding="utf-8"), feature_version=(3, 6))
     modules = {each.module for each in ast.walk(tree) if isinstance(each, ast.ImportFrom)}
     modules |= {alias.name for each in ast.walk(tree) if isinstance(each, ast.Import) for alias in each.names}
-    assert modules <= {"fractions", "hashlib", "json", "os", "re", "sys", "typing"}
-    types = ("real", "int", "tuple", "list", "optional")
+    known = {"decimal", "fractions", "hashlib", "importlib", "json", "os", "re", "sys", "typing"}
+    assert modules <= known
+    types = ("real", "int", "bool", "text", "tuple", "list", "optional")
     assert all(f'["{each}"' in VALIDATOR["__doc__"] for each in types)
 
 
@@ -78,8 +85,10 @@ FORMS = [
     ["real", [-3, 1], [3, 1], [1, 10**8]],
     ["list", ["tuple", [["real", [0, 1], [5, 1], [0, 1]], ["real", [0, 1], [5, 1], [0, 1]]]], 0, 1],
     ["optional", ["word", ["up", "down"]]],
+    ["optional", ["text", 0, 4, " abdeno"]],
+    ["bool"],
 ]
-GOOD = "3\n1 2.5 1 0 0 none\n-5 1e-07 0 up\n0 -0.0 1 5 0.5 down\n"
+GOOD = '3\n1 2.5 1 0 0 none "none" true\n-5 1e-07 0 up "a  b" true\n0 -0.0 1 5 0.5 down none false\n'
 
 
 @pytest.mark.parametrize(
@@ -88,7 +97,8 @@ GOOD = "3\n1 2.5 1 0 0 none\n-5 1e-07 0 up\n0 -0.0 1 5 0.5 down\n"
         ("3\n1", "2\n1"), ("3\n1", "03\n1"), ("1 2.5", "1  2.5"), ("1 2.5", "+1 2.5"), ("1 2.5", "1 2.50"),
         ("1e-07", "1e-09"), ("1e-07 0 up", "1e-07 2 0 0 0 0 up"),
         ("1e-07 0 up", "1e-07 1 0 up"), (" up", " left"), (" up", ""),
-        ("none", "None"), ("down\n", "down"), ("down\n", "down\r\n"), ("up", "\u00fcp"),
+        ("none", "None"), ("false\n", "false"), ("false\n", "false\r\n"), ("up", "\u00fcp"), ("false", "0"),
+        ('"a  b"', '"ab"'), ('"a  b"', '"a b'), ('"a  b"', '"a   b"'), ('"a  b"', "z"), ("true", " true"),
     ],
 )  # fmt: skip
 def test_the_input_validator_wants_the_one_way_to_write_a_case(old, new, tmp_path):

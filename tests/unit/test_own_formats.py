@@ -21,6 +21,7 @@ from tests.unit.native import need
 
 KATAS = Path(judge.__file__).parent / "manual" / "katas"
 RIGHT = (KATAS / "solutions/depot/accepted/exact.py").read_text()
+LAST = '(1, (("ask", 1, 0),))]'  # of its examples
 CPP = """
 #include <iostream>
 #include <string>
@@ -182,9 +183,9 @@ def test_no_entry_and_no_format(depot):
         ("problem.py", "Format(write, read, show)", "write", "which is no Format"),
         ("problem.py", "EXAMPLES", "SAMPLES", "EXAMPLES is missing"),
         ("problem.py", '"end"]) + "\\n"', '"end"])', "FORMAT: write gives '2 shelves"),
-        ("problem.py", "(1, ())]", "(1, (('put', 2, 1),))]", "case 2 is invalid: there is no shelf 2"),
-        ("problem.py", "(1, ())]", "(1,)]", "EXAMPLES: case 2 is no case"),
-        ("problem.py", "(1, ())]", "('a', ())]", "EXAMPLES: case 2 is invalid: shelves has"),
+        ("problem.py", LAST, "(1, (('put', 2, 1),))]", "case 2 is invalid: there is no shelf 2"),
+        ("problem.py", LAST, "(1,)]", "EXAMPLES: case 2 is no case"),
+        ("problem.py", LAST, "('a', ())]", "EXAMPLES: case 2 is invalid: shelves has"),
         ("statement.md", "{{examples}}", ">>> depot(1)\n{{examples}}", "a kata without entry has no calls"),
         ("problem.toml", "[limits]", '[time]\nlimit = 9\nfunction = "exact.py"\n[limits]', "programs alone"),
         ("problem.toml", "[limits]", "[time]\nlimit = 9\n[limits]", "programs alone"),

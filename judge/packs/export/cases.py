@@ -7,19 +7,22 @@ from collections.abc import Iterator
 from typing import Any
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from judge.data.model import GroupData, ProblemData
 from judge.packs.export.forms import accepted_form
 from judge.problem import Problem
+from judge.problem.formats import input_of, output_of
 from judge.problem.model import EXAMPLES
 from judge.run.program import render_group
 from judge.values import show
 
 SCHEMA = 1  # of a group's JSON
+MOST_INPUT = 64  # of a test, in millions of bytes
 
 
 class Test(Struct, frozen=True):
-    """One test group as a package has it.
+    """One test group as a package has it, or one of its cases where each is a run of its own.
 
     `stem` is the files' name without its ending, `accepted` what the output validator accepts for each case.
     """
@@ -32,19 +35,37 @@ class Test(Struct, frozen=True):
     accepted: list[Any]
 
 
-def tests_in(data: ProblemData) -> Iterator[Test]:
-    """The groups in the order in which they are judged: the examples first. Raises NoForm, ProblemError."""
+def tests_in(data: ProblemData, large: list[str]) -> Iterator[Test]:
+    """The groups in the order in which they are judged: the examples first. Raises NoForm, ProblemError.
+
+    `large` is told of each that no package has room for.
+    """
     groups = sorted(data.groups, key=lambda each: each.group.name != EXAMPLES)
     answer = data.problem.answer
-    for place, group in enumerate(groups, 1):
-        yield Test(
-            group,
-            "sample" if group.group.name == EXAMPLES else "secret",
-            f"{place:02d}-{group.group.name}",
-            render_group(data.problem, group.cases),
-            _answers(data, group),
-            [accepted_form(answer, *data.exact(case, group.group)) for case in group.cases],
-        )
+    for place, whole in enumerate(groups, 1):
+        name, parts = whole.group.name, {f"{place:02d}-{whole.group.name}": whole}
+        if data.problem.formatted:
+            width = max(2, len(str(len(whole.cases))))
+            parts = {
+                f"{place:02d}-{name}-{at:0{width}d}": replace(whole, cases=[case], targets=[target])
+                for at, (case, target) in enumerate(zip(whole.cases, whole.targets, strict=True), 1)
+            }
+        for stem, group in parts.items():
+            given, answers = _both(data, group)
+            if len(given) > MOST_INPUT * 10**6:
+                large.append(f"{stem}, {len(given) / 10**6:,.0f} MB")
+                continue
+            rows = [accepted_form(answer, *data.exact(case, group.group), case) for case in group.cases]
+            folder = "sample" if name == EXAMPLES else "secret"
+            yield Test(group, folder, stem, given, answers, rows)
+
+
+def _both(data: ProblemData, group: GroupData) -> tuple[bytes, bytes]:
+    """What a program reads and what a right one prints."""
+    if not (own := data.module.format):
+        return render_group(data.problem, group.cases), _answers(data, group)
+    (case,), (target,) = group.cases, group.targets
+    return input_of(data.problem, own, case).encode(), output_of(data.problem, own, target).encode()
 
 
 def file_names(problem: Problem) -> list[str]:

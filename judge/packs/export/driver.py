@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import sys
+from collections.abc import Collection
 from typing import Any
 
 from judge.packs.export.forms import form_of
@@ -13,8 +14,11 @@ from judge.problem.solutions import tree_of
 _DRIVER = """
 
 def _judge_export_main():  # added by `judge export`: it makes a program of the function
+    import json
+    import re
     import sys
     from decimal import Decimal, localcontext
+    from itertools import chain
 
     def read(form, tokens):
         if form[0] == "tuple":
@@ -23,14 +27,20 @@ def _judge_export_main():  # added by `judge export`: it makes a program of the 
         if form[0] == "list":
             return [read(form[1], tokens) for _ in range(int(token))]
         if form[0] == "optional":
-            return None if token == "none" else read(form[1], iter([token] + list(tokens)))
-        if form[0] == "word":
+            return None if token == "none" else read(form[1], chain([token], tokens))
+        if form[0] == "text" and token.startswith('"'):
+            return json.loads(token)
+        if form[0] in ("word", "text"):
             return token
+        if form[0] == "bool":
+            return token == "true"
         return int(token) if token.lstrip("-").isdigit() else float(token)
 
-    def text(value):
-        if value is None:
-            return "none"
+    def text(form, value):
+        if isinstance(value, bool):
+            return str(value).lower()
+        if form[0] == "text" and not re.fullmatch('(?!")(?!none$)[!-~]+', str(value)):
+            return json.dumps(str(value))
         if type(value).__name__ == "Fraction":
             with localcontext() as context:
                 context.prec = 60
@@ -49,12 +59,12 @@ def _judge_export_main():  # added by `judge export`: it makes a program of the 
             last = len(form[1]) - 1
             parts = [written(form[1][min(at, last)], each) for at, each in enumerate(value)]
             return [token for part in parts for token in part]
-        return [text(value)]
+        return [text(form, value)]
 
     lines = sys.stdin.read().split("\\n")
     answers = []
     for line in lines[1 : int(lines[0]) + 1]:
-        tokens = iter(line.split())
+        tokens = iter(re.findall(r'"(?:[^"\\\\]|\\\\.)*"|\\S+', line))
         given = [read(form, tokens) for form in PARAMETERS]
         answers.append(" ".join(written(ANSWER, ENTRY(*given))))
     print("\\n".join(answers))
@@ -90,10 +100,15 @@ def _bound(node: ast.stmt) -> set[str]:
     return {each.id for each in inner if isinstance(each, ast.Name) and isinstance(each.ctx, ast.Store)}
 
 
-def why_not_alone(source: str) -> str:
-    """Why a program does not run wherever a package does: Python 3.9 or newer, its own library; or empty."""
+def why_not_alone(source: str, declared: Collection[str] = ()) -> str:
+    """Why a program does not run wherever a package does: Python 3.9 or newer, its own library; or empty.
+
+    `declared` are the names of judge.problem.declare that the package stands in for.
+    """
+    stood = {f"judge.problem.declare.{name}" for name in declared}
     for node in ast.walk(tree_of(source)):
-        foreign = [name for name in _imported(node) if name not in sys.stdlib_module_names]
+        roots = {name: name.partition(".")[0] for name in _imported(node) if name not in stood}
+        foreign = [name for name, root in roots.items() if root not in sys.stdlib_module_names]
         if foreign:
             return f"it imports {foreign[0]}"
         if _is_newer(node):
@@ -103,9 +118,10 @@ def why_not_alone(source: str) -> str:
 
 def _imported(node: ast.AST) -> list[str]:
     if isinstance(node, ast.Import):
-        return [alias.name.partition(".")[0] for alias in node.names]
+        return [alias.name for alias in node.names]
     if isinstance(node, ast.ImportFrom) and node.module and not node.level:
-        return [node.module.partition(".")[0]]
+        inner = node.module == "judge.problem.declare"
+        return [f"{node.module}.{alias.name}" if inner else node.module for alias in node.names]
     return []
 
 

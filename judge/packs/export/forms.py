@@ -6,14 +6,18 @@ validators/input_validator.py. Both are made by composition: a type that a pack 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from fractions import Fraction
+from itertools import repeat
 from typing import Any
 
 from judge.exact import Surd
-from judge.problem import Parameter, Problem, Tolerance
-from judge.values.answers import AnyOf, Exact, Judged, exact_ends
+from judge.problem import Case, Parameter, Problem, Tolerance
+from judge.problem.module import load_module
+from judge.values.answers import AnyOf, Called, Exact, Judged, exact_ends
 from judge.values.atoms import IntType, NumberType, RealType, Type, WordType
+from judge.values.calls import ReturnType
+from judge.values.letters import BoolType, TextType
 from judge.values.types import ArrayType, ListType, OptionalType, TupleType
 
 Form = list[Any]
@@ -27,9 +31,16 @@ def form_of(type_: Type, within: Parameter | None = None) -> Form:
     """The form of an answer, or `within` a parameter, with the bounds of its numbers. Raises NoForm."""
     kind = type(type_)
     if isinstance(type_, NumberType) and (kind is RealType or kind is IntType):
-        return ["real" if kind is RealType else "int", *(_bounds(type_, within) if within else [])]
+        own = [] if type_.low is None else [type_.low, type_.high]
+        return ["real" if kind is RealType else "int", *(_bounds(type_, within) if within else own)]
     if isinstance(type_, WordType) and kind is WordType:
-        return ["word", list(type_.samples)] if within else ["word"]
+        return ["word", list(type_.samples)]
+    if isinstance(type_, TextType) and kind is TextType:
+        return ["text", type_.low, type_.high, "".join(sorted(type_.signs))]
+    if kind is BoolType:
+        return ["bool"]
+    if isinstance(type_, ReturnType):
+        return ["returns", [each.answer and form_of(each.answer) for each in type_.methods]]
     if isinstance(type_, TupleType):
         return ["tuple", [form_of(part, within) for part in type_.made_of]]
     if isinstance(type_, OptionalType):
@@ -49,18 +60,27 @@ def _bounds(type_: NumberType, parameter: Parameter) -> Iterator[list[int]]:
         yield list(bound.as_integer_ratio())
 
 
-def accepted_form(type_: Type, exact: Exact, tolerance: Tolerance) -> Any:
-    """What is accepted for an exact answer. Raises NoForm."""
+def accepted_form(
+    type_: Type, exact: Exact, tolerance: Tolerance, case: Case = (), at: tuple[int, ...] = ()
+) -> Any:
+    """What is accepted for an exact answer, `at` that place of the whole one to the case. Raises NoForm."""
+
+    def parts(types: Iterable[Type], found: Iterable[Exact]) -> list[Any]:
+        pairs = enumerate(zip(types, found, strict=False))
+        return [accepted_form(part, each, tolerance, case, (*at, place)) for place, (part, each) in pairs]
+
     if isinstance(exact, AnyOf):
-        return {"any": [accepted_form(type_, each, tolerance) for each in exact.answers]}
+        return {"any": parts(repeat(type_), exact.answers)}
     if isinstance(exact, Judged):
-        raise NoForm("no table says which of its answers are right: problem.py decides")
+        return {"judged": exact.group, "case": case, "at": at}
     if isinstance(type_, OptionalType):
-        return None if exact is None else accepted_form(type_.inner, exact, tolerance)
+        return None if exact is None else accepted_form(type_.inner, exact, tolerance, case, at)
     if isinstance(type_, TupleType):
-        return [accepted_form(part, each, tolerance) for part, each in zip(type_.made_of, exact, strict=True)]
+        return parts(type_.made_of, exact)
     if isinstance(type_, ListType):
-        return [accepted_form(type_.item, each, tolerance) for each in exact]
+        return parts(repeat(type_.item), exact)
+    if isinstance(type_, ReturnType):
+        return [[each.method, _returned(type_, each, tolerance)] for each in exact]
     if isinstance(type_, RealType):
         return _ends(*exact_ends(exact, tolerance))
     return exact
@@ -77,16 +97,37 @@ def _ends(low: Surd, high: Surd) -> list[int]:
     return [*ends, low.d or high.d, s] if low.q or high.q else [ends[0], ends[2], s]
 
 
+def _returned(type_: ReturnType, called: Called, tolerance: Tolerance) -> Any:
+    """What is accepted of one of several calls in a row."""
+    if isinstance(called.answer, Judged):
+        raise NoForm("no table says which answers of its methods are right: problem.py decides")
+    answer = type_.methods[called.method].answer
+    return answer and accepted_form(answer, called.answer, tolerance)
+
+
+def whole_output(problem: Problem) -> str:
+    """How a whole output is one answer: by its "tokens" or as FORMAT "read"s it; empty: a line is one."""
+    if not problem.formatted:
+        return ""
+    own = load_module(problem).format
+    return "read" if own and own.read else "tokens"
+
+
 def check_forms(problem: Problem) -> None:
-    """Raises NoForm where a problem cannot be a package, as far as its toml tells."""
+    """Raises NoForm where a problem cannot be a package, as far as its types tell."""
     if problem.talks:
         raise NoForm("its programs are talked with")
-    if problem.formatted:
-        raise NoForm("its programs have a format of their own")
-    if problem.growth is not None:
-        raise NoForm("a package cannot measure how the time grows")
-    if any(group.size is not None for group in problem.groups):
-        raise NoForm("its cases are too large for a line")
+    if problem.methods and whole_output(problem) != "read":
+        lacks = "its FORMAT read and show" if problem.formatted else "it a FORMAT"
+        raise NoForm(f"a class has no form for programs; give {lacks}")
     form_of(problem.answer)
-    for parameter in problem.parameters:
-        form_of(parameter.type, parameter)
+    if not problem.formatted:
+        for parameter in problem.parameters:
+            form_of(parameter.type, parameter)
+
+
+def is_judged(accepted: Any) -> bool:
+    """Whether what is accepted is for the problem's own checker to say."""
+    if isinstance(accepted, dict):
+        return "judged" in accepted or any(map(is_judged, accepted["any"]))
+    return isinstance(accepted, list) and any(map(is_judged, accepted))

@@ -9,14 +9,16 @@ from msgspec import Struct
 
 from judge.data.load import load_data
 from judge.errors import UsageError
-from judge.packs.export.cases import tests_in
-from judge.packs.export.forms import NoForm, check_forms
+from judge.packs.export.cases import Test, tests_in
+from judge.packs.export.driver import why_not_alone
+from judge.packs.export.forms import NoForm, check_forms, is_judged, whole_output
 from judge.packs.export.metadata import UNKNOWN, Version, license_of, short_name, uuid_of
 from judge.packs.export.package import Contents, zipped
 from judge.packs.export.place import check_archive, check_folder, write_archive, write_folder
-from judge.packs.export.programs import Exporter, Held, LeftOut, Programs
+from judge.packs.export.programs import SURELY, Exporter, Held, LeftOut, Programs
 from judge.packs.export.statement import latex
 from judge.problem import Problem, Verdict
+from judge.problem.declare import __all__ as declared
 from judge.published import Published
 from judge.sandbox.boundary import BoxFactory
 
@@ -91,14 +93,16 @@ def _check_places(problem: Problem, order: Order) -> None:
 
 def export(problem: Problem, order: Order, boxes: BoxFactory, progress: Progress) -> Exported:
     """Write a problem's packages. Raises JudgeError: ProblemError for its data, UsageError for a place."""
+    large: list[str] = []
     try:
         check_forms(problem)
         data = load_data(problem, progress=lambda done, total: progress("building data", done, total))
-        tests = tuple(tests_in(data))
+        tests = tuple(tests_in(data, large))
+        brought = _brought(problem, tests)
     except NoForm as why:
         return Exported(problem.id, str(why))
     programs = Exporter(data, tests, boxes, progress).programs(order.wrong)
-    contents = Contents(problem, tests, programs, latex(problem))
+    contents = Contents(problem, tests, programs, latex(problem), brought)
     _check_places(problem, order)
     packages, domjudge = [], None
     for version in order.versions:
@@ -118,13 +122,26 @@ def export(problem: Problem, order: Order, boxes: BoxFactory, progress: Progress
         time_limit=programs.seconds,
         programs=programs.held,
         programs_left_out=programs.left_out,
-        notes=tuple(_notes(problem, programs)),
+        notes=(*_notes(problem, programs), *(f"left out: {each}" for each in large)),
     )
+
+
+def _brought(problem: Problem, tests: Sequence[Test]) -> bytes:
+    """The problem.py that the output validator asks; empty where it needs none. Raises NoForm."""
+    if whole_output(problem) != "read" and not any(is_judged(test.accepted) for test in tests):
+        return b""
+    source = (problem.folder / "problem.py").read_bytes()
+    if why := why_not_alone(source.decode("utf-8-sig"), declared):
+        raise NoForm(f"its checker {why.removeprefix('it ')}")
+    return source
 
 
 def _notes(problem: Problem, programs: Programs) -> Iterator[str]:
     """What a person should know of the package."""
     if problem.source.license and license_of(problem.source) == UNKNOWN:
         yield f"packages know no license {problem.source.license}: it is 'unknown' there"
+    for each in programs.held:
+        if each.verdict is Verdict.TLE:
+            yield f"{each.file} takes more than {SURELY * programs.seconds} s of {programs.seconds} s"
     if not any(each.verdict is Verdict.AC for each in programs.held):
         yield "it holds no accepted program, and the tools want one"

@@ -60,7 +60,8 @@ def problem_yaml(problem: Problem, version: Version, seconds: int) -> str:
 
 def memory(problem: Problem) -> int:
     """The memory limit, in MB."""
-    return max(MEMORY_MB, problem.limits.memory_bytes >> 20)
+    limits = problem.limits, *map(problem.limits_of, problem.groups)
+    return max(MEMORY_MB, *(each.memory_bytes >> 20 for each in limits))
 
 
 def domjudge_ini(problem: Problem, seconds: int) -> str:

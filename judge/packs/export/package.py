@@ -13,7 +13,7 @@ from pprint import pformat
 from msgspec import Struct
 
 from judge.packs.export.cases import Test
-from judge.packs.export.forms import form_of
+from judge.packs.export.forms import form_of, whole_output
 from judge.packs.export.metadata import Version, domjudge_ini, problem_yaml
 from judge.packs.export.programs import Programs
 from judge.problem import Problem
@@ -21,7 +21,7 @@ from judge.problem import Problem
 Files = Mapping[str, bytes]  # by path within the package, parts separated by /
 
 _VALIDATORS = Path(__file__).parent / "validators"
-_NO_PARAMETERS = "PARAMETERS = []"
+_NO_PARAMETERS, _NO_INPUTS = "PARAMETERS = []", "INPUTS = []"
 _BUILD = b"#!/bin/sh\nchmod +x run\n"
 _RUN = b'#!/bin/sh\nexec python3 "$(dirname "$0")/validate.py" "$@"\n'
 _SCRIPTS = ("build", "run")
@@ -29,12 +29,13 @@ _DATE = (1980, 1, 1, 0, 0, 0)  # the same bytes for the same package
 
 
 class Contents(Struct, frozen=True):
-    """What a package is made of, whatever its version."""
+    """What a package is made of, whatever its version; `brought` is the problem.py that it takes along."""
 
     problem: Problem
     tests: Sequence[Test]
     programs: Programs
     statement: str
+    brought: bytes = b""
 
     def files(self, version: Version) -> Files:
         """The files of the package in that version."""
@@ -47,6 +48,7 @@ class Contents(Struct, frozen=True):
             "input_validators/validate.py": self._input_validator(),
             f"{validator}/validate.py": (_VALIDATORS / "output_validator.py").read_bytes(),
             f"{validator}/accepted.json": self._accepted(),
+            **self._brought(f"{validator}/validate"),
             **{f"submissions/{file}": source for file, source in self.programs.sources.items()},
         }
         for test in self.tests:
@@ -73,16 +75,27 @@ class Contents(Struct, frozen=True):
             "output_validators/exact/run": _RUN,
         }
 
+    def _brought(self, stem: str) -> Files:
+        """The problem.py, and what it imports; of several files the tools start the first one by name."""
+        if not self.brought:
+            return {}
+        declared = (_VALIDATORS / "declare.py").read_bytes()
+        return {f"{stem}_declare.py": declared, f"{stem}_problem.py": self.brought}
+
     def _input_validator(self) -> bytes:
         source = (_VALIDATORS / "input_validator.py").read_text(encoding="utf-8")
+        assert source.count(_NO_PARAMETERS) == source.count(_NO_INPUTS) == 1
+        if self.problem.formatted:
+            known = pformat([hashlib.sha256(test.input).hexdigest() for test in self.tests])
+            return source.replace(_NO_INPUTS, f"INPUTS = {known}").encode()
         forms = [form_of(parameter.type, parameter) for parameter in self.problem.parameters]
         table = pformat(forms, width=100, compact=True)
-        assert source.count(_NO_PARAMETERS) == 1
         return source.replace(_NO_PARAMETERS, f"PARAMETERS = {table}").encode()
 
     def _accepted(self) -> bytes:
         """The table of what is accepted, a line for each input, by its SHA-256."""
-        head = json.dumps({"problem": self.problem.id, "answer": form_of(self.problem.answer)})
+        told = {"problem": self.problem.id, "answer": form_of(self.problem.answer)}
+        head = json.dumps(told | ({"whole": how} if (how := whole_output(self.problem)) else {}))
         rows = []
         for test in self.tests:
             key = hashlib.sha256(test.input).hexdigest()

@@ -22,10 +22,11 @@ from judge.packs.export.driver import as_program, defines, why_not_alone
 from judge.packs.export.metadata import memory
 from judge.problem import Problem, Verdict
 from judge.problem.solutions import Kind, read_solutions
-from judge.run.program import answer_lines
+from judge.run.formatted import FormatRunner
+from judge.run.program import ProgramRunner, answer_lines, text_of
 from judge.run.replies import VERDICTS
 from judge.sandbox.boundary import BoxFactory, Limits, ProgramResult, Stop
-from judge.values.check import Accepted, check_line
+from judge.values.check import Accepted
 
 FOLDERS = {
     Verdict.AC: "accepted",
@@ -95,6 +96,7 @@ class Exporter:
         self._problem: Problem = data.problem
         self._tests = tests
         self._boxes = boxes
+        self._decide = (FormatRunner if data.problem.formatted else ProgramRunner)(data.problem).decide
         self._progress = progress
         self._left_out: list[LeftOut] = []
 
@@ -151,8 +153,13 @@ class Exporter:
         try:
             text = source.decode()
             why = why_not_alone(text)
-            if defines(text, self._problem.entry):
-                text = as_program(self._problem, text)
+            rule = self._problem.time
+            read_in = kind is Kind.ACCEPTED and rule is not None and name == rule.program
+            if defines(text, self._problem.entry) and not read_in:
+                if self._problem.formatted:
+                    why = f"it defines {self._problem.entry} to be called, and reads no input"
+                else:
+                    text = as_program(self._problem, text)
         except (SyntaxError, UnicodeDecodeError):
             why = "it does not compile"
         if why:
@@ -193,11 +200,13 @@ class Exporter:
         if result.stop is not Stop.ANSWERED:
             return VERDICTS[result.stop]
         lines, group = answer_lines(result.stdout, complete=True), test.group
+        if self._problem.formatted:
+            lines = [text_of(result.stdout)]
         if len(lines) != len(group.cases):
             return Verdict.WA
         for line, case, target in zip(lines, group.cases, group.targets, strict=True):
             exact = partial(self._data.exact, case, group.group)
-            if not isinstance(check_line(self._problem.answer, line, target, exact), Accepted):
+            if not isinstance(self._decide(line, target, exact), Accepted):
                 return Verdict.WA
         return Verdict.AC
 
@@ -208,13 +217,13 @@ def _misfit(kind: Kind, trial: _Trial, seconds: int) -> str:
     if kind is Kind.ACCEPTED and verdict is not Verdict.AC:
         return f"as a program it is no longer accepted: {verdict.value} on {trial.test or 'every file'}"
     if verdict is Verdict.AC and kind is Kind.SLOW:
-        took = f"it takes {trial.seconds:.2f} s and must take more than {SURELY * seconds} s"
+        took = f"it takes {trial.seconds:.2f} s, and must take {SURELY * seconds} s"
         return f"too near the package's time limit of {seconds} s: {took}"
     if verdict is Verdict.AC and kind is Kind.WRONG:
         return "as a program it is accepted"
     if verdict not in FOLDERS:
         return f"a package has no folder for {verdict.value}"
     if verdict is not Verdict.TLE and kind is not Kind.ACCEPTED and trial.seconds > seconds / 2:
-        took = f"it takes {trial.seconds:.2f} s and must take at most {seconds / 2} s"
+        took = f"it takes {trial.seconds:.2f} s, and must take at most {seconds / 2} s"
         return f"too near the package's time limit of {seconds} s: {took}"
     return ""

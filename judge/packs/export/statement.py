@@ -6,6 +6,7 @@ import re
 from typing import Any
 
 from judge.problem import Parameter, Problem
+from judge.values.letters import texts_of
 from judge.values.reading import meant
 
 # What LaTeX takes for a sign of its own.
@@ -80,11 +81,18 @@ def escaped(text: str) -> str:
 
 def _as_a_program(problem: Problem) -> str:
     """What a package asks for, where the statement asks for a function."""
+    if not problem.entry:
+        return ""
+    whole = "A submission is a whole program here, and not a function. It reads"
+    if problem.formatted:
+        return f"\\emph{{{whole} one case, and prints its answer.}}\n"
     row = " ".join(_words(parameter) for parameter in problem.parameters)
+    quoted = " A text that is empty, has a blank, begins with a quotation mark or is none is a JSON string."
     return (
-        "\\emph{A submission is a whole program here, and not a function. It reads the number of cases"
-        f" and then a line for each of them: \\texttt{{{escaped(row)}}}. It prints the answers in the same"
-        f" order, one on a line: \\texttt{{{escaped(meant(problem.answer))}}}.}}\n"
+        f"\\emph{{{whole} the number of cases and then a line for each of them:"
+        f" \\texttt{{{escaped(row)}}}. It prints the answers in the same"
+        f" order, one on a line: \\texttt{{{escaped(meant(problem.answer))}}}."
+        f"{quoted * any(texts_of(each.type) for each in problem.parameters)}}}\n"
     )
 
 

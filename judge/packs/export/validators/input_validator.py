@@ -5,21 +5,29 @@ It checks the form of every line, that each number is written as Python writes i
     ["real", low, high, smallest]    each bound [n, m] for n/m; other than 0 at least smallest
     ["int", low, high, smallest]     the same for integers
     ["word", [word, …]]              one of these
+    ["text", low, high, letters]     so many of these characters: as it is if it is one word, else as JSON
+    ["bool"]                         true or false
     ["tuple", [type, …]]             its parts
     ["list", type, low, high]        the length, low to high (None: no bound), and the items
     ["optional", type]               none, or the type
 
-It does not prove what else the statement promises of a case, such as how near a miss may be.
+It does not prove what else the statement promises of a case, such as how near a miss may be. Inputs of a
+format of the problem's own are known by their SHA-256.
 Needs Python 3.6 or newer, CPython or PyPy, and nothing else.
 """
 
+import hashlib
+import json
 import re
 import sys
 from fractions import Fraction
 from typing import Any, List
 
 PARAMETERS = []  # type: Any  # the problem's, in order
+INPUTS = []  # type: List[str]  # in their place, where the format is the problem's own
 INTEGER = re.compile(r"0|-?[1-9][0-9]*")
+TOKEN = re.compile(r'"(?:[^"\\]|\\.)*"|[^ ]+')
+BARE = re.compile(r'(?!")(?!none\Z)[!-~]+')
 FLOAT = re.compile(r"-?(0|[1-9][0-9]*)(\.[0-9]+)?(e[+-]?[0-9]+)?")
 LONGEST = 400  # of a number
 MOST_CASES = 7  # digits of their number
@@ -46,6 +54,18 @@ def number(kind: Any, token: str) -> None:
         raise Invalid("%s is too small" % token)
 
 
+def text(kind: Any, token: str) -> None:
+    """Raises Invalid unless the token is such a text."""
+    try:
+        value = json.loads(token) if token.startswith('"') else token
+    except ValueError:
+        raise Invalid("%r is not a JSON string" % token[:60]) from None
+    if token != (value if BARE.fullmatch(value) else json.dumps(value)):
+        raise Invalid("%r is not a text as the format has it" % token[:60])
+    if not kind[1] <= len(value) <= kind[2] or set(value) - set(kind[3]):
+        raise Invalid("%r is too short, too long or has another letter" % token[:60])
+
+
 def parameter(kind: Any, tokens: List[str]) -> None:
     """Takes a value of that type from the tokens, of which the next is last. Raises Invalid, IndexError."""
     name = kind[0]
@@ -65,9 +85,11 @@ def parameter(kind: Any, tokens: List[str]) -> None:
             parameter(kind[1], tokens)
         else:
             tokens.pop()
-    elif name == "word":
+    elif name == "text":
+        text(kind, tokens.pop())
+    elif name in ("word", "bool"):
         word = tokens.pop()
-        if word not in kind[1]:
+        if word not in (kind[1] if name == "word" else ("true", "false")):
             raise Invalid("%r is none of the words" % word[:60])
     else:
         number(kind, tokens.pop())
@@ -75,6 +97,10 @@ def parameter(kind: Any, tokens: List[str]) -> None:
 
 def validate(data: bytes) -> None:
     """Raises Invalid unless these are the bytes of an input."""
+    if INPUTS:
+        if hashlib.sha256(data).hexdigest() not in INPUTS:
+            raise Invalid("not an input of this package: export the package again")
+        return
     try:
         lines = data.decode("ascii").split("\n")
     except UnicodeDecodeError:
@@ -85,8 +111,10 @@ def validate(data: bytes) -> None:
     if len(lines) != int(first) + 2 or lines[-1]:
         raise Invalid("%s cases, then each on a line of its own, are expected" % first)
     for at, line in enumerate(lines[1:-1]):
-        tokens = line.split(" ")[::-1]
+        tokens = TOKEN.findall(line)[::-1]
         try:
+            if " ".join(tokens[::-1]) != line:
+                raise Invalid("tokens are separated by one blank each")
             for kind in PARAMETERS:
                 parameter(kind, tokens)
         except IndexError:

@@ -7,11 +7,18 @@ accepted for each of its cases:
 
     ["real"]                 [a, b, s]: from a/s to b/s
                              [a, b, c, d, r, s]: from (a + b*sqrt(r))/s to (c + d*sqrt(r))/s
-    ["int"], ["word"]        the int, the word
+    ["int"], ["bool"], ["word", [word, …]], ["text", low, high, letters]
+                             the same; ["int", low, high] and ["real", low, high] have bounds
     ["tuple", [type, …]]     what is accepted for each part
     ["list", type, low, high]    the same for each item, of which there are low to high (null: no bound)
     ["optional", type]       null where the answer is none
+    ["returns", [type, …]]   of calls in a row [[place of its type, what is accepted], …]; null: anything
     any of these             {"any": […]}: each of several is right
+                             {"judged": group, "case": […], "at": […]}: what is in that place of what
+                             `solve` of validate_problem.py gives for the case says why an answer is wrong
+
+Where `whole` is there, the whole output is one answer: of "tokens", or what FORMAT.read of
+validate_problem.py makes of it. validate_declare.py stands there for the judge's own module.
 
 Needs Python 3.6 or newer, CPython or PyPy, and nothing else.
 """
@@ -21,17 +28,29 @@ import json
 import os
 import re
 import sys
-from typing import Any, List, Tuple
+from decimal import Decimal
+from fractions import Fraction
+from importlib import import_module
+from typing import Any, List, NamedTuple
 
 DECIMAL = re.compile(r"([+-]?)(?=\.?[0-9])([0-9]*)(?:\.([0-9]*))?(?:[eE]([+-]?[0-9]+))?")
 INTEGER = re.compile(r"[+-]?[0-9]{1,400}")
 FOREIGN = re.compile(r"[^\t -~]")
-MOST_DIGITS, MOST_EXPONENT = 2000, 5000
+TOKEN = re.compile(r'"(?:[^"\\]|\\.)*"|\S+')
+MOST_DIGITS, MOST_EXPONENT, LONGEST_TEXT = 2000, 5000, 1000000
 TABLE = "accepted.json"
 
 
 class Wrong(Exception):  # noqa: N818
     """Why an output is wrong."""
+
+
+class Number(NamedTuple):
+    """A real number: top/bottom, and what a checker is given for it: an int, its double, or a Fraction."""
+
+    top: int
+    bottom: int
+    plain: Any
 
 
 def sign(p: int, q: int, r: int) -> int:
@@ -44,9 +63,9 @@ def sign(p: int, q: int, r: int) -> int:
     return ((gap > 0) - (gap < 0)) * (1 if p > 0 else -1)
 
 
-def order(p: int, q: int, r: int, s: int, y: Tuple[int, int]) -> int:
+def order(p: int, q: int, r: int, s: int, y: Number) -> int:
     """The sign of (p + q*sqrt(r))/s - y."""
-    return sign(p * y[1] - y[0] * s, q * y[1], r)
+    return sign(p * y.bottom - y.top * s, q * y.bottom, r)
 
 
 class Tokens:
@@ -57,7 +76,7 @@ class Tokens:
             line = line[:-1]
         if FOREIGN.search(line):
             raise Wrong("the output is not plain ASCII text")
-        self.words = line.split()
+        self.words = TOKEN.findall(line)  # type: List[str]
         self.at = 0
         if not self.words:
             raise Wrong("an empty line where an answer is expected")
@@ -80,8 +99,26 @@ class Tokens:
             raise Wrong("%r where a plain integer is expected" % token[:60])
         return int(token)
 
-    def number(self) -> Tuple[int, int]:
-        """The next token as a plain decimal: its numerator and denominator."""
+    def text(self) -> str:
+        """The next token as a text."""
+        token = self.take()
+        if len(token) > LONGEST_TEXT:
+            raise Wrong("a text of more than %d characters" % LONGEST_TEXT)
+        try:
+            found = json.loads(token) if token.startswith('"') else token
+        except ValueError:
+            raise Wrong("%r is not a JSON string" % token[:60]) from None
+        return str(found)
+
+    def truth(self) -> bool:
+        """The next token as a bool."""
+        token = self.take()
+        if token not in ("true", "false"):
+            raise Wrong("%r where true or false is expected" % token[:60])
+        return token == "true"
+
+    def number(self) -> Number:
+        """The next token as a plain decimal."""
         token = self.take()
         match = DECIMAL.fullmatch(token) if len(token) <= MOST_DIGITS else None
         if match is None:
@@ -91,25 +128,33 @@ class Tokens:
             raise Wrong("%r has an exponent beyond %d" % (token[:60], MOST_EXPONENT))
         exponent = int(power or 0) - len(places or "")
         top = int(minus + whole + (places or ""))
-        return (top * 10**exponent, 1) if exponent >= 0 else (top, 10**-exponent)
+        own = int(token) if token.lstrip("+-").isdigit() else float(token)  # type: Any
+        own = own if own - own == 0 else Fraction(token)
+        return Number(top * 10 ** max(exponent, 0), 10 ** max(-exponent, 0), own)
+
+
+LEAVES = {
+    "real": Tokens.number,
+    "int": Tokens.integer,
+    "word": Tokens.take,
+    "text": Tokens.text,
+    "bool": Tokens.truth,
+}  # type: Any
+PLAIN = {"int": int, "word": str, "text": str, "bool": bool}
 
 
 def taken(kind: Any, tokens: Tokens) -> Any:
     """The value of that type which the next tokens hold."""
     name = kind[0]
-    if name == "real":
-        return tokens.number()
-    if name == "int":
-        return tokens.integer()
-    if name == "word":
-        return tokens.take()
+    if name in LEAVES:
+        return LEAVES[name](tokens)
     if name == "tuple":
-        return [taken(part, tokens) for part in kind[1]]
+        return tuple([taken(part, tokens) for part in kind[1]])
     if name == "optional":
         if tokens.ahead() == "none":
             tokens.take()
             return None
-        if tokens.ahead().lower() in ("none", "null"):
+        if tokens.ahead().lower() in ("none", "null") and kind[1][0] != "text":
             raise Wrong("write none in lower case")
         return taken(kind[1], tokens)
     if name == "list":
@@ -128,6 +173,73 @@ def items(kind: Any, tokens: Tokens) -> List[Any]:
     return [taken(kind[1], tokens) for _ in range(count)]
 
 
+def given(kind: Any, value: Any) -> Any:
+    """The same out of what FORMAT.read returns."""
+    name, own = kind[0], type(value)
+    if name == "optional":
+        return None if value is None else given(kind[1], value)
+    if name == "real" and own is Decimal:
+        return Tokens(str(value)).number()
+    if name == "real" and own in (int, float, Fraction) and value - value == 0:
+        return Number(Fraction(value).numerator, Fraction(value).denominator, value)
+    if name in ("tuple", "list") and own in (tuple, list):
+        low, high = kind[2:] if name == "list" else [len(kind[1])] * 2
+        if low <= len(value) and (high is None or len(value) <= high):
+            return (tuple if name == "tuple" else list)([given(*each) for each in pairs(kind, value)])
+    elif own is PLAIN.get(name) or (name == "returns" and own in (tuple, list)):
+        return value
+    raise Wrong("%s where another answer is expected" % ascii(value)[:60])
+
+
+def pairs(kind: Any, value: Any) -> Any:
+    """The parts of a tuple or the items of a list, each after its type."""
+    return zip(kind[1] if kind[0] == "tuple" else [kind[1]] * len(value), value)
+
+
+def bounded(kind: Any, value: Any) -> bool:
+    """Whether a value keeps to the bounds of its type: a checker is not asked about any other."""
+    name = kind[0]
+    if value is None:
+        return True
+    if name == "optional":
+        return bounded(kind[1], value)
+    if name in ("tuple", "list"):
+        return all(bounded(*each) for each in pairs(kind, value))
+    if name == "text":
+        return kind[1] <= len(value) <= kind[2] and not set(value) - set(kind[3])
+    if name == "word":
+        return value in kind[1]
+    exact = Fraction(value.top, value.bottom) if name == "real" else value
+    return not kind[1:] or kind[1] <= exact <= kind[2]
+
+
+def plain(value: Any) -> Any:
+    """A value as a checker is given it."""
+    if isinstance(value, Number):
+        return value.plain
+    return type(value)(map(plain, value)) if isinstance(value, (list, tuple)) else value
+
+
+def brought() -> Any:
+    """The problem's own problem.py."""
+    sys.modules["judge.problem.declare"] = import_module("validate_declare")
+    return import_module("validate_problem")
+
+
+def why_not(value: Any, wanted: Any) -> Any:
+    """What the problem's own checker says of a value; None where it is right."""
+    module = brought()
+    found = module.solve(*tupled(wanted["case"]))
+    for step in wanted["at"]:
+        found = (found.answers if hasattr(found, "answers") else found)[step]
+    return found.why_not(plain(value), wanted["judged"])
+
+
+def tupled(value: Any) -> Any:
+    """The value with tuples in place of lists."""
+    return tuple(map(tupled, value)) if isinstance(value, list) else value
+
+
 def held(kind: Any, value: Any, wanted: Any, where: str) -> None:
     """Raises Wrong unless the value is what is wanted."""
     if isinstance(wanted, dict) and "any" in wanted:
@@ -135,6 +247,11 @@ def held(kind: Any, value: Any, wanted: Any, where: str) -> None:
             if fits(kind, value, each):
                 return
         raise Wrong("%s is none of the right ones" % where)
+    if isinstance(wanted, dict):
+        why = why_not(value, wanted) if bounded(kind, value) else "out of bounds"
+        if why is not None:
+            raise Wrong("%s: %s" % (where, why))
+        return
     name = kind[0]
     if name == "optional":
         if value is None or wanted is None:
@@ -157,8 +274,15 @@ def held(kind: Any, value: Any, wanted: Any, where: str) -> None:
             raise Wrong("%s has %d items, %d wanted" % (where, len(value), len(wanted)))
         for at, each in enumerate(wanted):
             held(kind[1], value[at], each, "item %d of %s" % (at + 1, where))
-    elif value != wanted:  # an int, a word
-        raise Wrong("%s is %s, %s wanted" % (where, str(value)[:60], str(wanted)[:60]))
+    elif name == "returns":
+        if len(value) != len(wanted):
+            raise Wrong("%d answers, %d wanted" % (len(value), len(wanted)))
+        for at, (place, each) in enumerate(wanted):
+            if kind[1][place] is not None:
+                own = kind[1][place]
+                held(own, given(own, value[at]), each, "answer %d" % (at + 1))
+    elif value != wanted:  # an int, a bool, a word, a text
+        raise Wrong("%s is %s, %s wanted" % (where, ascii(value)[:60], ascii(wanted)[:60]))
 
 
 def fits(kind: Any, value: Any, wanted: Any) -> bool:
@@ -179,12 +303,32 @@ def check(kind: Any, line: str, wanted: Any) -> None:
     held(kind, value, wanted, "the answer")
 
 
+def text_of(output: bytes) -> str:
+    """An output as text, in which what is not UTF-8 stays."""
+    return output.decode("utf-8", "backslashreplace").replace("\r\n", "\n")
+
+
 def lines_of(output: bytes) -> List[str]:
     """The lines of an output, without blank ones at its end."""
-    lines = output.decode("latin-1").replace("\r\n", "\n").split("\n")
+    lines = text_of(output).split("\n")
     while lines and not lines[-1].strip(" \t"):
         lines.pop()
     return lines
+
+
+def decide_whole(kind: Any, wanted: Any, output: bytes, how: str) -> None:
+    """Raises Wrong unless an output is right, all of it one answer."""
+    if how == "tokens":
+        check(kind, " ".join(text_of(output).splitlines()), wanted)
+        return
+    read = brought().FORMAT.read
+    try:
+        value = given(kind, read(text_of(output)))
+    except (Wrong, ValueError) as why:
+        raise Wrong(str(why) or "the output cannot be read") from None
+    except Exception as fault:  # of an output that the setter did not think of
+        raise Wrong("the output cannot be read: %s" % type(fault).__name__) from None
+    held(kind, value, wanted, "the answer")
 
 
 def decide(kind: Any, wanted: Any, output: bytes) -> None:
@@ -205,15 +349,20 @@ def main() -> int:
     """The exit status."""
     with open(sys.argv[1], "rb") as file:
         key = hashlib.sha256(file.read()).hexdigest()
-    with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), TABLE)) as file:
+    with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), TABLE), encoding="utf-8") as file:
         table = json.load(file)
     if key not in table["files"]:
         sys.stderr.write("%s is not an input of this package: export the package again\n" % sys.argv[1])
         return 1
     try:
-        decide(table["answer"], table["files"][key], sys.stdin.buffer.read())
+        kind, wanted, output = table["answer"], table["files"][key], sys.stdin.buffer.read()
+        if "whole" in table:
+            decide_whole(kind, wanted[0], output, table["whole"])
+        else:
+            decide(kind, wanted, output)
     except Wrong as why:
-        with open(os.path.join(sys.argv[3], "judgemessage.txt"), "a") as file:
+        path = os.path.join(sys.argv[3], "judgemessage.txt")
+        with open(path, "a", encoding="utf-8", errors="backslashreplace") as file:
             file.write("%s\n" % why)
         return 43
     return 42

@@ -45,7 +45,7 @@ def show(answer):
 
 
 FORMAT = Format(write, read, show)
-EXAMPLES = [(2, (("put", 1, 3), ("ask", 1, 0), ("take", 1, 4), ("take", 1, 1))), (1, ())]
+EXAMPLES = [(2, (("put", 1, 3), ("ask", 1, 0), ("take", 1, 4), ("take", 1, 1))), (1, (("ask", 1, 0),))]
 
 
 def steps(most, longest, chance):
@@ -54,7 +54,7 @@ def steps(most, longest, chance):
         for _ in range(draw.integer(1, longest)):
             what = draw.choice(chance.split())
             steps.append((what, draw.integer(1, shelves), 0 if what == "ask" else draw.integer(1, 9)))
-        return shelves, tuple(steps)
+        return shelves, (*steps, ("ask", draw.integer(1, shelves), 0))
 
     return draw
 
