@@ -27,7 +27,8 @@ def contained(problem: Problem, options: RunOptions, jobs: int = 1, had: str | N
     least = None if options.isolation else kept_level()
     share, hidden = room.measure().share(jobs), hidden_folders(problem)
     boxes = Boxes(options.isolation, hidden, least=least, had=had, share=share)
-    return AnyBoxes(boxes, None if options.program else signature_of(problem))
+    signature = signature_of(problem)
+    return AnyBoxes(boxes, None if options.program and signature.is_run else signature)
 
 
 def hidden_folders(problem: Problem) -> tuple[Path, ...]:

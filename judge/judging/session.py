@@ -34,6 +34,7 @@ if TYPE_CHECKING:
     from judge.repair.beside import Beside
     from judge.repair.search import Repair
     from judge.run.execute import Judged
+    from judge.run.runner import Runner
 
 NAMED = (Verdict.WA, Verdict.RTE)  # the other verdicts do not come from wrong answers
 Bars = Callable[[str], AbstractContextManager[Progress | None]]  # opens a bar for work of that label
@@ -200,6 +201,8 @@ class Session:
             judged = judged._replace(result=result)
             if options.diagnosed:
                 judged = judged._replace(result=self.diagnosed(judged, self.data, box))
+            if runner.language and judged.result.verdict in NAMED:
+                judged = judged._replace(result=self.checked(judged.result, runner, box))
             return self.named(judged, source, box, on_verdict) if options.named else judged.result
 
     def diagnosed(
@@ -223,6 +226,17 @@ class Session:
         if found is not None and found.replay is not None:
             found = runner.explained(found, does)
         return replace(result, counterexample=found)
+
+    def checked(self, result: Result, runner: Runner, box: Box) -> Result:
+        """The result with what checks of its language find in the case that is shown, run once more."""
+        from judge.problem.model import case_of  # only after a failure in another language
+        from judge.sandbox.native import NativeBox
+
+        shown = result.counterexample or result.failure
+        if shown is None or shown.input is None or not isinstance(box, NativeBox):
+            return result
+        case = case_of(shown.input)
+        return result.noting(*box.checked(lambda built, limits: runner.ask(built, [case], limits)))
 
     def named(
         self, judged: Judged, source: bytes, box: Box, on_verdict: Callable[[Result], None] | None = None

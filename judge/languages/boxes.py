@@ -73,6 +73,8 @@ def recipe_of(found: Toolchain) -> Recipe:
         empty=(own_file(language, language.empty), language.empty.encode()),
         complaint=compiling.complaint,
         warning=compiling.warning,
+        checks=found.filled(compiling.checks),
+        finds=compiling.finds,
         help=found.files,
     )
 

@@ -26,7 +26,7 @@ from judge.languages.scan import MARK, PARAMETERS, Tokens, beginning, usual_toke
 
 _Words = tuple[str, ...]
 _Name = Annotated[str, Meta(min_length=1)]
-_Over = Literal["parameters", "structs", "lacking", "fields", "parts", "big"]
+_Over = Literal["parameters", "structs", "lacking", "fields", "parts", "big", "methods", "members"]
 
 
 class Compiling(Struct, frozen=True, forbid_unknown_fields=True):
@@ -35,7 +35,9 @@ class Compiling(Struct, frozen=True, forbid_unknown_fields=True):
     `keeps` says that nothing is made: what is run is the source itself. `complaint` is a pattern of what a
     compiler says of a fault, with groups `message`, `file`, `line` and perhaps `column`; without it the usual
     forms are known, such as `file:line:column: error: message`. `warning` is one of what it says of a source
-    that it compiles, and that may well be why an answer is wrong.
+    that it compiles, and that may well be why an answer is wrong. With the words of `checks` at the end of
+    each command line it makes a program that tells of its own faults: each of `finds` is a pattern of that,
+    with groups `message` and perhaps `line` and `of`, what the message is about.
     """
 
     steps: tuple[_Words, ...]
@@ -45,6 +47,8 @@ class Compiling(Struct, frozen=True, forbid_unknown_fields=True):
     keeps: bool = False
     complaint: str = ""
     warning: str = ""
+    checks: _Words = ()
+    finds: _Words = ()
 
 
 class Running(Struct, frozen=True, forbid_unknown_fields=True):
@@ -70,17 +74,18 @@ class Language(
 ):
     """One language.
 
-    `spelling` is how names of several words are written in it, `file` what a submission's own file is
-    called where it is compiled, `main` a pattern that is met where a source is a whole program, `defines`
-    one that is met where it defines the function `{entry}` of `{parameters}`, in their brackets. `unsaid` is
-    what begins and ends its comments and strings, see `judge.languages.scan.Tokens`; without it they are
-    those of C, or of Python where `comment` is not `//`. Outside of those `drops` is a pattern of what is
-    taken out before it is compiled, and `swaps` are pairs of one and what stands for it then. No pattern may
-    try a text in many ways: write a*+ for a*, a++ for a+, (?>(?:ab){0,9}) for (?:ab)*. `empty` is a program
-    that does nothing, as costly as any program before its first line. `tools` are the names that each tool
-    may have; `homes` the folder above the folder of a tool's real file, `folders` where a file really lies,
-    `probes` a tool's answer that is a path, `prepared` one that is kept as a file for the compiler. `spell`
-    are the rules by which functions are written, see `judge.languages.spell`.
+    `spelling` is how names of several words are written in it, `file` what a submission's own file is called
+    where it is compiled, `main` a pattern that is met where a source is a whole program, `defines` one that
+    is met where it defines the function `{entry}` of `{parameters}`, in their brackets, and `classes` one
+    where it defines the class `{entry}`: without it no class is called. `unsaid` is what begins and ends its
+    comments and strings, see `judge.languages.scan.Tokens`; without it they are those of C, or of Python
+    where `comment` is not `//`. Outside of those `drops` is a pattern of what is taken out before it is
+    compiled, and `swaps` are pairs of one and what stands for it then. No pattern may try a text in many
+    ways: write a*+ for a*, a++ for a+, (?>(?:ab){0,9}) for (?:ab)*. `empty` is a program that does nothing,
+    as costly as any program before its first line. `tools` are the names that each tool may have; `homes`
+    the folder above the folder of a tool's real file, `folders` where a file really lies, `probes` a tool's
+    answer that is a path, `prepared` one that is kept as a file for the compiler. `spell` are the rules by
+    which functions are written, see `judge.languages.spell`.
     """
 
     name: _Name
@@ -99,6 +104,7 @@ class Language(
     swaps: tuple[tuple[str, str], ...] = ()
     unsaid: tuple[Annotated[_Words, Meta(min_length=1, max_length=3)], ...] = ()
     defines: str = ""
+    classes: str = ""
     comment: str = "//"  # what begins one
     factor: Annotated[float, Meta(ge=1)] = 1.0  # how many times Python's time short work may well take in it
     homes: dict[str, str] = {}
@@ -127,17 +133,20 @@ class Language(
         """All its patterns, each with the key that it has in the description."""
         yield "main", self.main
         yield "defines", self.head("f")
+        yield "classes", self.head("F", is_class=True)
         yield "complaint", self.compiling.complaint
         yield "warning", self.compiling.warning
+        yield from (("finds", pattern) for pattern in self.compiling.finds)
         yield "drops", self.drops
         yield from (("swaps", pattern) for pattern, _ in self.swaps)
         yield from (("unsaid", part) for each in self.unsaid for part in each if MARK not in part)
         yield "unsaid", beginning(self.tokens)  # whose groups may be there twice
 
-    def head(self, entry: str) -> str:
-        """The pattern of where it defines the function that the problem calls so; empty without one."""
+    def head(self, entry: str, *, is_class: bool = False) -> str:
+        """The pattern of where it defines what the problem calls so; empty without one."""
         name = re.escape(self.spelt(entry))
-        return self.defines.replace("{entry}", name).replace("{parameters}", PARAMETERS)
+        pattern = self.classes if is_class else self.defines
+        return pattern.replace("{entry}", name).replace("{parameters}", PARAMETERS)
 
     def spelt(self, name: str) -> str:
         """A name of several words, such as `signed_area`, as the language writes it."""

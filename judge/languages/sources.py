@@ -1,7 +1,7 @@
-"""What of a submission is compiled, and whether it is a function or a whole program.
+"""What of a submission is compiled, and whether it is a function, a class or a whole program.
 
-As in Python: a source that defines the problem's function is called, another one is run. What is in comments
-and strings defines nothing.
+As in Python: a source that defines the problem's function or class is called, another one is run. What is in
+comments and strings defines nothing.
 """
 
 from __future__ import annotations
@@ -12,7 +12,8 @@ from functools import partial
 from itertools import islice
 
 from judge.errors import nearest
-from judge.languages.model import Language
+from judge.languages.described import NAME
+from judge.languages.model import Language, languages
 from judge.languages.scan import changed, met, reading, stripped
 from judge.languages.shapes import Unsupported
 from judge.languages.signature import Signature
@@ -36,20 +37,22 @@ def sources_of(language: Language, source: bytes, signature: Signature | None = 
 
 def _sources_of(language: Language, source: bytes, signature: Signature | None) -> Sources:
     source, text = _kept(language, source), stripped(source, language.tokens)
-    own = own_file(language, text, signature.entry if signature else "")
+    own = own_file(language, text, signature)
     whole = Sources(((own, source),), own)
     if source.startswith(_UTF16):
         return whole._replace(fault=SourceFault("it is UTF-16: save it as UTF-8"))
     if signature is None or not signature.entry:
         return whole
-    found = defined(language, text, signature.entry)
+    found = _asked(language, text, signature)
     if found:
         try:
             return _called(language, signature, source, text, found.end())
         except Unsupported:
-            if language.main and not _met(language.main, text):
+            if signature.is_run and language.main and not _met(language.main, text):
                 what = f"{language.name} functions of this problem's types cannot be called: give it a main"
                 return whole._replace(fault=SourceFault(what))
+    if signature.methods and not (signature.is_run and _met(language.main, text)):
+        return whole._replace(fault=_no_class(language, text, signature.entry))
     if not language.main:
         return whole
     if not _met(language.main, text):
@@ -58,14 +61,23 @@ def _sources_of(language: Language, source: bytes, signature: Signature | None) 
 
 
 def definition(language: Language, source: bytes, entry: str) -> re.Match[str] | None:
-    """Where a source defines the function that is called `entry` in Python; None where it does not."""
+    """Where a source defines what is called `entry` in Python; None where it does not."""
     return defined(language, stripped(source, language.tokens), entry)
 
 
 def defined(language: Language, text: str, entry: str) -> re.Match[str] | None:
     """The same of a source without comments and strings."""
-    pattern = language.head(entry) if language.spelt(entry) in text else ""
+    return _defined(language, text, entry, is_class=False) or _defined(language, text, entry, is_class=True)
+
+
+def _defined(language: Language, text: str, entry: str, *, is_class: bool) -> re.Match[str] | None:
+    pattern = language.head(entry, is_class=is_class) if language.spelt(entry) in text else ""
     return _met(pattern, text) if pattern else None
+
+
+def _asked(language: Language, text: str, signature: Signature) -> re.Match[str] | None:
+    """Where it defines what the problem asks for."""
+    return _defined(language, text, signature.entry, is_class=bool(signature.methods))
 
 
 def _met(pattern: str, text: str) -> re.Match[str] | None:
@@ -75,14 +87,15 @@ def _met(pattern: str, text: str) -> re.Match[str] | None:
 
 def _called(language: Language, signature: Signature, source: bytes, text: str, end: int) -> Sources:
     """The submission's function with the driver that calls it. Raises Unsupported."""
-    own = own_file(language, text, signature.entry)
+    own = own_file(language, text, signature)
     spec = spec_of(language, signature, text, own)
     writer = Writer(language, spec)
     name, content = writer.driver()
     head = writer.text("head")
     stub = stripped((head + writer.text("body")).encode(), language.tokens)
     empty = "".join(stub.split()) in "".join(text.split())
-    mismatch = f"{spec.entry} is not declared as the problem says: {head}"
+    declared = writer.text("declared") if spec.methods and "declared" in writer else head
+    mismatch = f"{spec.entry} is not declared as the problem says: {declared}"
     if spec.own and "struct" in writer:
         types = (writer.text("struct", each) for each in spec.structs if each.name in spec.own)
         mismatch = f"{mismatch}, with {' and '.join(types)}"
@@ -90,14 +103,14 @@ def _called(language: Language, signature: Signature, source: bytes, text: str, 
     return Sources(files, own, signature.entry, text.count("\n", 0, end) + 1, mismatch, empty=empty)
 
 
-def own_file(language: Language, text: str, entry: str = "") -> str:
+def own_file(language: Language, text: str, signature: Signature | None = None) -> str:
     """What the submission's own file is called where it is compiled.
 
-    A public class says so itself; else it is the one with the function `entry`, or with the main.
+    A public class says so itself; else it is the one with the problem's function, or with the main.
     """
     if "{class}" not in language.file:
         return language.file
-    starts = (defined(language, text, entry) if entry else None, _met(language.main, text))
+    starts = (_asked(language, text, signature) if signature else None, _met(language.main, text))
     holders = (around(text, found.start()) for found in starts if found)
     said = _PUBLIC_CLASS.search(text)
     first = _CLASS.search(text)
@@ -121,6 +134,24 @@ def _blank(found: re.Match[str]) -> str:
 def _swapped(text: str, found: re.Match[str]) -> str:
     """The text instead of what was found, as long where that is longer."""
     return text.ljust(len(found[0]))
+
+
+def why_no_class(language: Language, entry: str) -> str:
+    """Why a class cannot be called in a language, and what to do."""
+    *names, last = (NAME, *(each.name for each in languages() if each.classes))
+    return f"{entry} is a class; in {language.name} none is called: write it in {', '.join(names)} or {last}"
+
+
+def _no_class(language: Language, text: str, entry: str) -> SourceFault:
+    if not language.classes:
+        return SourceFault(why_no_class(language, entry))
+    wanted = language.spelt(entry)
+    names = islice(_CLASS.finditer(text), _MOST_NAMES)
+    other = nearest(wanted, dict.fromkeys(found[1] for found in names))
+    if other == wanted:
+        return SourceFault(f"{wanted} has types that {language.name} is not called with")
+    meant = f": write {wanted} for {other}" if other else ""
+    return SourceFault(f"it defines no class {wanted}{meant}")
 
 
 def _neither(language: Language, text: str, entry: str) -> SourceFault:

@@ -1,14 +1,15 @@
-"""A function in another language, written by the rules of the table `[spell]` of its description.
+"""A function or class in another language, written by the rules of the table `[spell]` of its description.
 
-A rule is a text with holes; or a text for each kind of type, `any` for the others; or a list of three: a text
-for each of the `parameters`, `structs`, `lacking` structs, `fields` or `parts`, or once where there are `big`
-integers, or `digits` or `bools` in the answer, and what stands between. A hole `{rule}` is written for the
-type at hand, `{inner.rule}` for what a list or an optional value is of, `{answer.rule}` for the answer as the
-problem has it. What no rule and no name of `Writer` fits stays as it is. The rule `driver` is what the
-driver's file is called where it is compiled, `judge_driver.*` without it. The driver has holes `@rule@`, and
-parts for some functions alone:
+A rule is a text with holes; or a text for each kind of type, `any` for the others; or a list of three: a
+text for each of the `parameters`, `structs`, `lacking` structs, `fields` or `parts`, or once where there are
+`big` integers, or `digits` or `bools` in the answer, and what stands between. Of a class it may be one for
+each of its `methods`, written as a function is, or its `members`: its constructor, of kind `made`, and
+these. A hole `{rule}` is written for the type at hand, `{inner.rule}` for what a list or an optional value
+is of, `{answer.rule}` for the answer as the problem has it. What no rule and no name of `Writer` fits stays
+as it is. The rule `driver` is what the driver's file is called where it is compiled, `judge_driver.*`
+without it. The driver has holes `@rule@`, and parts for some functions alone:
 
-    // @if big        or // @if not big, digits, bools
+    // @if big        or // @if not big, digits, bools, methods
     …
     // @end
 """
@@ -17,6 +18,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Mapping
+from copy import copy
 from functools import cache
 from pathlib import Path
 from typing import Any, TypeVar
@@ -74,7 +76,8 @@ class Writer:
         """What a rule comes to for a type; None where there is none. `values` are names of the place.
 
         Names are `entry`, `file`; of a type its `kind`, its `name` and its `most` items; of a parameter its
-        `parameter`, that in lower case `lower`, and the driver's `argument`; of a field its `field`.
+        `parameter`, that in lower case `lower`, and the driver's `argument`; of a field its `field`; of a
+        method its name in the problem, `called`.
         """
         if rule in values:
             return values[rule]
@@ -91,7 +94,9 @@ class Writer:
         if found:
             over, item, between = found
             places = self._places(over, shape)
-            return between.join(self._filled(_HOLE, item, each, {**values, **more}) for each, more in places)
+            return between.join(
+                writer._filled(_HOLE, item, each, {**values, **more}) for writer, each, more in places
+            )
         return self._name(rule, shape)
 
     def _name(self, rule: str, shape: Shape) -> str | None:
@@ -101,17 +106,22 @@ class Writer:
         names = {"entry": spec.entry, "file": spec.file, "kind": shape.kind, "name": shape.name}
         return str(shape.most) if rule == "most" else names.get(rule)
 
-    def _places(self, over: str, shape: Shape) -> Iterator[tuple[Shape, _Values]]:
-        """Each type that a rule is written for, with the names of its place."""
+    def _places(self, over: str, shape: Shape) -> Iterator[tuple[Writer, Shape, _Values]]:
+        """Each type that a rule is written for, with its writer and the names of its place."""
         if over == "parameters":
             for place, (name, each) in enumerate(self.spec.parameters):
-                yield each, {"parameter": name, "lower": name.lower(), "argument": f"judge{place}"}
+                yield self, each, {"parameter": name, "lower": name.lower(), "argument": f"judge{place}"}
         elif over == "fields":
             for each, name in zip(shape.parts, shape.fields, strict=False):
-                yield each, {"field": name}
+                yield self, each, {"field": name}
+        elif over in ("methods", "members"):
+            for name, spec in getattr(self.spec, over):
+                writer = copy(self)
+                writer.spec = spec
+                yield writer, small(spec.answer), {"called": name}
         else:
             lists = {"parts": shape.parts, "structs": self.spec.structs, "lacking": self.spec.lacking}
-            yield from ((each, {}) for each in lists.get(over, (shape,) if self.spec.has(over) else ()))
+            yield from ((self, each, {}) for each in lists.get(over, (shape,) if self.spec.has(over) else ()))
 
     def _filled(self, pattern: re.Pattern[str], text: str, shape: Shape, values: _Values) -> str:
         def hole(found: re.Match[str]) -> str:

@@ -75,7 +75,7 @@ def _program(solution: Solution, entry: str) -> str | None:
         defined = not entry or definition(solution.language, solution.source, entry) is not None
         return parted(solution.source, solution.language)[1] if defined else None
     tree = tree_of(solution.source)
-    if entry and not any(isinstance(part, ast.FunctionDef) and part.name == entry for part in tree.body):
+    if entry and not any(getattr(part, "name", "") == entry for part in tree.body):
         return None
     lines = decode_source(solution.source).splitlines()
     if ast.get_docstring(tree) is not None:

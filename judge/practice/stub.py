@@ -110,9 +110,9 @@ def make_stub(problem: Problem, language: Language | None = None) -> str:
     ]
     if not problem.entry:
         return _program(problem, language, about)
-    if problem.methods and language is None:
-        return _class(problem, about)
-    return _python(problem, about) if language is None else _native(problem, language, about)
+    if language is not None:
+        return _native(problem, language, about)
+    return _class(problem, about) if problem.methods else _python(problem, about)
 
 
 def _class(problem: Problem, about: Iterable[str]) -> str:
@@ -194,6 +194,7 @@ def rounded(answer: object) -> object:
 def _native(problem: Problem, language: Language, about: Iterable[str]) -> str:
     from judge.languages.shapes import Unsupported
     from judge.languages.signature import signature_of
+    from judge.languages.sources import why_no_class
     from judge.languages.spec import spec_of
     from judge.languages.spell import Writer
 
@@ -205,10 +206,14 @@ def _native(problem: Problem, language: Language, about: Iterable[str]) -> str:
     except Unsupported as why:
         what = f"{problem.id} has a type that functions in {language.name} are not called with: {why}"
         remedy = f"write a program that reads standard input; see 'judge show {problem.id}'"
+        if problem.methods and not language.classes:
+            what, remedy = why_no_class(language, problem.entry), ""
         raise UsageError(what, remedy=remedy) from None
     indent = _INDENT if head.startswith("static") else ""
 
     def told(problem: Problem, example: Example) -> list[str]:
+        if problem.methods:
+            return [_INDENT + row for row in _typed(problem, example)]
         literals = zip(problem.parameters, _literals(problem, example), strict=True)
         given = ", ".join(f"{each.name} = {literal}" for each, literal in literals)
         return [f"{_INDENT}{spec.entry}: {given}  gives  {_wanted(problem, example)!r}"]

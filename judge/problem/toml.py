@@ -37,7 +37,8 @@ _TEXTS = r"(?s)\"\"\".*?\"\"\"|'''.*?'''"  # of several lines
 def read_text(path: Path) -> str:
     """The text of one of a problem's files. Raises ProblemError."""
     try:
-        return read_ordinary_text(path)
+        text = read_ordinary_text(path)
+        return text if path.suffix == ".toml" else text.removeprefix("\ufeff")
     except FileNotFoundError:
         what, remedy = "the file is missing", f"create {path}"
     except UnicodeDecodeError as error:

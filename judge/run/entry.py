@@ -28,12 +28,13 @@ def entry_error(result: Result, runner: Runner, inspection: Inspection, source: 
     message = result.failure.message
     place = _LINE.search(message)
     line = int(place[1]) if place else 0
-    if called and entry is not None and entry.empty and not problem.methods:
+    in_python = problem.methods and not runner.language  # where a function of that name is no class
+    if called and entry is not None and entry.empty and not in_python:
         return EntryError(Obstacle.STUB, entry.line)
     if message.startswith(f"NotImplementedError: {problem.entry or problem.id} is still to be written"):
         return EntryError(Obstacle.STUB, line)
     if called and problem.methods:
-        if entry is not None:
+        if entry is not None and in_python:
             return EntryError(Obstacle.NO_CLASS, entry.line, _methods(problem))
         if not inspection.defines(problem.entry):
             return missing_entry(problem, inspection, source)

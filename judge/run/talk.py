@@ -115,7 +115,7 @@ class Talk:
             return Reply(Stop.ANSWERED, self._why)
         if failed:
             return Reply(stop, None, result.detail)
-        more = result.stdout.decode("ascii", "backslashreplace").strip()
+        more = result.stdout.strip()[: _LINES * _COLUMNS].decode("ascii", "backslashreplace")
         program.said += [f"< {_cut(row)}" for row in more.splitlines()[: _LINES // 2]]
         return Reply(Stop.ANSWERED, f"it prints {more[:_BRIEF]!r} after the dialogue" if more else "")
 

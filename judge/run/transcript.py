@@ -14,6 +14,7 @@ from judge.values.answers import Tolerance
 from judge.values.calls import ReturnType
 
 _ROWS = 20
+_WHAT = re.compile(r": | \(line |, in call ")  # what comes after the exception's type
 _IN_CALL = re.compile(r", in call ([0-9]{1,9}): ")
 
 
@@ -37,7 +38,7 @@ def transcript(problem: Problem, failure: Failure) -> str:
         told = show.wanted(answer, wanted) if answer else ""
         wrong = at + 1 == stopped
         if wrong:
-            told = f"raised {failure.message.partition(':')[0]}"
+            told = f"raised {_WHAT.split(failure.message)[0]}"
         elif given:
             off = type_.decided(at, given[at], target[at], lambda: (exact, tolerance))
             if isinstance(off, check.Rejection):

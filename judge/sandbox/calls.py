@@ -6,6 +6,9 @@
                    has other signs than a word's
     the output     a line of JSON for each call, [0, answer] or [1, "what was raised"]
 
+Calls in a row on an object are a list as any other, of tuples: a method's name and its arguments. Their
+answer is a list too; what was raised ends in `, in call 3` then.
+
 Replies are foreign data: bounded, parsed as JSON, never believed.
 """
 
@@ -19,11 +22,12 @@ from typing import Any
 
 from judge.sandbox import outcome
 from judge.sandbox.boundary import Reply
-from judge.sandbox.encode import encode
+from judge.sandbox.encode import encode, in_call
 from judge.sandbox.inside import wire
 
 _NUMBERS = {int, float}
 _SMALL = 1 << 63
+_CALL = re.compile(r", in call (\d{1,9})\Z")
 _WORD = re.compile(r"(?!none\Z)[\w-]+", re.ASCII)
 
 
@@ -70,6 +74,15 @@ def _words(value: Any) -> str:
     if isinstance(value, str):
         return value if _WORD.fullmatch(value) else f"={value.encode().hex()}"
     return repr(value).lower()  # of a bool in small letters
+
+
+def parted(detail: str, case: Sequence[Any]) -> tuple[str, str]:
+    """What was raised, and in which call of a case: `, in call 3: get(1)`, or nothing."""
+    found = _CALL.search(detail)
+    row = case[-1] if case and isinstance(case[-1], list) else ()
+    if not found or not 0 < int(found[1]) <= len(row):
+        return detail, ""
+    return detail[: found.start()], in_call(int(found[1]), *row[int(found[1]) - 1])
 
 
 def replies(stdout: bytes, most: int) -> tuple[list[Reply], bool]:

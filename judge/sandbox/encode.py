@@ -67,11 +67,16 @@ class OnObject:
 
     @property
     def at(self) -> str:
-        """Where it has come to: `, in call 3: get(1)`."""
+        """Where it has come to."""
         if self._call is None:
             return ""
         number, name, given = self._call
-        return f", in call {number}: {name}({', '.join(map(repr, given))[:MOST_TEXT]})"
+        return in_call(number, name, *given)
+
+
+def in_call(number: int, name: str, *given: Any) -> str:
+    """Which one of calls in a row it is: `, in call 3: get(1)`."""
+    return f", in call {number}: {name}({', '.join(map(repr, given))[:MOST_TEXT]})"
 
 
 def found(names: dict[str, Any], entry: str, most: int) -> Any:

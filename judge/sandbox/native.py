@@ -11,13 +11,15 @@ import marshal
 import os
 import re
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from functools import cached_property, partial
 from pathlib import Path
 from typing import Any
 
-from judge.errors import ShortageError
+from judge.errors import JudgeError, ShortageError
 from judge.sandbox import calls, launch, room
 from judge.sandbox.boundary import (
+    Box,
     CallsResult,
     Defined,
     Inspection,
@@ -30,7 +32,7 @@ from judge.sandbox.boundary import (
     Usage,
 )
 from judge.sandbox.box import BUSY, ContainerBox
-from judge.sandbox.compile import PROCESSES, compiled, place_of
+from judge.sandbox.compile import LIMITS, PROCESSES, compiled, place_of
 from judge.sandbox.container import Container, Done, Lost
 from judge.sandbox.factory import Boxes
 from judge.sandbox.inside import wire
@@ -43,6 +45,7 @@ _BOX = "/box"
 _WARNED = "judge-warnings"  # a file beside what was compiled, for whoever takes that from the cache
 _STACK = 64 << 20  # at most, where it may be as large as the memory
 _SHOWN = 200
+_MOST_FOUND = 3  # sentences of checks
 _WORDS = re.compile(r"panic|Exception|[Ee]rror|terminate|what\(\)|fatal|Assertion")
 _LINE = re.compile(r" \(line (\d{1,9})\)$")
 _NOTHING = Usage()
@@ -64,6 +67,7 @@ class NativeBox(ContainerBox):
         self._store = store
         self._subtracts = idle
         self._artifact: Files = ()
+        self._errors = b""  # what the last run wrote there
         self._folder: TemporaryFolder | None = None
         self._place: Workplace | None = None
         self._more: tuple[str, ...] = ()  # what the container shows besides
@@ -174,6 +178,7 @@ class NativeBox(ContainerBox):
     def run_whole(self, stdin: bytes | Talk, limits: Limits) -> ProgramResult:
         """As `run_program`, with the start of its language in the CPU time; `limits` are without."""
         done = super().run_program(stdin, limits)
+        self._errors = done.stderr
         if done.stop is not Stop.EXITED:
             return done
         return done._replace(detail=placed(done.detail, done.stderr, self._sources))
@@ -240,21 +245,37 @@ class NativeBox(ContainerBox):
             self._store.keep_idle(key, found)
         return found
 
+    def checked(self, ask: Callable[[Box, Limits], object]) -> tuple[str, ...]:
+        """What the same program says of itself while it is asked, with the checks of its language in it.
+
+        Nothing where there are none, or where this machine lacks what they need.
+        """
+        recipe, sources = self._ordered
+        if not recipe.checks:
+            return ()
+        steps = tuple((*step, *recipe.checks) for step in recipe.steps)
+        order = recipe._replace(key=f"{recipe.key}-checked", steps=steps), sources
+        with suppress(JudgeError), NativeBox(lambda: order, self._boxes, self._store, idle=False) as box:
+            if box.inspect().fault is None:
+                ask(box, LIMITS)
+                return found(box._errors, recipe.finds, sources)
+        return ()
+
     # -- calling
 
     def call(self, entry: str, cases: Sequence[Sequence[Any]], limits: Limits) -> CallsResult:
         """Make the calls in one process; see `Box.call`. What an import is, is none here."""
         fault = self.inspect().fault
         assert fault is None, "whoever calls has looked"
-        assert entry == self._sources.entry, "the driver calls one function"
+        assert entry.removesuffix("()") == self._sources.entry, "the driver calls one function or class"
         if not cases:
             return CallsResult((), _NOTHING)
         done = self.run_program(calls.text(cases), limits)
-        replies, kept_form = self._replies(done, len(cases))
+        replies, kept_form = self._replies(done, cases)
         if kept_form and len(replies) < len(cases):
             # It ended early: at which call shows where each answer is written at once.
             again = self.run_program(calls.text(cases, at_once=True), limits)
-            replies, kept_form = self._replies(again, len(cases))
+            replies, kept_form = self._replies(again, cases)
             done = done if done.stop is not Stop.ANSWERED else again
             if done.stop is Stop.ANSWERED:
                 done = done._replace(stop=Stop.EXITED, detail="it ended the process in mid-call")
@@ -266,11 +287,12 @@ class NativeBox(ContainerBox):
         del replies[len(cases) - 1 :]
         return CallsResult((*replies, Reply(done.stop, detail=done.detail)), done.usage)
 
-    def _replies(self, done: ProgramResult, most: int) -> tuple[list[Reply], bool]:
-        found, kept_form = calls.replies(done.stdout, most)
+    def _replies(self, done: ProgramResult, cases: Sequence[Sequence[Any]]) -> tuple[list[Reply], bool]:
+        found, kept_form = calls.replies(done.stdout, len(cases))
         raised = {place: each for place, each in enumerate(found) if each.detail}
         for place, each in raised.items():
-            found[place] = each._replace(detail=within(each.detail, self._sources))
+            what, call = calls.parted(each.detail, cases[place])
+            found[place] = each._replace(detail=within(what, self._sources) + call)
         return found, kept_form
 
 
@@ -305,6 +327,17 @@ def last_words(stderr: bytes) -> str:
     if after and (found.endswith(":") or after[0].startswith("what()")):
         found = f"{found} {after[0]}"
     return found[:_SHOWN]
+
+
+def found(stderr: bytes, finds: Sequence[str], sources: Sources) -> tuple[str, ...]:
+    """What checks have found, in sentences, each once and a few of them."""
+    said = stderr.decode(errors="replace")
+    told = []
+    for each in (each for pattern in finds for each in re.finditer(pattern, said)):
+        of, line = (each.groupdict().get(name) for name in ("of", "line"))
+        what = wire.printable(f"{of}: {each['message']} fails" if of else each["message"])
+        told.append(within(f"run with checks: {what}" + (f" (line {line})" if line else ""), sources))
+    return tuple(dict.fromkeys(told))[:_MOST_FOUND]
 
 
 def placed(detail: str, stderr: bytes, sources: Sources) -> str:

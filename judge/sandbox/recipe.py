@@ -18,7 +18,9 @@ class Recipe(NamedTuple):
     """How a language is compiled and run; `key` changes with its description and its tools.
 
     `empty` is a program that does nothing, by its file's name; `stack`, `allowance` are bytes, `stack` 0 for
-    as much as the memory limit. `complaint` and `warning` are patterns of what a compiler says.
+    as much as the memory limit. `complaint` and `warning` are patterns of what a compiler says; with
+    the words of `checks` at their ends its command lines make a program that says what it does wrong, in the
+    forms of `finds`.
     """
 
     name: str
@@ -38,6 +40,8 @@ class Recipe(NamedTuple):
     empty: tuple[str, bytes]
     complaint: str = ""
     warning: str = ""
+    checks: tuple[str, ...] = ()
+    finds: tuple[str, ...] = ()
     help: Files = ()  # files for the compiler, that no program is made of
 
 

@@ -19,6 +19,7 @@ from judge.sandbox.concealed import SITE_NAMES
 
 _LIBRARY_FOLDERS = ("/usr/lib", "/usr/lib64", "/usr/lib32", "/usr/libx32", "/usr/local/lib", "/lib", "/lib64")
 _LOADER_CACHE = "/etc/ld.so.cache"
+_ZONES = "/usr/share/zoneinfo"  # of the times of the world
 _DEVICES = ("/dev/null", "/dev/urandom")
 _PACKAGES = "JUDGE_PACKAGES"  # more folders of modules, parted by the system's own sign
 _STORES = ("/nix/store", "/gnu/store")
@@ -69,7 +70,7 @@ def find_roots(hide: Iterable[Path] = (), more: Iterable[str] = (), *, modules: 
         [*(entry for entry in path if Path(entry).name in SITE_NAMES), *package_folders()] if modules else []
     )
     stores = [store for store in _STORES if executable.startswith(store)]
-    names = dict.fromkeys((*_LIBRARY_FOLDERS, *libraries, *stores, *sites, *more))
+    names = dict.fromkeys((*_LIBRARY_FOLDERS, _ZONES, *libraries, *stores, *sites, *more))
     wanted = {name: places.real(name) for name in names if os.path.isdir(name)}  # noqa: PTH112 - hot
     folders = places.outermost(wanted.values())
     single = [name for name in names if name not in wanted]

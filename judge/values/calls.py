@@ -18,6 +18,7 @@ from judge.values.wire import Raw
 
 _FEW = 6  # calls of a simple case
 _NUMBER = 3  # the largest number in it
+_LONG = 1 << 63  # other languages are told of larger ones by a type's bounds
 _ORDINALS = ["first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth"]
 
 
@@ -85,6 +86,8 @@ class CallType(_Methods):
                 for atom, leaf in parameters.leaves(type_, each):
                     if isinstance(atom, Atom) and (wrong := atom.beyond(leaf)):
                         return f"{wrong}, as {name} of {call[0]}"
+                    if type(leaf) is int and getattr(atom, "low", 0) is None and abs(leaf) >= _LONG:
+                        return f"{leaf}, of more than 64 bits, as {name} of {call[0]}: give its type bounds"
         return None
 
     def listed(self, value: Any) -> Any:
@@ -239,10 +242,6 @@ class ReturnType(_Methods):
                     why = f"{call}: {found.message}"
                 return Mismatch(why, call, (found.absolute, found.relative, found.ulps))  # type: ignore[arg-type]
         raise AssertionError
-
-
-def _anything(_raw: Raw, _target: Target) -> float:
-    return NOTHING
 
 
 def ordinal(number: int) -> str:

@@ -39,6 +39,7 @@ from judge.verify.edges import edges_of
 from judge.verify.formats import format_faults, odd_outputs
 from judge.verify.mistakes import ChoicesReport, verify_choices
 from judge.verify.model import ENOUGH, Fault, Progress, SolutionReport, Verified, fault_of
+from judge.verify.written import draws_twice, own_tokens
 
 
 class Options(Struct, frozen=True):
@@ -111,6 +112,8 @@ def verify_problem(
             _none_accepted(problem, solutions),
             _whose(problem),
             _time_faults(problem, solutions),
+            draws_twice(pinned),
+            own_tokens(pinned),
             format_faults(pinned),
         ]
     checks += [

@@ -161,14 +161,18 @@ def test_a_pack_has_its_own_name_in_the_list(judge, tmp_path):
     assert ended.err.count("two katas are called 'count'") == 1
 
 
-def test_the_page_shows_the_usual_kata(judge):
+def test_the_page_shows_the_kata_of_texts():
     page = (Path(begin.__file__).parents[1] / "manual" / "new-kata.md").read_text()
     shown = re.findall(r"(?ms)^## `([^`]+)`\n\n```\w+\n(.*?)^```$", page)
     assert len(shown) == 6
     for path, text in shown:
-        kata = next(iter(begin.KINDS.values()))
-        file = Path(begin.__file__).parents[1] / "manual" / "katas" / path.replace("my-kata", kata)
-        assert file.read_text() == text.replace("my_kata", kata.replace("-", "_"))
+        file = (
+            Path(begin.__file__).parents[1]
+            / "manual"
+            / "katas"
+            / path.replace("my-kata", begin.KINDS["text"])
+        )
+        assert file.read_text() == text.replace("my_kata", begin.KINDS["text"])
 
 
 @pytest.mark.parametrize(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import shutil
+import subprocess
 from pathlib import Path
 
 import pytest
@@ -13,7 +14,7 @@ from sampling import daily
 
 from judge.cli.app import app
 from judge.languages import find
-from judge.languages.model import language_called
+from judge.languages.model import language_called, languages
 from judge.schema import schema_of
 
 pytestmark = pytest.mark.slow
@@ -90,6 +91,65 @@ def test_warnings_stand_beside_a_wrong_answer_alone(judge, submit):
     ended = judge("run", "middle", submit(f"{head}    return (a + b) / 2 + whole * 0; }}", "right.cpp"))
     assert ended.status == 0
     assert "warns" not in ended.err
+
+
+OVERFLOW = """double middle(double a, double b) {{
+    int most = 2147483647, some[2] = {{0, 0}};
+    if (a != b) most += 1 + (int)(a == a) * 5;
+    {more}
+    return most;
+}}
+"""
+
+
+@pytest.mark.parametrize("name", ["c", "cpp"])
+def test_a_failing_case_is_run_once_more_with_checks(judge, submit, name):
+    need(name)
+    if not sanitized(name):
+        pytest.skip("gcc has no library for its checks")
+    bare = "bool middle(double a, double b, double *out) {" + OVERFLOW.partition("{{")[2].format(more="")
+    source = (
+        bare.replace("return most", "return *out = most, true") if name == "c" else OVERFLOW.format(more="")
+    )
+    file = submit(source, f"wrong.{name}")
+    notes = json.loads(judge("run", "middle", file, "--json").out)["notes"]
+    found = [each for each in notes if each.startswith("run with checks: signed integer overflow")]
+    assert [each.rpartition(" ")[2] for each in found] == ["3)"]
+    assert found[0] in judge("run", "middle", file).err
+
+
+def test_the_library_says_what_it_is_asked_wrongly(judge, submit):
+    need("cpp")
+    if not sanitized("cpp"):
+        pytest.skip("gcc has no library for its checks")
+    source = "#include <vector>\n" + OVERFLOW.format(more="std::vector<int> v(3); most = v[(a == a) + 2];")
+    notes = json.loads(judge("run", "middle", submit(source, "wrong.cpp"), "--json").out)["notes"]
+    assert any(each.startswith("run with checks: vector: __n < this->size() fails") for each in notes), notes
+
+
+def test_where_there_are_no_checks_nothing_is_told(judge, submit, monkeypatch, tmp_path):
+    """A gcc without the library that the checks need."""
+    language = need("cpp")
+    folder = tmp_path / "own" / "cpp"
+    shutil.copytree(language.folder, folder)
+    text = (folder / "language.toml").read_text(encoding="utf-8")
+    (folder / "language.toml").write_text(text.replace('"-fsanitize=undefined"', '"-ljudge-has-none"'))
+    monkeypatch.setenv("JUDGE_LANGUAGES", str(folder.parent))
+    languages.cache_clear()
+    try:
+        ended = judge("run", "middle", submit(OVERFLOW.format(more=""), "wrong.cpp"))
+    finally:
+        languages.cache_clear()
+    assert ended.out.startswith("WA")
+    assert "checks" not in ended.err
+
+
+def sanitized(name):
+    """Whether gcc has what its checks need."""
+    language = need(name)
+    tool = find.toolchain(language).filled(["{cc}" if name == "c" else "{cxx}"])[0]
+    said = subprocess.run([tool, "-print-file-name=libubsan.a"], capture_output=True, text=True, check=True)
+    return said.stdout.startswith("/")
 
 
 # -- the race --------------------------------------------------------------------------------------------

@@ -12,6 +12,7 @@ from judge.errors import ProblemError
 from judge.judging.inprocess import InProcess
 from judge.judging.options import RunOptions
 from judge.judging.session import Session
+from judge.languages.signature import signature_of
 from judge.practice.stub import make_stub
 from judge.problem import Verdict
 from judge.problem.load import load_problem
@@ -225,3 +226,15 @@ def test_a_method_that_no_example_calls_is_told(cache):
     statement.write_text(statement.read_text().partition("    >>> cache.get(1)")[0])
     found = verify_problem(load_problem(cache), Options(pin=True))
     assert [each.what for each in found.warnings] == ["no example calls get"]
+
+
+def test_a_large_number_needs_bounds(cache):
+    """Other languages must know of it."""
+    change(cache / "problem.py", "draw.integer(0, 99)))", "10**20))")
+    assert not signature_of(load_problem(cache)).big
+    change(cache / "problem.toml", "value: int(0..99)", "value: int")
+    with pytest.raises(ProblemError, match="as value of put: give its type bounds"):
+        load_data(load_problem(cache), store=None)
+    change(cache / "problem.toml", "value: int", f"value: int(0..{10**20})")
+    assert signature_of(load_problem(cache)).big
+    assert judged(cache, RIGHT).result.verdict is Verdict.AC

@@ -72,6 +72,12 @@ template <class T> struct Put<std::vector<T>> { static void it(const std::vector
 template <class T> struct Put<std::optional<T>> { static void it(const std::optional<T>& v) { if (v) judge_put(*v); else judge_out += "null"; } };
 static std::string name_of(const std::type_info& type) { char* name = abi::__cxa_demangle(type.name(), nullptr, nullptr, nullptr); std::string all = name ? name : type.name(); std::free(name); return all; }
 static void flush() { if (std::fwrite(judge_out.data(), 1, judge_out.size(), answers) != judge_out.size() || std::fflush(answers)) _exit(1); judge_out.clear(); }
+static long long judge_call;  // which one of calls in a row is made
+// @if methods
+template <class T> struct Held { T* it; ~Held() { delete it; } };  // of memory's, which brings the names of unistd.h
+template <class T> static void each_call(T one) { long long n = Read<long long>::get(); judge_out += '['; for (judge_call = 1; judge_call <= n; ++judge_call) { if (judge_call > 1) judge_out += ','; one(Read<std::string>::get()); } judge_out += ']'; }
+// @end
+static std::string in_call() { return judge_call ? ", in call " + std::to_string(judge_call) : ""; }
 static int drive(void (*answer)()) {
     char block[1 << 16];
     size_t n;
@@ -81,10 +87,12 @@ static int drive(void (*answer)()) {
         long long cases = Read<long long>::get(), at_once = Read<long long>::get();
         for (++at; cases > 0; --cases) {
             char* line = std::find(at, end, '\n');
+            size_t start = judge_out.size();
+            judge_call = 0;
             try { answer(); }
             catch (const std::bad_alloc&) { flush(); throw; }
-            catch (const std::exception& e) { judge_out += "[1,"; text(name_of(typeid(e)) + ": " + e.what()); }
-            catch (...) { judge_out += "[1,"; text("an exception of type " + name_of(*abi::__cxa_current_exception_type())); }
+            catch (const std::exception& e) { judge_out.resize(start); judge_out += "[1,"; text(name_of(typeid(e)) + ": " + e.what() + in_call()); }
+            catch (...) { judge_out.resize(start); judge_out += "[1,"; text("an exception of type " + name_of(*abi::__cxa_current_exception_type()) + in_call()); }
             at = line + 1;
             judge_out += "]\n";
             if (at_once) flush();
@@ -103,6 +111,18 @@ static int drive(void (*answer)()) {
 #undef double
 namespace judge_driver {
 @tuples@
+// @if methods
+static void judge_answer() {
+    @reads@
+    Held<::@entry@> judge_object{new ::@entry@(@arguments@)};
+    judge_out += "[0,";
+    each_call([&](const std::string& judge_name) {
+    @calls@
+    });
+}
+// @end
+// @if not methods
 static void judge_answer() { @reads@ @answer.returned@ judge_found = ::@entry@(@arguments@); __asm__ volatile("" : : "g"(&judge_found) : "memory"); judge_out += "[0,"; judge_put(judge_found); }
+// @end
 }
 int main() { return judge_driver::drive(judge_driver::judge_answer); }

@@ -45,7 +45,24 @@ final class JudgeDriver {
         for (var frame : fault.getStackTrace()) if ("@file@".equals(frame.getFileName())) return fault + " (line " + frame.getLineNumber() + ")";
         return fault.toString();
     }
+    private static long call;  // which one of calls in a row is made
+    // @if methods
+    private static @made@ made() throws Throwable { @reads@ return new @made@(@arguments@); }
+    private static void answer() throws Throwable {
+        @made@ judged = made();
+        long calls = integer();
+        out.append("[0,[");
+        for (call = 1; call <= calls; call++) {
+            if (call > 1) out.append(',');
+            String name = word();
+            @calls@
+        }
+        out.append(']');
+    }
+    // @end
+    // @if not methods
     private static void answer() throws Throwable { @reads@ Object found = @holder@.@entry@(@arguments@); out.append("[0,"); put(found); }
+    // @end
     public static void main(String[] words) throws java.io.IOException {
         var answers = new java.io.FileOutputStream(java.io.FileDescriptor.out);
         System.setOut(System.err);
@@ -54,12 +71,13 @@ final class JudgeDriver {
             boolean atOnce = integer() == 1;
             for (long cases = Long.parseLong(first); cases > 0; cases--) {
                 int start = out.length();
+                call = 0;
                 while (at < in.length && in[at] <= ' ') at++;
                 int line = at;
                 while (line < in.length && in[line] != '\n') line++;
                 try { answer(); }
                 catch (OutOfMemoryError fault) { throw fault; }
-                catch (Throwable fault) { out.setLength(start); out.append("[1,"); text(told(fault instanceof ExceptionInInitializerError && fault.getCause() != null ? fault.getCause() : fault)); }
+                catch (Throwable fault) { out.setLength(start); out.append("[1,"); text(told(fault instanceof ExceptionInInitializerError && fault.getCause() != null ? fault.getCause() : fault) + (call > 0 ? ", in call " + call : "")); }
                 at = line;
                 out.append("]\n");
                 if (atOnce || cases == 1) { answers.write(out.toString().getBytes()); out.setLength(0); }

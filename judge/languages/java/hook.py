@@ -29,9 +29,18 @@ def _count(parameters: str) -> int:
 
 def where(writer: Writer, shape: Shape) -> str:
     """The type's name outside the submission's classes, in one of which it may be defined."""
-    found = re.search(rf"\b(?:record|class)\s++{shape.name}\b", writer.spec.text)
+    return _outside(writer, shape.name)
+
+
+def made(writer: Writer, _shape: Shape) -> str:
+    """The same of the class that is asked for."""
+    return _outside(writer, writer.spec.entry)
+
+
+def _outside(writer: Writer, name: str) -> str:
+    found = re.search(rf"\b(?:record|class)\s++{name}\b", writer.spec.text)
     inside = found and around(writer.spec.text, found.start())
-    return f"{inside}.{shape.name}" if inside else shape.name
+    return f"{inside}.{name}" if inside else name
 
 
 def asked(writer: Writer, shape: Shape) -> str:

@@ -8,6 +8,9 @@ process.stdout.write = process.stderr.write.bind(process.stderr);
 vm.runInThisContext(fs.readFileSync(__dirname + '/@file@', 'utf8'), { filename: '@file@' });
 const entry = vm.runInThisContext('@entry@');
 const [parameters, answer] = [[@shapes@], @answer.plain@];
+// @if methods
+const methods = { @calls@ };
+// @end
 function read(shape, words) {
   if (shape.kind === 'tuple') return Object.fromEntries(shape.parts.map((part, i) => [shape.fields[i], read(part, words)]));
   if (shape.kind === 'list') return Array.from({ length: +words.shift() }, () => read(shape.parts[0], words));
@@ -19,11 +22,11 @@ function read(shape, words) {
 }
 function told(fault) {
   const place = /@file@:(\d+)/.exec(fault && fault.stack);
-  return String(fault) + (place ? ` (line ${place[1]})` : '');
+  return String(fault) + (place ? ` (line ${place[1]})` : '') + (call ? `, in call ${call}` : '');
 }
 const odd = (type, text) => JSON.stringify({ type, text: String(text).slice(0, 80) });
 function put(value, shape) {
-  if (value === null || value === undefined) return 'null';
+  if (value === null || value === undefined || shape && shape.kind === 'nothing') return 'null';
   if (typeof value === 'bigint' || typeof value === 'boolean') return value.toString();
   if (typeof value === 'number') return Number.isFinite(value) ? String(value) : odd('float', String(value).toLowerCase());
   if (typeof value === 'string') return JSON.stringify(value);
@@ -32,13 +35,31 @@ function put(value, shape) {
   if (typeof value === 'object' && shape && shape.kind === 'tuple' && shape.fields.every(field => field in value)) return '[' + shape.fields.map((field, i) => put(value[field], shape.parts[i])).join(',') + ']';
   return odd(typeof value, value);
 }
+let call = 0;  // which one of calls in a row is made
+function answered(words) {
+  const given = parameters.map(shape => read(shape, words));
+// @if not methods
+  return put(entry(...given), answer);
+// @end
+// @if methods
+  const made = new entry(...given), count = +words.shift(), found = [];
+  for (call = 1; call <= count; call++) {
+    const [name, takes, answer] = methods[read({ kind: 'word' }, words)];
+    const arguments_ = takes.map(shape => read(shape, words));
+    if (typeof made[name] !== 'function') throw new TypeError('there is no method ' + name);
+    found.push(put(made[name](...arguments_), answer));
+  }
+  return '[' + found.join(',') + ']';
+// @end
+}
 for (let at = 0; at < lines.length && lines[at] !== '';) {
   const [cases, atOnce] = lines[at++].split(' ').map(Number);
   let out = '';
   for (let left = cases; left > 0; left--) {
     try {
       const words = lines[at++].split(' ');
-      out += '[0,' + put(entry(...parameters.map(shape => read(shape, words))), answer) + ']\n';
+      call = 0;
+      out += '[0,' + answered(words) + ']\n';
     } catch (fault) {
       out += '[1,' + JSON.stringify(told(fault)) + ']\n';
     }

@@ -14,7 +14,9 @@ def texts(letters, least, longest):
     """Some runs, each of `least` to `longest` letters."""
 
     def case(draw):
-        runs = [draw.choice(letters) * draw.integer(least, longest) for _ in range(draw.integer(0, 60 // longest))]
+        runs = [
+            draw.choice(letters) * draw.integer(least, longest) for _ in range(draw.integer(0, 60 // longest))
+        ]
         return ("".join(runs),)  # two runs of one letter, side by side, are one
 
     return case
