@@ -68,6 +68,8 @@ class FormatRunner:
                 talk = Talk(self.problem, self._own, case)
                 result = box.run_program(talk, left)
                 replies.append(talk.reply(result))
+                wall = max(0.0, result.usage.wall_seconds - talk.own)
+                result = result._replace(usage=result.usage._replace(wall_seconds=wall))
                 if replies[-1].answer != "" or len(cases) == 1:
                     self._said[repr(case)] = talk.text
             else:

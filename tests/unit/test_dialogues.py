@@ -19,7 +19,8 @@ from judge.problem import Verdict
 from judge.problem.load import load_problem
 from judge.report.tell import tell
 from judge.run import Settings, judge_submission
-from judge.sandbox import Boxes
+from judge.run.formatted import FormatRunner
+from judge.sandbox import Boxes, Limits, Stop
 from judge.site.build import _listed
 from judge.testing import judge_problem
 from judge.verify.gate import Options, verify_problem
@@ -204,6 +205,20 @@ def test_a_talk_that_takes_too_long_is_not_the_programs_fault(kata):
         judged(kata, RIGHT)
 
 
+def test_what_talk_takes_is_not_counted_for_the_program(kata):
+    """The third one of a group would have no time left."""
+    change(kata / "problem.py", "program.say(high)", "import time; time.sleep(1.2); program.say(high)")
+    assert judged(kata, RIGHT).verdict is Verdict.AC
+
+
+def test_a_group_that_has_no_time_left_blames_no_talk(kata):
+    """The talk needs a moment to see that its program is gone."""
+    runner, limits = FormatRunner(load_problem(kata)), Limits(1.0, 1e-4, 256 << 20, 1 << 20)
+    with Boxes()(RIGHT.encode(), "mine.py") as box:
+        for _ in range(10):
+            assert runner.ask(box, [(6, 5)], limits).stop is Stop.WALL
+
+
 @pytest.mark.parametrize(
     ("wrong", "told"),
     [
@@ -337,3 +352,12 @@ def test_a_case_of_ones_own_shows_what_was_said(kata, source, verdict, end):
     assert said.verdict is verdict
     assert said.printed.startswith("> 6\n<")
     assert said.printed.endswith(end)
+
+
+def test_a_dialogue_is_raced_with_the_reference(kata):
+    with (kata / "problem.toml").open("a") as file:
+        file.write('\n[time]\nlimit = 50\nprogram = "halving.py"\n')
+    with Session(load_problem(kata), RunOptions(diagnosed=False, named=False)) as session:
+        result = session.judge(RIGHT.encode(), "mine.py")
+    assert result.verdict is Verdict.AC
+    assert 0.1 < result.time.ratio.median < 10
