@@ -60,7 +60,10 @@ def judge_problem(name: str, *, problems: Sequence[str | os.PathLike[str]] = ())
 
     Raises UsageError if there is none and ProblemError if it is broken.
     """
-    return JudgeProblem(find_problem(name, [Path(folder) for folder in problems]))
+    problem = find_problem(name, [Path(folder) for folder in problems])
+    if problem.talks:
+        raise UsageError(f"{name} is a dialogue, judged on the command line only", remedy="use judge run")
+    return JudgeProblem(problem)
 
 
 def check_case(replay: str, file: str | os.PathLike[str]) -> None:

@@ -70,6 +70,8 @@ def ask(session: Session, tried: Tried, source: bytes, name: str) -> Said:
         replies = runner.ask(box, [tried.case], group_limits(tried.problem, tried.group, Usage()))
         verdict, got, message, given = _answer(runner, tried, replies)
         printed = text_of(replies.printed)
+        if tried.problem.talks:
+            printed = runner.explained(Failure("", input=tried.problem.named(tried.case))).shown
         said = Said(name, verdict, got, message, box.isolation, runner.mode, short_answer(given), printed)
         if verdict is Verdict.AC:
             return said

@@ -93,7 +93,8 @@ def _facts(tried: Tried, why: str, brief: bool) -> Iterator[tuple[Cell, Cell]]:
         given = input_of(problem, own, tried.case).rstrip() if own else line_of(problem, tried.case)
         yield from under("as program input", given.split("\n"))
     shown = tried.expected if texts_of(problem.answer) else _plain(show.exact_text(tried.exact))
-    yield "exact answer", good(shown)
+    if not problem.talks:
+        yield "exact answer", good(shown)
     ends = list(islice(_intervals(problem.answer, tried.target), _MOST + 1))
     if ends and not brief:
         yield "in doubles", good(tried.expected)
@@ -103,14 +104,18 @@ def _facts(tried: Tried, why: str, brief: bool) -> Iterator[tuple[Cell, Cell]]:
         why = tried.no_case or why
         yield from [("why", why)] if why else []
         return
-    yield "got", (bad if tried.failed else text)(said.got)
+    if not problem.talks:
+        yield "got", (bad if tried.failed else text)(said.got)
     if said.hurdle is not None:
         line = said.hurdle.line if said.hurdle.kind in (Obstacle.ARITY, Obstacle.MODULE) else 0
         why = entry_text(said.hurdle, problem, said.submission, said.verdict, said.message)
         yield "why", f"{f'line {line}: ' if line else ''}{why}"
     elif said.message or why:
         yield "why", said.message or why
-    yield from under("printed", said.printed.splitlines()[:_PRINTED])
+    if problem.talks:
+        yield from under("dialogue", said.printed.splitlines())
+    else:
+        yield from under("printed", said.printed.splitlines()[:_PRINTED])
 
 
 def _intervals(type_: Type, target: Target, place: str = "") -> Iterator[str]:

@@ -167,7 +167,10 @@ def kata_shown(found: published.KataShown, screen: Screen) -> RenderableType:
         task = statement(problem, screen)
     said = (
         ("tests", f"{_totals(problem.groups)}: judge show {problem.id} --groups"),
-        ("answer", f"{problem.answer}, {_tolerance(_usual(problem), problem.answer.words)}"),
+        (
+            "answer",
+            "" if problem.talks else f"{problem.answer}, {_tolerance(_usual(problem), problem.answer.words)}",
+        ),
         ("limits", f"{limits.cpu_seconds:g} s of CPU time, {limits.memory_mb:,.0f} MB for each group"),
         ("authors", ", ".join(source.authors)),
         ("license", source.license),

@@ -48,7 +48,7 @@ class FormatRunner:
     def __init__(self, problem: Problem, language: str = "") -> None:
         self.problem = problem
         self.language = language
-        self._said: dict[str, str] = {}  # in the dialogues that went wrong, by their case
+        self._said: dict[str, str] = {}  # by their case, in dialogues that went wrong or were held alone
 
     @cached_property
     def _own(self) -> Format:
@@ -69,7 +69,9 @@ class FormatRunner:
                 talk = Talk(self.problem, self._own, case)
                 result = box.run_program(talk, left)
                 replies.append(talk.reply(result))
-                if replies[-1].answer != "":
+                wall = max(0.0, result.usage.wall_seconds - talk.own)
+                result = result._replace(usage=result.usage._replace(wall_seconds=wall))
+                if replies[-1].answer != "" or len(cases) == 1:
                     self._said[repr(case)] = talk.text
             else:
                 result = box.run_program(input_of(self.problem, self._own, case).encode(), left)

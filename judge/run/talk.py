@@ -16,6 +16,7 @@ _LINES = 20  # of a dialogue that are shown, the last ones
 _COLUMNS = 200
 _LONGEST = 120  # characters of why a program is wrong
 _BRIEF = 20  # of a line that is quoted
+_OWN = 1.0  # seconds that a talk may take for itself, whatever the limit
 _INT = re.compile(r"[+-]?[0-9]{1,30}")
 _WAITED = (Stop.WALL, Stop.WAITING)
 _PASSED = (*_WAITED, Stop.CPU, Stop.MEMORY, Stop.OUTPUT, Stop.TAMPERED)  # limits, which come before all else
@@ -69,7 +70,7 @@ class Talk:
 
     def __init__(self, problem: Problem, own: Format, case: Case) -> None:
         self._why: str | None = None  # the program is wrong
-        self._took = 0.0  # seconds, of a talk that is over
+        self._took: float | None = None  # seconds, of a talk that is over
         self._problem, self._own, self._case = problem, own, case
         self._program: Program | None = None
 
@@ -100,7 +101,7 @@ class Talk:
         program, stop, wall = self._program, result.stop, result.usage.wall_seconds
         if program is None:  # it was never begun
             return Reply(stop, None, result.detail)
-        if not self._took or (stop in _WAITED and self._took - program.waited > wall / 2):
+        if self._took is None or (stop in _WAITED and self.own > max(wall / 2, _OWN)):
             what = "FORMAT: talk works on, and the program waits for it"
             raise self._problem.fault(what, "make talk come to an end, or take less time")
         if stop in _PASSED:
@@ -115,9 +116,14 @@ class Talk:
             return Reply(Stop.ANSWERED, self._why)
         if failed:
             return Reply(stop, None, result.detail)
-        more = result.stdout.decode("ascii", "backslashreplace").strip()
+        more = result.stdout.strip()[: _LINES * _COLUMNS].decode("ascii", "backslashreplace")
         program.said += [f"< {_cut(row)}" for row in more.splitlines()[: _LINES // 2]]
         return Reply(Stop.ANSWERED, f"it prints {more[:_BRIEF]!r} after the dialogue" if more else "")
+
+    @property
+    def own(self) -> float:
+        """The seconds in which the program waited for the talk."""
+        return max(0.0, (self._took or 0.0) - (self._program.waited if self._program else 0.0))
 
     @property
     def text(self) -> str:

@@ -21,7 +21,7 @@ class Said(Struct, frozen=True):
     """What a submission answered: its answer in words, and why it is rejected if it is.
 
     `given` is the answer itself in its JSON form, where it is short. `mode` is None where nothing could be
-    run. `printed` is what a function printed meanwhile, `hurdle` what keeps the file from running.
+    run. `printed` is what a function printed meanwhile, or a dialogue; `hurdle` keeps the file from running.
     """
 
     submission: str

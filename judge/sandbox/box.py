@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from judge.sandbox.factory import Boxes
 
 BUSY = "judge it again, with a smaller -j if the machine is busy"
+_PATIENCE = 5.0  # seconds, with a talk whose program is gone
 LOST = "it stopped the process that watches it"
 
 
@@ -103,7 +104,7 @@ class ContainerBox(ABC):
             done = self._run((*dialogue.ends, stderr), limits)
         finally:
             self._dialogue = None
-            dialogue.end(limits.wall_seconds)
+            dialogue.end(max(_PATIENCE, limits.wall_seconds))
         if dialogue.fault is not None:
             raise dialogue.fault
         return done, dialogue.printed, dialogue.unheard

@@ -8,6 +8,7 @@ import pytest
 import judge
 from judge.data.load import load_data
 from judge.errors import JudgeError, ProblemError
+from judge.judging.cases import ask, try_case
 from judge.judging.inprocess import InProcess
 from judge.judging.options import RunOptions
 from judge.judging.session import Session
@@ -16,8 +17,12 @@ from judge.packs.export.forms import NoForm, check_forms
 from judge.practice.stub import make_stub
 from judge.problem import Verdict
 from judge.problem.load import load_problem
+from judge.report.tell import tell
 from judge.run import Settings, judge_submission
-from judge.sandbox import Boxes
+from judge.run.formatted import FormatRunner
+from judge.sandbox import Boxes, Limits, Stop
+from judge.site.build import _listed
+from judge.testing import judge_problem
 from judge.verify.gate import Options, verify_problem
 from tests.unit.native import need
 
@@ -200,6 +205,20 @@ def test_a_talk_that_takes_too_long_is_not_the_programs_fault(kata):
         judged(kata, RIGHT)
 
 
+def test_what_talk_takes_is_not_counted_for_the_program(kata):
+    """The third one of a group would have no time left."""
+    change(kata / "problem.py", "program.say(high)", "import time; time.sleep(1.2); program.say(high)")
+    assert judged(kata, RIGHT).verdict is Verdict.AC
+
+
+def test_a_group_that_has_no_time_left_blames_no_talk(kata):
+    """The talk needs a moment to see that its program is gone."""
+    runner, limits = FormatRunner(load_problem(kata)), Limits(1.0, 1e-4, 256 << 20, 1 << 20)
+    with Boxes()(RIGHT.encode(), "mine.py") as box:
+        for _ in range(10):
+            assert runner.ask(box, [(6, 5)], limits).stop is Stop.WALL
+
+
 @pytest.mark.parametrize(
     ("wrong", "told"),
     [
@@ -221,7 +240,11 @@ def test_what_talk_does_wrong_is_the_kata_s_fault(kata, wrong, told):
 def test_the_smallest_dialogue_is_shown(kata):
     with Session(load_problem(kata), RunOptions(timed=False)) as session:
         source = (SOLUTIONS / "wrong/guess-kept.py").read_bytes()
-        small = session.judge(source, "mine.py").counterexample
+        result = session.judge(source, "mine.py")
+        told = tell(session.problem, result)
+    small = result.counterexample
+    assert told.input == ("high = 2", "secret = 2")
+    assert told.facts == (("dialogue", small.shown), ("why", "the number is not found in 2 guesses"))
     assert small.input == {"high": 2, "secret": 2}
     assert small.shown == "> 2\n< 1\n> higher\n< 1\n> higher"
 
@@ -275,6 +298,9 @@ def test_not_in_this_process(kata):
     settings = Settings(measured=False, box_factory=InProcess)
     with pytest.raises(JudgeError, match="on the command line only"):
         judge_submission(load_data(load_problem(kata), store=None), RIGHT.encode(), "mine.py", settings)
+    with pytest.raises(JudgeError, match="on the command line only"):
+        judge_problem("higher-lower", problems=[kata.parent])
+    assert "on the command line only" in _listed(load_problem(kata))["elsewhere"]
 
 
 def test_the_file_to_begin_with_and_the_package(kata):
@@ -314,3 +340,24 @@ def test_a_talk_is_tried_on_odd_programs(kata):
     change(kata / "problem.py", "program.hear_int(1, high)", "int(program.hear())")
     found = verify_problem(load_problem(kata), Options())
     assert any("talk fails: ValueError" in each.what for each in found.warnings)
+
+
+@pytest.mark.parametrize(
+    ("source", "verdict", "end"), [(RIGHT, Verdict.AC, "> found"), ("print(7)", Verdict.WA, "< 7")]
+)
+def test_a_case_of_ones_own_shows_what_was_said(kata, source, verdict, end):
+    problem = load_problem(kata)
+    with Session(problem, RunOptions(timed=False)) as session:
+        said = ask(session, try_case(problem, (6, 4)), source.encode(), "mine.py")
+    assert said.verdict is verdict
+    assert said.printed.startswith("> 6\n<")
+    assert said.printed.endswith(end)
+
+
+def test_a_dialogue_is_raced_with_the_reference(kata):
+    with (kata / "problem.toml").open("a") as file:
+        file.write('\n[time]\nlimit = 50\nprogram = "halving.py"\n')
+    with Session(load_problem(kata), RunOptions(diagnosed=False, named=False)) as session:
+        result = session.judge(RIGHT.encode(), "mine.py")
+    assert result.verdict is Verdict.AC
+    assert 0.1 < result.time.ratio.median < 10
