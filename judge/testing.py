@@ -6,10 +6,9 @@
         judge_problem("count").check(my_count)
 
 The routine is called in this process, so it is trusted; `judge run` contains what is not, and so does
-`check_case`, which holds a file against one case. What it does to
-Decimal's context, the state of `random` and of numpy, the recursion limit and the filters of warnings lasts
-for a test group and is undone then. With the pytest plug-in of this distribution each test group becomes a
-test of its own; see `judge.pytest_plugin`.
+`check_case`, which holds a file against one case. What it does to Decimal's context, the state of `random`
+and of numpy, the recursion limit and the filters of warnings is undone after each test group. With the pytest
+plug-in of this distribution each group becomes a test of its own; see `judge.pytest_plugin`.
 """
 
 from __future__ import annotations
@@ -51,8 +50,7 @@ from judge.values.check import is_right
 
 __all__ = ["Case", "JudgeGroup", "JudgeProblem", "check_case", "judge_problem"]
 
-_SEARCH = 40.0  # seconds by the clock for a smaller case
-_WIDTH = 100  # columns of a failure's text: numbers are shown in full, and pytest adds its own margin
+_SEARCH, _WIDTH = 40.0, 100  # seconds by the clock for a smaller case; columns of a text in pytest's margin
 
 
 def judge_problem(name: str, *, problems: Sequence[str | os.PathLike[str]] = ()) -> JudgeProblem:
@@ -61,9 +59,9 @@ def judge_problem(name: str, *, problems: Sequence[str | os.PathLike[str]] = ())
     Raises UsageError if there is none and ProblemError if it is broken.
     """
     problem = find_problem(name, [Path(folder) for folder in problems])
-    if problem.talks:
-        raise UsageError(f"{name} is a dialogue, judged on the command line only", remedy="use judge run")
-    return JudgeProblem(problem)
+    if problem.entry:
+        return JudgeProblem(problem)
+    raise UsageError(f"{name} asks for programs", remedy="judge them on the command line: judge run")
 
 
 def check_case(replay: str, file: str | os.PathLike[str]) -> None:

@@ -65,7 +65,8 @@ def _import_ahead() -> None:
     for name in (*_AHEAD, *(f"judge.cli.commands.{entry.module}" for entry in COMMANDS.values())):
         importlib.import_module(name)
     for path in (Path(sys.modules["judge"].__path__[0])).rglob("*.py"):
-        if "inside" not in path.parts and "__main__" not in path.parts and "testing" not in path.stem:
+        apart = {"inside", "__main__", "katas"} & {*path.parts}
+        if not apart and "testing" not in path.stem:
             parts = path.relative_to(Path(sys.modules["judge"].__path__[0]).parent).with_suffix("").parts
             importlib.import_module(".".join(parts).removesuffix(".__init__"))
     gc.collect()
