@@ -20,6 +20,7 @@ from judge.problem.module import load_module
 from judge.report.words import arguments
 from judge.run.result import Mode
 from judge.sandbox.encode import encode as sent
+from judge.testing import JudgeProblem
 from judge.values import check, parameters
 from judge.values.answers import AnyOf, Judged, Real, Tolerance
 from judge.values.check import Accepted
@@ -248,6 +249,16 @@ def test_a_dict_is_judged_and_the_smallest_failing_case_is_shown(made):
     assert json.loads(json.dumps(small.input)) == {"d": [["a", 0], ["b", 0]]}
     assert repr(small.input["d"]) == "{'a': 0, 'b': 0}"
     assert small.message == "entry 0: 2 items expected, 1 given"
+
+
+def test_who_tests_a_library_gets_dicts(made):
+    problem = JudgeProblem(load_problem(made()))
+    for case in problem.cases():
+        (d,) = case
+        assert type(d) is type(case.d) is dict
+        assert d == case.d
+        assert repr(case) == f"Case(d={d!r})"
+        assert case.accepts({value: sorted(key for key in d if d[key] == value) for value in d.values()})
 
 
 CLASS_TOML = """
