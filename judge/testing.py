@@ -99,17 +99,16 @@ class Case(tuple[Any, ...]):
 
     def accepts(self, answer: object) -> bool:
         """Whether the judge accepts that answer to it. Raises ProblemError."""
-        data, group = self._data, self._group
-        exact, tolerance = data.exact(self._kept, group)
+        data = self._data
+        exact, tolerance = data.exact(self._kept(), self._group)
         target = target_of(data.problem, exact, tolerance)
         return is_right(data.problem.answer, encode(answer), target, lambda: (exact, tolerance))
 
-    @property
     def _kept(self) -> tuple[Any, ...]:
         return self._data.problem.kept(tuple(self))
 
     def _named(self) -> dict[str, Any]:
-        pairs = zip(self._data.problem.parameters, self._kept, strict=True)
+        pairs = zip(self._data.problem.parameters, self._kept(), strict=True)
         ways = parameters.listed, parameters.argument
         return {each.name: ways[each.type.keyed](each.type, value) for each, value in pairs}
 
@@ -120,8 +119,7 @@ class Case(tuple[Any, ...]):
         return named[name]
 
     def __repr__(self) -> str:
-        named = self._named()
-        return f"Case({', '.join(f'{name}={value!r}' for name, value in named.items())})"
+        return f"Case({', '.join(f'{name}={value!r}' for name, value in self._named().items())})"
 
 
 def _case(data: ProblemData, group: Group, case: Sequence[Any]) -> Case:
