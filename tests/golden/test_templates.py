@@ -7,9 +7,15 @@ from pathlib import Path
 import pytest
 
 import judge
+from judge.data.load import load_data
 from judge.data.pins import read_pins
+from judge.judging.inprocess import InProcess
 from judge.practice.begin import KINDS
+from judge.problem import Verdict
 from judge.problem.load import load_problem
+from judge.problem.solutions import Kind, read_solutions
+from judge.run import Settings, judge_submission
+from judge.sandbox import Boxes, levels_here
 from judge.verify.gate import Options, verify_problem
 
 PROBLEMS = Path(judge.__file__).parent / "manual" / "katas" / "problems"
@@ -28,3 +34,23 @@ def test_a_kata_to_begin_with_is_sound(name):
 
 def test_every_kind_is_one_of_them():
     assert {*KINDS.values()} <= {*KATAS}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("level", ["full", "strong", "limits"])
+def test_their_programs_are_right_at_every_level_and_in_the_process_of_a_tab(level):
+    if level not in {each.name for each in levels_here() if each.available}:
+        pytest.skip(f"no {level} here")
+    for name in KATAS:
+        problem = load_problem(PROBLEMS / name)
+        if problem.growth:  # whose large cases take long
+            continue
+        data = load_data(problem)
+        for each in read_solutions(problem, Kind.ACCEPTED).programs:
+            if each.language:
+                continue
+            boxes = [Boxes(level), *([InProcess] if level == "limits" and not problem.talks else [])]
+            for factory in boxes:
+                settings = Settings(factory, measured=False)
+                found = judge_submission(data, each.source, each.path.name, settings).result
+                assert found.verdict is Verdict.AC, (name, each.file, found)
