@@ -157,9 +157,8 @@ class InProcess:
         if not isinstance(stdin, bytes):
             what = "a dialogue is judged on the command line only"
             raise JudgeError(what, remedy="use judge run there")
-        before, stop, detail, spent = sys.stdin, Stop.ANSWERED, "", 0.0
-        with self._process("__main__", limits) as (watch, names, printed):
-            sys.stdin = io.TextIOWrapper(io.BytesIO(stdin), "utf-8")
+        stop, detail, spent = Stop.ANSWERED, "", 0.0
+        with self._process("__main__", limits, stdin) as (watch, names, printed):
             try:
                 self._execute(names, watch)
             except SystemExit as left:
@@ -170,24 +169,25 @@ class InProcess:
                 stop, _, detail = self._ended(fault)
             finally:
                 spent = watch.rest()
-                sys.stdin = before
         return ProgramResult(stop, printed.getvalue(), b"", detail, Usage(spent, spent))
 
     @contextmanager
-    def _process(self, module: str, limits: Limits) -> Iterator[tuple[Watch, dict[str, Any], _Printed]]:
+    def _process(
+        self, module: str, limits: Limits, stdin: bytes = b""
+    ) -> Iterator[tuple[Watch, dict[str, Any], _Printed]]:
         """What stands for a process of its own: its watch, the names of its main module, what it prints."""
         made, before = ModuleType(module), sys.modules.get(module)
         made.__dict__.update(__builtins__=__builtins__, __file__=self._name)
-        printed, argv, path = _Printed(limits.output_bytes), sys.argv, [*sys.path]
+        printed, argv, path, reads = _Printed(limits.output_bytes), sys.argv, [*sys.path], sys.stdin
         out = io.TextIOWrapper(printed, "utf-8", write_through=True)
         with as_it_was(), redirect_stdout(out), self._watch(limits) as watch:
             sys.modules[module] = made
-            sys.argv = [self._name]
+            sys.argv, sys.stdin = [self._name], io.TextIOWrapper(io.BytesIO(stdin), "utf-8")
             try:
                 yield watch, made.__dict__, printed
             finally:
                 watch.rest()
-                sys.argv, sys.path[:] = argv, path
+                sys.argv, sys.path[:], sys.stdin = argv, path, reads
                 sys.modules.pop(module, None)
                 if before is not None:
                     sys.modules[module] = before

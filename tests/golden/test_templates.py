@@ -53,4 +53,4 @@ def test_their_programs_are_right_at_every_level_and_in_the_process_of_a_tab(lev
             for factory in boxes:
                 settings = Settings(factory, measured=False)
                 found = judge_submission(data, each.source, each.path.name, settings).result
-                assert found.verdict is Verdict.AC, (name, each.file, found)
+                assert found.verdict is Verdict.AC, (name, each.file, found.failure)
