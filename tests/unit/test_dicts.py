@@ -380,6 +380,13 @@ function turned(d) {
   return found;
 }
 """,
+    "turned.kt": """
+fun turned(d: Map<String, Long>): Map<Long, List<String>> {
+    val found = mutableMapOf<Long, List<String>>()
+    for (key in d.keys.sorted()) found[d[key]!!] = (found[d[key]!!] ?: listOf()) + key
+    return found
+}
+""",
     "turned.pypy.py": RIGHT,
 }
 WRONG = {  # what makes them wrong: an answer's entry is missing
@@ -389,6 +396,7 @@ WRONG = {  # what makes them wrong: an answer's entry is missing
     ".rs": ("    found\n}", "    found.remove(&0); found\n}"),
     "d.js": ("return found;", "found.delete(0); return found;"),
     "t.js": ("return found;", "delete found[0]; return found;"),
+    ".kt": ("return found", "return found - 0L"),
     ".py": ("in found.items()}", "in found.items() if value}"),
 }
 

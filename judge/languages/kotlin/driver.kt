@@ -26,6 +26,7 @@ private fun put(value: Any?) {
     is Number, is Boolean -> out.append(value)
     @puts@
     is String -> text(value)
+    is Map<*, *> -> { out.append("{\"dict\":"); put(value.entries.map { listOf(it.key, it.value) }); out.append('}') }
     is Iterable<*> -> { out.append('['); value.forEachIndexed { i, item -> if (i > 0) out.append(','); put(item) }; out.append(']') }
     is DoubleArray -> put(value.asList())
     is LongArray -> put(value.asList())
