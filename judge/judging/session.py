@@ -228,6 +228,8 @@ class Session:
 
     def checked(self, result: Result, runner: Runner, box: Box) -> Result:
         """The result with what checks of its language find in the case that is shown, run once more."""
+        if not runner.language:
+            return result
         from judge.problem.model import case_of  # only after a failure in another language
         from judge.sandbox.native import NativeBox
 

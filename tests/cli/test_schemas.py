@@ -34,7 +34,7 @@ from judge.schema import schema_of
 pytestmark = pytest.mark.slow
 
 SAMPLES = [
-    "list others",
+    "list junior",
     "hack middle",
     "hint middle",
     "solution middle --give-up --times --rounds 1",

@@ -340,6 +340,10 @@ const figure = (kind, start, N, args) => {
 
   /* The first hit of each ray; what is behind it, or clearly further, decides nothing. */
   function many([circles, ...rest], [c, ...slots]) {
+    if (rest.length === 2) circles.forEach(([x, y, r], i) => {
+      const f = minus(rest[0], [x, y]);
+      if (sign(dot(f, f) - mul(r, r)) <= 0) refuse(`O is in circle ${i}, or on it`);
+    });
     if (rest.length === 2) rest[1].slice(1).forEach((D, i) => {
       const before = rest[1][i], apart = turn(before) - turn(D);
       if (apart > 0 || (!apart && sign(cross(before, D)) < 0)) refuse(`Direction ${i} comes before one of a lesser angle`);
