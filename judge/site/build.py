@@ -57,7 +57,8 @@ _IN_A_TAB = (  # of this package; the rest is for processes, terminals and machi
     *("exact", "values", "drawing", "problem", "data", "geometry", "sandbox", "languages", "run", "diagnose"),
     *("repair", "mistakes", "judging", "report", "site"),
 )
-_LEFT_OUT = {"driver", "hook", "html", "page", "__pycache__"}  # folders, and files whatever their ending
+_LEFT_OUT = {"html", "page", "__pycache__"}  # folders
+_UNCALLED = {"driver", "hook"}  # of another language, whatever their ending
 _BROUGHT = ("pyodide", "wheels", "ace")
 _COUNTS = ("0", "1", "2")  # of things, to choose from
 _SEED = 1  # of what is left to chance in cards
@@ -302,7 +303,8 @@ def _modules() -> Iterator[Path]:
     for name in _IN_A_TAB:
         place = _PACKAGE / name
         for path in place.rglob("*") if place.is_dir() else [place]:
-            if path.is_file() and not _LEFT_OUT & {path.stem, *path.relative_to(_PACKAGE).parts}:
+            left_out = _LEFT_OUT & {*path.relative_to(_PACKAGE).parts} or path.stem in _UNCALLED
+            if path.is_file() and not left_out:
                 yield path
 
 
