@@ -84,6 +84,12 @@ def rows(kind: Any, wanted: Any, rng: random.Random) -> list[str | Slot]:
             run = list(each["run"]) if isinstance(each, dict) and "run" in each else [each]
             items += rng.sample(run, len(run)) if rng.randrange(3) else rng.choices(run, k=len(run))
         return [str(len(items)), *(token for each in items for token in rows(kind[1], each, rng))]
+    if name == "dict":
+        entries = rng.sample(wanted, len(wanted))
+        return [
+            str(len(entries)),
+            *(token for pair in entries for token in rows(["tuple", kind[1:3]], pair, rng)),
+        ]
     if name == "text":
         return [TextType().text_of(wanted)]
     return [str(wanted).lower() if name == "bool" else str(wanted)]

@@ -51,6 +51,9 @@ ANSWERS = [  # of every kind, alone and within others
     ("[(int, real)?; 0..4]", [AnyOf([(1, Real(2)), (2, Real(2))]), None]),
     ("int?", AnyOf([None, 4])),
     ("[[int; 0..2]; 0..3]", [[1], [], [2, 3]]),
+    ("{text(0..4): (int, real?); 0..3}?", {"b": (1, Real(2)), "a b": (2, None)}),
+    ("{int: [bool]}", {10: [True], 9: []}),
+    ("[{word(in|out): int}]", AnyOf([[{"in": 1}], [{}, {"out": 2, "in": AnyOf([3, 4])}]])),
 ]  # fmt: skip
 
 
@@ -66,7 +69,7 @@ def test_every_line_is_decided_as_the_judge_does():
                 outcome = check_line(type_, line, target, lambda exact=exact, own=tolerance: (exact, own))
                 differ += isinstance(outcome, Accepted) != theirs(form, line, wanted)
                 count += 1
-    assert (differ, count) == (0, 1840)
+    assert (differ, count) == (0, 2080)
 
 
 @pytest.mark.parametrize("name", ["declare.py", "input_validator.py", "output_validator.py"])
@@ -76,7 +79,7 @@ def test_a_validator_is_for_python_3_6_and_needs_nothing(name):
     modules |= {alias.name for each in ast.walk(tree) if isinstance(each, ast.Import) for alias in each.names}
     known = {"decimal", "fractions", "hashlib", "importlib", "json", "os", "re", "sys", "typing"}
     assert modules <= known
-    types = ("real", "int", "bool", "text", "tuple", "list", "optional")
+    types = ("real", "int", "bool", "text", "tuple", "list", "dict", "optional")
     assert all(f'["{each}"' in VALIDATOR["__doc__"] for each in types)
 
 
@@ -87,8 +90,13 @@ FORMS = [
     ["optional", ["word", ["up", "down"]]],
     ["optional", ["text", 0, 4, " abdeno"]],
     ["bool"],
+    ["dict", ["int", [0, 1], [99, 1], [0, 1]], ["bool"], 0, 2],
+    ["dict", ["text", 0, 4, " ab"], ["word", ["up"]], 0, 3],
 ]
-GOOD = '3\n1 2.5 1 0 0 none "none" true\n-5 1e-07 0 up "a  b" true\n0 -0.0 1 5 0.5 down none false\n'
+GOOD = (
+    '3\n1 2.5 1 0 0 none "none" true 0 0\n-5 1e-07 0 up "a  b" true 2 9 true 10 true 2 "a b" up aa up\n'
+    "0 -0.0 1 5 0.5 down none false 0 0\n"
+)
 
 
 @pytest.mark.parametrize(
@@ -97,8 +105,9 @@ GOOD = '3\n1 2.5 1 0 0 none "none" true\n-5 1e-07 0 up "a  b" true\n0 -0.0 1 5 0
         ("3\n1", "2\n1"), ("3\n1", "03\n1"), ("1 2.5", "1  2.5"), ("1 2.5", "+1 2.5"), ("1 2.5", "1 2.50"),
         ("1e-07", "1e-09"), ("1e-07 0 up", "1e-07 2 0 0 0 0 up"),
         ("1e-07 0 up", "1e-07 1 0 up"), (" up", " left"), (" up", ""),
-        ("none", "None"), ("false\n", "false"), ("false\n", "false\r\n"), ("up", "\u00fcp"), ("false", "0"),
+        ("none", "None"), ("false 0 0\n", "false 0 0"), ("up\n", "up\r\n"), ("up", "\u00fcp"), ("false", "0"),
         ('"a  b"', '"ab"'), ('"a  b"', '"a b'), ('"a  b"', '"a   b"'), ('"a  b"', "z"), ("true", " true"),
+        ("9 true 10", "10 true 9"), ("9 true 10", "9 true 9"), ("aa", "a"), ("aa", '"a b"'), ("2 9", "3 9"),
     ],
 )  # fmt: skip
 def test_the_input_validator_wants_the_one_way_to_write_a_case(old, new, tmp_path):

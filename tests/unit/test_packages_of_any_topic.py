@@ -5,6 +5,7 @@ import json
 import shutil
 import subprocess
 import sys
+from collections import Counter
 from decimal import Decimal
 from fractions import Fraction
 from functools import partial
@@ -49,6 +50,19 @@ def show(answer):
 
 
 FORMAT = Format(write, read, show)
+"""
+ENTRY_JUDGED = """
+
+from judge.problem.declare import Judged
+
+count = solve
+
+
+def solve(stock, moves):
+    def entry(least):
+        return Judged(lambda value, _: f"below {least}, of {stock}" if value < least else None, least)
+
+    return {thing: entry(each) for thing, each in count(stock, moves).items()}
 """
 
 
@@ -122,6 +136,26 @@ def test_a_checker_travels_and_decides_as_here(tmp_path):
     assert "and comes before it" in packed.said
 
 
+def test_a_checker_is_asked_about_a_dict_and_its_entries_as_here(tmp_path):
+    problem = kata("inventory", tmp_path, [("problem.py", "", ENTRY_JUDGED)])
+    packed = Packed(problem, tmp_path / "package")
+    test = packed.tests[0]
+    assert packed.takes(test.input)
+    assert not packed.takes(test.input.replace(b"1 nut 3", b"2 nut 3 nut 3", 1))
+    for old, new in (
+        (b"2 cog 1 nut 5", new) for new in (b"2 nut 5 cog 1", b"2 nut 8 cog 1", b"2 nut 4 cog 1")
+    ):
+        output = test.answer.replace(old, new)
+        assert packed.accepts(test, output) is judged(packed.data, test.group, output) is (b" 4 " not in new)
+    assert packed.said == "case 1: entry 'nut' of the answer: below 5, of {'nut': 3}"
+    for line, why in (
+        (b"1 nut 5", "has no entry 'cog'"),
+        (b"3 cog 1 nut 5 a 1", "has an entry 'a' too many"),
+    ):
+        assert not packed.accepts(test, test.answer.replace(b"2 cog 1 nut 5", line))
+        assert packed.said == f"case 1: the answer {why}"
+
+
 def test_with_a_format_each_case_is_a_test_which_its_read_decides(tmp_path):
     packed = Packed(kata("depot", tmp_path), tmp_path / "package")
     assert (packed.folder / "data/secret/03-some-shelves-07.in").is_file()
@@ -191,14 +225,17 @@ def test_what_is_too_large_for_a_package_is_told(tmp_path, monkeypatch):
     assert large == ["06-n-20000, 0 MB", "07-n-80000, 0 MB"]
 
 
-def test_a_function_of_texts_becomes_a_program(tmp_path):
-    data = load_data(kata("runs", tmp_path), store=None)
-    source = (KATAS / "solutions/runs/accepted/one_loop.py").read_text()
+@pytest.mark.parametrize(
+    ("name", "file"), [("runs", "one_loop"), ("inventory", "loop"), ("inventory", "counter")]
+)
+def test_a_function_of_texts_or_dicts_becomes_a_program(name, file, tmp_path):
+    data = load_data(kata(name, tmp_path), store=None)
+    source = (KATAS / f"solutions/{name}/accepted/{file}.py").read_text()
     (tmp_path / "program.py").write_text(as_program(data.problem, source))
     for test in cases.tests_in(data, []):
         words = [sys.executable, tmp_path / "program.py"]
         printed = subprocess.run(words, input=test.input, stdout=subprocess.PIPE, check=True).stdout
-        assert printed == test.answer
+        assert printed == test.answer or judged(data, test.group, printed)  # a dict may be in another order
 
 
 READ = [  # an answer's type, the exact answer, what FORMAT.read may return
@@ -207,6 +244,12 @@ READ = [  # an answer's type, the exact answer, what FORMAT.read may return
     ("bool", True, [True, 1, False, "true"]),
     ("text(0..5)?", "a b", ["a b", "a", None, 3]),
     ("[int?; 0..2]", [1, None], [[1, None], (1, None), [1], [1, None, 2], None, {1}]),
+    (
+        "{text(0..3): real; 0..2}",
+        {"b": Real(2), "a": Real(1)},
+        [{"a": 1, "b": 2.0}, Counter(b=2, a=1), {"a": 1}, {"a": 1, "b": 2, "c": 3}, {"a": 2, "b": 2}],
+    ),
+    ("{int: bool}", {1: True}, [{1: True}, {True: True}, {"1": True}, {1: 1}, [(1, True)], [1], {}, None]),
     ("(int, word(a|b))", AnyOf([(1, "a"), (2, "b")]), [(2, "b"), [1, "a"], (1, "b"), (1,), ("a", 1)]),
 ]
 
@@ -231,6 +274,7 @@ BEYOND = [  # an answer's type, a right value, values within the bounds or beyon
     ("real(0..1)?", Real(1), [1, 1.0000000000000002, None, Fraction(1, 3), Decimal("1.0"), Decimal("1.1")]),
     ("[text(1..2)]", ["a"], [["ab", ""], ["ab"], ["\u00fc"], []]),
     ("(word(a|b), bool)", ("a", True), [("b", False), ("c", False)]),
+    ("[{int(0..9): real(0..1)}]", [{1: Real(1)}], [[{2: 0.5, 0: 1}, {}], [{10: 1}], [{1: 2}]]),
 ]
 
 

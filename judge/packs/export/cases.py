@@ -16,6 +16,7 @@ from judge.problem.formats import input_of, output_of
 from judge.problem.model import EXAMPLES
 from judge.run.program import render_group
 from judge.values import show
+from judge.values.parameters import given as given_to_solve
 
 SCHEMA = 1  # of a group's JSON
 MOST_INPUT = 64  # of a test, in millions of bytes
@@ -41,7 +42,7 @@ def tests_in(data: ProblemData, large: list[str]) -> Iterator[Test]:
     `large` is told of each that no package has room for.
     """
     groups = sorted(data.groups, key=lambda each: each.group.name != EXAMPLES)
-    answer = data.problem.answer
+    answer, types = data.problem.answer, [each.type for each in data.problem.parameters]
     for place, whole in enumerate(groups, 1):
         name, parts = whole.group.name, {f"{place:02d}-{whole.group.name}": whole}
         if data.problem.formatted:
@@ -55,7 +56,10 @@ def tests_in(data: ProblemData, large: list[str]) -> Iterator[Test]:
             if len(given) > MOST_INPUT * 10**6:
                 large.append(f"{stem}, {len(given) / 10**6:,.0f} MB")
                 continue
-            rows = [accepted_form(answer, *data.exact(case, group.group), case) for case in group.cases]
+            rows = [
+                accepted_form(answer, *data.exact(case, group.group), tuple(map(given_to_solve, types, case)))
+                for case in group.cases
+            ]
             folder = "sample" if name == EXAMPLES else "secret"
             yield Test(group, folder, stem, given, answers, rows)
 

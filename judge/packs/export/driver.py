@@ -24,6 +24,8 @@ def _judge_export_main():  # added by `judge export`: it makes a program of the 
         if form[0] == "tuple":
             return tuple([read(part, tokens) for part in form[1]])
         token = next(tokens)
+        if form[0] == "dict":
+            return dict(read(["list", ["tuple", form[1:3]]], chain([token], tokens)))
         if form[0] == "list":
             return [read(form[1], tokens) for _ in range(int(token))]
         if form[0] == "optional":
@@ -52,6 +54,8 @@ def _judge_export_main():  # added by `judge export`: it makes a program of the 
             return ["none"]
         if form[0] == "optional":
             return written(form[1], value)
+        if form[0] == "dict":
+            form, value = ["list", ["tuple", form[1:3]]], value.items()
         if form[0] == "list":
             items = [written(form[1], each) for each in value]
             return [str(len(items))] + [token for item in items for token in item]

@@ -17,6 +17,7 @@ from judge.problem.module import load_module
 from judge.values.answers import AnyOf, Called, Exact, Judged, exact_ends
 from judge.values.atoms import IntType, NumberType, RealType, Type, WordType
 from judge.values.calls import ReturnType
+from judge.values.dicts import DictType
 from judge.values.letters import BoolType, TextType
 from judge.values.types import ArrayType, ListType, OptionalType, TupleType
 
@@ -47,6 +48,8 @@ def form_of(type_: Type, within: Parameter | None = None) -> Form:
         return ["optional", form_of(type_.inner, within)]
     if isinstance(type_, ArrayType):
         raise NoForm(f"a line holds no {type_.text}")
+    if isinstance(type_, DictType):
+        return ["dict", form_of(type_.key, within), form_of(type_.value, within), type_.low, type_.high]
     if isinstance(type_, ListType) and kind is ListType:
         return ["list", form_of(type_.item, within), type_.low, type_.high]
     raise NoForm(f"a package knows no type {type_.text}")
@@ -72,18 +75,25 @@ def accepted_form(
     if isinstance(exact, AnyOf):
         return {"any": parts(repeat(type_), exact.answers)}
     if isinstance(exact, Judged):
-        return {"judged": exact.group, "case": case, "at": at}
+        return {"judged": exact.group, "case": _sent(case), "at": at}
     if isinstance(type_, OptionalType):
         return None if exact is None else accepted_form(type_.inner, exact, tolerance, case, at)
     if isinstance(type_, TupleType):
         return parts(type_.made_of, exact)
     if isinstance(type_, ListType):
-        return parts(repeat(type_.item), exact)
+        return parts(repeat(type_.item), sorted(exact.items()) if isinstance(exact, dict) else exact)
     if isinstance(type_, ReturnType):
         return [[each.method, _returned(type_, each, tolerance)] for each in exact]
     if isinstance(type_, RealType):
         return _ends(*exact_ends(exact, tolerance))
     return exact
+
+
+def _sent(value: Any) -> Any:
+    """What `solve` is given, as JSON: a dict as its entries."""
+    if isinstance(value, dict):
+        return {"dict": _sent([*value.items()])}
+    return [*map(_sent, value)] if isinstance(value, list | tuple) else value
 
 
 def _ends(low: Surd, high: Surd) -> list[int]:

@@ -9,6 +9,7 @@ It checks the form of every line, that each number is written as Python writes i
     ["bool"]                         true or false
     ["tuple", [type, …]]             its parts
     ["list", type, low, high]        the length, low to high (None: no bound), and the items
+    ["dict", key, value, low, high]  the same: of each entry its key, then its value, in the order of the keys
     ["optional", type]               none, or the type
 
 It does not prove what else the statement promises of a case, such as how near a miss may be. Inputs of a
@@ -72,14 +73,21 @@ def parameter(kind: Any, tokens: List[str]) -> None:
     if name == "tuple":
         for part in kind[1]:
             parameter(part, tokens)
-    elif name == "list":
+    elif name in ("list", "dict"):
         count = tokens.pop()
-        if not INTEGER.fullmatch(count) or len(count) > MOST_CASES or not kind[2] <= int(count):
+        if not INTEGER.fullmatch(count) or len(count) > MOST_CASES or not kind[-2] <= int(count):
             raise Invalid("%r is not a length" % count[:60])
-        if kind[3] is not None and int(count) > kind[3]:
+        if kind[-1] is not None and int(count) > kind[-1]:
             raise Invalid("%s items are too many" % count)
+        keys = []
         for _ in range(int(count)):
-            parameter(kind[1], tokens)
+            keys.append(tokens[-1])
+            for part in kind[1:-2]:
+                parameter(part, tokens)
+        if name == "dict":
+            keys = [json.loads(each) if each[0] == '"' or kind[1][0] == "int" else each for each in keys]
+            if keys != sorted(set(keys)):
+                raise Invalid("the keys are not in order, or one is there twice")
     elif name == "optional":
         if tokens[-1] != "none":
             parameter(kind[1], tokens)

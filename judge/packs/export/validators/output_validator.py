@@ -11,6 +11,7 @@ accepted for each of its cases:
                              the same; ["int", low, high] and ["real", low, high] have bounds
     ["tuple", [type, …]]     what is accepted for each part
     ["list", type, low, high]    the same for each item, of which there are low to high (null: no bound)
+    ["dict", key, value, low, high]    [[key, what is accepted there], …], in the order of the keys
     ["optional", type]       null where the answer is none
     ["returns", [type, …]]   of calls in a row [[place of its type, what is accepted], …]; null: anything
     any of these             {"any": […]}: each of several is right
@@ -159,6 +160,8 @@ def taken(kind: Any, tokens: Tokens) -> Any:
         return taken(kind[1], tokens)
     if name == "list":
         return items(kind, tokens)
+    if name == "dict":
+        return keyed(items, kind, tokens)
     raise ValueError("an unknown type %r" % name)
 
 
@@ -166,11 +169,18 @@ def items(kind: Any, tokens: Tokens) -> List[Any]:
     """The length of a list, and so many items."""
     low, high = kind[2:]
     count = tokens.integer()
-    if count < low or (high is not None and count > high) or count > len(tokens.words) - tokens.at:
-        raise Wrong(
-            "a list of %s items, with %d tokens left" % (str(count)[:20], len(tokens.words) - tokens.at)
-        )
+    left = len(tokens.words) - tokens.at
+    if count < low or (high is not None and count > high) or count > left:
+        raise Wrong("a list of %s items, with %d tokens left" % (str(count)[:20], left))
     return [taken(kind[1], tokens) for _ in range(count)]
+
+
+def keyed(way: Any, kind: Any, entries: Any) -> Any:
+    """The dict of the entries, taken that way as a list, in the order of the keys."""
+    found = way(["list", ["tuple", kind[1:3]], *kind[3:]], entries)
+    if len(dict(found)) < len(found):
+        raise Wrong("a key is there twice")
+    return dict(sorted(found, key=lambda each: each[0]))
 
 
 def given(kind: Any, value: Any) -> Any:
@@ -182,6 +192,8 @@ def given(kind: Any, value: Any) -> Any:
         return Tokens(str(value)).number()
     if name == "real" and own in (int, float, Fraction) and value - value == 0:
         return Number(Fraction(value).numerator, Fraction(value).denominator, value)
+    if name == "dict" and isinstance(value, dict):
+        return keyed(given, kind, list(value.items()))
     if name in ("tuple", "list") and own in (tuple, list):
         low, high = kind[2:] if name == "list" else [len(kind[1])] * 2
         if low <= len(value) and (high is None or len(value) <= high):
@@ -203,6 +215,8 @@ def bounded(kind: Any, value: Any) -> bool:
         return True
     if name == "optional":
         return bounded(kind[1], value)
+    if name == "dict":
+        return all(bounded(kind[1], key) and bounded(kind[2], each) for key, each in value.items())
     if name in ("tuple", "list"):
         return all(bounded(*each) for each in pairs(kind, value))
     if name == "text":
@@ -217,6 +231,8 @@ def plain(value: Any) -> Any:
     """A value as a checker is given it."""
     if isinstance(value, Number):
         return value.plain
+    if isinstance(value, dict):
+        return {key: plain(each) for key, each in value.items()}
     return type(value)(map(plain, value)) if isinstance(value, (list, tuple)) else value
 
 
@@ -231,12 +247,15 @@ def why_not(value: Any, wanted: Any) -> Any:
     module = brought()
     found = module.solve(*tupled(wanted["case"]))
     for step in wanted["at"]:
-        found = (found.answers if hasattr(found, "answers") else found)[step]
+        found = sorted(found.items()) if isinstance(found, dict) else getattr(found, "answers", found)
+        found = found[step]
     return found.why_not(plain(value), wanted["judged"])
 
 
 def tupled(value: Any) -> Any:
-    """The value with tuples in place of lists."""
+    """What `solve` is given: tuples in place of lists, and dicts."""
+    if isinstance(value, dict):
+        return dict(tupled(value["dict"]))
     return tuple(map(tupled, value)) if isinstance(value, list) else value
 
 
@@ -256,9 +275,8 @@ def held(kind: Any, value: Any, wanted: Any, where: str) -> None:
     if name == "optional":
         if value is None or wanted is None:
             if value is not wanted:
-                raise Wrong(
-                    "%s: %s" % (where, "none given, but there is one" if value is None else "none wanted")
-                )
+                why = "none given, but there is one" if value is None else "none wanted"
+                raise Wrong("%s: %s" % (where, why))
             return
         held(kind[1], value, wanted, where)
     elif name == "real":
@@ -274,6 +292,14 @@ def held(kind: Any, value: Any, wanted: Any, where: str) -> None:
             raise Wrong("%s has %d items, %d wanted" % (where, len(value), len(wanted)))
         for at, each in enumerate(wanted):
             held(kind[1], value[at], each, "item %d of %s" % (at + 1, where))
+    elif name == "dict":
+        own = dict(wanted)
+        for key in sorted({*own, *value}):
+            told = ascii(key)[:60]
+            if key not in value or key not in own:
+                fault = "%s has no entry %s" if key in own else "%s has an entry %s too many"
+                raise Wrong(fault % (where, told))
+            held(kind[2], value[key], own[key], "entry %s of %s" % (told, where))
     elif name == "returns":
         if len(value) != len(wanted):
             raise Wrong("%d answers, %d wanted" % (len(value), len(wanted)))
