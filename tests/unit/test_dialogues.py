@@ -13,7 +13,6 @@ from judge.judging.inprocess import InProcess
 from judge.judging.options import RunOptions
 from judge.judging.session import Session
 from judge.languages.boxes import AnyBoxes
-from judge.packs.export.forms import NoForm, check_forms
 from judge.practice.stub import make_stub
 from judge.problem import Verdict
 from judge.problem.load import load_problem
@@ -303,11 +302,9 @@ def test_not_in_this_process(kata):
     assert "on the command line only" in _listed(load_problem(kata))["elsewhere"]
 
 
-def test_the_file_to_begin_with_and_the_package(kata):
+def test_the_file_to_begin_with(kata):
     problem = load_problem(kata)
     assert judged(kata, make_stub(problem)).failure.message.startswith("NotImplementedError")
-    with pytest.raises(NoForm):
-        check_forms(problem)
 
 
 @pytest.mark.parametrize(

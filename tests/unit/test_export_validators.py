@@ -72,12 +72,25 @@ def test_every_line_is_decided_as_the_judge_does():
     assert (differ, count) == (0, 2080)
 
 
-@pytest.mark.parametrize("name", ["declare.py", "input_validator.py", "output_validator.py"])
+@pytest.mark.parametrize("name", ["declare.py", "input_validator.py", "interactor.py", "output_validator.py"])
 def test_a_validator_is_for_python_3_6_and_needs_nothing(name):
     tree = ast.parse((FOLDER / name).read_text(encoding="utf-8"), feature_version=(3, 6))
     modules = {each.module for each in ast.walk(tree) if isinstance(each, ast.ImportFrom)}
     modules |= {alias.name for each in ast.walk(tree) if isinstance(each, ast.Import) for alias in each.names}
-    known = {"decimal", "fractions", "hashlib", "importlib", "json", "os", "re", "sys", "typing"}
+    known = {
+        "ast",
+        "queue",
+        "threading",
+        "decimal",
+        "fractions",
+        "hashlib",
+        "importlib",
+        "json",
+        "os",
+        "re",
+        "sys",
+        "typing",
+    }
     assert modules <= known
     types = ("real", "int", "bool", "text", "tuple", "list", "dict", "optional")
     assert all(f'["{each}"' in VALIDATOR["__doc__"] for each in types)

@@ -1,5 +1,6 @@
 """Packages of katas of any topic: checkers, formats, classes and growth, decided as the judge decides."""
 
+import io
 import itertools
 import json
 import shutil
@@ -19,11 +20,13 @@ from judge.data.load import load_data
 from judge.packs.export import cases, job
 from judge.packs.export.driver import as_program
 from judge.packs.export.forms import NoForm, accepted_form, check_forms, form_of
-from judge.packs.export.metadata import Version
+from judge.packs.export.metadata import Version, problem_yaml
 from judge.packs.export.package import Contents
 from judge.packs.export.programs import Programs
 from judge.problem.load import load_problem
 from judge.run.formatted import FormatRunner
+from judge.run.talk import Talk
+from judge.sandbox.boundary import ProgramResult, Stop, Usage
 from judge.sandbox.encode import encode
 from judge.values import check
 from judge.values.answers import AnyOf, Judged, Real, Tolerance
@@ -196,6 +199,53 @@ def test_a_class_needs_a_format(tmp_path):
     first, *rest = test.answer.split()
     assert first == b"-"  # of a put, whose answer nobody looks at
     assert packed.accepts(test, b" ".join([b"7", *rest]))
+
+
+class Printed:
+    """A program that prints what it prints, whatever it reads."""
+
+    def __init__(self, output):
+        self._lines = io.BytesIO(output)
+        self.hear, self.say = self._lines.readline, lambda _: None
+
+    def told(self, packed, test):
+        """Why the judge says that it is wrong; "" where it is right."""
+        (case,) = test.group.cases
+        talk = Talk(packed.problem, packed.data.module.format, case)
+        talk(self)
+        return talk.reply(ProgramResult(Stop.ANSWERED, self._lines.read(), b"", "", Usage())).answer
+
+
+def test_a_talk_decides_as_here(tmp_path):
+    packed = Packed(kata("higher-lower", tmp_path), tmp_path / "package")
+    assert "\ntype: interactive\n" in (packed.folder / "problem.yaml").read_text()
+    assert "\nvalidation: custom interactive\n" in problem_yaml(packed.problem, Version.LEGACY, 1)
+    test = packed.tests[0]  # 5 of 6
+    assert (test.input, test.answer) == (b"1\n6 5\n", b"")
+    assert packed.takes(test.input)
+    assert not packed.takes(b"1\n6 0\n")
+    told = set()
+    for output in (b"3\n5\n", b"3\r\n5", b"1\n2\n3\n", b"3\n7\n", b"3\n", b"", b"5\n6\n", b"x\xff y\n5\n"):
+        why = Printed(output).told(packed, test)
+        assert packed.accepts(test, output) is (why == ""), output
+        assert why in ("", why and packed.said)
+        told.add(why)
+    assert len(told) == 6
+
+
+def test_both_sides_of_a_talk_may_say_much_before_they_hear(tmp_path):
+    says, count = "    program.say(high)", 99999
+    long = f"    program.say('higher\\n' * {count})\n    [program.hear() for _ in range({count})]\n{says}"
+    packed = Packed(kata("higher-lower", tmp_path, [("problem.py", says, long)]), tmp_path / "package")
+    words = "output_validator/validate.py", "data/sample/01-examples-01.in", "no.ans", "."
+    program = "import sys; print('1\\n' * 99999 + '3\\n5', flush=True); sys.stdin.read()"
+    talk = subprocess.Popen(
+        [sys.executable, *words], cwd=packed.folder, stdin=subprocess.PIPE, stdout=subprocess.PIPE
+    )
+    with subprocess.Popen([sys.executable, "-c", program], stdin=talk.stdout, stdout=talk.stdin):
+        talk.stdin.close()
+        talk.stdout.close()
+        assert talk.wait(60) == 42
 
 
 @pytest.mark.parametrize(

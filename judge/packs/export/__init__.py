@@ -1,7 +1,7 @@
 """A problem as a Kattis package, in the legacy format and in that of 2025-09.
 
 forms.py        types of answers and parameters as JSON, exact answers as the ends of what is accepted
-validators/     the two programs that every package ships; they import nothing of the judge
+validators/     the programs that packages ship, two each; they import nothing of the judge
 statement.py    the statement as LaTeX
 metadata.py     names, uuid, problem.yaml
 driver.py       a function made a program

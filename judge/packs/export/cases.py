@@ -42,7 +42,6 @@ def tests_in(data: ProblemData, large: list[str]) -> Iterator[Test]:
     `large` is told of each that no package has room for.
     """
     groups = sorted(data.groups, key=lambda each: each.group.name != EXAMPLES)
-    answer, types = data.problem.answer, [each.type for each in data.problem.parameters]
     for place, whole in enumerate(groups, 1):
         name, parts = whole.group.name, {f"{place:02d}-{whole.group.name}": whole}
         if data.problem.formatted:
@@ -56,16 +55,26 @@ def tests_in(data: ProblemData, large: list[str]) -> Iterator[Test]:
             if len(given) > MOST_INPUT * 10**6:
                 large.append(f"{stem}, {len(given) / 10**6:,.0f} MB")
                 continue
-            rows = [
-                accepted_form(answer, *data.exact(case, group.group), tuple(map(given_to_solve, types, case)))
-                for case in group.cases
-            ]
             folder = "sample" if name == EXAMPLES else "secret"
-            yield Test(group, folder, stem, given, answers, rows)
+            yield Test(group, folder, stem, given, answers, _accepted(data, group))
+
+
+def _accepted(data: ProblemData, group: GroupData) -> list[Any]:
+    """What is accepted for each case; in a dialogue its arguments, as Python writes them. Raises NoForm."""
+    problem = data.problem
+    if problem.talks:
+        return [repr(tuple(each)) for each in problem.calls(group.cases)]
+    types = [each.type for each in problem.parameters]
+    return [
+        accepted_form(problem.answer, *data.exact(case, group.group), tuple(map(given_to_solve, types, case)))
+        for case in group.cases
+    ]
 
 
 def _both(data: ProblemData, group: GroupData) -> tuple[bytes, bytes]:
     """What a program reads and what a right one prints."""
+    if data.problem.talks:
+        return render_group(data.problem, group.cases), b""
     if not (own := data.module.format):
         return render_group(data.problem, group.cases), _answers(data, group)
     (case,), (target,) = group.cases, group.targets

@@ -117,7 +117,7 @@ def _returned(type_: ReturnType, called: Called, tolerance: Tolerance) -> Any:
 
 def whole_output(problem: Problem) -> str:
     """How a whole output is one answer: by its "tokens" or as FORMAT "read"s it; empty: a line is one."""
-    if not problem.formatted:
+    if not problem.formatted or problem.talks:
         return ""
     own = load_module(problem).format
     return "read" if own and own.read else "tokens"
@@ -125,13 +125,12 @@ def whole_output(problem: Problem) -> str:
 
 def check_forms(problem: Problem) -> None:
     """Raises NoForm where a problem cannot be a package, as far as its types tell."""
-    if problem.talks:
-        raise NoForm("its programs are talked with")
     if problem.methods and whole_output(problem) != "read":
         lacks = "its FORMAT read and show" if problem.formatted else "it a FORMAT"
         raise NoForm(f"a class has no form for programs; give {lacks}")
-    form_of(problem.answer)
-    if not problem.formatted:
+    if not problem.talks:
+        form_of(problem.answer)
+    if problem.talks or not problem.formatted:
         for parameter in problem.parameters:
             form_of(parameter.type, parameter)
 

@@ -128,7 +128,11 @@ def export(problem: Problem, order: Order, boxes: BoxFactory, progress: Progress
 
 def _brought(problem: Problem, tests: Sequence[Test]) -> bytes:
     """The problem.py that the output validator asks; empty where it needs none. Raises NoForm."""
-    if whole_output(problem) != "read" and not any(is_judged(test.accepted) for test in tests):
+    if (
+        not problem.talks
+        and whole_output(problem) != "read"
+        and not any(is_judged(test.accepted) for test in tests)
+    ):
         return b""
     source = (problem.folder / "problem.py").read_bytes()
     if why := why_not_alone(source.decode("utf-8-sig"), declared):

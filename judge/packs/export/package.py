@@ -9,6 +9,7 @@ import zipfile
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from pprint import pformat
+from typing import Any
 
 from msgspec import Struct
 
@@ -40,13 +41,14 @@ class Contents(Struct, frozen=True):
     def files(self, version: Version) -> Files:
         """The files of the package in that version."""
         statement, validator, ending = "statement", "output_validator", "yaml"
+        decides = "interactor.py" if self.problem.talks else "output_validator.py"
         if version is Version.LEGACY:
             statement, validator, ending = "problem_statement", "output_validators/exact", "desc"
         found = {
             "problem.yaml": problem_yaml(self.problem, version, self.programs.seconds).encode(),
             f"{statement}/problem.en.tex": self.statement.encode(),
             "input_validators/validate.py": self._input_validator(),
-            f"{validator}/validate.py": (_VALIDATORS / "output_validator.py").read_bytes(),
+            f"{validator}/validate.py": (_VALIDATORS / decides).read_bytes(),
             f"{validator}/accepted.json": self._accepted(),
             **self._brought(f"{validator}/validate"),
             **{f"submissions/{file}": source for file, source in self.programs.sources.items()},
@@ -85,7 +87,7 @@ class Contents(Struct, frozen=True):
     def _input_validator(self) -> bytes:
         source = (_VALIDATORS / "input_validator.py").read_text(encoding="utf-8")
         assert source.count(_NO_PARAMETERS) == source.count(_NO_INPUTS) == 1
-        if self.problem.formatted:
+        if self.problem.formatted and not self.problem.talks:
             known = pformat([hashlib.sha256(test.input).hexdigest() for test in self.tests])
             return source.replace(_NO_INPUTS, f"INPUTS = {known}").encode()
         forms = [form_of(parameter.type, parameter) for parameter in self.problem.parameters]
@@ -94,7 +96,9 @@ class Contents(Struct, frozen=True):
 
     def _accepted(self) -> bytes:
         """The table of what is accepted, a line for each input, by its SHA-256."""
-        told = {"problem": self.problem.id, "answer": form_of(self.problem.answer)}
+        told: dict[str, Any] = {"problem": self.problem.id}
+        if not self.problem.talks:
+            told["answer"] = form_of(self.problem.answer)
         head = json.dumps(told | ({"whole": how} if (how := whole_output(self.problem)) else {}))
         rows = []
         for test in self.tests:

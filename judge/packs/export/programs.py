@@ -25,7 +25,7 @@ from judge.problem.solutions import Kind, read_solutions
 from judge.run.formatted import FormatRunner
 from judge.run.program import ProgramRunner, answer_lines, text_of
 from judge.run.replies import VERDICTS
-from judge.sandbox.boundary import BoxFactory, Limits, ProgramResult, Stop
+from judge.sandbox.boundary import Box, BoxFactory, Limits, ProgramResult, Stop
 from judge.values.check import Accepted
 
 FOLDERS = {
@@ -96,7 +96,8 @@ class Exporter:
         self._problem: Problem = data.problem
         self._tests = tests
         self._boxes = boxes
-        self._decide = (FormatRunner if data.problem.formatted else ProgramRunner)(data.problem).decide
+        self._runner = (FormatRunner if data.problem.formatted else ProgramRunner)(data.problem)
+        self._decide = self._runner.decide
         self._progress = progress
         self._left_out: list[LeftOut] = []
 
@@ -188,12 +189,20 @@ class Exporter:
             if box.inspect().fault:
                 return _Trial(Verdict.CE)
             for test in self._tests:
-                result = box.run_program(test.input, limits)
+                result = self._run(box, test, limits)
                 most = max(most, result.usage.cpu_seconds)
                 verdict = self._verdict(test, result)
                 if verdict is not Verdict.AC:
                     return _Trial(verdict, test.stem, most)
         return _Trial(Verdict.AC, None, most)
+
+    def _run(self, box: Box, test: Test, limits: Limits) -> ProgramResult:
+        """What a program prints for a test; in a dialogue why it is wrong."""
+        if not self._problem.talks:
+            return box.run_program(test.input, limits)
+        asked = self._runner.ask(box, test.group.cases, limits)
+        (reply,) = asked.replies
+        return ProgramResult(reply.stop, (reply.answer or "").encode(), b"", reply.detail, asked.usage)
 
     def _verdict(self, test: Test, result: ProgramResult) -> Verdict:
         """As a package has it: how a program ends goes before what it has printed."""

@@ -34,9 +34,10 @@ class Judged(NamedTuple):
 class Format(NamedTuple):
     """What a program reads and writes."""
 
-    write: Callable[..., str]
+    write: Optional[Callable[..., str]] = None
     read: Optional[Callable[[str], Any]] = None
     show: Optional[Callable[[Any], str]] = None
+    talk: Optional[Callable[..., Any]] = None
 
 
 def nothing(*given: Any, **named: Any) -> None:
