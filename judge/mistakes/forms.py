@@ -85,7 +85,7 @@ def of_form(
             what, each = ("coordinates", ": [(x, y), (x, y)]") if item == "point" else ("numbers", ".")
             advice = f"The {what} of {several} {problem.answer.several} in one list. Group them{each}"
         return _named(name, advice)
-    if constant := _constant(does, rights, forms):
+    if not problem.formatted and (constant := _constant(does, rights, forms)):
         advice = f"{constant} is the answer to every case, whatever the input is."
         return _named("one-answer", advice)
     right = {_kind(form) for outlines in rights.values() for form, _ in outlines}

@@ -22,6 +22,7 @@ from judge.errors import ProblemError, UsageError, unwritable
 from judge.files import new_file, read_ordinary, replace_file
 from judge.languages import file_name, language_of
 from judge.problem import Example, Problem
+from judge.problem.find import typed
 from judge.problem.model import tupled
 from judge.problem.transcripts import typed_lines
 from judge.values import parameters
@@ -105,8 +106,8 @@ def make_stub(problem: Problem, language: Language | None = None) -> str:
     about = [
         *_wrapped(f"{problem.id}: {problem.title}.", _WIDTH - len(_QUOTES)),
         "",
-        f"`judge show {problem.id}` shows the whole statement, `judge hint` the next hint.",
-        f"`judge start {problem.id}` judges this file on every save.",
+        f"`judge show {typed(problem)}` shows the whole statement, `judge hint` the next hint.",
+        f"`judge start {typed(problem)}` judges this file on every save.",
     ]
     if not problem.entry:
         return _program(problem, language, about)
@@ -134,8 +135,8 @@ def _typed(problem: Problem, example: Example) -> list[str]:
     """An example of calls in a row as at Python's prompt."""
     first, *calls = typed_lines(problem, example.case)
     rows = [f">>> {first}"]
-    for typed, wanted in zip(calls, example.wanted, strict=True):
-        rows += [f">>> {typed}", *([] if wanted is None else [repr(wanted)])]
+    for call, wanted in zip(calls, example.wanted, strict=True):
+        rows += [f">>> {call}", *([] if wanted is None else [repr(wanted)])]
     return rows
 
 

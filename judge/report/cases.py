@@ -92,7 +92,8 @@ def _facts(tried: Tried, why: str, brief: bool) -> Iterator[tuple[Cell, Cell]]:
         own = tried.module.format
         given = input_of(problem, own, tried.case).rstrip() if own else line_of(problem, tried.case)
         yield from under("as program input", given.split("\n"))
-    shown = tried.expected if texts_of(problem.answer) else _plain(show.exact_text(tried.exact))
+    as_given = problem.methods or texts_of(problem.answer) or "{" in problem.answer.text
+    shown = tried.expected if as_given else _plain(show.exact_text(tried.exact))
     if not problem.talks:
         yield "exact answer", good(shown)
     ends = list(islice(_intervals(problem.answer, tried.target), _MOST + 1))

@@ -22,9 +22,8 @@ def begun(found: Begun, _screen: Screen) -> RenderableType:
     if not found.created:
         return joined(strong(f"{file} exists."), " Go on: judge run. Start over: add --reset")
     kept = f" The old text is in {shown_name(found.kept)}." if found.kept else ""
-    return joined(
-        strong(f"Created {file}."), f"{kept} Write {spelt(found.entry, found.file)}, then: judge run"
-    )
+    what = spelt(found.entry, found.file) if found.entry else "the program"
+    return joined(strong(f"Created {file}."), f"{kept} Write {what}, then: judge run")
 
 
 def hint_shown(found: HintShown, screen: Screen) -> RenderableType:

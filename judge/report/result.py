@@ -12,6 +12,7 @@ from rich.console import Console, ConsoleOptions, Group, RenderableType, RenderR
 from rich.text import Text
 
 from judge.problem import Verdict
+from judge.problem.find import typed
 from judge.report.parts import (
     READABLE,
     Cell,
@@ -263,7 +264,8 @@ def _accepted(found: Judged, width: int | None) -> RenderableType:
     """What follows an accepted result: what it took, how to go on, and how many katas are solved."""
     standing, keyed = found.standing, bool(found.key)
     go_on = "n" if keyed else "judge start"
-    onward = [] if keyed else [(f"judge solution {found.result.problem}", "the model solution")]
+    kata = typed(found.data.problem) if found.data else found.result.problem
+    onward = [] if keyed else [(f"judge solution {kata}", "the model solution")]
     if standing is None:
         return indented(commands([*onward, (go_on, "the next kata")]))
     hints = counted(standing.hints, "hint") if standing.hints else "no hint"

@@ -28,6 +28,7 @@ from judge.languages import file_name, language_of
 from judge.languages.boxes import AnyBoxes
 from judge.languages.signature import signature_of
 from judge.problem import Problem, Verdict
+from judge.problem.find import typed
 from judge.problem.model import chosen_groups
 from judge.problem.solutions import Kind, Solution, read_solutions
 from judge.problem.toml import key_place
@@ -182,7 +183,7 @@ def _check_pins(
         write_pins(problem, found)
         return "written", []
     where = f"{problem.id}/{pins_file(problem).name}"
-    remedy = f"if that is meant, pin the data with: judge verify {problem.id} --pin"
+    remedy = f"if that is meant, pin the data with: judge verify {typed(problem)} --pin"
     try:
         pins = read_pins(problem)
     except ProblemError as error:

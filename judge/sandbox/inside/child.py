@@ -116,6 +116,8 @@ def make_calls(code: CodeType, name: str, region: wire.Region, request: wire.Req
         _note_memory(region, error, name)
         os._exit(1)
     except BaseException as error:
+        if _too_long(error):
+            replies.too_much("")
         replies.all_raised(f"{source.described(error, name)}{IMPORTING}", count)
         os._exit(_flushed(0))
     freeze()  # a large table of its own would be looked through on the time of its calls
@@ -176,12 +178,12 @@ class _Replies:
                 _note_memory(self._region, error, name)
                 os._exit(1)
             except BaseException as error:  # SystemExit too: the end of this call, not of the next
-                if issubclass(type(error), OSError) and _ERRNO_OF(error) == errno.EFBIG:
-                    self._too_much("")  # it printed more than it may
+                if _too_long(error):
+                    self.too_much("")
                 line = _raised(source.described(error, name) + place_in(function))
             end = at + len(line)
             if end > stop:
-                self._too_much()
+                self.too_much()
             memory[at:end] = line
             words[used] = at = end
 
@@ -189,13 +191,18 @@ class _Replies:
         lines = _raised(text) * count
         end = self._at + len(lines)
         if end > self._stop:
-            self._too_much()
+            self.too_much()
         self._region.memory[self._at : end] = lines
         self._region.words[wire.USED] = end
 
-    def _too_much(self, text: str = "its answers together are longer than allowed") -> NoReturn:
+    def too_much(self, text: str = "its answers together are longer than allowed") -> NoReturn:
         self._region.write_note(wire.TOO_MUCH, text)
         os._exit(1)
+
+
+def _too_long(error: BaseException) -> bool:
+    """Whether it says that more was printed than may be."""
+    return issubclass(type(error), OSError) and _ERRNO_OF(error) == errno.EFBIG
 
 
 def _refused(value: object) -> NoReturn:
