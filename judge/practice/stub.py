@@ -22,7 +22,6 @@ from judge.errors import ProblemError, UsageError, unwritable
 from judge.files import new_file, read_ordinary, replace_file
 from judge.languages import file_name, language_of
 from judge.problem import Example, Problem
-from judge.problem.find import typed
 from judge.problem.model import tupled
 from judge.problem.transcripts import typed_lines
 from judge.values import parameters
@@ -106,8 +105,8 @@ def make_stub(problem: Problem, language: Language | None = None) -> str:
     about = [
         *_wrapped(f"{problem.id}: {problem.title}.", _WIDTH - len(_QUOTES)),
         "",
-        f"`judge show {typed(problem)}` shows the whole statement, `judge hint` the next hint.",
-        f"`judge start {typed(problem)}` judges this file on every save.",
+        f"`judge show {problem.id}` shows the whole statement, `judge hint` the next hint.",
+        f"`judge start {problem.id}` judges this file on every save.",
     ]
     if not problem.entry:
         return _program(problem, language, about)
