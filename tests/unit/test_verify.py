@@ -47,7 +47,7 @@ def test_drifted_data_are_a_fault_until_they_are_pinned(pack):
 
 def test_data_that_cannot_be_built_are_the_one_fault(tmp_path):
     report = verify_problem(load_problem(broken("example-contradicts", tmp_path)))
-    (fault,), problem = report.faults, load_problem(page.parent)
+    (fault,) = report.faults
     assert fault.where == "example-contradicts/statement.md:5"
     assert "contradicts solve" in fault.what
     assert report.faults
