@@ -190,7 +190,8 @@ def _time(problem: Problem | None, result: Result, *, whole: bool) -> str:
     said = []
     first = problem is not None and FIRST in problem.sets
     slow = ratio is not None and ratio.median > _SLOW and not first
-    if ratio is not None and (late or (not ratio.unreliable and (slow or whole))):
+    grown = late and growth is not None and ratio is not None and ratio.median <= ratio.limit
+    if ratio is not None and not grown and (late or (not ratio.unreliable and (slow or whole))):
         whose = f"the {time.reference} reference's" if time.reference else "the reference's"
         doubts = "; ".join(filter(None, (ratio.busy, "near the limit" if time.borderline else "")))
         limit = f" (limit {ratio.limit:g} ×)" if late and ratio.limit else ""

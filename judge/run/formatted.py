@@ -8,7 +8,7 @@ The limits hold for all runs of a group together. A run that fails costs its own
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from functools import cached_property
 from typing import Any, ClassVar
 
@@ -79,15 +79,14 @@ class FormatRunner:
             used += result.usage
             if result.stop not in _ITS_OWN:
                 stop = result.stop
+                if stop is Stop.CPU and len(replies) > 1:  # what was left is no limit that anybody knows
+                    most = f"took more than {limits.cpu_seconds:g} s of CPU time"
+                    replies[-1] = replies[-1]._replace(detail=f"its runs on {len(replies)} cases {most}")
                 break
         return Replies(replies, used, stop, lost=stop is not Stop.ANSWERED)
 
-    @property
-    def decide(self) -> Callable[[Any, Target, ExactOf], Outcome]:
+    def decide(self, output: str, target: Target, exact: ExactOf) -> Outcome:
         """Holds an output against a target."""
-        return self._decide
-
-    def _decide(self, output: str, target: Target, exact: ExactOf) -> Outcome:
         if self.problem.talks:
             return Rejection(output, "", "") if output else Accepted()
         try:

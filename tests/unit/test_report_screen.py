@@ -6,8 +6,11 @@ import io
 
 import pytest
 
+from judge.problem import Verdict
 from judge.report.screen import Screen, note
+from judge.report.tell import tell
 from judge.report.words import printable
+from judge.run.result import Failure, Growth, Ratio, Result, Timing
 
 
 def test_whatever_steers_a_terminal_is_written_out():
@@ -67,3 +70,13 @@ def test_a_long_sentence_is_wrapped_at_words_beside_its_label(monkeypatch):
     assert stream.getvalue() == (
         "judge: There is no command of that name.\n       judge --help shows the commands\n"
     )
+
+
+def test_what_is_too_slow_by_its_growth_alone_is_told_so():
+    """A ratio below its limit is no reason."""
+    growth = Growth(1.9, 1.1, 0.4, ("small", "long"), 2)
+    failure = Failure("it grows like n^1.9", "long")
+    for limit, begins in ((30.0, "Too slow in long: Your time grows"), (1.5, "Too slow in long: 1.7 ×")):
+        timing = Timing(ratio=Ratio(1.7, 1.6, 1.8, 5, limit), growth=growth)
+        late = Result(problem="k", submission="a.py", verdict=Verdict.TLE, failure=failure, time=timing)
+        assert tell(None, late).time.startswith(begins)
