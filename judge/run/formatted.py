@@ -79,9 +79,10 @@ class FormatRunner:
             used += result.usage
             if result.stop not in _ITS_OWN:
                 stop = result.stop
-                if stop is Stop.CPU and len(replies) > 1:  # what was left is no limit that anybody knows
-                    most = f"took more than {limits.cpu_seconds:g} s of CPU time"
-                    replies[-1] = replies[-1]._replace(detail=f"its runs on {len(replies)} cases {most}")
+                if stop is Stop.CPU and replies[1:]:  # what was left is no limit that anybody knows
+                    replies[-1] = replies[-1]._replace(
+                        detail=f"{len(replies)} runs took more than {limits.cpu_seconds:g} s of CPU time"
+                    )
                 break
         return Replies(replies, used, stop, lost=stop is not Stop.ANSWERED)
 
@@ -154,7 +155,5 @@ class FormatRunner:
 
 def shown(text: str) -> str:
     """The first lines of an input or an output, each cut where it is long."""
-    if not text.strip():
-        return "nothing"
     lines = [line if len(line) <= _COLUMNS else f"{line[:_COLUMNS]}…" for line in text.splitlines()]
-    return "\n".join([*lines[:_LINES], "…"] if len(lines) > _LINES else lines)
+    return "\n".join(lines[:_LINES] + ["…"] * (len(lines) > _LINES)) if text.strip() else "nothing"

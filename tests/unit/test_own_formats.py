@@ -100,7 +100,7 @@ def test_the_time_of_all_runs_is_told_as_such(depot):
     change(depot / "problem.toml", "cpu_seconds = 4\nwall_seconds = 12", "cpu_seconds = 1")
     slow = "import time\nwhile time.process_time() < 0.3: pass\n"
     failure = judged(depot, slow + RIGHT).failure
-    assert re.fullmatch(r"its runs on [345] cases took more than 1 s of CPU time", failure.message)
+    assert re.fullmatch(r"[345] runs took more than 1 s of CPU time", failure.message)
 
 
 def test_a_failing_run_costs_its_own_case_alone(depot):
