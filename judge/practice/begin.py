@@ -78,11 +78,12 @@ def begin_kata(
     try:
         beside = next(each for each in (problems, *problems.absolute().parents) if each.is_dir())
         with TemporaryDirectory(prefix=".judge-", dir=beside) as scratch:
-            for kind, file, text in _renamed(model, name):
+            for kind, file, content in _renamed(model, name):
                 written = Path(scratch, kind, file)
                 written.parent.mkdir(parents=True, exist_ok=True)
-                written.write_text(text, encoding="utf-8")
-                files.append(homes[kind].parent / file)
+                written.write_bytes(content)
+                place = homes[kind].parent / file
+                files += [] if place.exists() else [place]
             problem = load_problem(Path(scratch, "problems", name))
             verify_problem(problem, Options(pin=True), progress)
             for kind, home in homes.items():
@@ -110,8 +111,8 @@ def _model(like: str, extra: Sequence[Path]) -> Problem:
         raise UsageError(what, remedy=meant(like, list(KINDS), "the kinds are")) from None
 
 
-def _renamed(model: Problem, name: str) -> Iterator[tuple[str, str, str]]:
-    """The files of a kata under another name: problems or solutions, the path there, and the text."""
+def _renamed(model: Problem, name: str) -> Iterator[tuple[str, str, bytes]]:
+    """The files of a kata under another name: problems or solutions, the path there, and the content."""
     entry = name.replace("-", "_")
     if model.entry[:1].isupper():  # a class
         entry = "".join(word.capitalize() for word in name.split("-"))
@@ -129,7 +130,12 @@ def _renamed(model: Problem, name: str) -> Iterator[tuple[str, str, str]]:
     ]
     found += [(kind, f"{path.relative_to(homes[kind].parent)}", path) for kind, path in shared]
     for kind, file, path in found:
-        text = path.read_text(encoding="utf-8")
+        content = path.read_bytes()
+        try:
+            text = content.decode()
+        except UnicodeDecodeError:  # no text, as a picture
+            yield kind, file, content
+            continue
         if path.name == "problem.toml":
             text = re.sub(r"^(sets|place) *=.*\n", "", text, flags=re.M)
             text = text.replace(f'entry = "{model.entry}"', f'entry = "{entry}"')
@@ -141,7 +147,7 @@ def _renamed(model: Problem, name: str) -> Iterator[tuple[str, str, str]]:
         if "-" in model.id:
             text = re.sub(rf"(?<![\w-]){model.id}(?![\w-])", name, text)
         text = text.replace(f".in.{model.id}]", f".in.{name}]")
-        yield kind, file, text
+        yield kind, file, text.encode()
 
 
 def _folder_of_problems(folder: Path) -> Path:

@@ -139,6 +139,12 @@ def test_a_kata_like_another_one_takes_what_they_share(judge, tmp_path):
     assert (report["faults"], report["pins"]) == ([], "matching")
     assert (tmp_path / "solutions" / "mistakes.toml").is_file()
     assert "squareApart(" in (tmp_path / "solutions/square-apart/accepted/reference.java").read_text()
+    (tmp_path / "problems/square-apart/photo.png").write_bytes(b"\x89PNG\xff")
+    again = json.loads(
+        judge("new", ".", "b-c", "--like", "square-apart", "--problems", "problems", "--json").out
+    )
+    assert "solutions/mistakes.toml" not in again["files"]
+    assert (tmp_path / "problems/b-c/photo.png").read_bytes() == b"\x89PNG\xff"
 
 
 def test_what_is_no_kind_and_no_kata(judge):
