@@ -18,7 +18,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 from export_edges import disagreements, judged, outputs, validated
 
 from judge.data.load import load_data
-from judge.packs.export.forms import NoForm, check_forms
+from judge.packs.schemas import NoForm, check_forms
 from judge.problem.find import find_problem, problem_folders
 
 EACH = 16  # lines of a case

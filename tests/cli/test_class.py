@@ -14,8 +14,8 @@ import pytest
 from cli_support import FLOOR, MEAN
 from msgspec.structs import replace
 
-from judge.batch import standard
-from judge.batch.store import Store
+from judge.batch import environment
+from judge.batch.store import ResultStore
 from judge.errors import StoreError
 from judge.manual import page
 
@@ -43,7 +43,7 @@ def rows(outcome):
 
 
 def stored(name="homework.judge.sqlite3"):
-    with Store.read(Path(name)) as store:
+    with ResultStore.read(Path(name)) as store:
         newest = {(row.student, row.problem, row.file): row for row in store.every()}
     return [newest[place] for place in sorted(newest)]
 
@@ -103,14 +103,14 @@ def test_only_what_is_new_is_judged(judge, homework, submit, monkeypatch):
     assert "4 results kept from before" in judge("class", "homework").err
     there = ("ada/middle.py", "bob/middle.py", "cy/homework.py", "ada/middle.py")
     assert [row.digest for row in stored()] == [first[file].digest for file in there]
-    with Store.read(Path("homework.judge.sqlite3")) as store:
+    with ResultStore.read(Path("homework.judge.sqlite3")) as store:
         assert len({row.digest for row in store.every() if row.student == "bob"}) == 2
     before = {row.file: row.at for row in stored()}
     assert judge("class", "homework", "--again", "ada").status == 1
     after = {row.file: row.at for row in stored()}
     assert [file for file in before if before[file] != after[file]] == ["ada/middle.py"]
     with monkeypatch.context() as other:
-        other.setattr(standard, "code_key", lambda: "else")
+        other.setattr(environment, "code_key", lambda: "else")
         told = judge("class", "homework").err
     assert told.count("\n") == 2
     assert "4 judged anew, because of the judge (" in told

@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 from cli_support import FLOOR, MEAN
 
-from judge.batch import run
+from judge.batch import classroom
 from judge.batch.work import judge_task
 from judge.judging.session import Session
 
@@ -76,7 +76,7 @@ def test_pages_are_written_as_students_finish(judge, submit, monkeypatch):
             raise KeyboardInterrupt
         return judge_task(task)
 
-    monkeypatch.setattr(run, "judge_task", until_bob)
+    monkeypatch.setattr(classroom, "judge_task", until_bob)
     monkeypatch.setenv("SOURCE_DATE_EPOCH", "1800000000")
     ended = judge(*words)
     assert ended.status == 130

@@ -17,12 +17,12 @@ from export_edges import VALIDATOR, judged
 
 import judge
 from judge.data.load import load_data
+from judge.packs.driver import as_program
 from judge.packs.export import cases, job
-from judge.packs.export.driver import as_program
-from judge.packs.export.forms import NoForm, accepted_form, check_forms, form_of
-from judge.packs.export.metadata import Version, problem_yaml
-from judge.packs.export.package import Contents
-from judge.packs.export.programs import Programs
+from judge.packs.metadata import Version, problem_yaml
+from judge.packs.package import Contents
+from judge.packs.programs import Programs
+from judge.packs.schemas import NoForm, accepted_form, check_forms, form_of
 from judge.problem.load import load_problem
 from judge.run.formatted import FormatRunner
 from judge.run.talk import Talk

@@ -23,9 +23,9 @@ from judge.holes.hunt import look_for_holes
 from judge.holes.model import Holes, Search
 from judge.judging.containment import contained, kept_level
 from judge.judging.options import RunOptions
-from judge.packs.export.cases import file_names, group_files
-from judge.packs.export.job import Exported, Order, check_order, export
-from judge.packs.export.metadata import Version
+from judge.packs.cases import file_names, group_files
+from judge.packs.export import Exported, Order, check_order, export
+from judge.packs.metadata import Version
 from judge.practice.begin import KINDS, NewKata, begin_kata, begin_pack
 from judge.practice.setter import kata_faults, verify_decks
 from judge.problem import Problem

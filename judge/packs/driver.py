@@ -7,7 +7,7 @@ import sys
 from collections.abc import Collection
 from typing import Any
 
-from judge.packs.export.forms import form_of
+from judge.packs.schemas import form_of
 from judge.problem import Problem
 from judge.problem.solutions import tree_of
 

@@ -17,9 +17,9 @@ from msgspec import Struct
 from judge.data.model import ProblemData
 from judge.languages import SUFFIX
 from judge.mistakes.makers import Maker, read_makers
-from judge.packs.export.cases import Test
-from judge.packs.export.driver import as_program, defines, why_not_alone
-from judge.packs.export.metadata import memory
+from judge.packs.cases import Test
+from judge.packs.driver import as_program, defines, why_not_alone
+from judge.packs.metadata import memory
 from judge.problem import Problem, Verdict
 from judge.problem.solutions import Kind, read_solutions
 from judge.run.formatted import FormatRunner

@@ -9,14 +9,14 @@ from msgspec import Struct
 
 from judge.data.load import load_data
 from judge.errors import UsageError
-from judge.packs.export.cases import Test, tests_in
-from judge.packs.export.driver import why_not_alone
-from judge.packs.export.forms import NoForm, check_forms, is_judged, whole_output
-from judge.packs.export.metadata import UNKNOWN, Version, license_of, short_name, uuid_of
-from judge.packs.export.package import Contents, zipped
-from judge.packs.export.place import check_archive, check_folder, write_archive, write_folder
-from judge.packs.export.programs import SURELY, Exporter, Held, LeftOut, Programs
-from judge.packs.export.statement import latex
+from judge.packs.cases import Test, tests_in
+from judge.packs.driver import why_not_alone
+from judge.packs.metadata import UNKNOWN, Version, license_of, short_name, uuid_of
+from judge.packs.package import Contents, zipped
+from judge.packs.programs import SURELY, Exporter, Held, LeftOut, Programs
+from judge.packs.schemas import NoForm, check_forms, is_judged, whole_output
+from judge.packs.statement import latex
+from judge.packs.write import check_archive, check_folder, write_archive, write_folder
 from judge.problem import Problem, Verdict
 from judge.problem.declare import __all__ as declared
 from judge.published import Published

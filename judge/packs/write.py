@@ -16,7 +16,7 @@ from tempfile import TemporaryDirectory
 
 from judge.errors import UsageError, unwritable
 from judge.files import replace_file
-from judge.packs.export.package import Files
+from judge.packs.package import Files
 
 _PREFIX = ".judge-export-"  # of a folder where a package is written, and then is the one that it replaces
 _REMEDY = "name another folder with --out, or move it away"

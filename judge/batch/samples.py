@@ -1,4 +1,4 @@
-"""The smallest failing cases of hand-ins, for the pages that show them.
+"""The smallest failing cases of submissions, for the pages that show them.
 
 Looking for one takes seconds, so it is done only for what a page shows, once for equal texts, and kept.
 """
@@ -11,18 +11,19 @@ from pathlib import PurePath
 
 from msgspec.structs import replace
 
-from judge.batch.model import Handin, Row
+from judge.batch.model import KeptRow, Submission
 from judge.errors import JudgeError
 from judge.judging.options import RunOptions
-from judge.judging.session import Bars, Session
+from judge.judging.session import Session
 from judge.problem import Problem, Verdict
 from judge.report.published_klass import Cohort
+from judge.report.wait import progress
 from judge.run.result import Result
 
 _BROKEN = (Verdict.WA, Verdict.RTE, Verdict.TLE, Verdict.MLE)
 
 
-def representatives(cohort: Cohort, rows: Iterable[Row]) -> list[Row]:
+def samples(cohort: Cohort, rows: Iterable[KeptRow]) -> list[KeptRow]:
     """For each mistake of each problem, the row of the first student who made it."""
     by_file = {(row.problem, row.file): row for row in rows}
     mistakes = [each for view in cohort.problems for each in view.mistakes]
@@ -36,22 +37,21 @@ class SmallestCases:
         self,
         problems: Mapping[str, Problem],
         options: RunOptions,
-        bars: Bars,
-        keep: Callable[[list[Row]], None],
+        keep: Callable[[list[KeptRow]], None],
     ) -> None:
         """`keep` is handed the rows that have a smallest case now."""
-        self._problems, self._bars, self._keep = problems, bars, keep
+        self._problems, self._keep = problems, keep
         self._options = replace(options, timed=False, diagnosed=True)
         self._found: dict[tuple[str, str], Result] = {}  # by problem and digest
 
-    def of(self, rows: Sequence[Row], handins: Iterable[Handin]) -> dict[tuple[str, str], Result]:
-        """The result of each row, by problem and file, with its smallest case; `handins` are those of the
+    def of(self, rows: Sequence[KeptRow], submissions: Iterable[Submission]) -> dict[tuple[str, str], Result]:
+        """The result of each row, by problem and file, with its smallest case; `submissions` are those of the
         rows. One whose problem is not there, or that another verdict comes of now, is as it was.
         """
         found = {(row.problem, row.file): row.result for row in rows}
-        sources = {each.file: each.source for each in handins}
+        sources = {each.file: each.source for each in submissions}
         broken = [each for each in rows if each.result.verdict in _BROKEN and each.problem in self._problems]
-        with self._bars("smallest failing cases") as advance:
+        with progress("smallest failing cases") as advance:
             for done, row in enumerate(broken):
                 if advance:
                     advance(done, len(broken))
@@ -59,7 +59,7 @@ class SmallestCases:
                     self._found[row.problem, row.digest] = found[row.problem, row.file] = small
         return found
 
-    def _sought(self, row: Row, source: bytes) -> Result | None:
+    def _sought(self, row: KeptRow, source: bytes) -> Result | None:
         small = self._found.get((row.problem, row.digest))
         if small is None:
             with suppress(JudgeError), Session(self._problems[row.problem], self._options) as session:
