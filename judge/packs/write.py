@@ -1,41 +1,28 @@
 """Writing a package: whole, beside its place, and then put there at once.
 
-Only a package of the same problem is replaced, which its uuid tells; whatever else is there stays.
+Only a package of the same problem is replaced, which its uuid tells; whatever else is there stays. An export
+that is killed may leave a folder `.judge-export-*`.
 """
 
 from __future__ import annotations
 
-import contextlib
 import os
-import shutil
-import time
 import zipfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from judge.errors import UsageError, unwritable
 from judge.files import replace_file
-from judge.packs.package import Files
 
-_PREFIX = ".judge-export-"  # of a folder where a package is written, and then is the one that it replaces
 _REMEDY = "name another folder with --out, or move it away"
-_OLD = 3600.0  # seconds; an export that was killed has left it, since writing is a matter of seconds
 _MOST = 65536  # bytes of a problem.yaml that are read
 
 
-def check_folder(place: Path, uuid: str) -> None:
-    """Raises UsageError unless nothing is there, or our package of that uuid."""
-    _check(place, place.is_dir() and _says(place, uuid))
-
-
-def check_archive(place: Path, uuid: str) -> None:
-    """The same for an archive."""
-    _check(place, place.is_file() and _says(place, uuid))
-
-
-def _check(place: Path, ours: bool) -> None:
-    if os.path.lexists(place) and (place.is_symlink() or not ours):
+def check_place(place: Path, uuid: str) -> None:
+    """Raises UsageError unless nothing is there, or our package of that uuid, as a folder or an archive."""
+    if os.path.lexists(place) and (place.is_symlink() or not _says(place, uuid)):
         raise UsageError("it is not a package of this kata", where=str(place), remedy=_REMEDY)
 
 
@@ -55,24 +42,25 @@ def _says(place: Path, uuid: str) -> bool:
     return f"uuid: {uuid}".encode() in content.splitlines()
 
 
-def write_folder(place: Path, files: Files) -> None:
+def write_folder(place: Path, files: Mapping[str, bytes]) -> None:
     """Put a package there; one that is there is replaced as a whole. Raises UsageError."""
-    with _written(place):
-        _sweep(place.parent)
-        with TemporaryDirectory(prefix=_PREFIX, dir=place.parent, ignore_cleanup_errors=True) as scratch:
-            new, old = Path(scratch, "new"), Path(scratch, "old")
-            for path, content in files.items():
-                target = new / path
-                target.parent.mkdir(parents=True, exist_ok=True)
-                target.write_bytes(content)
-            if os.path.lexists(place):
-                place.rename(old)
-            try:
-                new.rename(place)
-            except BaseException:
-                if old.exists():
-                    old.rename(place)
-                raise
+    with (
+        _written(place),
+        TemporaryDirectory(prefix=".judge-export-", dir=place.parent, ignore_cleanup_errors=True) as scratch,
+    ):
+        new, old = Path(scratch, "new"), Path(scratch, "old")
+        for path, content in files.items():
+            target = new / path
+            target.parent.mkdir(parents=True, exist_ok=True)
+            target.write_bytes(content)
+        if os.path.lexists(place):
+            place.rename(old)
+        try:
+            new.rename(place)
+        except BaseException:
+            if old.exists():
+                old.rename(place)
+            raise
 
 
 def write_archive(place: Path, content: bytes) -> None:
@@ -81,7 +69,7 @@ def write_archive(place: Path, content: bytes) -> None:
         replace_file(place, content)
 
 
-@contextlib.contextmanager
+@contextmanager
 def _written(place: Path) -> Iterator[None]:
     """Its folder is made first; what fails is a UsageError."""
     try:
@@ -89,11 +77,3 @@ def _written(place: Path) -> Iterator[None]:
         yield
     except OSError as fault:
         raise unwritable(place, fault, _REMEDY) from fault
-
-
-def _sweep(folder: Path) -> None:
-    """Take away what exports that were killed have left; silently."""
-    for path in folder.glob(f"{_PREFIX}*"):
-        with contextlib.suppress(OSError):
-            if time.time() - path.lstat().st_mtime > _OLD:
-                shutil.rmtree(path, ignore_errors=True)  # which follows no link

@@ -207,6 +207,23 @@ def test_the_same_command_goes_on_after_any_end(judge, submit, how):
     assert {row.result.verdict.value for row in final} == {"WA"}
 
 
+@pytest.mark.nightly
+def test_a_worker_that_is_killed_loses_no_row_and_doubles_none(submit):
+    for at in range(6):
+        submit(f"import time\ntime.sleep(1)\n{WRONG.format(at + 2)}", f"homework/s{at}/middle.py")
+    with started("-j", "2", "--json") as process:
+        first = process.stdout.readline()
+        os.kill(int(json.loads(first)["worker"].rpartition(":")[2]), signal.SIGKILL)  # at its next file
+        rest = process.stdout.read()
+    found = [json.loads(line) for line in (first + rest).splitlines()]
+    files = [(row["file"], row["verdict"]) for row in found if "student" in row]
+    assert process.returncode == 1
+    assert sorted(files) == [(f"s{at}/middle.py", "WA") for at in range(6)]
+    assert len({row["worker"] for row in found if "student" in row}) == 3
+    with ResultStore.read(Path("homework.judge.sqlite3")) as store:
+        assert sorted(row.file for row in store.every()) == sorted(file for file, _ in files)
+
+
 SBATCH = """#!/bin/sh
 for word in "$@"; do command=$word; done
 while [ "$task" != 20 ]; do task=$((task + 1)); SLURM_ARRAY_TASK_ID=$task sh -c "$command"; done

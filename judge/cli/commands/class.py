@@ -115,7 +115,9 @@ def judge_class(
         yield anonymous(found)[0] if ask.anonymous else found
         csv.write(gradebook(found, numbered=ask.anonymous))
         if ask.html:
-            html.write(pages.of(found, classroom.results(found)).whole())
+            from judge.report.html import is_same
+
+            html.write(pages.of(found, classroom.results(found)).whole(), is_same)
 
 
 def _shard(ask: ClassAsk) -> Shard | None:
