@@ -157,13 +157,15 @@ class Classroom:
         of it, by kata and file, with smallest cases.
         """
         rows = self._own[student]
-        submissions = [each for each in self._submissions if each.student == student]
-        return self._cohort(self._katas, rows), self._smallest.of([*counting(rows).values()], submissions)
+        return self._cohort(self._katas, rows), self._smallest_of(list(counting(rows).values()))
 
     def results(self, cohort: Cohort) -> dict[tuple[str, str], Result]:
         """What the page of the class shows, by kata and file: one file of each mistake."""
         rows = current(self._submissions, self._store.every(), self._environments).values()
-        return self._smallest.of(samples(cohort, rows), self._submissions)
+        return self._smallest_of(samples(cohort, rows))
+
+    def _smallest_of(self, rows: Sequence[KeptRow]) -> dict[tuple[str, str], Result]:
+        return self._smallest.of(rows, {each.file: each.source for each in self._submissions})
 
     def _cohort(self, katas: Sequence[str], rows: Sequence[KeptRow], **shown: Any) -> Cohort:
         judged_late = self._submissions if self._options.due else self._called_late
@@ -197,7 +199,7 @@ class Classroom:
 
     @cached_property
     def _smallest(self) -> SmallestCases:
-        return SmallestCases(self.problems, self._run, self._store.keep_all)
+        return SmallestCases(self.problems, self._run, self._store)
 
     def _context(self, executor: Executor) -> Context:
         """By what the class is judged; workers elsewhere have an isolation, and find the katas themselves.

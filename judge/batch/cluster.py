@@ -22,7 +22,6 @@ from typing import Any, TypeVar
 from urllib.parse import urlsplit
 
 import msgspec
-from msgspec import Struct
 
 from judge.errors import JudgeError, UsageError
 from judge.files import read_ordinary, unreadable
@@ -46,13 +45,6 @@ _RESTART = 15.0  # seconds for a worker that died to be there again
 _LOOK = 1.0  # seconds between looks at who is there
 
 
-class _Worker(Struct):
-    """A worker that is there: the isolation that it gives, and why it is left out, if so."""
-
-    levels: tuple[str, ...] = ()
-    unfit: str = ""
-
-
 class ClusterExecutor:
     """An executor, and a context manager that reaches the scheduler at the address or in the file `where`.
 
@@ -72,7 +64,10 @@ class ClusterExecutor:
         self._allowed = (demanded,) if demanded else LEVELS[: LEVELS.index("limits")]
         self._say = say
         self._client: Any = None
-        self._workers: dict[str, _Worker] = {}  # those that are there, by their addresses
+        self._workers: dict[
+            str, str
+        ] = {}  # those that are there, by address: why one is left out, or nothing
+        self._levels: dict[str, tuple[str, ...]] = {}  # that the workers give
         self._looked = 0.0
         self._seen = 0.0  # when a worker was fit
         self._missed = 0.0  # when one was missed that had been
@@ -164,10 +159,10 @@ class ClusterExecutor:
 
     def _fit(self) -> set[str]:
         """The workers that are there and can judge."""
-        return {address for address, worker in self._workers.items() if not worker.unfit}
+        return {address for address, unfit in self._workers.items() if not unfit}
 
     def _leave_out(self, address: str, why: str) -> None:
-        self._workers[address].unfit = why
+        self._workers[address] = why
         self._say(f"the worker {address} is left out: {why}")
 
     def _lost(self) -> JudgeError:
@@ -183,7 +178,7 @@ class ClusterExecutor:
         while not self._fit():
             time.sleep(_LOOK)
             self._look()
-        has = [self._workers[address].levels for address in self._fit()]
+        has = [self._levels[address] for address in self._fit()]
         common = [level for level in self._allowed if all(level in each for each in has)]
         if not common:
             raise UsageError("the workers have no isolation in common", remedy="demand one with --isolation")
@@ -205,7 +200,7 @@ class ClusterExecutor:
             raise self._lost() from fault
         if self._fit() - there.keys():
             self._missed = now
-        self._workers = {address: worker for address, worker in self._workers.items() if address in there}
+        self._workers = {address: unfit for address, unfit in self._workers.items() if address in there}
         for address, answer in answers.items():
             # One that has gone; if not, it is asked again.
             if not isinstance(answer, OSError) or isinstance(answer, TimeoutError):
@@ -213,8 +208,8 @@ class ClusterExecutor:
         if self._fit():
             self._seen = now
         elif there and there.keys() == self._workers.keys() and now - self._missed > _RESTART:
-            why = self._workers[min(there)].unfit
-            raise UsageError(f"no worker at {self.address} can judge this: {why}", remedy=_HELP)
+            what = f"no worker at {self.address} can judge this: {self._workers[min(there)]}"
+            raise UsageError(what, remedy=_HELP)
         elif now - self._seen > _PATIENCE:
             remedy = f"start some with 'dask worker {self.address} --nthreads 1'; {_KEPT}"
             raise JudgeError(f"no worker is ready at {self.address}", remedy=remedy)
@@ -235,7 +230,6 @@ class ClusterExecutor:
 
     def _greet(self, address: str, threads: int, levels: Any) -> None:
         """Note which isolation a worker has, or why it is left out."""
-        worker = self._workers[address] = _Worker()
         if isinstance(levels, Exception):
             self._leave_out(address, _cannot(levels))
         elif threads > 1:
@@ -244,7 +238,7 @@ class ClusterExecutor:
             has, wanted = " or ".join(levels) or "none", " or ".join(self._allowed)
             self._leave_out(address, f"its isolation is {has}, not {wanted}; see 'judge doctor' there")
         else:
-            worker.levels = levels
+            self._workers[address], self._levels[address] = "", levels
 
 
 def _cannot(fault: Exception) -> str:

@@ -72,7 +72,6 @@ def planned(
     `again` are names of students, problems or files that are judged anew.
     """
     judged = [row for row in every if row.result.verdict is not Verdict.JE]
-    tried = {(text_of(row), row.standard) for row in every}
     known = {(text_of(row), row.standard): row for row in judged}
     equal = {(row.problem, row.digest, PurePath(row.file).suffix, row.standard): row for row in judged}
     newest = {(row.student, row.problem, row.file): row for row in every}
@@ -83,8 +82,8 @@ def planned(
             rows.append(_row(each, WorkerResult.fault(each.problem, each.file, why)))
             continue
         own = context.environments[each.problem]
-        text, place = (text_of(each), own), (each.student, each.problem, each.file)
-        old, before = known.get(text), newest.get(place)
+        place = each.student, each.problem, each.file
+        old, before = known.get((text_of(each), own)), newest.get(place)
         anew = not {*place}.isdisjoint(again)
         if old is not None and not anew:
             if before is old:
@@ -93,7 +92,7 @@ def planned(
                 rows.append(replace(old, at=time.time()))
                 back += 1
             continue
-        if before is not None and before.digest == each.digest and text not in tried:
+        if before is not None and before.digest == each.digest:
             changed[differences(before.standard, own)] += 1
         same = each.problem, each.digest, PurePath(each.file).suffix, own
         if same in equal and not anew:

@@ -46,21 +46,20 @@ def read_students(path: Path) -> Roster:
     columns = [title.casefold() for title in titles]
     kept = [(number, row) for number, row in rows if not _NO_STUDENT.match(next(filter(None, row)))]
     own = _own_column(columns, [row for _, row in kept])
-    students: dict[str, Student] = {}
     lines: dict[str, int] = {}
+    students = list[Student]()
     for number, row in kept:
         try:
-            student = _student(columns, row, own)
+            students.append(_student(columns, row, own))
         except UsageError as fault:
             fault.where = f"{path}:{number}"
             raise
-        if student.id in students:
-            what = f"{row[own].removeprefix('#')} is in line {lines[student.id]} already"
+        if (line := lines.setdefault(students[-1].id, number)) != number:
+            what = f"{row[own].removeprefix('#')} is in line {line} already"
             raise _bad(path, number, what, "take one of the two lines out")
-        students[student.id], lines[student.id] = student, number
     if not students:
         raise UsageError("there is nobody in this list of students", where=str(path), remedy=_REMEDY)
-    return Roster(list(students.values()), titles)
+    return Roster(students, titles)
 
 
 def _student(columns: Sequence[str], row: Sequence[str], own: int) -> Student:

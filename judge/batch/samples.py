@@ -5,13 +5,14 @@ Looking for one takes seconds, so it is done only for what a page shows, once fo
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
 from pathlib import PurePath
 
 from msgspec.structs import replace
 
-from judge.batch.model import KeptRow, Submission
+from judge.batch.model import KeptRow
+from judge.batch.store import ResultStore
 from judge.errors import JudgeError
 from judge.judging.options import RunOptions
 from judge.judging.session import Session
@@ -31,40 +32,36 @@ def samples(cohort: Cohort, rows: Iterable[KeptRow]) -> list[KeptRow]:
 
 
 class SmallestCases:
-    """Finds the smallest failing case of each text of these `problems` once."""
+    """Finds the smallest failing case of each text of these `problems` once, and keeps it in the `store`."""
 
-    def __init__(
-        self,
-        problems: Mapping[str, Problem],
-        options: RunOptions,
-        keep: Callable[[list[KeptRow]], None],
-    ) -> None:
-        """`keep` is handed the rows that have a smallest case now."""
-        self._problems, self._keep = problems, keep
+    def __init__(self, problems: Mapping[str, Problem], options: RunOptions, store: ResultStore) -> None:
+        self._problems, self._store = problems, store
         self._options = replace(options, timed=False, diagnosed=True)
-        self._found: dict[tuple[str, str], Result] = {}  # by problem and digest
+        self._found: dict[tuple[str, str], Result | None] = {}  # by problem and digest
 
-    def of(self, rows: Sequence[KeptRow], submissions: Iterable[Submission]) -> dict[tuple[str, str], Result]:
-        """The result of each row, by problem and file, with its smallest case; `submissions` are those of the
-        rows. One whose problem is not there, or that another verdict comes of now, is as it was.
+    def of(self, rows: Sequence[KeptRow], sources: Mapping[str, bytes]) -> dict[tuple[str, str], Result]:
+        """The result of each row, by problem and file, with its smallest case; `sources` are by file. One
+        whose problem is not there, or that another verdict comes of now, is as it was.
         """
         found = {(row.problem, row.file): row.result for row in rows}
-        sources = {each.file: each.source for each in submissions}
         broken = [each for each in rows if each.result.verdict in _BROKEN and each.problem in self._problems]
         with progress("smallest failing cases") as advance:
             for done, row in enumerate(broken):
                 if advance:
                     advance(done, len(broken))
                 if small := row.smallest or self._sought(row, sources[row.file]):
-                    self._found[row.problem, row.digest] = found[row.problem, row.file] = small
+                    found[row.problem, row.file] = small
         return found
 
     def _sought(self, row: KeptRow, source: bytes) -> Result | None:
-        small = self._found.get((row.problem, row.digest))
-        if small is None:
+        """It is kept; None where there is none, or the text has another verdict now."""
+        text = row.problem, row.digest
+        if text not in self._found:
+            self._found[text] = None
             with suppress(JudgeError), Session(self._problems[row.problem], self._options) as session:
-                small = session.judge(source, PurePath(row.file).name)
+                self._found[text] = session.judge(source, PurePath(row.file).name)
+        small = self._found[text]
         if small is None or small.verdict is not row.result.verdict:
             return None
-        self._keep([replace(row, small=small.as_json())])
+        self._store.keep_all([replace(row, small=small.as_json())])
         return small

@@ -14,7 +14,7 @@ from math import ceil
 
 from msgspec import Struct
 
-from judge.data.model import ProblemData
+from judge.data.model import GroupData, ProblemData
 from judge.languages import SUFFIX
 from judge.mistakes.makers import Maker, read_makers
 from judge.packs.cases import Test
@@ -23,9 +23,9 @@ from judge.packs.metadata import memory
 from judge.problem import Problem, Verdict
 from judge.problem.solutions import Kind, read_solutions
 from judge.run.formatted import FormatRunner
-from judge.run.program import ProgramRunner, answer_lines, text_of
-from judge.run.replies import VERDICTS
-from judge.sandbox.boundary import Box, BoxFactory, Limits, ProgramResult, Stop
+from judge.run.program import ProgramRunner
+from judge.run.replies import VERDICTS, Replies
+from judge.sandbox.boundary import BoxFactory, Limits, Stop
 from judge.values.check import Accepted
 
 FOLDERS = {
@@ -188,32 +188,22 @@ class Exporter:
             if box.inspect().fault:
                 return _Trial(Verdict.CE)
             for test in self._tests:
-                result = self._run(box, test, limits)
-                most = max(most, result.usage.cpu_seconds)
-                if (verdict := self._verdict(test, result)) is not Verdict.AC:
+                replies = self._runner.ask(box, test.group.cases, limits)
+                most = max(most, replies.usage.cpu_seconds)
+                if (verdict := self._verdict(test.group, replies)) is not Verdict.AC:
                     return _Trial(verdict, test.stem, most)
         return _Trial(Verdict.AC, None, most)
 
-    def _run(self, box: Box, test: Test, limits: Limits) -> ProgramResult:
-        """What a program prints for a test; in a dialogue why it is wrong."""
-        if not self._problem.talks:
-            return box.run_program(test.input, limits)
-        asked = self._runner.ask(box, test.group.cases, limits)
-        (reply,) = asked.replies
-        return ProgramResult(reply.stop, (reply.answer or "").encode(), b"", reply.detail, asked.usage)
-
-    def _verdict(self, test: Test, result: ProgramResult) -> Verdict:
+    def _verdict(self, group: GroupData, replies: Replies) -> Verdict:
         """As a package has it: how a program ends goes before what it has printed."""
-        if result.stop is not Stop.ANSWERED:
-            return VERDICTS[result.stop]
-        lines, group = answer_lines(result.stdout, complete=True), test.group
-        if self._problem.formatted:
-            lines = [text_of(result.stdout)]
-        if len(lines) != len(group.cases):
-            return Verdict.WA
-        for line, case, target in zip(lines, group.cases, group.targets, strict=True):
+        for stop in (replies.stop, *(each.stop for each in replies.replies)):
+            if stop is not Stop.ANSWERED:
+                return VERDICTS[stop]
+        if replies.breakdown:
+            return replies.breakdown.verdict
+        for reply, case, target in zip(replies.replies, group.cases, group.targets, strict=True):
             exact = partial(self._data.exact, case, group.group)
-            if not isinstance(self._runner.decide(line, target, exact), Accepted):
+            if not isinstance(self._runner.decide(reply.answer, target, exact), Accepted):
                 return Verdict.WA
         return Verdict.AC
 

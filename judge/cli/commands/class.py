@@ -79,21 +79,20 @@ def judge_class(
         raise UsageError("--json has names", remedy="leave out --anonymous")
     for each in katas:
         find_problem(each, common.problems)
-    weights, due = dict(_weight(each, common) for each in ask.weight), _time(ask.due) if ask.due else None
-    csv = OutFile(ask.csv, "--csv", "a gradebook", is_gradebook)
-    html = OutFile(ask.html, "--html", "a page of a class", partial(_is_page, "CLASS"))
-    moment()  # what cannot be written is said before anything is judged
-    place = store_of(folder)
     options = ClassOptions(
         students=ask.students,
         only=katas,
         folders=common.problems,
         isolation=common.isolation,
         level=ask.level,
-        due=due,
-        weights=weights,
+        due=_time(ask.due) if ask.due else None,
+        weights=dict(_weight(each, common) for each in ask.weight),
         shard=shard,
     )
+    csv = OutFile(ask.csv, "--csv", "a gradebook", is_gradebook)
+    html = OutFile(ask.html, "--html", "a page of a class", partial(_is_page, "CLASS"))
+    moment()  # what cannot be written is said before anything is judged
+    place = store_of(folder)
     with ResultStore.open(shard.beside(place) if shard else place) as store:
         for said in merged(store, parts) if parts else ():
             note(said)
