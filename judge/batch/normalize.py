@@ -91,11 +91,8 @@ def _drop_remarks(node: ast.AST) -> None:
 
 
 def _is_remark(node: ast.AST) -> bool:
-    return (
-        isinstance(node, ast.Expr)
-        and isinstance(node.value, ast.Constant)
-        and isinstance(node.value.value, str)
-    )
+    value = node.value if isinstance(node, ast.Expr) else None
+    return isinstance(value, ast.Constant) and isinstance(value.value, str)
 
 
 def _number(nodes: list[ast.AST], own: set[str]) -> None:

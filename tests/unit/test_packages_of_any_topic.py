@@ -14,6 +14,7 @@ from pathlib import Path
 
 import pytest
 from export_edges import VALIDATOR, judged
+from msgspec.structs import replace
 
 import judge
 from judge.data.load import load_data
@@ -24,6 +25,7 @@ from judge.packs.metadata import Version, problem_yaml
 from judge.packs.package import Contents
 from judge.packs.programs import Programs
 from judge.packs.schemas import Unsupported, accepted_form, check_forms, form_of
+from judge.packs.statement import latex
 from judge.problem.load import load_problem
 from judge.run.formatted import FormatRunner
 from judge.run.talk import Talk
@@ -287,6 +289,16 @@ def test_a_function_of_texts_or_dicts_becomes_a_program(name, file, tmp_path):
         words = [sys.executable, tmp_path / "program.py"]
         printed = subprocess.run(words, input=test.input, stdout=subprocess.PIPE, check=True).stdout
         assert printed == test.answer or judged(data, test.group, printed)  # a dict may be in another order
+
+
+def test_a_statement_names_the_parts_of_a_point_and_of_nothing_else(tmp_path):
+    problem = kata("tasks-in-order", tmp_path)
+    parameters = [
+        replace(problem.parameters[0], name=name, type=parse(text))
+        for name, text in (("A", "point"), ("span", "(int, int)"), ("r", "real"))
+    ]
+    told = latex(replace(problem, parameters=tuple(parameters)))
+    assert "\\texttt{ax ay span \\ensuremath{\\ldots} r}" in told
 
 
 READ = [  # an answer's type, the exact answer, what FORMAT.read may return
