@@ -82,14 +82,14 @@ def _in_turn(rows: Iterable[KeptRow]) -> dict[_Pair, list[KeptRow]]:
     return found
 
 
-def _mark(row: KeptRow, handins: int, late: Mapping[_Pair, int | None]) -> Mark:
+def _mark(row: KeptRow, files: int, late: Mapping[_Pair, int | None]) -> Mark:
     ratio, place = row.result.time.ratio, (row.student, row.file)
     return Mark(
         file=row.file,
         verdict=row.result.verdict,
         score=row.result.score,
         mistake=row.mistake,
-        handins=handins,
+        handins=files,
         copied=bool(row.copied),
         busy=bool(ratio and ratio.busy),
         late=late.get(place, 0) != 0,
