@@ -37,7 +37,7 @@ class Test(Struct, frozen=True):
 
 
 def tests_in(data: ProblemData, large: list[str]) -> Iterator[Test]:
-    """The groups in the order in which they are judged: the examples first. Raises Unsupported, ProblemError.
+    """The groups as they are judged, the examples first. Raises NotExportable, ProblemError.
 
     `large` is told of each that no package has room for.
     """

@@ -14,7 +14,7 @@ from judge.packs.driver import why_not_alone
 from judge.packs.metadata import UNKNOWN, Version, license_of, short_name, uuid_of
 from judge.packs.package import Contents, zipped
 from judge.packs.programs import SURELY, Excluded, Exporter, Included, Programs
-from judge.packs.schemas import Unsupported, check_forms, is_judged, whole_output
+from judge.packs.schemas import NotExportable, check_forms, is_judged, whole_output
 from judge.packs.statement import latex
 from judge.packs.write import check_place, write_archive, write_folder
 from judge.problem import Problem, Verdict
@@ -100,7 +100,7 @@ def export(problem: Problem, options: ExportOptions, boxes: BoxFactory, progress
         data = load_data(problem, progress=lambda done, total: progress("building data", done, total))
         tests = tuple(tests_in(data, large))
         brought = brought_along(problem, tests)
-    except Unsupported as why:
+    except NotExportable as why:
         return Exported(problem.id, str(why))
     programs = Exporter(data, tests, boxes, progress).programs(options.wrong)
     contents = Contents(problem, tests, programs, latex(problem), brought)
@@ -130,13 +130,13 @@ def _written(contents: Contents, version: Version, options: ExportOptions) -> Pa
 
 
 def brought_along(problem: Problem, tests: Sequence[Test]) -> bytes:
-    """The problem.py that a validator asks; empty where it needs none. Raises Unsupported."""
+    """The problem.py that a validator asks; empty where it needs none. Raises NotExportable."""
     judged = any(is_judged(test.accepted) for test in tests)
     if not (problem.talks or judged or whole_output(problem) == "read"):
         return b""
     source = (problem.folder / "problem.py").read_bytes()
     if why := why_not_alone(source.decode("utf-8-sig"), declared):
-        raise Unsupported(f"its checker {why.removeprefix('it ')}")
+        raise NotExportable(f"its checker {why.removeprefix('it ')}")
     return source
 
 

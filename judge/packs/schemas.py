@@ -24,14 +24,14 @@ from judge.values.types import ArrayType, ListType, OptionalType, TupleType
 Form = list[Any]
 
 
-class Unsupported(Exception):  # noqa: N818 - a reason
+class NotExportable(Exception):  # noqa: N818 - a reason
     """Why a problem cannot be a package, in a few words."""
 
 
 def form_of(type_: Type, within: Parameter | None = None) -> Form:
-    """The form of an answer, or `within` a parameter, with the bounds of its numbers. Raises Unsupported."""
+    """The form of an answer, or of a parameter (`within`) with its numbers' bounds. Raises NotExportable."""
     if isinstance(type_, ArrayType):
-        raise Unsupported(f"a line holds no {type_.text}")
+        raise NotExportable(f"a line holds no {type_.text}")
     if isinstance(type_, TupleType):
         return ["tuple", [form_of(part, within) for part in type_.made_of]]
     if isinstance(type_, OptionalType):
@@ -52,7 +52,7 @@ def form_of(type_: Type, within: Parameter | None = None) -> Form:
         return ["list", form_of(type_.item, within), type_.low, type_.high]
     if kind is BoolType:
         return ["bool"]
-    raise Unsupported(f"a package knows no type {type_.text}")
+    raise NotExportable(f"a package knows no type {type_.text}")
 
 
 def _bounds(type_: NumberType, parameter: Parameter) -> Iterator[list[int]]:
@@ -66,7 +66,7 @@ def _bounds(type_: NumberType, parameter: Parameter) -> Iterator[list[int]]:
 def accepted_form(
     type_: Type, exact: Exact, tolerance: Tolerance, case: Case = (), at: tuple[int, ...] = ()
 ) -> Any:
-    """What is accepted for an exact answer, `at` that place of the whole one. Raises Unsupported."""
+    """What is accepted for an exact answer, `at` that place of the whole one. Raises NotExportable."""
 
     def parts(types: Iterable[Type], found: Iterable[Exact]) -> list[Any]:
         pairs = enumerate(zip(types, found, strict=False))
@@ -107,7 +107,7 @@ def _ends(low: Surd, high: Surd) -> list[int]:
 def _returned(type_: ReturnType, called: Called, tolerance: Tolerance) -> Any:
     """What is accepted of one of several calls in a row."""
     if isinstance(called.answer, Judged):
-        raise Unsupported("no table says which answers of its methods are right: problem.py decides")
+        raise NotExportable("no table says which answers of its methods are right: problem.py decides")
     answer = type_.methods[called.method].answer
     return answer and accepted_form(answer, called.answer, tolerance)
 
@@ -121,10 +121,10 @@ def whole_output(problem: Problem) -> str:
 
 
 def check_forms(problem: Problem) -> None:
-    """Raises Unsupported where a problem cannot be a package, as far as its types tell."""
+    """Raises NotExportable where a problem cannot be a package, as far as its types tell."""
     if problem.methods and whole_output(problem) != "read":
         lacks = "its FORMAT read and show" if problem.formatted else "it a FORMAT"
-        raise Unsupported(f"a class has no form for programs; give {lacks}")
+        raise NotExportable(f"a class has no form for programs; give {lacks}")
     if not problem.talks:
         form_of(problem.answer)
     if problem.talks or not problem.formatted:

@@ -24,7 +24,7 @@ from judge.packs.export import brought_along
 from judge.packs.metadata import Version, problem_yaml
 from judge.packs.package import Contents
 from judge.packs.programs import Programs
-from judge.packs.schemas import Unsupported, accepted_form, check_forms, form_of
+from judge.packs.schemas import NotExportable, accepted_form, check_forms, form_of
 from judge.packs.statement import latex
 from judge.problem.load import load_problem
 from judge.run.formatted import FormatRunner
@@ -192,7 +192,7 @@ def test_without_read_the_words_of_the_whole_output_are_the_answer(tmp_path):
 
 
 def test_a_class_needs_a_format(tmp_path):
-    with pytest.raises(Unsupported, match="a class has no form for programs; give it a FORMAT"):
+    with pytest.raises(NotExportable, match="a class has no form for programs; give it a FORMAT"):
         check_forms(kata("least-recently-used", tmp_path / "without"))
     packed = Packed(kata("least-recently-used", tmp_path, [("problem.py", "", CALLS)]), tmp_path / "package")
     test = packed.tests[0]
@@ -265,7 +265,7 @@ def test_a_checker_that_needs_more_stays(line, why, tmp_path):
     tests = tuple(cases.tests_in(load_data(problem, store=None), []))
     file = problem.folder / "problem.py"
     file.write_text(f"{file.read_text()}\n{line}\n")
-    with pytest.raises(Unsupported) as told:
+    with pytest.raises(NotExportable) as told:
         brought_along(problem, tests)
     assert str(told.value) == why
 
