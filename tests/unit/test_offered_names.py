@@ -117,3 +117,39 @@ def test_what_people_do_to_a_value_is_named(kata, wrapped, name, tmp_path, monke
     found = judge(problem, source).pitfall
     assert found is not None
     assert found.names[0] == name
+
+
+KNAPSACK = """\
+def knapsack(things, capacity):
+    best = [0] * (capacity + 1)
+    for weight, worth in things:
+        for room in range(capacity, weight, -1):
+            best[room] = max(best[room], best[room - weight] + worth)
+    return best[-1]
+"""
+BRACKETS = """\
+def balanced(s):
+    stack = []
+    opens = {")": "(", "]": "[", "}": "{"}
+    for each in s:
+        if each not in opens:
+            stack.append(each)
+        elif not stack or stack.pop() != opens[each]:
+            return False
+        else:
+            return True
+    return not stack
+"""
+
+
+@pytest.mark.parametrize(
+    ("kata", "program", "line", "seen"),
+    [
+        ("knapsack", KNAPSACK, 4, "A bound here is one too many or one too few."),
+        ("brackets", BRACKETS, 10, "The loop ends too early here."),
+        ("brackets", BRACKETS.replace("return True", "break"), 10, "The loop ends too early here."),
+    ],
+)
+def test_a_bound_and_an_early_end_are_told_with_their_line(kata, program, line, seen):
+    (step,) = judge(load_problem(KATAS / kata), program).pitfall.steps
+    assert (step.line, step.why, step.gone) == (line, seen, step.of)
