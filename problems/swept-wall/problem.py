@@ -34,9 +34,9 @@ def ending(draw):
 
 
 def resting(draw):
-    """A point that rests at an end of the wall."""
+    """A point that rests at an end of the wall, or goes from there to the other one."""
     _, X, r, Q, *_ = meeting(28)(draw)
-    return X, X, r, *draw.choice(((X, Q), (Q, X)))
+    return X, draw.choice((X, Q, Q)), r, *draw.choice(((X, Q), (Q, X)))
 
 
 def late(draw):
@@ -188,7 +188,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("start-full", "The disc touches at the start, and rounding puts it apart.", either(*2 * [telling(walls("rest side", **FULL), *TELLING)], telling(walls("start side", **{**FULL, "turn": "axis"}), *TELLING), walls("start cap", **FULL), walls("start side dot", **FULL), walls("start side dot", **FULL), *4 * [abreast]), cases=90, skills="touching from the start"),
     group("end-full", "The disc touches at the very end, and rounding makes it later.", telling(either(walls("end side", "end cap", **FULL), walls("end cap level", "end cap dot level", "end side level", "end post level", **{**FULL, "turn": "axis"}), walls("end cap afar", "end post afar", **AFAR), walls("end side dot", "end cap dot", "end post dot", **FULL), walls("end cap", "end side", **{**STEEP, "size": 2**7}), walls("end cap home", "end side home", "end post home", "stop cap home", "stop post home", **{**FULL, "move": 0})), *TELLING), cases=72, skills="first in time"),
     group("beside", "The disc touches at the very end, and its way begins level with an end of the wall.", beside(walls("end side", "end side", "end side", "end side dot", "end cap dot", "end post dot", **FULL)), cases=70, skills="first in time"),
-    group("at-an-end", "A point that begins or ends its way at an end of the wall.", either(ending, late, *3 * [slipping], *2 * [head_on, resting]), cases=125, skills="first in time"),
+    group("at-an-end", "A point that begins or ends its way at an end of the wall.", either(ending, late, *3 * [slipping], *2 * [head_on, resting, resting]), cases=160, skills="first in time"),
     group("near-graze", "Nearly a graze: 1e-7 of the figure away.", walls("graze~ cap", "graze~ cap dot", "graze~ cap dot", "graze~ cap dot", "graze~ post", "slide~ side", **CLEAR), cases=90, skills="nearly is not touching"),
     group("near-start", "The disc nearly touches at the start, and leaves.", walls("start~ side", "start~ cap", **CLEAR), skills="touching from the start"),
     group("near-end", "The disc touches just before the end, or does not quite.", either(walls("end~ side", "end~ cap", "end~ side dot level", "end~ post dot level", **CLEAR), walls("shy cap", "shy post", **{**FULL, "shift": 0}), walls("shy post afar", **AFAR), walls("end~ side grain", "end~ side", **{**PLAIN, "shift": -20})), cases=115, skills="first in time"),
