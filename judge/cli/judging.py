@@ -25,7 +25,6 @@ from judge.problem import Problem
 from judge.problem.load import load_problem
 from judge.report.published_result import Judged
 from judge.report.screen import Notes, note
-from judge.report.tell import looking
 from judge.report.wait import Advance, Live, progress
 from judge.report.words import shown_name
 from judge.run.result import Result, judge_fault
@@ -109,6 +108,8 @@ def _judge(
 
         def show(result: Result) -> None:
             if live.terminal and session.options.diagnosed:
+                from judge.report.tell import looking  # only where somebody waits
+
                 verdict = f"{result.verdict.value}  {shown_name(result.submission)}"
                 live.show(lambda: f"{verdict}  {looking(result)}")
 
