@@ -298,7 +298,9 @@ class Trial(Struct):
         if not isinstance(outcome, Rejection):
             return _RIGHT
         right, got = outline.right(self.runner.problem.answer, target), self.runner.outline(given)
-        told = *_failure_class(right, got, coarse=self.coarse), "off" if outcome.where else "other"
+        lengths = not self.coarse or self.runner.problem.answer.measured  # whether these tell mistakes apart
+        told = _failure_class(right, got, coarse=self.coarse, lengths=lengths)
+        told += ("off" if outcome.where and lengths else "other",)
         message, raw = message_of(outcome.message, outcome.got, printed), self.runner.raw(given)
         texts = outcome.wanted, outcome.got, message
         return self._wrong(FailingCase(case, group, Verdict.WA, *texts, told, raw, printed))
@@ -321,10 +323,11 @@ def _key(case: Case, group: Group) -> tuple[str, str]:
     return group.name, repr(case)
 
 
-def _failure_class(right: Outline, given: Outline, *, coarse: bool) -> tuple[str, ...]:
+def _failure_class(right: Outline, given: Outline, *, coarse: bool, lengths: bool) -> tuple[str, ...]:
     """In which way an answer is wrong: what is wanted and what is given, without their numbers."""
     wanted, got = answer_class(right), answer_class(given)
-    if got.rpartition(" ")[2].isdecimal() and got != wanted:  # of a wanted 1, 0 and 2 are the same mistake
+    number = got.rpartition(" ")[2] if lengths else got
+    if number.isdecimal() and got != wanted:  # of a wanted 1, 0 and 2 are the same mistake
         got = "another number"
     elif got == "zero":  # as wrong as any other
         got = "a number"
