@@ -35,6 +35,7 @@ from judge.run.reference import Reference
 from judge.run.result import Failure, Result, short_answer
 from judge.run.runner import Runner
 from judge.sandbox.boundary import Box
+from judge.sandbox.encode import in_call
 from judge.values.atoms import IntType
 from judge.values.outline import right
 from judge.values.types import lasting
@@ -185,6 +186,9 @@ class _Search(NamedTuple):
         if len(replay) > LONGEST:  # nobody would look at it, nor type it
             return None
         message, cut_short = best.message, trial.budget.cut_short
+        if trial.runner.problem.methods and (place := trial.stopped_at(best)):
+            name, *given = best.case[-1][place - 1]
+            message += in_call(place, name, *given)
         if best.case == self.first.case and cut_short and trial.slow_seconds:
             message += f"; not made smaller: one call takes {trial.slow_seconds:.1g} s"
         return Failure(

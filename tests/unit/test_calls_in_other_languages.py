@@ -73,6 +73,21 @@ def test_a_right_class_is_accepted_and_a_wrong_one_is_not(name, level):
     assert judged(name, changed(name, FULL[name], "1 > 2"), level).verdict is Verdict.WA
 
 
+@pytest.mark.parametrize(
+    ("name", "deed", "verdict"),
+    [
+        ("a.cpp", "for (volatile int i = 0;; i = i + 1) {}", Verdict.TLE),
+        ("a.cpp", "__builtin_trap();", Verdict.RTE),
+        ("a.js", "for (;;) {}", Verdict.TLE),
+    ],
+)
+def test_the_call_that_does_not_end_is_marked(name, deed, verdict):
+    result = explained(name, changed(name, RAISES[name][0], deed))
+    assert result.verdict is verdict
+    assert ", in call 1: get(0)" in result.counterexample.message
+    assert result.counterexample.shown.splitlines()[-1].startswith("cache.get(0)   ")
+
+
 @pytest.mark.parametrize("name", daily(RIGHT, USUAL))
 def test_an_exception_says_in_which_call(name):
     old, new, told = RAISES[name]
