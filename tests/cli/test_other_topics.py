@@ -121,3 +121,13 @@ def test_a_slip_is_one_line_and_no_fault_of_the_judge(name, file, old, new, told
     assert (ended.status, ended.err.count("\n")) == (3, 1)
     assert told in ended.err
     assert name in ended.err
+
+
+@pytest.mark.parametrize("text", ["a:b", "a:b:c", "at:12:v0:0", "brackets::"])
+def test_a_text_with_colons_is_a_case_and_no_replay_id(text, judge, tmp_path):
+    shutil.copytree(ROOT / "judge" / "manual" / "katas" / "problems" / "runs", tmp_path / "problems" / "runs")
+    place = tmp_path / "problems" / "runs" / "problem.toml"
+    place.write_text(place.read_text().replace('letters = "a-z "', 'letters = "a-z0-9: "'))
+    ended = judge("try", "runs", text, "--problems", tmp_path / "problems", "--json")
+    assert (ended.status, ended.err) == (0, "")
+    assert objects(ended)[0]["case"]["input"] == {"s": text}
