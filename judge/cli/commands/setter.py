@@ -33,12 +33,13 @@ from judge.problem.find import find_problem, folders_within, problem_folders
 from judge.problem.model import chosen_groups
 from judge.report.published_setter import FilesWritten, VerifySummary
 from judge.report.screen import note
-from judge.report.wait import progress, stages
+from judge.report.wait import Stage, progress, stages
 from judge.report.words import counted
 from judge.sandbox import Boxes
 from judge.verify.gate import Options, fresh_data, verify_problem
 from judge.verify.libraries import measure_libraries
 from judge.verify.model import Fault, Verified, fault_of
+from judge.verify.solving import Solving
 
 _Found = TypeVar("_Found")
 _BOTH = "both"
@@ -211,9 +212,17 @@ def _verify(ask: VerifyAsk, folders: Sequence[Path], name: str) -> Verified:
     """What was found of one kata."""
     options = Options(ask.pin, ask.seeds, ask.groups, ask.solution, ask.matrix)
     at = "reading the kata"
+    advance: Stage | None = None
+
+    def say(text: str) -> None:
+        if advance:
+            advance("", 1, 1)  # takes the bar off
+        note(f"{name}: {text}")
+
+    solving = Solving(say)
     try:
         problem = find_problem(name, folders)
-        with stages(name) as advance:
+        with stages(name) as advance, solving:
 
             def tell(what: str, done: int, total: int) -> None:
                 nonlocal at
@@ -221,11 +230,11 @@ def _verify(ask: VerifyAsk, folders: Sequence[Path], name: str) -> Verified:
                 if advance:
                     advance(what, done, total)
 
-            found = verify_problem(problem, options, tell, Boxes(least=kept_level()))
+            found = verify_problem(problem, options, tell, Boxes(least=kept_level()), solving.within)
     except ProblemError as error:
         return Verified(name, (fault_of(error, name),))
     except KeyboardInterrupt:
-        note(f"{name}: stopped while {at}")
+        note(f"{name}: stopped while {solving.text or at}")
         raise
     return replace(found, faults=tuple(dict.fromkeys((*found.faults, *kata_faults(problem, folders)))))
 
