@@ -91,7 +91,7 @@ def _of_classes(problem: Problem, words: Words) -> Iterator[Maker]:
 
 
 def shared(source: bytes, entry: str) -> str | None:
-    """The class with what its constructor makes of no argument moved to the class; None if that is nothing."""
+    """The class, which has itself what its constructor makes of no argument; None if that is nothing."""
     try:
         tree = ast.parse(source)
     except (SyntaxError, ValueError):

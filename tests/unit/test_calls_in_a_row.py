@@ -94,7 +94,7 @@ FULL = "if len(self.values) > self.capacity:\n            "
 @pytest.mark.parametrize(
     ("deed", "row"),
     [
-        ("while True: pass", "used more than 2 s of CPU time"),
+        ("while True: pass", "of CPU time"),
         ("__import__('os').abort()", "killed by SIGABRT"),
         ("[0] * 10**10", "raised MemoryError"),
         ("__import__('os')._exit(3)", "exit status 3"),
@@ -105,7 +105,8 @@ def test_the_call_that_does_not_end_is_marked(cache, deed, row):
     result, told = explained(cache, RIGHT.replace(FULL, f"{FULL}{deed}\n            "))
     first, *_, last = result.counterexample.shown.splitlines()
     assert first == "cache = LRUCache(1)"
-    assert (last.partition("   ")[0], last.partition("   ")[2].strip()) == ("cache.put(1, 0)", row)
+    assert last.startswith("cache.put(1, 0)   ")
+    assert last.endswith(f" {row}")
     assert "in call 2: put(1, 0)" in told.happened
     assert "None" not in result.failure.shown
 
