@@ -193,13 +193,16 @@ def _check_pins(
         write_pins(problem, found)
         return "written", []
     where = f"{problem.id}/{pins_file(problem).name}"
-    remedy = f"if that is meant, pin the data with: judge verify {typed(problem)} --pin"
+    command = f"judge verify {typed(problem)} --pin"
+    remedy = f"if that is meant, pin the data with: {command}"
     try:
         pins = read_pins(problem)
     except ProblemError as error:
         return "differing", [fault_of(error, where)]
     if pins is None:
-        return "differing", [Fault("the data are not pinned", where, remedy)]
+        return "missing", [
+            Fault("there is no such file: the data are not pinned", where, f"pin them with: {command}")
+        ]
     if partial:  # which mistakes the groups reject was not measured
         pins = {name: {**pins[name], "kills": found[name]["kills"]} for name in found if name in pins}
     faults = [Fault(what, where, remedy) for what in differences(pins, found)]
