@@ -88,6 +88,7 @@ class VerifyAsk(Struct, frozen=True):
     holes: bool = opt("--holes", "Look for wrong programs that the data accept.")
     lasting: str | None = opt("--for TIME", "Look so long at each kata, as 20s or 2m; 30s is usual.")
     seed: int | None = opt("--seed N", "Look at other cases.")
+    whole: bool = opt("--all", "With --holes: list the accepted mutants without a witness too.")
 
 
 @command("verify", Verified, Holes, LibraryTable, ask=VerifyAsk)
@@ -161,7 +162,7 @@ def _check_holes(ask: VerifyAsk) -> None:
     flags = [flag for flag in ("holes", "libraries", "pin", "matrix", "figures") if getattr(ask, flag)]
     if (ask.holes or ask.libraries) and len(flags) > 1:
         raise UsageError(f"--{flags[0]} and --{flags[1]} contradict each other", remedy="leave one out")
-    for name, value in (("--for", ask.lasting), ("--seed", ask.seed)):
+    for name, value in (("--for", ask.lasting), ("--seed", ask.seed), ("--all", ask.whole or None)):
         if value is not None and not ask.holes:
             raise UsageError(f"{name} is for --holes", remedy="add --holes")
 
@@ -180,7 +181,8 @@ def _look(chosen: Sequence[str], ask: VerifyAsk, common: Common) -> Iterator[Str
         for found in _each(partial(_holes, ask, common), chosen, ask.jobs):
             faults += len(found.faults)
             holes += len(found.holes) if isinstance(found, Holes) else 0
-            yield found
+            listed = ask.whole or common.json or not isinstance(found, Holes)
+            yield found if listed else replace(found, unwitnessed=())
             for said in found.notes if isinstance(found, Holes) else ():
                 note(said)
             if isinstance(found, Holes) and found.stopped:
