@@ -169,7 +169,7 @@ def _race(
         timing = judging.growing(box, growing, shared) if growing else None
         if timing is None:
             worth = worth_racing(problem, runs)
-            timing = race_all(problem, runner, runs, box, shared, budget) if worth else Timed(Decision(None))
+            timing = race_all(runner, runs, box, shared, budget) if worth else Timed(Decision(None))
         if not place.alone:
             timing = timing._replace(decision=disturbed(timing.decision, BESIDE))
         return timing, place

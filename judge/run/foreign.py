@@ -14,17 +14,17 @@ from typing import NamedTuple
 from judge.errors import JudgeError
 from judge.languages import NAME as PYTHON
 from judge.problem import TimeRule
-from judge.run.again import as_before, exactly, limits_of
 from judge.run.budget import Budget
 from judge.run.function import FunctionRunner
 from judge.run.group import GroupRun
 from judge.run.laps import Lap, course, more_passes, passes_for
+from judge.run.measure import Duel, exactly
 from judge.run.program import ProgramRunner
-from judge.run.reference import Reference, Track
+from judge.run.reference import Reference
 from judge.run.replies import Replies
 from judge.run.runner import Runner
 from judge.run.timing import CLEARLY_BELOW, Against
-from judge.sandbox.boundary import Box, Limits, Usage
+from judge.sandbox.boundary import Box, Limits
 
 LONG_SECONDS = 0.1  # of CPU time beyond the start, for the reference's turn
 _LONG_ENOUGH_SECONDS = 0.5  # for the submission's
@@ -33,7 +33,6 @@ _NOISE_SECONDS = 0.005  # by which two starts of one language may differ
 _CPU_SECONDS = 6.0  # that a turn may take at least
 _PATIENCE = 4.0  # times the CPU time, by the clock
 _READING = 2.0  # times Python's limit, for a program that is held to a function, which reads nothing
-_LONG_WAIT_SECONDS = 1.0
 
 
 class Rival(NamedTuple):
@@ -81,30 +80,20 @@ def _pythons(runner: Runner, rule: TimeRule, reference: Reference, limit: float,
     return Rival(box, FunctionRunner(runner.problem), against, generous)
 
 
-class LongDuel:
-    """A submission and its rival on the cases of some groups, turn by turn.
+class LongDuel(Duel):
+    """A submission and its rival on the cases of some groups, turn by turn, in as many passes as it takes.
 
     A learner's program that ends badly on several passes, of which nobody told it, has single ones from then
     on. A function's answers are compared in every pass.
     """
 
     def __init__(
-        self,
-        runner: Runner,
-        runs: Sequence[GroupRun],
-        submission: Box,
-        rival: Rival,
-        track: Track,
-        budget: Budget,
+        self, runner: Runner, runs: Sequence[GroupRun], submission: Box, rival: Rival, budget: Budget
     ) -> None:
-        self._runner = runner
-        self._submission = submission
-        self._cases = track.cases
-        self._places = [(runs[place], index) for place, index in track.places]
-        self._limits = limits_of(runner.problem, runs)
-        self._budget = budget
-        self._mine = course(runner, submission, track.cases)
-        self._theirs = course(rival.runner, rival.box, track.cases)
+        super().__init__(runner, runs, submission, rival.box, rival.limit, budget)
+        self.against = rival.against
+        self._mine = course(runner, submission, self._cases)
+        self._theirs = course(rival.runner, rival.box, self._cases)
         self._same = runner.language == rival.runner.language
         self._start = 0.0  # CPU seconds that the rival's language takes to begin, in the turn of now
         self._cold = 0.0  # of the rival's first pass
@@ -112,13 +101,10 @@ class LongDuel:
         self._ready: float | None = None  # that turn, where it was taken while the passes were counted
         self._near = CLEARLY_BELOW * rival.limit
         self._own_passes = 0  # of a turn of the submission; unknown before its first one
-        self._compared: bytes | None = None  # the answers that were compared last
-        self._taken = Usage()
-        self.imported = 0.0
-        self.theirs_took: list[Usage] = []  # of the reference's turns, with its language's start
         most = min(self._mine.most, self._theirs.most)
         self._begin()
         self.passes, self._ready = passes_for(LONG_SECONDS, self._counted, most)
+        self.cases *= self.passes
 
     def _counted(self, passes: int) -> float:
         took = self._rivals(passes)
@@ -180,7 +166,7 @@ class LongDuel:
 
     def _turn(self, passes: int) -> float | None:
         """CPU seconds of so many passes; of a single one, from then on, where it cannot make several."""
-        lap = self._mine.run(passes, self._within())
+        lap = self._mine.run(passes, self._budget.within(self._within()))
         self._booked(Replies((), lap.usage))
         if passes > 1 and (lap.trouble or not (self._runner.calls or self._all_as_once(lap))):
             self._own_passes = 1
@@ -193,29 +179,14 @@ class LongDuel:
         return max(0.0, lap.usage.cpu_seconds - own)
 
     def _all_as_once(self, lap: Lap) -> bool:
-        return all(exactly(each) == self._compared for each in lap.answers)
+        return all(exactly(each) == self._accepted for each in lap.answers)
 
     def _plainly(self) -> float | None:
         """One pass as when it was judged, so that it is told what has become of which case."""
-        replies = self._booked(self._runner.ask(self._submission, self._cases, self._within()))
+        replies = self._asked(self._within())
         return replies.usage.cpu_seconds if self._as_before(replies) else None
-
-    def _as_before(self, replies: Replies) -> bool:
-        given = exactly(replies)
-        if (given is None or given != self._compared) and not as_before(self._runner, replies, self._places):
-            return False
-        self._compared = given
-        return True
-
-    def _booked(self, replies: Replies) -> Replies:
-        self._taken += replies.usage
-        return self._budget.booked(replies)
 
     def _within(self) -> Limits:
         cpu = max(self._limits.cpu_seconds, _CPU_SECONDS)
         wall = max(self._limits.wall_seconds, _PATIENCE * cpu)
-        return self._budget.within(self._limits._replace(cpu_seconds=cpu, wall_seconds=wall))
-
-    def goes_on(self) -> bool:
-        """Whether it has not kept the judge waiting."""
-        return self._taken.waiting_seconds <= _LONG_WAIT_SECONDS + 2 * self._taken.cpu_seconds
+        return self._limits._replace(cpu_seconds=cpu, wall_seconds=wall)

@@ -13,12 +13,11 @@ from math import ceil, inf
 from msgspec.structs import replace
 
 from judge.problem import Case, Verdict
-from judge.run.again import limits_of
 from judge.run.budget import Budget
 from judge.run.group import GroupRun
 from judge.run.groups import Piece, run_timed
 from judge.run.growth import LEAST_SECONDS, SHORT_SECONDS, Course, grow, is_steep, steep_seconds
-from judge.run.measure import theirs_on, time_limit
+from judge.run.measure import limits_of, theirs_on, time_limit
 from judge.run.races import Timed, too_slow
 from judge.run.reference import Reference
 from judge.run.runner import Runner

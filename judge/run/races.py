@@ -12,18 +12,16 @@ from typing import TYPE_CHECKING, NamedTuple
 from msgspec.structs import replace
 
 from judge.problem import Problem, Verdict
-from judge.run.again import limits_of
 from judge.run.budget import Budget
 from judge.run.group import GroupRun
-from judge.run.measure import Duel, time_limit, track_of
+from judge.run.measure import Duel, limits_of, time_limit
 from judge.run.reference import Reference
 from judge.run.result import Growth
 from judge.run.runner import Runner
-from judge.run.timing import Against, Decision, Pace, busy, disturbed, race
+from judge.run.timing import Against, Decision, busy, disturbed, race
 from judge.sandbox.boundary import Box
 
 if TYPE_CHECKING:
-    from judge.run.foreign import LongDuel
     from judge.run.growth import Grown
 
 
@@ -38,19 +36,6 @@ class Timed(NamedTuple):
     against: Against | None = None
 
 
-class Contest(NamedTuple):
-    """The two that take turns; `cases` is how many a turn of the reference runs.
-
-    `against` is None for a submission in Python, whose race needs no caution with the start of a language.
-    """
-
-    duel: Duel | LongDuel
-    limit: float
-    cases: int
-    pace: Pace | None = None
-    against: Against | None = None
-
-
 def worth_racing(problem: Problem, runs: Sequence[GroupRun]) -> bool:
     """Whether the verdict may still hang on the time: accepted, or out of CPU time in a group that grows."""
     names = problem.growth.groups if problem.growth else ()
@@ -60,7 +45,6 @@ def worth_racing(problem: Problem, runs: Sequence[GroupRun]) -> bool:
 
 
 def race_all(
-    problem: Problem,
     runner: Runner,
     runs: Sequence[GroupRun],
     submission: Box,
@@ -72,6 +56,7 @@ def race_all(
     Raises:
         JudgeError: the reference does not come to the end of the cases.
     """
+    problem = runner.problem
     growing = growing_of(problem, runs)
     alone = [run for run in runs if run.group.time_limit is not None and run not in growing]
     together = [run for run in runs if run not in growing and run not in alone]
@@ -80,7 +65,7 @@ def race_all(
     if any(run.verdict is not Verdict.AC for run in runs):
         parts = []  # it is too slow, and what is left to say is why
     for part in parts:
-        raced = measure(problem, runner, part, submission, reference, budget)
+        raced = measure(runner, part, submission, reference, budget)
         if raced.too_slow:
             too_slow(_slowest(runner, part, submission, budget), raced)
         against = raced.against
@@ -89,7 +74,7 @@ def race_all(
             return Timed(decision, against=against)
     if not growing or problem.growth is None:
         return Timed(decision, against=against)
-    grown, against = _grown(problem, runner, growing, submission, reference, budget)
+    grown, against = _grown(runner, growing, submission, reference, budget)
     for run in growing:
         if run.group.name in grown.decisions and run.verdict is Verdict.AC:
             raced = grown.decisions[run.group.name]
@@ -100,19 +85,15 @@ def race_all(
     return Timed(decision, grown.growth, against)
 
 
-def contest(
-    problem: Problem,
-    runner: Runner,
-    runs: Sequence[GroupRun],
-    submission: Box,
-    reference: Reference,
-    budget: Budget,
-) -> Contest | None:
-    """The contest on the cases of these groups; None where there is nobody to race against.
+def duel_of(
+    runner: Runner, runs: Sequence[GroupRun], submission: Box, reference: Reference, budget: Budget
+) -> Duel | None:
+    """The two that take turns on the cases of these groups; None where there is nobody to race against.
 
     Raises:
         JudgeError: the reference does not compile, or not come to the end of the cases.
     """
+    problem = runner.problem
     own_runs = problem.formatted and not runner.calls
     if problem.time is None or (runner.language and own_runs):  # each run is mostly its language's start
         return None
@@ -121,21 +102,12 @@ def contest(
         from judge.run.foreign import LongDuel, rival_of  # most submissions are in Python
 
         rival = rival_of(runner, problem.time, reference, limit)
-        if rival is None:
-            return None
-        track = track_of(reference, runner, runs)
-        long = LongDuel(runner, runs, submission, rival, track, budget)
-        return Contest(long, rival.limit, long.passes * len(track.cases), against=rival.against)
+        return None if rival is None else LongDuel(runner, runs, submission, rival, budget)
     box = reference.open(runner.reference(problem.time))
-    if box is None:
-        return None
-    track = track_of(reference, runner, runs)
-    duel = Duel(runner, runs, submission, box, track, budget)
-    return Contest(duel, limit, len(track.cases), track.pace)
+    return None if box is None else Duel(runner, runs, submission, box, limit, budget)
 
 
 def measure(
-    problem: Problem,
     runner: Runner,
     runs: Sequence[GroupRun],
     submission: Box,
@@ -150,15 +122,14 @@ def measure(
     Raises:
         JudgeError: the reference does not come to the end of the cases.
     """
-    found = contest(problem, runner, runs, submission, reference, budget)
-    if found is None:
+    duel = duel_of(runner, runs, submission, reference, budget)
+    if duel is None:
         return Decision(None)
-    duel, against = found.duel, found.against
-    cautious = against is not None
-    decision = race(duel.mine, duel.theirs, found.limit, duel.goes_on, found.pace, cautious=cautious)
+    against = duel.against
+    decision = race(duel.mine, duel.theirs, duel.limit, duel.goes_on, cautious=against is not None)
     if any(run.verdict is not Verdict.AC for run in runs):
         decision = Decision(decision.ratio)
-    decision = replace(decision, imported=duel.imported, against=against, limit=found.limit)
+    decision = replace(decision, imported=duel.imported, against=against, limit=duel.limit)
     return disturbed(decision, busy(duel.theirs_took))
 
 
@@ -177,7 +148,6 @@ def _out_of_time(run: GroupRun, names: Sequence[str]) -> bool:
 
 
 def _grown(
-    problem: Problem,
     runner: Runner,
     growing: Sequence[GroupRun],
     submission: Box,
@@ -186,23 +156,23 @@ def _grown(
 ) -> tuple[Grown, Against | None]:
     from judge.run.growth import Course, Grown, grow  # few problems have a rule of growth
 
-    rule = problem.growth
-    contests = [contest(problem, runner, [run], submission, reference, budget) for run in growing]
-    found = [each for each in contests if each is not None]
+    rule = runner.problem.growth
+    duels = [duel_of(runner, [run], submission, reference, budget) for run in growing]
+    found = [each for each in duels if each is not None]
     if rule is None or not found:
         return Grown(None, False, {}), None
     courses = []
     for run, each in zip(growing, found, strict=True):
         ended = run.verdict is Verdict.AC
         first, used = run.first or (None, None)
-        if used is not None and isinstance(each.duel, Duel):
-            each.duel.theirs_took.append(used)
+        if used is not None:
+            each.theirs_took.append(used)
         courses.append(
             Course(
                 run.group.name,
                 run.group.size or 1,
-                each.duel.mine if ended else partial(_at_least, run, each.cases),
-                each.duel.theirs,
+                each.mine if ended else partial(_at_least, run, each.cases),
+                each.theirs,
                 each.limit if ended else None,
                 each.cases,
                 ended,
@@ -214,13 +184,13 @@ def _grown(
 
     def goes_on() -> bool:
         # of one that is too slow it only remains to say how it grows
-        return all(course.ended for course in courses) and all(each.duel.goes_on() for each in found)
+        return all(course.ended for course in courses) and all(each.goes_on() for each in found)
 
     grown = grow(courses, rule.slope, goes_on, cautious=cautious)
     for course, each in zip(courses, found, strict=True):
         if course.name in grown.decisions:
             decision = grown.decisions[course.name]
-            grown.decisions[course.name] = disturbed(decision, busy(each.duel.theirs_took))
+            grown.decisions[course.name] = disturbed(decision, busy(each.theirs_took))
     return grown, against
 
 

@@ -1,18 +1,13 @@
-"""The solutions that a submission is raced against, and what the races are run on."""
+"""The solutions that a submission is raced against."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from importlib.util import find_spec
-from typing import NamedTuple
 
 from judge.errors import UsageError
-from judge.problem import Case, Problem
+from judge.problem import Problem
 from judge.problem.solutions import accepted_source
-from judge.run.timing import Pace
 from judge.sandbox.boundary import Box, BoxFactory
-
-MOST_CASES = 400  # in a turn; a sample of the groups' cases where there are more
 
 
 def check_needs(problem: Problem) -> None:
@@ -25,26 +20,16 @@ def check_needs(problem: Problem) -> None:
             )
 
 
-class Track(NamedTuple):
-    """What races are run on: cases by group and index, and what the reference took on them so far."""
-
-    places: list[tuple[int, int]]
-    cases: list[Case]
-    pace: Pace
-
-
 class Reference:
     """The solutions that set the time limit, each opened once in a box of its own and raced again and again.
 
-    A context manager, its boxes end with it; one race at a time may use them. The races are all on the same
-    data: how long the solutions took on them is remembered.
+    A context manager, its boxes end with it; one race at a time may use them.
     """
 
     def __init__(self, problem: Problem, box_factory: BoxFactory) -> None:
         self._problem = problem
         self._box_factory = box_factory
         self._boxes: dict[str, Box | None] = {}
-        self._tracks: dict[tuple[str, ...], Track] = {}
 
     def __enter__(self) -> Reference:
         return self
@@ -70,15 +55,6 @@ class Reference:
     def open(self, name: str | None) -> Box | None:
         """The box of the solution of that name; None where there is no name or no such file."""
         return self._box(name) if name else None
-
-    def track(self, mode: str, groups: Sequence[str], cases: Sequence[Sequence[Case]]) -> Track:
-        """What submissions of that mode are raced on if these are their groups: always the same."""
-        key = (mode, *groups)
-        if key not in self._tracks:
-            places = [(place, index) for place, each in enumerate(cases) for index in range(len(each))]
-            chosen = places[:: 1 + (len(places) - 1) // MOST_CASES]
-            self._tracks[key] = Track(chosen, [cases[place][index] for place, index in chosen], Pace())
-        return self._tracks[key]
 
     def _box(self, name: str) -> Box | None:
         if name not in self._boxes:

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import math
 import time
-from collections import deque
 from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
@@ -21,14 +20,12 @@ from judge.sandbox.boundary import Usage
 
 CLEARLY_BELOW = 0.8  # of the limit, for a single pair
 CLEARLY_ABOVE = 1.35
-_NO_QUESTION = 0.1  # where one pair will do whatever the reference took before
-_FAR_BELOW = 0.4  # where one pair will do, if the reference's time is known and
+_NO_QUESTION = 0.1  # where one pair will do
+_FAR_BELOW = 0.4  # where one pair of another language will do, if
 _LONG_SECONDS = 0.006  # neither turn is so short that a moment of another speed shows
 MOST_PAIRS = 9
 _LEAST_PAIRS = 3
 _PATIENCE_SECONDS = 0.03  # for the pairs of a submission that is nowhere near the limit
-_DRIFT = 0.1  # by which two turns at one speed may differ
-_REMEMBERED = 30  # turns of the reference
 _TOO_SHORT_SECONDS = 0.0005  # a reference that takes less is mostly noise of the clock and the caches
 _TOO_WIDE = 0.5  # a spread of more than half the median says little
 _SURE_SECONDS = 0.05  # of a turn far above the limit, after which no second one is needed
@@ -76,29 +73,11 @@ class Pair(Struct, frozen=True):
         return self.submission / self.reference
 
 
-class Pace:
-    """What the reference took in the races of this run, all on the same cases.
-
-    A machine has few speeds: where a turn of now takes as long as some of those before, they were at the
-    speed of now, and their median is the reference's time while nothing changes.
-    """
-
-    def __init__(self) -> None:
-        self._times: deque[float] = deque(maxlen=_REMEMBERED)
-
-    def add(self, seconds: float) -> float | None:
-        """Note a turn of now; the reference's time, if there have been enough turns like it before."""
-        alike = sorted(known for known in self._times if _alike(known, seconds))
-        self._times.append(seconds)
-        return quantile(alike, 0.5) if len(alike) >= _LEAST_PAIRS else None
-
-
 def race(
     submission: Run,
     reference: Run,
     limit: float,
     goes_on: Callable[[], bool] = lambda: True,
-    pace: Pace | None = None,
     *,
     cautious: bool = False,
 ) -> Decision:
@@ -106,46 +85,29 @@ def race(
 
     A submission that comes near the limit in any pair gets nine whatever they take, one far above it whose
     turns are short three; any other as many, three at least, as fit a moment that a waiting person does not
-    notice. `goes_on` is asked after each pair whether there may be another. With the `pace` of earlier races
-    a clear one needs a single turn of the reference; one that is far below the limit needs a single one of
-    its own, unless that is short.
+    notice. `goes_on` is asked after each pair whether there may be another.
     A `cautious` race is one of long turns in another language: see `decide`.
     """
     pairs: list[Pair] = []
     start = time.monotonic()
-    usual: float | None = None  # the reference's time, once it is known
     while len(pairs) < MOST_PAIRS:
-        if usual is None:
-            pair = turn(submission, reference, swapped=len(pairs) % 2 == 1)
-        else:
-            mine = submission()
-            pair = None if mine is None else Pair(mine, usual)
+        pair = turn(submission, reference, swapped=len(pairs) % 2 == 1)
         if pair is None:
             break
-        if usual is not None and not _alike(pair.submission, pairs[0].submission):
-            pairs, usual = pairs[:1], None  # something has changed since the reference took its turn
-            continue
         pairs.append(pair)
-        if usual is None and pace is not None:
-            known = pace.add(pair.reference)
-            usual = known if len(pairs) == 1 else None
         if not goes_on():
             break
         if not is_clear(pairs, limit):
-            if usual is not None:  # near the limit only turns of now count
-                pairs, usual = pairs[:1], None
             continue
+        enough = len(pairs) >= _LEAST_PAIRS
         if pairs[0].ratio > limit:
-            if len(pairs) < _LEAST_PAIRS and (cautious or pair.submission < _SURE_SECONDS):
-                continue
-            break
-        if pair.ratio <= _NO_QUESTION * limit and pair.reference >= _TOO_SHORT_SECONDS:
-            break
-        if cautious and _one_will_do(pair, limit):
-            break
-        if usual is not None and _one_will_do(Pair(pairs[0].submission, usual), limit):
-            return decide([Pair(pairs[0].submission, usual)], limit, cautious=cautious)
-        if len(pairs) >= _LEAST_PAIRS and (usual or time.monotonic() - start > _PATIENCE_SECONDS):
+            if enough or not (cautious or pair.submission < _SURE_SECONDS):
+                break
+        elif (
+            (pair.ratio <= _NO_QUESTION * limit and pair.reference >= _TOO_SHORT_SECONDS)
+            or (cautious and _one_will_do(pair, limit))
+            or (enough and time.monotonic() - start > _PATIENCE_SECONDS)
+        ):
             break
     return decide(pairs, limit, cautious=cautious)
 
@@ -223,11 +185,6 @@ def is_clear(pairs: list[Pair], limit: float) -> bool:
 def _one_will_do(pair: Pair, limit: float) -> bool:
     """Whether a single pair says enough: far below the limit, and of turns that are not short."""
     return pair.ratio <= _FAR_BELOW * limit and min(pair.submission, pair.reference) >= _LONG_SECONDS
-
-
-def _alike(one: float, other: float) -> bool:
-    """Whether two times of one program on the same cases are of one speed of the machine."""
-    return abs(one - other) <= _DRIFT * other
 
 
 def turn(submission: Run, reference: Run, *, swapped: bool) -> Pair | None:

@@ -104,7 +104,7 @@ def raced(data, rule, mine, boxes, *, program=False):
     runner = ProgramRunner(problem, language="Go") if program else FunctionRunner(problem, "Go")
     run = GroupRun(data, data.groups[0], runner)
     run.passed = len(run.cases)
-    decision = measure(problem, runner, [run], mine, Library(problem, boxes), Budget(problem))
+    decision = measure(runner, [run], mine, Library(problem, boxes), Budget(problem))
     return decision, run
 
 

@@ -15,9 +15,8 @@ from judge.run.group import GroupRun
 from judge.run.groups import run_timed
 from judge.run.growth import Course, exponent, grow, is_steep, steep_seconds
 from judge.run.measure import Duel
-from judge.run.reference import Track
 from judge.run.replies import Replies
-from judge.run.timing import MOST_PAIRS, Pace, Pair
+from judge.run.timing import MOST_PAIRS, Pair
 from judge.sandbox.boundary import Reply, Stop, Usage
 
 SLOPE = 0.4
@@ -229,8 +228,7 @@ def test_a_long_import_may_take_as_long_when_the_group_is_raced():
     runner, limits = Scripted(data.problem, importing=3.0, calling=0.1), []
     run = GroupRun(data, data.groups[0], runner)
     assert [each.cut for each in run_timed(runner, limits, run, Budget(data.problem))] == [False]
-    track = Track([(0, index) for index in range(len(run.cases))], run.cases, Pace())
-    duel = Duel(runner, [run], limits, None, track, Budget(data.problem))
+    duel = Duel(runner, [run], limits, None, 1.0, Budget(data.problem))
     assert duel.mine() == 0.1
     assert limits[1][1] < 9.0
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from judge.run.timing import MOST_PAIRS, Pace, Pair, busy, decide, disturbed, race, summary
+from judge.run.timing import MOST_PAIRS, Pair, busy, decide, disturbed, race, summary
 from judge.sandbox import Usage
 
 LIMIT = 10.0
@@ -121,56 +121,3 @@ def test_what_disturbed_a_race_is_told_and_changes_no_verdict():
     assert disturbed(slow, "") is slow
     assert slow.ratio.busy == ""
     assert disturbed(decide([], LIMIT), "anything").ratio is None
-
-
-def paced(*times):
-    """The pace of a reference that took these times."""
-    pace = Pace()
-    for seconds in times:
-        pace.add(seconds)
-    return pace
-
-
-@pytest.mark.parametrize(
-    ("mine", "turns", "median"),
-    [
-        ((0.05,), 3, 5.0),  # by the median of the turns before
-        ((0.004, 0.9), 1, 0.004 / 0.0105),  # however short the turns, at less than a tenth of it
-        ((0.02, 0.9), 1, 2.0),  # far below the limit one will do
-    ],
-)
-def test_a_clear_race_on_a_steady_machine_needs_one_turn_of_a_known_reference(mine, turns, median):
-    mine, theirs = Runs(*mine), Runs(0.0105)
-    decision = race(mine, theirs, LIMIT, pace=paced(0.01, 0.01, 0.011))
-    assert (mine.turns, theirs.turns, decision.ratio.pairs) == (turns, 1, turns)
-    assert (decision.too_slow, decision.borderline, decision.ratio.unreliable) == (False, False, "")
-    assert decision.ratio.median == pytest.approx(median)
-
-
-@pytest.mark.parametrize("times", [(), (0.01, 0.01), (0.02, 0.02, 0.02), (0.01, 0.012, 0.012)])
-def test_a_reference_that_is_not_known_or_takes_another_time_now_is_raced_anew(times):
-    mine, theirs = Runs(0.02), Runs(0.01)
-    decision = race(mine, theirs, LIMIT, pace=paced(*times))
-    assert mine.turns == theirs.turns == decision.ratio.pairs
-
-
-@pytest.mark.parametrize("mine", [(0.095,), (0.05, 0.095), (0.05, 0.05, 0.095)])
-def test_near_the_limit_every_turn_of_the_reference_is_of_now(mine):
-    mine, theirs = Runs(*mine), Runs(0.01)
-    decision = race(mine, theirs, LIMIT, pace=paced(0.01, 0.01, 0.01))
-    assert (theirs.turns, decision.ratio.pairs) == (MOST_PAIRS, MOST_PAIRS)
-
-
-def test_a_pace_knows_every_speed_of_the_machine():
-    pace = paced(0.01, 0.01, 0.01)
-    assert pace.add(0.01) == 0.01
-    assert [pace.add(0.02) for _ in range(4)] == [None, None, None, 0.02]
-    assert (pace.add(0.0099), pace.add(0.015)) == (0.01, None)
-
-
-@pytest.mark.parametrize("later", [(0.06,), (0.05, 0.06)])
-def test_a_race_in_which_the_submission_changes_its_pace_goes_on_in_pairs(later):
-    mine, theirs = Runs(0.05, *later), Runs(0.01)
-    decision = race(mine, theirs, LIMIT, pace=paced(0.01, 0.01, 0.01))
-    assert theirs.turns == decision.ratio.pairs
-    assert mine.turns == decision.ratio.pairs + len(later)  # those before the change was seen are left out
