@@ -91,7 +91,7 @@ class VerifyAsk(Struct, frozen=True):
     holes: bool = opt("--holes", "Look for wrong programs that the data accept.")
     lasting: str | None = opt("--for TIME", "Look so long at each kata, as 20s or 2m; 30s is usual.")
     seed: int | None = opt("--seed N", "Look at other cases.")
-    whole: bool = opt("--all", "With --holes: list the accepted mutants without a witness too.")
+    whole: bool = opt("--all", "List the accepted mutants without a witness, too.")
 
 
 @command("verify", Verified, Holes, LibraryTable, ask=VerifyAsk)
@@ -101,7 +101,7 @@ def verify(names: tuple[str, ...], ask: VerifyAsk, common: Common) -> Iterator[S
 
     Every case keeps the promise, the examples agree with the reference, the data are the pinned ones, every
     solution gets the verdict its folder says, hints can be read, a stub can be made, and the cards of judge
-    quiz can be asked. Without a name: all of the folders that --problems gives, or all there is.
+    quiz can be asked. Without a name: all that --problems gives, or all there is.
 
     With --group or --solution only a part is checked, as you work on it. With --libraries the adapters in
     solutions/KATA/libraries are judged instead, where their packages are found.
