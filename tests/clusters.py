@@ -29,7 +29,7 @@ class Cluster:
         self.scheduler = self._started(
             *("scheduler", "--scheduler-file", self.file, "--host", "127.0.0.1", "--port", 0, *_QUIET)
         )
-        waited(self.file.exists)
+        waited(lambda: self.file.exists() and bool(self.file.read_text()))
         self.address = json.loads(self.file.read_text())["address"]
 
     def add(self, workers: int, threads: int = 1, **settings: str) -> subprocess.Popen[bytes]:

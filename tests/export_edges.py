@@ -11,10 +11,10 @@ from math import inf, nextafter
 from pathlib import Path
 from typing import Any, NamedTuple
 
-import judge.packs.export as export
+import judge.packs as packs
 from judge.data.model import GroupData, ProblemData
 from judge.exact import Surd
-from judge.packs.export.forms import accepted_form, form_of
+from judge.packs.schemas import accepted_form, form_of
 from judge.run.program import ProgramRunner
 from judge.sandbox.boundary import Limits, ProgramResult, Stop, Usage
 from judge.values import show
@@ -22,7 +22,7 @@ from judge.values.check import Accepted, check_line
 from judge.values.letters import TextType
 
 WIDE = Context(prec=1200)  # of its own: every other test in this process has what it had
-VALIDATOR = runpy.run_path(str(Path(export.__file__).parent / "validators" / "output_validator.py"))
+VALIDATOR = runpy.run_path(str(Path(packs.__file__).parent / "validators" / "output_validator.py"))
 ANYWHERE = [
     *("", " ", "none", "None", "null", "none none", "0", "1", "2", "-1", "1.0", "0.5", "nan", "inf", "1_0"),
     *("0x1", "+1", "-0", "01", "1e0", "1e400", "1e5001", "1e-5001", "1e1000000", ".5", "5.", "1,5", "1 2"),

@@ -1,17 +1,17 @@
 """Many people's submissions to many problems: read, judged wherever there is room, kept one by one.
 
-model.py        who hands in what, and the row that comes of it
-folder.py, roster.py
-                whose file is for which problem; the list of students
-standard.py     by what a row is judged
+model.py        who submits what, and the row that comes of it
+folder.py       whose file is for which problem; packed.py opens zips and notebooks
+platforms.py    what learning platforms call the files; who of a list is meant
+roster.py       the list of students
+environment.py  by what a row is judged
 plan.py         which rows are kept, which texts are judged, who gets a copy
-run.py          judging them: what is missing is learnt once before, each row is kept at once
+classroom.py    judging them: what is missing is learnt once before, each row is kept at once
 work.py         what a worker does: judge one task
+cluster.py      workers of a dask cluster
 store.py        the rows, in one SQLite file beside the class's folder
-shards.py, __main__.py
-                a class in parts that know nothing of each other, and putting these together
+shards.py       a class in parts that know nothing of each other, and putting these together
 cohort.py       which row counts, and what the class is shown
-representatives.py
-                the smallest failing cases, for pages
-equal.py        which hand-ins of different students are one program; normal.py what is compared
+samples.py      the smallest failing cases, for pages
+duplicates.py   which submissions of different students are one program; normalize.py what is compared
 """

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections import Counter, defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from types import MappingProxyType
+from typing import Any
 
-from judge.batch.model import Row, text_of
+from judge.batch.model import KeptRow, text_of
 from judge.problem.model import Verdict
 from judge.report.published_klass import Alike, Cohort, Machine, Mark, ProblemView, Student
 
@@ -16,57 +17,51 @@ _Pair = tuple[str, str]  # a student, and a problem or a file
 def cohort_of(
     students: Sequence[Student],
     problems: Sequence[str],
-    rows: Sequence[Row],
+    rows: Sequence[KeptRow],
     *,
-    history: Iterable[Row] = (),
-    equal: Sequence[Alike] = (),
+    history: Iterable[KeptRow] = (),
     left: int = 0,
-    titles: Sequence[str] = (),
-    unread: Mapping[str, Sequence[str]] = MappingProxyType({}),
+    equal_files: tuple[Alike, ...] = (),
     late: Mapping[_Pair, int | None] = MappingProxyType({}),
-    weights: Mapping[str, float] = MappingProxyType({}),
+    **shown: Any,
 ) -> Cohort:
     """The class as it stands: the students and problems of the table, in its order, and the present rows.
 
     `history` are rows of texts that were submitted before and have been replaced since; they tell who is
-    stuck and nothing else. `equal` are the sets of equal files, `left` counts files without a row. `titles`
-    are those of the list of students, and `unread` is what of a student's is not judged. `late` are days, by
-    student and file, None where a platform says so alone; `weights` are those of katas.
+    stuck and nothing else. `late` are days, by student and file, None where a platform says so alone. `left`
+    counts files without a row; `shown` are the fields of the cohort that come from elsewhere.
     """
     counts = counting(rows)
-    handins = Counter((row.student, row.problem) for row in rows)
+    files = Counter((row.student, row.problem) for row in rows)
     marks: dict[str, dict[str, Mark]] = {}
     for (student, problem), row in counts.items():
-        marks.setdefault(student, {})[problem] = _mark(row, handins[student, problem], late)
+        marks.setdefault(student, {})[problem] = _mark(row, files[student, problem], late)
     order = [each.id for each in students]
-    own = {each: [counts[who, each] for who in order if each in marks.get(who, ())] for each in problems}
-    results = [row.result for row in rows]
-    failures = [(each.submission, each.failure) for each in results if each.verdict is Verdict.JE]
+    own = {each: [counts[who, each] for who in order if (who, each) in counts] for each in problems}
+    unjudged = [row.result for row in rows if row.result.verdict is Verdict.JE]
     judged = Counter((row.done.machine, row.result.isolation) for row in rows if row.result.isolation)
-    unsolved = [who for who in order if not any(mark.accepted for mark in marks.get(who, {}).values())]
+    accepted = {who for (who, _), row in counts.items() if row.accepted}
     return Cohort(
         students=tuple(students),
         marks=marks,
         problems=tuple(_view(each, own[each]) for each in problems),
         stuck=tuple(_stuck(problems, _in_turn([*history, *rows]), order)),
-        nothing_accepted=tuple(each for each in unsolved if each in marks),
+        nothing_accepted=tuple(each for each in order if each in marks and each not in accepted),
         nothing_handed_in=tuple(each for each in order if each not in marks),
-        equal_files=tuple(equal),
         machines=tuple(Machine(*where, times) for where, times in sorted(judged.items())),
-        unjudged=tuple((file, failure.message if failure else "") for file, failure in failures),
+        unjudged=tuple((each.submission, each.failure.message if each.failure else "") for each in unjudged),
+        equal_files=equal_files,
         left=left,
-        titles=tuple(titles),
-        unread={who: tuple(told) for who, told in unread.items()},
-        weights=dict(weights),
+        **shown,
     )
 
 
-def counting(rows: Iterable[Row]) -> dict[_Pair, Row]:
+def counting(rows: Iterable[KeptRow]) -> dict[_Pair, KeptRow]:
     """Of each student and problem the row that counts: of several files the best, and of equals the newest.
 
     The best is an accepted one, then the one of most points; one that could not be judged is the last.
     """
-    found: dict[_Pair, Row] = {}
+    found: dict[_Pair, KeptRow] = {}
     for row in rows:
         place = row.student, row.problem
         if place not in found or _worth(row) >= _worth(found[place]):
@@ -74,27 +69,27 @@ def counting(rows: Iterable[Row]) -> dict[_Pair, Row]:
     return found
 
 
-def _worth(row: Row) -> tuple[bool, bool, int, float]:
+def _worth(row: KeptRow) -> tuple[bool, bool, int, float]:
     return row.accepted, row.result.verdict is not Verdict.JE, row.result.score, row.at
 
 
-def _in_turn(rows: Iterable[Row]) -> dict[_Pair, list[Row]]:
-    """Every text that a student has handed in to a problem, the oldest first, by its newest row."""
+def _in_turn(rows: Iterable[KeptRow]) -> dict[_Pair, list[KeptRow]]:
+    """Every text that a student has submitted to a problem, the oldest first, by its newest row."""
     newest = {text_of(row): row for row in rows}
-    found: dict[_Pair, list[Row]] = defaultdict(list)
+    found: dict[_Pair, list[KeptRow]] = defaultdict(list)
     for row in sorted(newest.values(), key=lambda row: (row.at, row.file)):
         found[row.student, row.problem].append(row)
     return found
 
 
-def _mark(row: Row, handins: int, late: Mapping[_Pair, int | None]) -> Mark:
+def _mark(row: KeptRow, files: int, late: Mapping[_Pair, int | None]) -> Mark:
     ratio, place = row.result.time.ratio, (row.student, row.file)
     return Mark(
         file=row.file,
         verdict=row.result.verdict,
         score=row.result.score,
         mistake=row.mistake,
-        handins=handins,
+        handins=files,
         copied=bool(row.copied),
         busy=bool(ratio and ratio.busy),
         late=late.get(place, 0) != 0,
@@ -102,9 +97,9 @@ def _mark(row: Row, handins: int, late: Mapping[_Pair, int | None]) -> Mark:
     )
 
 
-def _view(problem: str, rows: Sequence[Row]) -> ProblemView:
+def _view(problem: str, rows: Sequence[KeptRow]) -> ProblemView:
     """The kata of these rows, of which one counts for each student."""
-    made: dict[tuple[str, bool], list[Row]] = defaultdict(list)
+    made: dict[tuple[str, bool], list[KeptRow]] = defaultdict(list)
     for row in rows:
         if not row.accepted:
             made[row.mistake or _unnamed(row.result.verdict), bool(row.mistake)].append(row)
@@ -125,20 +120,20 @@ def _unnamed(verdict: Verdict) -> str:
 
 
 def _stuck(
-    problems: Sequence[str], own: Mapping[_Pair, Sequence[Row]], order: Sequence[str]
+    problems: Sequence[str], own: Mapping[_Pair, Sequence[KeptRow]], order: Sequence[str]
 ) -> Iterator[Alike]:
     """Whose last two files make the same mistake: by problem, and then that of the most students."""
     for problem in problems:
-        held: dict[str, list[Row]] = defaultdict(list)
+        held: dict[str, list[KeptRow]] = defaultdict(list)
         for student in order:
             rows = own.get((student, problem), ())
-            last = [row.mistake for row in rows[-2:]]
-            if len(last) == 2 and last[0] == last[1] != "" and not any(row.accepted for row in rows):
-                held[last[0]].append(rows[-1])
+            made = {row.mistake for row in rows[-2:]}
+            if len(rows) > 1 and len(made) == 1 and "" not in made and not any(row.accepted for row in rows):
+                held[rows[-1].mistake].append(rows[-1])
         yield from _most_first(_alike(mistake, rows) for mistake, rows in held.items())
 
 
-def _alike(what: str, rows: Sequence[Row], named: bool = True) -> Alike:
+def _alike(what: str, rows: Sequence[KeptRow], named: bool = True) -> Alike:
     who, files = (row.student for row in rows), (row.file for row in rows)
     return Alike(rows[0].problem, what, tuple(who), tuple(files), named)
 

@@ -4,9 +4,9 @@
     PROBLEM/STUDENT.py          where a folder at the top is called like a problem; PROBLEM/STUDENT/any.py too
 
 A file is for the problem that it is called like (`exact_count.py` is for exact-count), or else for the one
-whose function it defines. What a learning platform hands out is taken as it is (judge.batch.forms); a list
-of the students tells who is meant by a name. Zips and notebooks are opened (judge.batch.packed). Whatever
-lies in the folder costs at most its own row.
+whose function it defines. What a learning platform hands out is taken as it is (judge.batch.platforms); a
+list of the students tells who is meant by a name. Zips and notebooks are opened (judge.batch.packed).
+Whatever lies in the folder costs at most its own row.
 
 A student may have set links, so that they are followed to the student's own files alone. A file that has
 names in the folders of several students (a hard link) belongs to the one whose folder has the file's owner,
@@ -25,9 +25,9 @@ from pathlib import Path, PurePath
 from msgspec import Struct
 from msgspec.structs import replace
 
-from judge.batch.forms import METADATA, Owner, Roster, owners, submitters
-from judge.batch.model import Handin
+from judge.batch.model import Submission
 from judge.batch.packed import is_packed, unpacked
+from judge.batch.platforms import METADATA, Owner, Roster, owners, submitters
 from judge.errors import JudgeError, UsageError
 from judge.files import (
     NOT_FOLLOWED,
@@ -47,14 +47,14 @@ _NO_PROBLEM = "no kata has that name, and it defines no kata's function"
 
 
 class ClassFolder(Struct, frozen=True):
-    """What was found: hand-ins in the order of students, problems and files.
+    """What was found: submissions in the order of students, problems and files.
 
     `unplaced` are other files, and programs without a student or a problem, each with why it is not judged;
     `late` are students whose files the platform calls late.
     """
 
-    handins: tuple[Handin, ...]
-    unplaced: tuple[Handin, ...]
+    submissions: tuple[Submission, ...]
+    unplaced: tuple[Submission, ...]
     late: frozenset[str] = frozenset()
 
 
@@ -65,7 +65,7 @@ def read_class(
     folders: Sequence[Path] = (),
     roster: Roster | None = None,
 ) -> ClassFolder:
-    """Everything that is handed in, in a class's folder.
+    """Everything that is submitted, in a class's folder.
 
     `only` are ids of problems: without them, all; `folders` are folders of problems to look in first.
     A folder that is called after somebody of the `roster` is theirs in any case.
@@ -77,14 +77,12 @@ def read_class(
     known = {each.name for each in problem_folders(folders)}
     every = [*files_below(root)]
     reader = _Reader(root, known, folders, roster or Roster())
-    reader.learn_owners([path for path, _ in every])
-    handins, unplaced, size = list[Handin](), list[Handin](), 0
+    reader.learn_owners([PurePath(path) for path, _ in every])
+    placed, unplaced, size = list[Submission](), list[Submission](), 0
     for path, why in every:
         if PurePath(path).name == METADATA:
             continue
-        for found in (
-            [Handin(reader.student(path), "", legible(path), why=why)] if why else reader.handins(path)
-        ):
+        for found in reader.submissions(path, why):
             size += len(found.source)
             if size > _MOST_BYTES:
                 what = f"the programs come to more than {_MOST_BYTES // 2**20} MB"
@@ -92,11 +90,10 @@ def read_class(
             if not (found.problem and found.student):
                 unplaced += reader.for_each(found)
             elif not only or found.problem in only:
-                handins += reader.for_each(found)
-    handins = reader.without_shared(handins)
-    handins.sort(key=lambda each: (each.student, each.problem, each.file))
+                placed += reader.for_each(found)
+    placed = sorted(reader.without_shared(placed), key=lambda each: (each.student, each.problem, each.file))
     late = frozenset(who for group in reader.owners.values() for who, owner in group if owner.late)
-    return ClassFolder(tuple(handins), tuple(unplaced), late)
+    return ClassFolder(tuple(placed), tuple(unplaced), late)
 
 
 def root_of(folder: Path) -> Path:
@@ -109,7 +106,7 @@ def root_of(folder: Path) -> Path:
     return Path(root)
 
 
-def legible(name: str) -> str:
+def display_name(name: str) -> str:
     """A file's name as text, whatever its bytes are; letters that are composed in two ways are the same."""
     return unicodedata.normalize("NFC", os.fsencode(name).decode("utf-8", "backslashreplace"))
 
@@ -134,76 +131,66 @@ class _Reader(Struct):
     owners: dict[str, list[tuple[str, Owner]]] = {}
     outer: int = 0  # folders around all of them
 
-    def learn_owners(self, paths: Sequence[str]) -> None:
+    def learn_owners(self, paths: Sequence[PurePath]) -> None:
         """Find out whose each name is that a platform has given."""
-        metadata = next((path for path in paths if PurePath(path).name == METADATA), "")
+        metadata = next((path for path in paths if path.name == METADATA), None)
         if metadata:
-            self.outer = len(PurePath(metadata).parts) - 1
-            told = submitters(read_below(self.root, metadata)[0].decode("utf-8", "replace"))
+            self.outer = len(metadata.parts) - 1
+            found = submitters(read_below(self.root, str(metadata))[0].decode("utf-8", "replace"))
         else:
-            parts = [PurePath(path).parts for path in paths]
-            alone = owners({each[0] for each in parts})
-            if not alone and len({each[0] for each in parts}) == 1 and min(map(len, parts)) > 1:
-                self.outer = 1
-                alone = owners({each[1] for each in parts})
-            self.outer = self.outer if alone else 0
-            told = {name: [owner] for name, owner in alone.items()}
-        for name, group in told.items():
-            self.owners[name] = [(self._called(owner), owner) for owner in group]
+            tops = {path.parts[0] for path in paths}
+            found = owners(tops)
+            if not found and len(tops) == 1 and all(len(path.parts) > 1 for path in paths):
+                found = owners({path.parts[1] for path in paths})
+                self.outer = 1 if found else 0
+        for name, group in found.items():
+            self.owners[name] = [
+                (self.roster.owner(each) or display_name(each.name or each.key), each) for each in group
+            ]
 
-    def _called(self, owner: Owner) -> str:
-        fits = self.roster.whose(owner)
-        return next(iter(fits)) if len(fits) == 1 else legible(owner.name or owner.key)
-
-    def for_each(self, found: Handin) -> list[Handin]:
+    def for_each(self, found: Submission) -> list[Submission]:
         """The same file for each student of the group that has submitted it."""
         top = next(iter(PurePath(found.file).parts[self.outer :]), "")
         group = dict.fromkeys(who for who, _ in self.owners.get(top, ()) if who)
         return [replace(found, student=who) for who in group] or [found]
 
-    def handins(self, path: str) -> Iterator[Handin]:
+    def submissions(self, path: str, why: str) -> Iterator[Submission]:
         """What a file holds, by its path in the class's folder; without a student or a problem where it has
-        none.
+        none. With a `why` it is a folder that is not entered.
         """
-        if is_program(path) or not is_packed(path):
-            yield self._handin(path, path, None)
+        if not why and (is_program(path) or not is_packed(path)):
+            yield self._submission(path, path, None)
             return
-        student = self.student(path)
+        student, inside = self._placed(PurePath(path))[0], list[tuple[str, bytes]]()
         try:
-            inside = [*unpacked(path, self._read(path, student))]
-        except OSError as fault:
-            yield Handin(student, "", legible(path), why=why_unreadable(fault))
-        except JudgeError as fault:
-            yield Handin(student, "", legible(path), why=str(fault))
-        else:
-            for name, source in inside:
-                yield self._handin(path, name, source)
+            inside += unpacked(path, self._read(path, student)) if not why else ()
+        except (OSError, JudgeError) as fault:
+            why = _told(fault)
+        if why:
+            yield Submission(student, "", display_name(path), why=why)
+        for name, source in inside:
+            yield self._submission(path, name, source)
 
-    def _handin(self, path: str, name: str, source: bytes | None) -> Handin:
+    def _submission(self, path: str, name: str, source: bytes | None) -> Submission:
         """A program of that name in the file; its bytes where it had to be unpacked."""
         student, problem = self._placed(PurePath(path), PurePath(name).name if name != path else "")
-        why = "" if is_program(name) else "not a program, by its name"
+        why = ""
         try:
-            source = self._read(path, student) if source is None and not why else source
-            if student and source is not None and not problem and not why:
-                problem = self._told(source, name)
-        except OSError as fault:
-            why = why_unreadable(fault)
-        except JudgeError as fault:  # of a problem that is broken, or of this text
-            why = str(fault).removeprefix(f"{name}: ")
-        if not student and is_program(name):
-            why = why or (_BACKSLASH if "\\" in path else _NOBODY)
+            if not is_program(name):
+                problem = ""
+                raise JudgeError("not a program, by its name")
+            source = self._read(path, student) if source is None else source
+            if not student:
+                raise JudgeError(_BACKSLASH if "\\" in path else _NOBODY)
+            problem = problem or self._fitting(source, name)
+        except (OSError, JudgeError) as fault:  # of a problem that is broken, or of this text, too
+            why, source = _told(fault).removeprefix(f"{name}: "), b""
         at = 0.0
         with suppress(OSError, ValueError):
             at = (self.root / path).stat().st_mtime
-        problem = problem if is_program(name) else ""
-        return Handin(student, problem, legible(name), b"" if why else source or b"", why, at)
+        return Submission(student, problem, display_name(name), source or b"", why, at)
 
-    def student(self, path: str) -> str:
-        """Whose a file is, empty where the path does not tell."""
-        return self._placed(PurePath(path), "")[0]
-
-    def _placed(self, path: PurePath, inner: str) -> tuple[str, str]:
+    def _placed(self, path: PurePath, inner: str = "") -> tuple[str, str]:
         """The student and the problem that a path tells, either empty where it does not.
 
         `inner` is the name of what lies in the file itself.
@@ -212,22 +199,17 @@ class _Reader(Struct):
         who, owner = next(iter(self.owners.get(top, ())), ("", None))
         named = id_of(_stem(inner or (owner.file if owner and owner.file and not rest else path.name)))
         problem = named if named in self.known else ""
-        if owner is not None:
+        if owner or not rest:
             return who, problem
-        if not rest:
-            return "", problem
-        fits = self.roster.named(legible(top))
-        if len(fits) == 1:
-            return next(iter(fits)), problem
-        if id_of(top) not in self.known:
-            return legible(top), problem
-        own = legible(rest[0] if len(rest) > 1 else _stem(rest[0]))
-        fits = self.roster.named(own)
-        return next(iter(fits)) if len(fits) == 1 else own, id_of(top)
+        name, listed = display_name(top), self.roster.named(display_name(top))
+        if listed or id_of(top) not in self.known:
+            return listed or name, problem
+        own = display_name(rest[0] if len(rest) > 1 else _stem(rest[0]))
+        return self.roster.named(own) or own, id_of(top)
 
-    def _told(self, source: bytes, path: str) -> str:
-        """The problem that the text tells. Raises JudgeError where it tells none."""
-        fitting = [each.id for each in fitting_problems(signs(source, path), self.folders)]
+    def _fitting(self, source: bytes, name: str) -> str:
+        """The problem that the text of a file of that name tells. Raises JudgeError where it tells none."""
+        fitting = [each.id for each in fitting_problems(signs(source, name), self.folders)]
         if len(fitting) != 1:
             raise JudgeError(f"it fits {' and '.join(fitting)}" if fitting else _NO_PROBLEM)
         return fitting[0]
@@ -235,18 +217,18 @@ class _Reader(Struct):
     def _read(self, path: str, student: str) -> bytes:
         """The bytes of a file of that student's, wherever links within their folder lead. Raises OSError."""
         source, real, found = read_below(self.root, path)
-        whose = self.student(real)
+        whose = self._placed(PurePath(real))[0]
         if real != path and whose != student:
             where = f"{whose}'s folder" if whose else "a file of nobody"
             raise RefusedError(errno.EXDEV, f"it is a link to {where}, {NOT_FOLLOWED}")
         if found.st_nlink > 1:
             owned = (self.root / real).parent.stat().st_uid == found.st_uid
-            name = _Name(student, legible(path), owned=owned)
+            name = _Name(student, display_name(path), owned=owned)
             self.names.setdefault((found.st_dev, found.st_ino), []).append(name)
         return source
 
-    def without_shared(self, handins: Sequence[Handin]) -> list[Handin]:
-        """The hand-ins without the source of a file that has names in the folders of several students.
+    def without_shared(self, submissions: Sequence[Submission]) -> list[Submission]:
+        """The submissions without the source of a file that has names in the folders of several students.
 
         It stays with the only one of them whose folder has the file's owner.
         """
@@ -259,7 +241,7 @@ class _Reader(Struct):
                     refused[name.file] = f"it is the same file as {other} (a hard link); copy it"
         return [
             replace(each, source=b"", why=refused[each.file]) if each.file in refused else each
-            for each in handins
+            for each in submissions
         ]
 
 
@@ -268,3 +250,7 @@ def _stem(name: str) -> str:
     language = language_of(name)
     ends = language.suffixes if language else (SUFFIX,)
     return name.removesuffix(next((end for end in ends if name.endswith(end)), ""))
+
+
+def _told(fault: OSError | JudgeError) -> str:
+    return why_unreadable(fault) if isinstance(fault, OSError) else str(fault)

@@ -1,7 +1,7 @@
-"""Who hands in what, and the row that comes of it: values that every other part of a batch speaks of.
+"""Who submits what, and the row that comes of it: values that every other part of a batch speaks of.
 
-A *hand-in* is a file of one student. A *task* is what a worker needs to judge one: it can go to another
-process or machine. A *row* is what is kept of a hand-in: the published result, and who judged it where.
+A *submission* is a file of one student. A *task* is what a worker needs to judge one: it can go to another
+process or machine. A *row* is what is kept of a submission: the published result, and who judged it where.
 """
 
 from __future__ import annotations
@@ -19,8 +19,8 @@ from judge.problem.model import Verdict
 from judge.run.result import Result, judge_fault, read_result
 
 
-class Handin(Struct, frozen=True):
-    """A file that a student has handed in; `file` is its path within the class's folder, with slashes.
+class Submission(Struct, frozen=True):
+    """A file that a student has submitted; `file` is its path within the class's folder, with slashes.
 
     `problem` is the problem's id, empty where none is found. `why` says why it is not judged; then it is a
     row of the table (JE), and `source` is empty. `at` is when the file was written, in seconds of the epoch.
@@ -35,12 +35,12 @@ class Handin(Struct, frozen=True):
 
     @property
     def digest(self) -> str:
-        """The digest of the source, 64 hex digits: two hand-ins of one digest and problem are judged once."""
+        """The digest of the source, 64 hex digits: two of one digest and problem are judged once."""
         return digest(self.source)
 
 
-class Standard(Struct, frozen=True):
-    """By what a row was judged: two rows of one standard can be compared; another is judged anew.
+class Environment(Struct, frozen=True):
+    """By what a row was judged: two rows of one environment can be compared; another is judged anew.
 
     `judge` is the judge's version and the hash of its code, `data` that of the problem's two folders,
     `python` the interpreter's version, `isolation` the level, `terms` the digest of the options that decide
@@ -56,7 +56,7 @@ class Standard(Struct, frozen=True):
 
 class Task(Struct, frozen=True):
     """What a worker is sent: the problem's id, the file's name for messages, its bytes, how to judge it, and
-    the standard that the worker must agree with.
+    the environment that the worker's must be.
 
     `folders` are folders of problems to look in first, on the machine that sends it.
     """
@@ -65,11 +65,11 @@ class Task(Struct, frozen=True):
     name: str
     source: bytes
     options: RunOptions
-    standard: Standard
+    environment: Environment
     folders: tuple[str, ...] = ()
 
 
-class Done(Struct, frozen=True):
+class WorkerResult(Struct, frozen=True):
     """What a worker sends back: the published result, and where it was judged.
 
     `machine` is the host's name, `seconds` the CPU time that the worker and its boxes used for it.
@@ -81,32 +81,32 @@ class Done(Struct, frozen=True):
     seconds: float = 0.0
 
     @classmethod
-    def fault(cls, problem: str, name: str, why: str) -> Done:
+    def fault(cls, problem: str, name: str, why: str) -> WorkerResult:
         """What there is of a file that could not be judged: JE."""
         return cls(judge_fault(problem, name, why).as_json())
 
 
-class Row(Struct, frozen=True, dict=True):
-    """What is kept of one hand-in: `digest` is that of the source, `at` the second of the epoch.
+class KeptRow(Struct, frozen=True, dict=True):
+    """What is kept of one submission: `digest` is that of the source, `at` the second of the epoch.
 
-    It has no standard where nothing was judged. `copied` names the file of equal bytes that was judged in its
-    place, empty where it was judged itself. `small` is the published result with its smallest case, once a
-    page has shown it.
+    It has no `standard`, which is its environment, where nothing was judged. `copied` names the file of equal
+    bytes that was judged in its place, empty where it was judged itself. `small` is the published result with
+    its smallest case, once a page has shown it.
     """
 
     student: str
     problem: str
     file: str
     digest: str
-    done: Done
-    standard: Standard | None
+    done: WorkerResult
+    standard: Environment | None
     at: float
     copied: str = ""
     small: dict[str, Any] | None = None
 
     @property
     def key(self) -> str:
-        """The digest of the hand-in and its standard; a later row of one key takes the place of another."""
+        """The digest of the submission and its environment; of two rows with one key the later one stays."""
         return digest(msgspec.json.encode((text_of(self), self.standard)))
 
     @cached_property
@@ -136,6 +136,6 @@ class Row(Struct, frozen=True, dict=True):
         return self.result.pitfall.name if self.result.pitfall else ""
 
 
-def text_of(each: Handin | Row) -> tuple[str, str, str, str]:
+def text_of(each: Submission | KeptRow) -> tuple[str, str, str, str]:
     """Whose text it is, for what, in which file, and the digest of the text."""
     return each.student, each.problem, each.file, each.digest

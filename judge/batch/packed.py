@@ -1,4 +1,4 @@
-"""Programs that are handed in inside of something else: a zip, a notebook, a name that an editor spoilt."""
+"""Programs that are submitted inside of something else: a zip, a notebook, a name that an editor spoilt."""
 
 from __future__ import annotations
 
@@ -27,15 +27,12 @@ def is_packed(name: str) -> bool:
 def unpacked(name: str, content: bytes) -> Iterator[tuple[str, bytes]]:
     """The programs in it, each by its name. Raises JudgeError, which says why there is none."""
     path = PurePath(name)
-    match path.suffix.lower():
-        case ".zip":
-            yield from _zipped(name, content)
-        case ".ipynb":
-            yield str(path.with_suffix(SUFFIX)), _cells(content)
-        case ".txt":
-            yield str(path.with_suffix("")), content
-        case _:
-            yield str(path.with_suffix(SUFFIX)), content
+    ends = path.suffix.lower()
+    if ends == _ZIP:
+        yield from _zipped(name, content)
+    else:  # of a text the second ending stays
+        whole = _cells(content) if ends == _NOTEBOOK else content
+        yield str(path.with_suffix("" if ends == _TEXT else SUFFIX)), whole
 
 
 def _zipped(name: str, content: bytes) -> Iterator[tuple[str, bytes]]:

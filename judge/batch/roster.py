@@ -13,12 +13,12 @@ from __future__ import annotations
 import csv
 import io
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
-from judge.batch.folder import legible
-from judge.batch.forms import Roster
-from judge.batch.model import Handin
+from judge.batch.folder import display_name
+from judge.batch.model import Submission
+from judge.batch.platforms import Roster
 from judge.errors import UsageError
 from judge.files import read_ordinary, unreadable
 from judge.report.published_klass import Student
@@ -29,6 +29,7 @@ _SIGNS = ",;\t"
 _SEPARATOR = re.compile(r'"?sep=([,;\t])"?', re.IGNORECASE)  # a first line that Excel writes and reads
 _NO_STUDENT = re.compile(r"\s*(Points Possible|points-per-question|Manual Posting.*)$")  # rows of platforms
 _WHOLE = ("name", "full name", "student")  # titles of columns with a person's whole name
+_PARTS = ("first name", "last name")
 _REMEDY = "save it as CSV in UTF-8, with the columns id, name, group"
 
 
@@ -39,67 +40,67 @@ def read_students(path: Path) -> Roster:
         UsageError: it cannot be read, holds nobody, or a line of it is no row; that line is told.
     """
     rows = _rows(_text(path), path)
-    head = next(rows, None)
-    if head is None:
+    _, titles = next(rows, (0, []))
+    if not titles:
         raise UsageError("this list of students is empty", where=str(path), remedy=_REMEDY)
-    titles = [title.casefold() for title in head[1]]
+    columns = [title.casefold() for title in titles]
     kept = [(number, row) for number, row in rows if not _NO_STUDENT.match(next(filter(None, row)))]
-    own = _own_column(titles, [row for _, row in kept])
-    students: dict[str, Student] = {}
+    own = _own_column(columns, [row for _, row in kept])
     lines: dict[str, int] = {}
+    students = list[Student]()
     for number, row in kept:
-        cells = dict(zip(titles, row, strict=False))
-        found = row[own].removeprefix("#") if own < len(row) else ""
-        if not found:
-            raise _bad(path, number, "there is no id in this line", "write one, or take the line out")
-        if len(found) > _LONGEST:
-            raise _bad(path, number, f"an id of {len(found):,} characters", "write a shorter one")
-        student = Student(
-            legible(found),
-            _name(cells),
-            cells.get("group", ""),
-            cells=tuple(row),
-            note=cells.get("note", ""),
-            extra_days=_days(cells.get("extra days", ""), path, number),
-        )
-        if student.id in students:
-            what = f"{found} is in line {lines[student.id]} already"
+        try:
+            students.append(_student(columns, row, own))
+        except UsageError as fault:
+            fault.where = f"{path}:{number}"
+            raise
+        if (line := lines.setdefault(students[-1].id, number)) != number:
+            what = f"{row[own].removeprefix('#')} is in line {line} already"
             raise _bad(path, number, what, "take one of the two lines out")
-        students[student.id], lines[student.id] = student, number
     if not students:
         raise UsageError("there is nobody in this list of students", where=str(path), remedy=_REMEDY)
-    return Roster(list(students.values()), head[1])
+    return Roster(students, titles)
 
 
-def _own_column(titles: Sequence[str], rows: Sequence[Sequence[str]]) -> int:
+def _student(columns: Sequence[str], row: Sequence[str], own: int) -> Student:
+    """Who stands in a row. Raises UsageError."""
+    cells = dict(zip(columns, row, strict=False))
+    found = row[own].removeprefix("#") if own < len(row) else ""
+    if not found:
+        raise UsageError("there is no id in this line", remedy="write one, or take the line out")
+    if len(found) > _LONGEST:
+        raise UsageError(f"an id of {len(found):,} characters", remedy="write a shorter one")
+    days = cells.get("extra days", "")
+    try:
+        extra = float(days.replace(",", ".") or 0)
+    except ValueError:
+        raise UsageError(f"extra days are {days!r}", remedy="write a number of days") from None
+    whole = next(filter(None, map(cells.get, _WHOLE)), "")
+    return Student(
+        display_name(found),
+        whole or " ".join(filter(None, map(cells.get, _PARTS))),
+        cells.get("group", ""),
+        cells=tuple(row),
+        note=cells.get("note", ""),
+        extra_days=extra,
+    )
+
+
+def _own_column(columns: Sequence[str], rows: Sequence[Sequence[str]]) -> int:
     """The column that tells students apart: `id`, or one without repetitions and gaps, names first."""
-    if "id" in titles:
-        return titles.index("id")
-    for at in sorted(range(len(titles)), key=lambda at: titles[at] not in _WHOLE):
-        cells = [row[at] for row in rows if at < len(row) and row[at]]
-        if rows and len(rows) == len(cells) == len(set(cells)):
+    if "id" in columns:
+        return columns.index("id")
+    for at in sorted(range(len(columns)), key=lambda at: columns[at] not in _WHOLE):
+        cells = {row[at] for row in rows if at < len(row) and row[at]}
+        if rows and len(rows) == len(cells):
             return at
     return 0
 
 
-def _name(cells: Mapping[str, str]) -> str:
-    """What somebody is called, in the columns of a teacher or of a platform."""
-    whole = (cells.get(title, "") for title in _WHOLE)
-    parts = (cells.get(title, "") for title in ("first name", "last name"))
-    return next(filter(None, whole), "") or " ".join(filter(None, parts))
-
-
-def _days(cell: str, path: Path, number: int) -> float:
-    try:
-        return float(cell.replace(",", ".") or 0)
-    except ValueError:
-        raise _bad(path, number, f"extra days are {cell!r}", "write a number of days") from None
-
-
-def everyone(roster: Roster, handins: Iterable[Handin]) -> list[Student]:
+def everyone(roster: Roster, submissions: Iterable[Submission]) -> list[Student]:
     """The students of the list, then those of the folder who are not in it; without a list all are known."""
     listed = roster.students
-    others = sorted({each.student for each in handins} - {each.id for each in listed})
+    others = sorted({each.student for each in submissions} - {each.id for each in listed})
     return [*listed, *(Student(each, known=not listed) for each in others)]
 
 
@@ -124,18 +125,15 @@ def _rows(text: str, path: Path) -> Iterator[tuple[int, list[str]]]:
     told = _SEPARATOR.fullmatch(head.strip())
     sign = told[1] if told else max(_SIGNS, key=head.count)
     reader = csv.reader(io.StringIO(text, newline=""), delimiter=sign, strict=True)
-    while True:
-        number = reader.line_num + 1
-        try:
-            row = next(reader)
-        except StopIteration:
-            return
-        except csv.Error as fault:
-            raise _bad(path, number, f"this is not a line of a CSV file ({fault})") from fault
-        if told and _SEPARATOR.fullmatch(sign.join(row)):
-            continue
-        if any(cells := [cell.strip() for cell in row]):
-            yield number, cells
+    number = 1
+    try:
+        for row in reader:
+            cells = [cell.strip() for cell in row]
+            if any(cells) and not (told and _SEPARATOR.fullmatch(sign.join(row))):
+                yield number, cells
+            number = reader.line_num + 1
+    except csv.Error as fault:
+        raise _bad(path, number, f"this is not a line of a CSV file ({fault})") from fault
 
 
 def _bad(path: Path, number: int, what: str, remedy: str = _REMEDY) -> UsageError:

@@ -1,6 +1,6 @@
 """A class's results in one SQLite file beside its folder, each committed as it comes.
 
-    FOLDER.judge.sqlite3            the rows, those of older hand-ins too
+    FOLDER.judge.sqlite3            the rows, those of older submissions too
     FOLDER.judge.sqlite3-lock       there while a judge writes: one at a time
 
 Each commit is synced, which takes a disk's turn and is little beside judging: what was shown as done is there
@@ -19,15 +19,15 @@ from pathlib import Path
 
 import msgspec
 
-from judge.batch.model import Row
+from judge.batch.model import KeptRow
 from judge.database import Kind, connect, faults, writing
 from judge.errors import StoreError
 
 _ROWS = """CREATE TABLE rows (
-    key TEXT PRIMARY KEY,               -- the digest of the hand-in and its standard
-    json TEXT NOT NULL                  -- judge.batch.model.Row
+    key TEXT PRIMARY KEY,               -- the digest of the submission and its environment
+    json TEXT NOT NULL                  -- judge.batch.model.KeptRow
 )"""
-STORE = Kind(
+RESULTS = Kind(
     "file of results",
     0x4A55434C,  # "JUCL"
     (("CREATE TABLE rows (key TEXT)",), ("DROP TABLE rows", _ROWS)),  # rows of before are judged again
@@ -44,7 +44,7 @@ def store_of(folder: Path) -> Path:
     return place.with_name(f"{place.name}.judge.sqlite3")
 
 
-class Store:
+class ResultStore:
     """The results in one file. Every method raises StoreError where the file fails."""
 
     def __init__(self, connection: sqlite3.Connection, path: Path) -> None:
@@ -53,7 +53,7 @@ class Store:
 
     @classmethod
     @contextlib.contextmanager
-    def open(cls, path: Path) -> Iterator[Store]:
+    def open(cls, path: Path) -> Iterator[ResultStore]:
         """The file at `path` for writing, made if it is not there. After a fault, one that was begun here and
         holds nothing is taken away.
 
@@ -62,7 +62,7 @@ class Store:
         """
         with _locked(path):
             new = not path.exists()
-            with contextlib.closing(connect(STORE, path, reading=False)) as connection:
+            with contextlib.closing(connect(RESULTS, path, reading=False)) as connection:
                 store = cls(connection, path)
                 try:
                     yield store
@@ -75,31 +75,31 @@ class Store:
 
     @classmethod
     @contextlib.contextmanager
-    def read(cls, path: Path) -> Iterator[Store]:
+    def read(cls, path: Path) -> Iterator[ResultStore]:
         """The file at `path`, only to be looked at. Raises StoreError, also where it is not there."""
         if not path.exists():
             raise StoreError("there is no such file of results", where=str(path))
-        with contextlib.closing(connect(STORE, path, reading=True)) as connection:
+        with contextlib.closing(connect(RESULTS, path, reading=True)) as connection:
             yield cls(connection, path)
 
-    def keep_all(self, rows: Iterable[Row]) -> None:
+    def keep_all(self, rows: Iterable[KeptRow]) -> None:
         """Keep rows, all of them or none."""
         values = [(row.key, _json(row)) for row in rows]
-        with writing(STORE, self._connection, self.path) as connection:
+        with writing(RESULTS, self._connection, self.path) as connection:
             connection.executemany("INSERT OR REPLACE INTO rows VALUES (?, ?)", values)
 
-    def every(self) -> list[Row]:
+    def every(self) -> list[KeptRow]:
         """All rows, those of older files and standards too, the oldest first."""
-        with faults(STORE, self.path):
+        with faults(RESULTS, self.path):
             found = self._connection.execute("SELECT json FROM rows ORDER BY key").fetchall()
         try:
-            rows = [msgspec.json.decode(text, type=Row) for (text,) in found]
+            rows = [msgspec.json.decode(text, type=KeptRow) for (text,) in found]
         except (msgspec.DecodeError, TypeError) as fault:
-            raise STORE.damaged(self.path) from fault
+            raise RESULTS.damaged(self.path) from fault
         return sorted(rows, key=lambda row: row.at)
 
 
-def _json(row: Row) -> str:
+def _json(row: KeptRow) -> str:
     """The row as JSON; half of a surrogate pair, which a submission may answer, is a question mark."""
     try:
         return msgspec.json.encode(row).decode()
@@ -113,7 +113,7 @@ def _locked(path: Path) -> Iterator[None]:
     place = path.with_name(path.name + "-lock")
     lock = -1
     while lock < 0:
-        with faults(STORE, path):
+        with faults(RESULTS, path):
             lock = os.open(place, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o600)
         try:
             fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)

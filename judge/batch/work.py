@@ -15,8 +15,8 @@ from pathlib import Path
 
 from msgspec.structs import replace
 
-from judge.batch.model import Done, Task
-from judge.batch.standard import differing, standard_of
+from judge.batch.environment import differences, environment_of
+from judge.batch.model import Task, WorkerResult
 from judge.errors import ProblemError, UsageError
 from judge.judging.session import Session
 from judge.problem.find import find_problem
@@ -27,12 +27,12 @@ _WARM = 4  # problems whose data, reference and known mistakes a worker keeps at
 _sessions: OrderedDict[Task, Session] = OrderedDict()  # that was used longest ago first
 
 
-def judge_task(task: Task) -> Done:
+def judge_task(task: Task) -> WorkerResult:
     """Judge it. A problem that cannot be judged is the result JE.
 
     Raises:
-        UsageError: there is no such problem here, this worker does not judge by the task's standard, or the
-            isolation cannot be had.
+        UsageError: there is no such problem here, this worker does not judge by the task's environment, or
+            the isolation cannot be had.
     """
     began = _cpu()
     try:
@@ -42,7 +42,7 @@ def judge_task(task: Task) -> Done:
     own, boxes = (now - before for now, before in zip(_cpu(), began, strict=True))
     seconds = round(own + max(boxes, result.time.cpu_seconds), 6)  # a box may keep its children's to itself
     machine = os.uname().nodename
-    return Done(result.as_json(), machine, f"{machine}:{os.getpid()}", seconds)
+    return WorkerResult(result.as_json(), machine, f"{machine}:{os.getpid()}", seconds)
 
 
 def learn_task(task: Task) -> str:
@@ -76,19 +76,18 @@ def _session(task: Task) -> Session:
 
 
 def _opened(task: Task) -> Session:
-    problem = find_problem(task.problem, [Path(folder) for folder in task.folders])
-    options, isolation = task.options, task.standard.isolation
-    parts = differing(task.standard, standard_of(problem, options, isolation))
-    if parts:
-        remedy = "bring the judge, its problems and Python to one version"
-        where = f"{task.problem} on {os.uname().nodename}"
-        what = f"what judges here differs from what was asked for: {parts}"
-        raise UsageError(what, where=where, remedy=remedy)
-    if options.timed:
-        try:
-            check_needs(problem)
-        except UsageError as fault:  # a module that its solutions need is missing: this problem alone
-            raise ProblemError(fault.what, remedy=fault.remedy) from fault
+    problem = find_problem(task.problem, list(map(Path, task.folders)))
+    options, isolation = task.options, task.environment.isolation
+    if parts := differences(task.environment, environment_of(problem, options, isolation)):
+        raise UsageError(
+            f"what judges here differs from what was asked for: {parts}",
+            where=f"{task.problem} on {os.uname().nodename}",
+            remedy="bring the judge, its problems and Python to one version",
+        )
+    try:
+        check_needs(problem)
+    except UsageError as fault:  # a module that its solutions need is missing: this problem alone
+        raise ProblemError(fault.what, remedy=fault.remedy) from fault
     return Session(problem, replace(options, isolation=isolation or options.isolation))
 
 

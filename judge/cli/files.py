@@ -37,7 +37,7 @@ _EPOCH = "SOURCE_DATE_EPOCH"  # the usual way to ask for the same bytes every ti
 _OWN_PIPES = ("/dev/", "/proc/")  # <(command) and /dev/stdin: a shell has started what writes there
 
 
-class Submission(Struct, frozen=True):
+class SubmissionFile(Struct, frozen=True):
     """A file to judge: its name as the person gave it, and its bytes."""
 
     name: str
@@ -52,12 +52,12 @@ class Unjudged(Struct, frozen=True):
     problem: str = ""
 
 
-def read_submissions(names: Iterable[str]) -> list[Submission]:
+def read_submissions(names: Iterable[str]) -> list[SubmissionFile]:
     """The files of these names. Raises UsageError: one is missing, is no ordinary file or too large."""
-    return [Submission(name, _read(name)) for name in names]
+    return [SubmissionFile(name, _read(name)) for name in names]
 
 
-def gathered(names: Iterable[str], problem: str = "") -> tuple[list[Submission], list[Unjudged]]:
+def gathered(names: Iterable[str], problem: str = "") -> tuple[list[SubmissionFile], list[Unjudged]]:
     """The named files, and those of several that cannot be read; `problem` is for all. A folder stands for
     every *.py in it and in its folders. A file named twice is judged once.
 
@@ -72,7 +72,7 @@ def gathered(names: Iterable[str], problem: str = "") -> tuple[list[Submission],
         try:
             if why:
                 raise UsageError(why, where=name)
-            submissions.append(Submission(name, _read(name, folder)))
+            submissions.append(SubmissionFile(name, _read(name, folder)))
         except UsageError as fault:
             if len(entries) == 1:
                 raise

@@ -15,7 +15,7 @@ from pathlib import Path
 from msgspec import Struct
 from msgspec.structs import replace
 
-from judge.cli.files import Submission
+from judge.cli.files import SubmissionFile
 from judge.cli.options import Common
 from judge.cli.resolve import history_at
 from judge.errors import JudgeError, StoreError, told
@@ -52,7 +52,9 @@ class Wish(Struct, frozen=True):
     before: int = 0  # those among them that were judged already
 
 
-def judged(problem: Problem, submissions: Sequence[Submission], wish: Wish) -> Generator[Judged, None, None]:
+def judged(
+    problem: Problem, submissions: Sequence[SubmissionFile], wish: Wish
+) -> Generator[Judged, None, None]:
     """Judge them; each result is in the history before it is handed out, so that none is shown and then lost.
 
     Close it, so that what was started for the rest ends. Raises JudgeError.
@@ -63,7 +65,7 @@ def judged(problem: Problem, submissions: Sequence[Submission], wish: Wish) -> G
 
 def judged_by(
     session: Session,
-    submissions: Sequence[Submission],
+    submissions: Sequence[SubmissionFile],
     wish: Wish,
     on_verdict: Callable[[Result], None] | None = None,
 ) -> Generator[Judged, None, None]:
@@ -100,7 +102,9 @@ def judged_by(
         yield Judged(result, submission.source, session.data)
 
 
-def _judge(session: Session, submission: Submission, on_verdict: Callable[[Result], None] | None) -> Result:
+def _judge(
+    session: Session, submission: SubmissionFile, on_verdict: Callable[[Result], None] | None
+) -> Result:
     with Live() as live:
 
         def show(result: Result) -> None:
@@ -112,7 +116,7 @@ def _judge(session: Session, submission: Submission, on_verdict: Callable[[Resul
 
 
 def _judge_one(
-    folder: Path, solutions: Path, options: RunOptions, jobs: int, submission: Submission
+    folder: Path, solutions: Path, options: RunOptions, jobs: int, submission: SubmissionFile
 ) -> Result:
     """What a process does; the session stays open for its next file."""
     return _session(folder, solutions, options, jobs).judge(submission.source, submission.name)
@@ -125,7 +129,7 @@ def _session(folder: Path, solutions: Path, options: RunOptions, jobs: int) -> S
     return session
 
 
-def _kept(result: Result, submission: Submission, db: Path | None) -> bool:
+def _kept(result: Result, submission: SubmissionFile, db: Path | None) -> bool:
     """Keep the result in the history; where that fails it is said, and exit status and verdicts stay.
 
     A commit hands it to the system, which outlives the judge (see `judge.database`).

@@ -23,7 +23,7 @@ from typing import TYPE_CHECKING
 import click
 from msgspec import Struct
 
-from judge.cli.files import Submission, Unjudged, gathered, read_submissions
+from judge.cli.files import SubmissionFile, Unjudged, gathered, read_submissions
 from judge.errors import JudgeError, StoreError, UnknownKataError, UsageError
 from judge.languages import file_name, is_program
 from judge.problem import Problem
@@ -52,7 +52,7 @@ class Kata(Struct, frozen=True):
 
 
 KATAS = "katas"  # the folder for them beside a person's own project
-Tasks = list[tuple[Problem, list[Submission]]]  # submissions by their kata
+Tasks = list[tuple[Problem, list[SubmissionFile]]]  # submissions by their kata
 
 
 def resolve(words: Sequence[str], common: Common) -> tuple[Tasks, list[Unjudged]]:
@@ -62,7 +62,7 @@ def resolve(words: Sequence[str], common: Common) -> tuple[Tasks, list[Unjudged]
     """
     problem, files = _meant(words, common)
     submissions, unjudged = gathered(files, problem.id if problem else "")
-    tasks: dict[str, tuple[Problem, list[Submission]]] = {}
+    tasks: dict[str, tuple[Problem, list[SubmissionFile]]] = {}
     for each in submissions:
         try:
             kata = problem or problem_of_file(each, "run", common)
@@ -232,7 +232,7 @@ def _meant(words: Sequence[str], common: Common) -> tuple[Problem | None, Sequen
     return None, words
 
 
-def problem_of_file(submission: Submission, command: str, common: Common) -> Problem:
+def problem_of_file(submission: SubmissionFile, command: str, common: Common) -> Problem:
     """The kata that a file is for, told from its text and name, or from having been judged before.
 
     Raises:

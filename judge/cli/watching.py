@@ -11,7 +11,7 @@ from collections.abc import Callable
 from contextlib import suppress
 from pathlib import Path
 
-from judge.cli.files import Submission, read_submissions
+from judge.cli.files import SubmissionFile, read_submissions
 from judge.cli.judging import Wish, judged_by
 from judge.cli.resolve import Kata
 from judge.errors import JudgeError, UsageError
@@ -100,7 +100,7 @@ class WatchedFile:
         except JudgeError as fault:
             return str(fault)
 
-    def _judged(self, submission: Submission, on_verdict: Callable[[Result], None] | None) -> Judged:
+    def _judged(self, submission: SubmissionFile, on_verdict: Callable[[Result], None] | None) -> Judged:
         """Judge it; whatever is raised, and a verdict that says nothing of it, ends what was kept.
 
         So does a change of the problem, at which a setter may be at work.

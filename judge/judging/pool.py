@@ -3,7 +3,7 @@
 A worker is a process that does one item after another. One that dies in the middle of an item loses nothing:
 the item is done again. One that kills every worker costs that item alone, for which `lost` gives the result.
 A worker lives no longer than who gives it work: its items come through a pipe, and it ends when nobody is
-left who could send one. judge/batch/elsewhere.py has workers on other machines.
+left who could send one. judge/batch/cluster.py has workers on other machines.
 """
 
 from __future__ import annotations

@@ -23,7 +23,7 @@ KINDS = (
     *("guard-left-out", "form", "order", "whole-division", "root", "abs", "square", "without-round"),
     *("without-int", "without-float", "without-sorted", "without-abs", "without-set", "without", "single"),
     *("coordinates", "turned", "sign", "answers-exchanged", "branch", "statement-left-out", "slice"),
-    *("measure", "dropped", "operator", "constant", "arguments", "sin-cos", "name"),
+    *("bound", "early", "measure", "dropped", "operator", "constant", "arguments", "sin-cos", "name"),
 )
 MOST_EDITS = 2_000
 _MOST_NODES = 4_000  # of a program that is changed
@@ -40,6 +40,7 @@ class _Edits(Expressions):
     def __init__(self, everything: list[Place], facts: Facts) -> None:
         super().__init__(facts)
         self._all = everything
+        self._slots = {id(node): slot for slot, node, _ in everything}
         self._small_names = {
             node.targets[0].id
             for _, node, _ in everything
@@ -87,6 +88,20 @@ class _Edits(Expressions):
                 self.put("answers-exchanged", at, node, text, x=value)
         if isinstance(node, ast.Assign | ast.Return | ast.AugAssign) and inside is not None:
             self._exchanged(node, inside)
+        if isinstance(node, ast.Break):
+            self.add("early", node, "", (slot, ast.Pass()))
+        elif isinstance(node, ast.Return):
+            self._early(slot, node)
+
+    def _early(self, slot: Slot, node: ast.Return) -> None:
+        """A return in a loop is none, or comes once the loop is over."""
+        loop = slot.parent
+        while isinstance(loop, ast.If):
+            loop = self._slots[id(loop)].parent
+        if isinstance(loop, ast.For | ast.While):
+            after = ast.If(ast.Constant(True), [loop, node], [])
+            self.add("early", node, "none", (slot, ast.Pass()))
+            self.add("early", node, "after", (slot, ast.Pass()), (self._slots[id(loop)], after))
 
     def _parameters(self, node: Any) -> None:
         given, wanted = [each.arg for each in node.args.args], [*self.facts.parameters]

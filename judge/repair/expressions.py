@@ -117,8 +117,8 @@ class Expressions:
             self.put("branch", place.slot, node, "b if t else a", a=node.body, b=node.orelse, t=node.test)
         elif isinstance(node, ast.List | ast.Tuple):
             self._row(place)
-        elif isinstance(node, ast.Subscript) and isinstance(node.slice, ast.Slice):
-            self.add("slice", node, "", (place.slot, node.value))
+        elif isinstance(node, ast.Subscript):
+            self._part(place)
         self._value(place)
 
     def _compare(self, place: Place) -> None:
@@ -247,7 +247,9 @@ class Expressions:
             if key.arg in ("reverse", "key"):
                 kept = [each for each in node.keywords if each is not key]
                 self.add("order", node, key.arg, (slot, ast.Call(node.func, args, kept)))
-        if name not in ("max", "min", "hypot", "isclose", "range"):
+        if name == "range":
+            self._bounds(node, *(Slot(node, "args", at) for at in range(len(args[:2]))))
+        elif name not in ("max", "min", "hypot", "isclose"):
             for at in range(len(args) - 1):
                 other = [*args[:at], args[at + 1], args[at], *args[at + 2 :]]
                 self.add("arguments", node, f"{at}", (slot, ast.Call(node.func, other, node.keywords)))
@@ -286,6 +288,25 @@ class Expressions:
             own |= {each.arg for each in ast.walk(inside) if isinstance(each, ast.arg)}
             self._names[id(inside)] = sorted(own)
         return self._names[id(inside)]
+
+    def _part(self, place: Place) -> None:
+        slot, node, inside = place
+        part = node.slice
+        if isinstance(part, ast.Slice):
+            self.add("slice", node, "", (slot, node.value))
+            self._bounds(node, Slot(part, "lower"), Slot(part, "upper"))
+        elif isinstance(part, ast.BinOp) or (
+            isinstance(part, ast.Name) and inside is not None and self.stands_for(inside, part, "number")
+        ):
+            self._bounds(node, Slot(node, "slice"))
+
+    def _bounds(self, node: Any, *slots: Slot) -> None:
+        """A bound or a place in a list, one more and one less."""
+        for slot in slots:
+            value = slot.get()
+            if value is not None and literal(value) is None:
+                for by in "+-":
+                    self.put("bound", slot, node, f"(x) {by} 1", x=value)
 
     def _row(self, place: Place) -> None:
         slot, node, _ = place

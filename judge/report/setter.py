@@ -11,7 +11,7 @@ from rich.text import Text
 
 from judge.data.libraries import LibraryTable
 from judge.holes.model import Hole, Holes
-from judge.packs.export.job import Exported
+from judge.packs.export import Exported
 from judge.practice.begin import NewKata
 from judge.report import published_setter as published
 from judge.report.parts import (

@@ -18,7 +18,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 from export_edges import disagreements, judged, outputs, validated
 
 from judge.data.load import load_data
-from judge.packs.export.forms import NoForm, check_forms
+from judge.packs.schemas import NotExportable, check_forms
 from judge.problem.find import find_problem, problem_folders
 
 EACH = 16  # lines of a case
@@ -40,7 +40,7 @@ def main() -> int:
             data = load_data(problem)
             cases = max(1, round(wish.lines / EACH / len(data.groups)))
             decided, right, differ = disagreements(data, rng, cases, EACH)
-        except NoForm as why:
+        except NotExportable as why:
             print(f"{name:18} left out: {why}", flush=True)
             continue
         group = min(data.groups, key=lambda each: len(each.cases))

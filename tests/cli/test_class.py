@@ -14,8 +14,8 @@ import pytest
 from cli_support import FLOOR, MEAN
 from msgspec.structs import replace
 
-from judge.batch import standard
-from judge.batch.store import Store
+from judge.batch import environment
+from judge.batch.store import ResultStore
 from judge.errors import StoreError
 from judge.manual import page
 
@@ -43,7 +43,7 @@ def rows(outcome):
 
 
 def stored(name="homework.judge.sqlite3"):
-    with Store.read(Path(name)) as store:
+    with ResultStore.read(Path(name)) as store:
         newest = {(row.student, row.problem, row.file): row for row in store.every()}
     return [newest[place] for place in sorted(newest)]
 
@@ -103,14 +103,14 @@ def test_only_what_is_new_is_judged(judge, homework, submit, monkeypatch):
     assert "4 results kept from before" in judge("class", "homework").err
     there = ("ada/middle.py", "bob/middle.py", "cy/homework.py", "ada/middle.py")
     assert [row.digest for row in stored()] == [first[file].digest for file in there]
-    with Store.read(Path("homework.judge.sqlite3")) as store:
+    with ResultStore.read(Path("homework.judge.sqlite3")) as store:
         assert len({row.digest for row in store.every() if row.student == "bob"}) == 2
     before = {row.file: row.at for row in stored()}
     assert judge("class", "homework", "--again", "ada").status == 1
     after = {row.file: row.at for row in stored()}
     assert [file for file in before if before[file] != after[file]] == ["ada/middle.py"]
     with monkeypatch.context() as other:
-        other.setattr(standard, "code_key", lambda: "else")
+        other.setattr(environment, "code_key", lambda: "else")
         told = judge("class", "homework").err
     assert told.count("\n") == 2
     assert "4 judged anew, because of the judge (" in told
@@ -205,6 +205,23 @@ def test_the_same_command_goes_on_after_any_end(judge, submit, how):
     assert len(final) == len({row.key for row in final}) == 6
     assert {row.key: row.at for row in kept}.items() <= {row.key: row.at for row in final}.items()
     assert {row.result.verdict.value for row in final} == {"WA"}
+
+
+@pytest.mark.nightly
+def test_a_worker_that_is_killed_loses_no_row_and_doubles_none(submit):
+    for at in range(6):
+        submit(f"import time\ntime.sleep(1)\n{WRONG.format(at + 2)}", f"homework/s{at}/middle.py")
+    with started("-j", "2", "--json") as process:
+        first = process.stdout.readline()
+        os.kill(int(json.loads(first)["worker"].rpartition(":")[2]), signal.SIGKILL)  # at its next file
+        rest = process.stdout.read()
+    found = [json.loads(line) for line in (first + rest).splitlines()]
+    files = [(row["file"], row["verdict"]) for row in found if "student" in row]
+    assert process.returncode == 1
+    assert sorted(files) == [(f"s{at}/middle.py", "WA") for at in range(6)]
+    assert len({row["worker"] for row in found if "student" in row}) == 3
+    with ResultStore.read(Path("homework.judge.sqlite3")) as store:
+        assert sorted(row.file for row in store.every()) == sorted(file for file, _ in files)
 
 
 SBATCH = """#!/bin/sh

@@ -139,9 +139,9 @@ def test_killed_workers_and_a_killed_client_lose_nothing(homework, tmp_path, jud
 def test_a_lost_scheduler_is_a_line_and_what_is_judged_is_kept(homework, tmp_path, judge):
     with served(tmp_path, 1) as cluster:
         process = client(homework, "--on", cluster.address)
-        process.stdout.readline()
+        first = rows_of(process.stdout.readline())
         cluster.scheduler.kill()
-        status, _, said = ended(process)
+        status, rest, said = ended(process)
     assert status == 3
     line = f"judge: the scheduler at {cluster.address} is lost; what is judged is kept, and the same command"
     assert said.splitlines()[-1] == f"{line} goes on"
@@ -149,7 +149,9 @@ def test_a_lost_scheduler_is_a_line_and_what_is_judged_is_kept(homework, tmp_pat
     outcome = judge("class", homework, "--on", cluster.address)
     assert outcome.status == 3
     assert "(connection refused); start it with 'dask scheduler'" in outcome.err
-    assert any(row["kept"] for row in rows_of(judge("class", homework, "--json").out))
+    rows = rows_of(judge("class", homework, "--json").out)
+    assert sorted(row["file"] for row in rows) == [f"s{at:02}/middle.py" for at in range(STUDENTS)]
+    assert {row["file"] for row in first + rest} <= {row["file"] for row in rows if row["kept"]}
 
 
 @pytest.mark.nightly

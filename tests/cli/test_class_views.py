@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 from cli_support import FLOOR, MEAN
 
-from judge.batch import run
+from judge.batch import classroom
 from judge.batch.work import judge_task
 from judge.judging.session import Session
 
@@ -61,6 +61,23 @@ def test_smallest_cases_are_kept_and_not_sought_again(judge, homework, monkeypat
     assert pages() == first
 
 
+def test_the_page_again_costs_nothing(judge, homework, monkeypatch):
+    """No task is sent, no case is sought, one empty box tells the level, and the page stays as it is."""
+    page = Path("class.html")
+    monkeypatch.setenv("SOURCE_DATE_EPOCH", "1800000000")
+    assert judge("class", homework, "--html", page).status == 1
+    before = page.stat().st_mtime_ns, page.read_bytes()
+    took, taken = Session.take, []
+    monkeypatch.setattr(Session, "take", lambda *given: taken.append(given[1]) or took(*given))
+    monkeypatch.setattr(Session, "judge", None)
+    monkeypatch.setattr(Session, "learn", None)
+    monkeypatch.setenv("SOURCE_DATE_EPOCH", "1800100000")
+    again = judge("class", homework, "--html", page)
+    assert (again.status, again.err) == (1, "judge: 4 results kept from before\n")
+    assert taken == [b""]
+    assert (page.stat().st_mtime_ns, page.read_bytes()) == before
+
+
 def test_pages_are_written_as_students_finish(judge, submit, monkeypatch):
     """Two katas each; a run that is stopped leaves the pages of those who are done, and is gone on with."""
     for who in ("ada", "bob", "cy"):
@@ -76,7 +93,7 @@ def test_pages_are_written_as_students_finish(judge, submit, monkeypatch):
             raise KeyboardInterrupt
         return judge_task(task)
 
-    monkeypatch.setattr(run, "judge_task", until_bob)
+    monkeypatch.setattr(classroom, "judge_task", until_bob)
     monkeypatch.setenv("SOURCE_DATE_EPOCH", "1800000000")
     ended = judge(*words)
     assert ended.status == 130

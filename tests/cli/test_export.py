@@ -14,7 +14,7 @@ import pytest
 from jsonschema import Draft202012Validator
 
 from judge.cli.app import app
-from judge.packs.export.metadata import Version, uuid_of
+from judge.packs.metadata import Version, uuid_of
 from judge.schema import schema_of
 
 pytestmark = pytest.mark.slow

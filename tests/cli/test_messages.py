@@ -10,7 +10,7 @@ import sys
 import pytest
 from cli_support import FLOOR, PACK
 
-from judge.packs.export.programs import _misfit, _Trial
+from judge.packs.programs import _misfit, _Trial
 from judge.problem import Verdict
 from judge.problem.find import find_problem, problem_folders
 from judge.problem.solutions import Kind

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from judge.batch.cohort import cohort_of
-from judge.batch.model import Done, Row
+from judge.batch.model import KeptRow, WorkerResult
 from judge.cache import digest
 from judge.problem.model import Verdict
 from judge.report.published_klass import Alike, Student
@@ -55,7 +55,7 @@ def row(
         **earned(groups),
     )
     own = digest(f"{student}/{file}/{mistake}/{fails}".encode())
-    return Row(student, problem, file, own, Done(result.as_json(), machine, "1"), None, at)
+    return KeptRow(student, problem, file, own, WorkerResult(result.as_json(), machine, "1"), None, at)
 
 
 DEE = "dee\x1b[31m王"
@@ -84,7 +84,7 @@ EQUAL = [Alike("count", SAME, ("bob", "cid"), ("bob/count-2.py", "cid/count.py")
 def class_of(*rows, students=(), problems=("count",), history=(), equal=()):
     """The cohort of these rows, of these students or those who have rows."""
     who = students or [Student(each) for each in sorted({row.student for row in rows})]
-    return cohort_of(tuple(who), tuple(problems), rows, history=history, equal=equal)
+    return cohort_of(tuple(who), tuple(problems), rows, history=history, equal_files=equal)
 
 
 def small_class():

@@ -9,19 +9,27 @@ import sys
 
 import pytest
 
-from judge.batch.model import Done, Row, Standard
-from judge.batch.store import Store, store_of
+from judge.batch.model import Environment, KeptRow, WorkerResult
+from judge.batch.store import ResultStore, store_of
 from judge.errors import StoreError
 from judge.run.result import judge_fault
 
 
 def row(digest="k", verdict="WA", file="ada/middle.py", at=1.0):
     result = judge_fault("middle", file, "why").as_json() | {"verdict": verdict}
-    return Row("ada", "middle", file, digest, Done(result, "lab"), Standard("1", "2", "3", "full", "5"), at)
+    return KeptRow(
+        "ada",
+        "middle",
+        file,
+        digest,
+        WorkerResult(result, "lab"),
+        Environment("1", "2", "3", "full", "5"),
+        at,
+    )
 
 
 def opened(path):
-    with Store.open(path) as store:
+    with ResultStore.open(path) as store:
         return store.every()
 
 
@@ -29,10 +37,10 @@ def test_rows_are_there_when_the_file_is_opened_again(tmp_path):
     path = store_of(tmp_path / "class")
     assert path == tmp_path / "class.judge.sqlite3"
     old, new, other = row("a"), row("b", "AC", at=2.0), row("c", file="ada/other.py", at=3.0)
-    with Store.open(path) as store:
+    with ResultStore.open(path) as store:
         store.keep_all([new])
         store.keep_all([old, other])
-    with Store.read(path) as store:
+    with ResultStore.read(path) as store:
         assert store.every() == [old, new, other]
         assert [each.accepted for each in store.every()] == [False, True, False]
     assert [each.name for each in tmp_path.iterdir()] == [path.name]
@@ -40,24 +48,24 @@ def test_rows_are_there_when_the_file_is_opened_again(tmp_path):
 
 def test_one_judge_writes_and_others_may_read(tmp_path):
     path = tmp_path / "s.sqlite3"
-    with Store.open(path) as store:
+    with ResultStore.open(path) as store:
         store.keep_all([row()])
         with pytest.raises(StoreError, match="another judge is writing to it; wait until it has ended"):
             opened(path)
-        with Store.read(path) as reader:
+        with ResultStore.read(path) as reader:
             assert len(reader.every()) == 1
-    with Store.open(path) as store:
+    with ResultStore.open(path) as store:
         assert len(store.every()) == 1
 
 
 KILLED = """
 import os, pathlib, sys
 from judge import database
-from judge.batch.model import Done, Row
-from judge.batch.store import Store
-with Store.open(pathlib.Path(sys.argv[1])) as store:
+from judge.batch.model import WorkerResult, KeptRow
+from judge.batch.store import ResultStore
+with ResultStore.open(pathlib.Path(sys.argv[1])) as store:
     for at in range(5):
-        store.keep_all([Row("ada", "p", str(at), "d", Done({}), None, at)])
+        store.keep_all([KeptRow("ada", "p", str(at), "d", WorkerResult({}), None, at)])
     os.kill(os.getpid(), 9)
 """
 
@@ -65,7 +73,7 @@ with Store.open(pathlib.Path(sys.argv[1])) as store:
 def test_a_judge_that_is_killed_loses_no_row_and_leaves_no_lock(tmp_path):
     path = tmp_path / "s.sqlite3"
     subprocess.run([sys.executable, "-c", KILLED, str(path)], check=False, timeout=60)
-    with Store.open(path) as store:
+    with ResultStore.open(path) as store:
         assert [each.file for each in store.every()] == ["0", "1", "2", "3", "4"]
 
 
@@ -99,7 +107,7 @@ def test_a_fault_leaves_no_file_that_holds_nothing(tmp_path):
     path = tmp_path / "s.sqlite3"
 
     def failing(*rows):
-        with contextlib.suppress(ZeroDivisionError), Store.open(path) as store:
+        with contextlib.suppress(ZeroDivisionError), ResultStore.open(path) as store:
             store.keep_all(rows)
             raise ZeroDivisionError
 
@@ -109,8 +117,8 @@ def test_a_fault_leaves_no_file_that_holds_nothing(tmp_path):
     assert [each.name for each in tmp_path.iterdir()] == [path.name]
     path.unlink()
     with pytest.raises(StoreError, match="there is no such file of results"):
-        Store.read(path).__enter__()
-    with Store.open(path):  # a shard may have nothing to do
+        ResultStore.read(path).__enter__()
+    with ResultStore.open(path):  # a shard may have nothing to do
         pass
     failing()
     assert path.exists()

@@ -1,4 +1,4 @@
-"""What a worker does with a task: the result of `judge run`, where it was judged, and by what standard."""
+"""What a worker does with a task: the result of `judge run`, where it was judged, and by what."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ from msgspec.structs import replace
 
 import judge
 from judge.batch import work
+from judge.batch.environment import environment_of, level_here
 from judge.batch.model import Task
-from judge.batch.standard import level_here, standard_of
 from judge.batch.work import judge_task, learn_task
 from judge.errors import UsageError
 from judge.judging.options import RunOptions
@@ -35,8 +35,8 @@ def _own_cache(tmp_path_factory):
 def task():
     problem = find_problem("middle", [PACK])
     level, _ = level_here(problem, TERMS)
-    standard = standard_of(problem, TERMS, level)
-    return Task("middle", "ada/middle.py", FLOOR, TERMS, standard, (str(PACK),))
+    environment = environment_of(problem, TERMS, level)
+    return Task("middle", "ada/middle.py", FLOOR, TERMS, environment, (str(PACK),))
 
 
 def without_times(plain):
@@ -61,10 +61,10 @@ def test_a_task_is_judged_as_judge_run_does(task):
 @pytest.mark.parametrize(
     ("part", "words"), [("data", "the problem's files (else → "), ("python", "Python (else → cpython 3.")]
 )
-def test_another_standard_is_refused_in_one_line(task, part, words):
-    standard = replace(task.standard, **{part: "else"})
+def test_another_environment_is_refused_in_one_line(task, part, words):
+    environment = replace(task.environment, **{part: "else"})
     with pytest.raises(UsageError) as refused:
-        judge_task(replace(task, standard=standard))
+        judge_task(replace(task, environment=environment))
     assert words in str(refused.value)
     assert "\n" not in str(refused.value)
     assert "middle on " in str(refused.value)

@@ -12,8 +12,8 @@ from pathlib import Path
 import pytest
 from msgspec.structs import replace
 
-from judge.batch.folder import legible, read_class
-from judge.batch.forms import Roster
+from judge.batch.folder import display_name, read_class
+from judge.batch.platforms import Roster
 from judge.batch.roster import read_students
 from judge.errors import UsageError
 from judge.report.published_klass import Student
@@ -41,7 +41,7 @@ def found(place, **more):
 
 
 def placed(place, **more):
-    return [(each.student, each.problem, each.file) for each in found(place, **more).handins]
+    return [(each.student, each.problem, each.file) for each in found(place, **more).submissions]
 
 
 def test_a_folder_for_each_student(place):
@@ -84,7 +84,7 @@ def test_what_is_not_judged_is_named_with_the_reason(place):
     write(place, "middle.py", "ada\\middle.py", "ada/notes.txt", "README.md")
     write(place, "ada/nothing.py", text="x = 1\n")
     read = found(place)
-    assert read.handins == ()
+    assert read.submissions == ()
     assert {each.file: each.why for each in read.unplaced} == {
         "middle.py": "it lies in no student's folder",
         "ada\\middle.py": "its name holds a backslash where folders should be: "
@@ -119,7 +119,7 @@ def test_an_odd_file_costs_its_own_row(place, tmp_path):
     os.mkfifo(place / "fifo" / "middle.py")
     write(place, "folder/middle.py/middle.py")  # a folder like any other
     (place / "linked").symlink_to(tmp_path)
-    why = {each.student: each.why for each in found(place).handins}
+    why = {each.student: each.why for each in found(place).submissions}
     assert why == {
         "well": "",
         "empty": "",
@@ -131,7 +131,7 @@ def test_an_odd_file_costs_its_own_row(place, tmp_path):
         "fifo": "it is not an ordinary file",
         "folder": "",
     }
-    assert all(each.source == b"" for each in found(place).handins if each.why)
+    assert all(each.source == b"" for each in found(place).submissions if each.why)
 
 
 def test_a_file_or_a_folder_that_may_not_be_read_is_named_with_the_reason(place, monkeypatch):
@@ -149,7 +149,7 @@ def test_a_file_or_a_folder_that_may_not_be_read_is_named_with_the_reason(place,
     monkeypatch.setattr(os, "scandir", refused)
     monkeypatch.setattr("judge.files.read_inside", unread)
     seen = found(place)
-    (only,) = seen.handins
+    (only,) = seen.submissions
     assert (only.problem, only.why) == ("middle", "cannot be read (permission denied)")
     (left_out,) = seen.unplaced
     assert (left_out.file, left_out.why) == ("ada/locked", "cannot be read (permission denied)")
@@ -159,7 +159,7 @@ def test_names_that_are_no_text_are_made_legible(place):
     write(place, "a\nb/middle.py", "Zoe\u0308/middle.py")
     write(place, f"{os.fsdecode(bytes([255]))}/middle.py")
     assert sorted(student for student, _, _ in placed(place)) == ["Zoë", "\\xff", "a\nb"]
-    assert legible(os.fsdecode(b"\xff")).encode() == b"\\xff"
+    assert display_name(os.fsdecode(b"\xff")).encode() == b"\\xff"
 
 
 def students(tmp_path, content):

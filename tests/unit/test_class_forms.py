@@ -132,7 +132,9 @@ def read(place, roster, names, encoding="utf-8"):
 )
 def test_whose_a_file_is(place, roster, names, whose):
     found = read(place, roster, names)
-    assert [(each.student, each.problem) for each in found.handins] == [(each, "middle") for each in whose]
+    assert [(each.student, each.problem) for each in found.submissions] == [
+        (each, "middle") for each in whose
+    ]
 
 
 def test_late_is_shown_as_the_platform_tells_it(place):
@@ -142,7 +144,7 @@ def test_late_is_shown_as_the_platform_tells_it(place):
 
 def test_a_list_in_utf_16_whose_rows_of_a_platform_are_no_students(place):
     found = read(place, CANVAS, ["lovelaceada_101_555_middle.py"], "utf-16")
-    assert [each.student for each in found.handins] == ["101"]
+    assert [each.student for each in found.submissions] == ["101"]
     roster = read_students(place.with_name("list.csv"))
     assert [(each.id, each.name) for each in roster.students] == [
         ("101", "Lovelace, Ada"),
@@ -155,7 +157,7 @@ def test_a_list_in_utf_16_whose_rows_of_a_platform_are_no_students(place):
 def test_two_whom_a_name_fits_are_not_chosen_between(place):
     twins = "Name,Login\nAda Byron,ada1\nAda Byron,ada2\n"
     found = read(place, twins, ["Ada Byron/middle.py", "ada2/middle.py"])
-    assert [each.student for each in found.handins] == ["Ada Byron", "ada2"]
+    assert [each.student for each in found.submissions] == ["Ada Byron", "ada2"]
 
 
 # -- programs inside of something else -----------------------------------------------------------------------
@@ -186,14 +188,14 @@ def test_a_zip_a_notebook_and_spoilt_names_are_read(place):
     (place / "cy" / "middle.PY").write_text(MEAN)
     (place / "dee" / "middle.py.txt").write_text(MEAN)
     found = read_class(place, folders=PROBLEMS)
-    assert [(each.student, each.file) for each in found.handins] == [
+    assert [(each.student, each.file) for each in found.submissions] == [
         ("ada", "ada/homework.zip/hw/middle.py"),
         ("bob", "bob/middle.py"),
         ("cy", "cy/middle.py"),
         ("dee", "dee/middle.py"),
     ]
-    assert found.handins[1].source == b"import math\n\n" + MEAN.encode()
-    assert all(each.problem == "middle" and not each.why for each in found.handins)
+    assert found.submissions[1].source == b"import math\n\n" + MEAN.encode()
+    assert all(each.problem == "middle" and not each.why for each in found.submissions)
 
 
 @pytest.mark.parametrize(

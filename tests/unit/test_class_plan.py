@@ -5,35 +5,37 @@ from __future__ import annotations
 import pytest
 from msgspec.structs import replace
 
-from judge.batch.model import Done, Handin, Standard
-from judge.batch.plan import Ground, current, planned, rows_of
+from judge.batch.model import Environment, Submission, WorkerResult
+from judge.batch.plan import Context, current, planned
 from judge.batch.shards import Shard
 from judge.errors import UsageError
 from judge.judging.options import RunOptions
 from judge.run.result import judge_fault
 
-STANDARD = Standard("1", "2", "3", "full", "5")
-GROUND = Ground({}, {"p": STANDARD, "q": STANDARD}, {"broken": "problem.toml: misspelt"}, RunOptions())
-ADA, BOB = Handin("ada", "p", "ada/p.py", b"one"), Handin("bob", "p", "bob/p.py", b"one")
-CY, OTHER = Handin("cy", "p", "cy/p.cpp", b"one"), Handin("ada", "q", "ada/q.py", b"one")
+ENVIRONMENT = Environment("1", "2", "3", "full", "5")
+CONTEXT = Context(
+    {}, {"p": ENVIRONMENT, "q": ENVIRONMENT}, {"broken": "problem.toml: misspelt"}, RunOptions()
+)
+ADA, BOB = Submission("ada", "p", "ada/p.py", b"one"), Submission("bob", "p", "bob/p.py", b"one")
+CY, OTHER = Submission("cy", "p", "cy/p.cpp", b"one"), Submission("ada", "q", "ada/q.py", b"one")
 
 
 def done(name, verdict="WA"):
     result = judge_fault("p", name, "why").as_json() | {"verdict": verdict, "score": 40, "isolation": "full"}
-    return Done(result, machine="lab1")
+    return WorkerResult(result, machine="lab1")
 
 
 def judged(plan, verdict="WA"):
     """All rows that the plan comes to."""
     rows = [*plan.kept, *plan.rows]
     for work in plan.work:
-        rows += rows_of(work, done(work.task.name, verdict))
+        rows += work.rows(done(work.task.name, verdict))
     return rows
 
 
 def test_equal_texts_in_one_language_to_one_problem_are_judged_once():
-    plan = planned([ADA, BOB, CY, OTHER], [], GROUND)
-    assert [(work.task.problem, work.handins) for work in plan.work] == [
+    plan = planned([ADA, BOB, CY, OTHER], [], CONTEXT)
+    assert [(work.task.problem, work.submissions) for work in plan.work] == [
         ("p", (ADA, BOB)),
         ("p", (CY,)),
         ("q", (OTHER,)),
@@ -47,64 +49,66 @@ def test_equal_texts_in_one_language_to_one_problem_are_judged_once():
 
 
 def test_what_is_there_is_kept_and_equals_get_copies_later_too():
-    rows = judged(planned([ADA], [], GROUND))
-    plan = planned([ADA, BOB], rows, GROUND)
+    rows = judged(planned([ADA], [], CONTEXT))
+    plan = planned([ADA, BOB], rows, CONTEXT)
     assert (plan.kept, plan.work) == (tuple(rows), ())
     assert [(row.file, row.copied) for row in plan.rows] == [("bob/p.py", "ada/p.py")]
     third = replace(ADA, student="dan", file="dan/p.py")
-    (copy,) = planned([third], [*plan.rows], GROUND).rows
+    (copy,) = planned([third], [*plan.rows], CONTEXT).rows
     assert copy.copied == "ada/p.py"  # not of the copy
-    assert plan.said == ("1 result kept from before",)
+    assert plan.notices == ("1 result kept from before",)
 
 
 def test_a_file_or_a_problem_that_cannot_be_judged_is_a_row_and_a_fault_is_tried_again():
-    odd = Handin("ada", "p", "ada/p.py", why="it is not an ordinary file")
-    broken = Handin("ada", "broken", "ada/broken.py", b"x")
-    plan = planned([odd, broken], [], GROUND)
+    odd = Submission("ada", "p", "ada/p.py", why="it is not an ordinary file")
+    broken = Submission("ada", "broken", "ada/broken.py", b"x")
+    plan = planned([odd, broken], [], CONTEXT)
     assert [(row.result.verdict.value, row.result.failure.message) for row in plan.rows] == [
         ("JE", "it is not an ordinary file"),
         ("JE", "problem.toml: misspelt"),
     ]
     assert plan.work == ()
-    rows = judged(planned([ADA], [], GROUND), "JE")
-    plan = planned([ADA, BOB], rows, GROUND)
-    assert [work.handins for work in plan.work] == [(ADA, BOB)]
-    assert plan.said == ()
+    rows = judged(planned([ADA], [], CONTEXT), "JE")
+    plan = planned([ADA, BOB], rows, CONTEXT)
+    assert [work.submissions for work in plan.work] == [(ADA, BOB)]
+    assert plan.notices == ()
 
 
 @pytest.mark.parametrize("name", ["ada", "p", "ada/p.py"])
 def test_what_is_asked_for_is_judged_anew(name):
-    rows = judged(planned([ADA, OTHER], [], GROUND))
-    files = {each.file for work in planned([ADA, OTHER], rows, GROUND, [name]).work for each in work.handins}
+    rows = judged(planned([ADA, OTHER], [], CONTEXT))
+    files = {
+        each.file for work in planned([ADA, OTHER], rows, CONTEXT, [name]).work for each in work.submissions
+    }
     assert files == ({"ada/p.py", "ada/q.py"} if name == "ada" else {"ada/p.py"})
 
 
 def test_another_standard_is_told_and_what_comes_back_is_the_newest():
-    rows = judged(planned([ADA, BOB], [], GROUND))
-    stronger = replace(GROUND, standards={"p": replace(STANDARD, isolation="strong", judge="2")})
+    rows = judged(planned([ADA, BOB], [], CONTEXT))
+    stronger = replace(CONTEXT, environments={"p": replace(ENVIRONMENT, isolation="strong", judge="2")})
     plan = planned([ADA, BOB], rows, stronger)
-    assert plan.said == ("2 judged anew, because of the judge (1 → 2), the isolation (full → strong)",)
-    assert [work.handins for work in plan.work] == [(ADA, BOB)]
-    assert current([ADA, BOB], rows, stronger.standards) == {}  # until they are
+    assert plan.notices == ("2 judged anew, because of the judge (1 → 2), the isolation (full → strong)",)
+    assert [work.submissions for work in plan.work] == [(ADA, BOB)]
+    assert current([ADA, BOB], rows, stronger.environments) == {}  # until they are
     assert set(current([ADA, BOB], rows)) == {ADA, BOB}
     every = [*rows, *judged(plan)]
-    back = planned([ADA, BOB], every, GROUND)
-    assert (back.kept, back.work, back.said) == ((), (), ("2 results kept from before",))
+    back = planned([ADA, BOB], every, CONTEXT)
+    assert (back.kept, back.work, back.notices) == ((), (), ("2 results kept from before",))
     assert [row.key for row in back.rows] == [row.key for row in rows]
     assert all(row.at >= every[-1].at for row in back.rows)
     changed = replace(ADA, source=b"two")
-    later = [*rows, *judged(planned([changed], rows, GROUND))]
-    (again,) = planned([ADA], later, GROUND).rows
+    later = [*rows, *judged(planned([changed], rows, CONTEXT))]
+    (again,) = planned([ADA], later, CONTEXT).rows
     assert (again.digest, again.key) == (ADA.digest, rows[0].key)
 
 
 def test_shards_part_the_texts_and_equal_ones_meet():
-    handins = [Handin(f"s{at}", "p", f"s{at}/p.py", b"%d" % (at // 2)) for at in range(200)]
-    parts = [[each for each in handins if Shard(number, 3).holds(each)] for number in (1, 2, 3)]
-    assert sorted((each for part in parts for each in part), key=handins.index) == handins
+    submissions = [Submission(f"s{at}", "p", f"s{at}/p.py", b"%d" % (at // 2)) for at in range(200)]
+    parts = [[each for each in submissions if Shard(number, 3).holds(each)] for number in (1, 2, 3)]
+    assert sorted((each for part in parts for each in part), key=submissions.index) == submissions
     assert all(30 < len(part) < 110 for part in parts)
     assert all(len({each.digest for each in part}) * 2 == len(part) for part in parts)
-    odd = [replace(each, why="it is a folder", source=b"") for each in handins]
+    odd = [replace(each, why="it is a folder", source=b"") for each in submissions]
     assert all(any(Shard(number, 3).holds(each) for each in odd) for number in (1, 2, 3))
 
 

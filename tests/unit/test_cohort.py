@@ -11,7 +11,7 @@ from msgspec.structs import replace
 from rich.cells import cell_len
 
 from judge.batch.cohort import cohort_of, counting
-from judge.batch.model import Done, Row
+from judge.batch.model import KeptRow, WorkerResult
 from judge.errors import ExitCode
 from judge.problem.model import Verdict
 from judge.report.formats import cell
@@ -24,7 +24,7 @@ from judge.run.result import judge_fault
 def scored(student, problem, verdict="WA", score=40, at=1.0):
     file = f"{student}/{problem}-{at:g}.py"
     result = replace(judge_fault(problem, file, "why"), verdict=Verdict(verdict), score=score)
-    return Row(student, problem, file, "d", Done(result.as_json(), "lab1"), None, at)
+    return KeptRow(student, problem, file, "d", WorkerResult(result.as_json(), "lab1"), None, at)
 
 
 class Terminal(io.StringIO):

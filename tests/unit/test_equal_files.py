@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from judge.batch.equal import LEAST, equal_files
-from judge.batch.model import Handin
-from judge.batch.normal import normal_form
+from judge.batch.duplicates import LEAST, equal_files
+from judge.batch.model import Submission
+from judge.batch.normalize import normal_form
 from judge.practice.stub import make_stub
 from judge.problem.find import find_problem
 
@@ -33,8 +33,10 @@ def line_count(x, y, radius, start, end):
 
 
 def told(*sources, least=LEAST, name="{}.py", problem="count"):
-    handins = [Handin(f"s{at}", problem, name.format(at), source) for at, source in enumerate(sources)]
-    return equal_files(handins, {problem: find_problem(problem)}, least)
+    submissions = [
+        Submission(f"s{at}", problem, name.format(at), source) for at, source in enumerate(sources)
+    ]
+    return equal_files(submissions, {problem: find_problem(problem)}, least)
 
 
 def test_names_spacing_and_comments_make_no_other_program():
@@ -71,9 +73,9 @@ def test_the_entry_and_keywords_of_others_stay_what_they_are():
 
 
 def test_one_students_own_files_and_what_is_not_judged_are_not_told():
-    twice = [Handin("ann", "count", name, ONE) for name in ("a.py", "b.py")]
-    unread = Handin("bob", "count", "c.py", b"", "it is a folder")
-    elsewhere = Handin("eve", "segment", "d.py", ONE)
+    twice = [Submission("ann", "count", name, ONE) for name in ("a.py", "b.py")]
+    unread = Submission("bob", "count", "c.py", b"", "it is a folder")
+    elsewhere = Submission("eve", "segment", "d.py", ONE)
     assert equal_files([*twice, unread, elsewhere], {}) == []
 
 

@@ -40,12 +40,12 @@ def on_a_cluster():
     pytest.importorskip("distributed", reason="distributed is not installed")
     from clusters import served
 
-    from judge.batch.elsewhere import Elsewhere
+    from judge.batch.cluster import ClusterExecutor
 
     with (
         tempfile.TemporaryDirectory() as folder,
         served(Path(folder), 3) as cluster,
-        Elsewhere(str(cluster.file)) as elsewhere,
+        ClusterExecutor(str(cluster.file)) as elsewhere,
     ):
         yield elsewhere
 

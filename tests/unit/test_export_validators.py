@@ -14,15 +14,15 @@ from pathlib import Path
 import pytest
 from export_edges import VALIDATOR, lines, theirs
 
-import judge.packs.export as export
+import judge.packs as packs
 from judge.exact import Surd
-from judge.packs.export.forms import accepted_form, form_of
+from judge.packs.schemas import accepted_form, form_of
 from judge.values import check, show
 from judge.values.answers import AnyOf, Real, Tolerance, vector
 from judge.values.check import Accepted, check_line
 from judge.values.grammar import parse
 
-FOLDER = Path(export.__file__).parent / "validators"
+FOLDER = Path(packs.__file__).parent / "validators"
 ROOT2 = Surd(0, 1, 2)
 NARROW = Tolerance(ulps=Fraction(1))
 WIDE = Tolerance(extent=Fraction(1, 10**9), relative=Fraction(1, 10**9), zero=Fraction(1, 10**12))

@@ -13,7 +13,7 @@ from classes import ROWS, STUDENTS, class_of, row, small_class
 from msgspec.structs import replace
 from past_runs import START, keep, past_result
 
-from judge.batch.representatives import representatives
+from judge.batch.samples import samples
 from judge.practice.history import History
 from judge.problem.find import find_problem
 from judge.report.html import is_page
@@ -119,8 +119,8 @@ def pages_of(cohort, rows, title="geo"):
 
 def test_the_page_of_a_class():
     cohort = small_class()
-    html, _ = pages_of(cohort, representatives(cohort, ROWS))
-    assert html == pages_of(cohort, representatives(cohort, ROWS))[0]
+    html, _ = pages_of(cohort, samples(cohort, ROWS))
+    assert html == pages_of(cohort, samples(cohort, ROWS))[0]
     assert is_page(html.encode()[:2000], CLASS_MARK)
     text = " ".join(checked(html).text.split())
     assert "students 6" in text

@@ -27,7 +27,7 @@ def place(tmp_path):
 
 def class_of(root):
     found = read_class(root, folders=[PACK])
-    return {each.file: each for each in found.handins}, {each.file: each.why for each in found.unplaced}
+    return {each.file: each for each in found.submissions}, {each.file: each.why for each in found.unplaced}
 
 
 def linked(path, target):

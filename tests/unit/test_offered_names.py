@@ -161,3 +161,39 @@ def test_no_group_need_reject_a_class_with_shared_state(cache):
 def test_what_the_constructor_makes_of_no_argument_is_moved_to_the_class(state, moved):
     found = shared(f"class C:\n    def __init__(self, n):\n        {state}\n".encode(), "C")
     assert found == (moved and f"class C:\n    {moved}\n\n    def __init__(self, n):\n        pass")
+
+
+KNAPSACK = """\
+def knapsack(things, capacity):
+    best = [0] * (capacity + 1)
+    for weight, worth in things:
+        for room in range(capacity, weight, -1):
+            best[room] = max(best[room], best[room - weight] + worth)
+    return best[-1]
+"""
+BRACKETS = """\
+def balanced(s):
+    stack = []
+    opens = {")": "(", "]": "[", "}": "{"}
+    for each in s:
+        if each not in opens:
+            stack.append(each)
+        elif not stack or stack.pop() != opens[each]:
+            return False
+        else:
+            return True
+    return not stack
+"""
+
+
+@pytest.mark.parametrize(
+    ("kata", "program", "line", "seen"),
+    [
+        ("knapsack", KNAPSACK, 4, "A bound here is one too many or one too few."),
+        ("brackets", BRACKETS, 10, "The loop ends too early here."),
+        ("brackets", BRACKETS.replace("return True", "break"), 10, "The loop ends too early here."),
+    ],
+)
+def test_a_bound_and_an_early_end_are_told_with_their_line(kata, program, line, seen):
+    (step,) = judge(load_problem(KATAS / kata), program).pitfall.steps
+    assert (step.line, step.why, step.gone) == (line, seen, step.of)

@@ -14,15 +14,18 @@ from pathlib import Path
 
 import pytest
 from export_edges import VALIDATOR, judged
+from msgspec.structs import replace
 
 import judge
 from judge.data.load import load_data
-from judge.packs.export import cases, job
-from judge.packs.export.driver import as_program
-from judge.packs.export.forms import NoForm, accepted_form, check_forms, form_of
-from judge.packs.export.metadata import Version, problem_yaml
-from judge.packs.export.package import Contents
-from judge.packs.export.programs import Programs
+from judge.packs import cases
+from judge.packs.driver import as_program
+from judge.packs.export import brought_along
+from judge.packs.metadata import Version, problem_yaml
+from judge.packs.package import Contents
+from judge.packs.programs import Programs
+from judge.packs.schemas import NotExportable, accepted_form, check_forms, form_of
+from judge.packs.statement import latex
 from judge.problem.load import load_problem
 from judge.run.formatted import FormatRunner
 from judge.run.talk import Talk
@@ -76,7 +79,7 @@ class Packed:
         self.problem, self.folder = problem, folder
         self.data = load_data(problem, store=None)
         self.tests = tuple(cases.tests_in(self.data, []))
-        brought = job._brought(problem, self.tests)
+        brought = brought_along(problem, self.tests)
         files = Contents(problem, self.tests, Programs((), {}, (), 1), "", brought).files(Version.NEW)
         for path, content in files.items():
             (folder / path).parent.mkdir(parents=True, exist_ok=True)
@@ -189,7 +192,7 @@ def test_without_read_the_words_of_the_whole_output_are_the_answer(tmp_path):
 
 
 def test_a_class_needs_a_format(tmp_path):
-    with pytest.raises(NoForm, match="a class has no form for programs; give it a FORMAT"):
+    with pytest.raises(NotExportable, match="a class has no form for programs; give it a FORMAT"):
         check_forms(kata("least-recently-used", tmp_path / "without"))
     packed = Packed(kata("least-recently-used", tmp_path, [("problem.py", "", CALLS)]), tmp_path / "package")
     test = packed.tests[0]
@@ -262,8 +265,8 @@ def test_a_checker_that_needs_more_stays(line, why, tmp_path):
     tests = tuple(cases.tests_in(load_data(problem, store=None), []))
     file = problem.folder / "problem.py"
     file.write_text(f"{file.read_text()}\n{line}\n")
-    with pytest.raises(NoForm) as told:
-        job._brought(problem, tests)
+    with pytest.raises(NotExportable) as told:
+        brought_along(problem, tests)
     assert str(told.value) == why
 
 
@@ -286,6 +289,16 @@ def test_a_function_of_texts_or_dicts_becomes_a_program(name, file, tmp_path):
         words = [sys.executable, tmp_path / "program.py"]
         printed = subprocess.run(words, input=test.input, stdout=subprocess.PIPE, check=True).stdout
         assert printed == test.answer or judged(data, test.group, printed)  # a dict may be in another order
+
+
+def test_a_statement_names_the_parts_of_a_point_and_of_nothing_else(tmp_path):
+    problem = kata("tasks-in-order", tmp_path)
+    parameters = [
+        replace(problem.parameters[0], name=name, type=parse(text))
+        for name, text in (("A", "point"), ("span", "(int, int)"), ("r", "real"))
+    ]
+    told = latex(replace(problem, parameters=tuple(parameters)))
+    assert "\\texttt{ax ay span \\ensuremath{\\ldots} r}" in told
 
 
 READ = [  # an answer's type, the exact answer, what FORMAT.read may return

@@ -11,7 +11,7 @@ from classes import ROWS
 from msgspec.structs import replace
 from past_runs import past_result
 
-from judge.batch.model import Done
+from judge.batch.model import WorkerResult
 from judge.problem import Verdict
 from judge.problem.model import KataLevel
 from judge.report.formats import junit
@@ -151,5 +151,5 @@ def test_what_is_no_result_is_told(damaged):
 
 
 def test_a_row_that_cannot_be_read_is_a_fault_of_its_own():
-    result = replace(ROWS[0], done=Done({"verdict": "??"})).result
+    result = replace(ROWS[0], done=WorkerResult({"verdict": "??"})).result
     assert (result.verdict, result.submission) == (Verdict.JE, "ann/count-1.py")

@@ -12,10 +12,10 @@ from typing import TYPE_CHECKING
 import click
 from msgspec import Struct
 
+from judge.batch.classroom import ClassOptions, Classroom
 from judge.batch.folder import root_of
-from judge.batch.run import Classroom
 from judge.batch.shards import Shard, merged
-from judge.batch.store import Store, store_of
+from judge.batch.store import ResultStore, store_of
 from judge.cli.files import OutFile, moment, writing
 from judge.cli.options import Common, command, opt
 from judge.errors import UsageError
@@ -79,27 +79,24 @@ def judge_class(
         raise UsageError("--json has names", remedy="leave out --anonymous")
     for each in katas:
         find_problem(each, common.problems)
-    weights, due = dict(_weight(each, common) for each in ask.weight), _time(ask.due) if ask.due else None
+    options = ClassOptions(
+        students=ask.students,
+        only=katas,
+        folders=common.problems,
+        isolation=common.isolation,
+        level=ask.level,
+        due=_time(ask.due) if ask.due else None,
+        weights=dict(_weight(each, common) for each in ask.weight),
+        shard=shard,
+    )
     csv = OutFile(ask.csv, "--csv", "a gradebook", is_gradebook)
     html = OutFile(ask.html, "--html", "a page of a class", partial(_is_page, "CLASS"))
     moment()  # what cannot be written is said before anything is judged
     place = store_of(folder)
-    with Store.open(shard.beside(place) if shard else place) as store:
+    with ResultStore.open(shard.beside(place) if shard else place) as store:
         for said in merged(store, parts) if parts else ():
             note(said)
-        classroom = Classroom(
-            folder,
-            store,
-            students=ask.students,
-            only=katas,
-            folders=common.problems,
-            isolation=common.isolation,
-            level=ask.level,
-            due=due,
-            weights=weights,
-            shard=shard,
-            say=note,
-        )
+        classroom = Classroom(folder, store, options, note)
         pages = _Pages(classroom, folder.resolve().name or "class", ask.anonymous, ask.feedback)
         try:
             with _executor(ask, common.isolation) as executor:
@@ -117,7 +114,9 @@ def judge_class(
         yield anonymous(found)[0] if ask.anonymous else found
         csv.write(gradebook(found, numbered=ask.anonymous))
         if ask.html:
-            html.write(pages.of(found, classroom.results(found)).whole())
+            from judge.report.html import is_same
+
+            html.write(pages.of(found, classroom.results(found)).whole(), is_same)
 
 
 def _shard(ask: ClassAsk) -> Shard | None:
@@ -156,9 +155,9 @@ def _weight(said: str, common: Common) -> tuple[str, float]:
 def _executor(ask: ClassAsk, isolation: str | None) -> AbstractContextManager[Executor]:
     """Who judges: this machine, or others."""
     if ask.where is not None:
-        from judge.batch.elsewhere import Elsewhere
+        from judge.batch.cluster import ClusterExecutor
 
-        return Elsewhere(ask.where, isolation, note)
+        return ClusterExecutor(ask.where, isolation, note)
     from judge.judging.pool import Here, Processes
 
     return nullcontext(Processes(ask.jobs) if ask.jobs > 1 else Here())

@@ -13,7 +13,7 @@ import click
 from msgspec import Struct
 from msgspec.structs import replace
 
-from judge.cli.files import OutFile, Submission, Unjudged
+from judge.cli.files import OutFile, SubmissionFile, Unjudged
 from judge.cli.options import Common, command, opt, seconds_of
 from judge.cli.resolve import Tasks, resolve
 from judge.errors import UsageError, told
@@ -162,7 +162,9 @@ def _judged(
         yield Judged(judge_fault(entry.problem, entry.name, entry.why), several=several)
 
 
-def _fresh(problem: Problem, submissions: list[Submission], ask: RunAsk, common: Common) -> Iterator[Judged]:
+def _fresh(
+    problem: Problem, submissions: list[SubmissionFile], ask: RunAsk, common: Common
+) -> Iterator[Judged]:
     """One submission on new cases for so long. Raises KeyboardInterrupt if that ended it and none failed."""
     import random
 

@@ -25,9 +25,9 @@ from judge.holes.hunt import look_for_holes
 from judge.holes.model import Holes, Search
 from judge.judging.containment import contained, kept_level
 from judge.judging.options import RunOptions
-from judge.packs.export.cases import file_names, group_files
-from judge.packs.export.job import Exported, Order, check_order, export
-from judge.packs.export.metadata import Version
+from judge.packs.cases import file_names, group_files
+from judge.packs.export import Exported, ExportOptions, check_options, export
+from judge.packs.metadata import Version
 from judge.practice.begin import KINDS, NewKata, begin_kata, begin_pack
 from judge.practice.setter import kata_faults, verify_decks
 from judge.problem import Group, Problem
@@ -290,13 +290,13 @@ def write(names: tuple[str, ...], ask: ExportAsk, common: Common) -> Iterator[St
 def _packages(problems: Sequence[Problem], ask: ExportAsk) -> Iterator[Exported]:
     """The packages of each; one whose folder is broken costs itself only."""
     versions = tuple(Version) if ask.version == _BOTH else (Version(ask.version),)
-    order = Order(ask.out, versions, ask.archives, ask.wrong)
-    check_order(problems, order)
+    options = ExportOptions(ask.out, versions, ask.archives, ask.wrong)
+    check_options(problems, options)
     boxes, written, broken = Boxes(least=kept_level()), False, None
     for each in problems:
         try:
             with stages(each.id) as advance:
-                found = export(each, order, boxes, advance or (lambda *_: None))
+                found = export(each, options, boxes, advance or (lambda *_: None))
         except ProblemError as fault:
             broken, found = fault, Exported(each.id, left_out=str(fault))
         written |= found.left_out is None

@@ -30,7 +30,7 @@ _INLINE = 12  # names that are in sight; longer lists are folded away
 class ClassPages(Struct, frozen=True, dict=True):
     """The pages of a class that is called `title`, made when they are `generated`.
 
-    `results` are those of the hand-in that counts, by kata and file, at least for the first student of each
+    `results` are those of the file that counts, by kata and file, at least for the first student of each
     mistake. `cases` tells those of the katas that are still there; of others no case is drawn.
     """
 

@@ -14,18 +14,18 @@ from math import ceil
 
 from msgspec import Struct
 
-from judge.data.model import ProblemData
+from judge.data.model import GroupData, ProblemData
 from judge.languages import SUFFIX
 from judge.mistakes.makers import Maker, read_makers
-from judge.packs.export.cases import Test
-from judge.packs.export.driver import as_program, defines, why_not_alone
-from judge.packs.export.metadata import memory
+from judge.packs.cases import Test
+from judge.packs.driver import as_program, defines, why_not_alone
+from judge.packs.metadata import memory
 from judge.problem import Problem, Verdict
 from judge.problem.solutions import Kind, read_solutions
 from judge.run.formatted import FormatRunner
-from judge.run.program import ProgramRunner, answer_lines, text_of
-from judge.run.replies import VERDICTS
-from judge.sandbox.boundary import Box, BoxFactory, Limits, ProgramResult, Stop
+from judge.run.program import ProgramRunner
+from judge.run.replies import VERDICTS, Replies
+from judge.sandbox.boundary import BoxFactory, Limits, Stop
 from judge.values.check import Accepted
 
 FOLDERS = {
@@ -45,7 +45,7 @@ _WALL = 4  # times the CPU seconds, and some
 Progress = Callable[[str, int, int], None]
 
 
-class Held(Struct, frozen=True):
+class Included(Struct, frozen=True):
     """A program of the packages: its verdict there, and the test that decides it."""
 
     file: str
@@ -53,7 +53,7 @@ class Held(Struct, frozen=True):
     test: str | None
 
 
-class LeftOut(Struct, frozen=True):
+class Excluded(Struct, frozen=True):
     """A program that a package does not hold, and why."""
 
     file: str
@@ -63,9 +63,9 @@ class LeftOut(Struct, frozen=True):
 class Programs(Struct, frozen=True):
     """Those of a package, their `sources` by file, and the seconds that the accepted ones leave to others."""
 
-    held: tuple[Held, ...]
+    included: tuple[Included, ...]
     sources: Mapping[str, bytes]
-    left_out: tuple[LeftOut, ...]
+    excluded: tuple[Excluded, ...]
     seconds: int
 
 
@@ -97,9 +97,8 @@ class Exporter:
         self._tests = tests
         self._boxes = boxes
         self._runner = (FormatRunner if data.problem.formatted else ProgramRunner)(data.problem)
-        self._decide = self._runner.decide
         self._progress = progress
-        self._left_out: list[LeftOut] = []
+        self._excluded: list[Excluded] = []
 
     def programs(self, wrong: int | None = None) -> Programs:
         """All that the package is to hold; `wrong` bounds the number of mistakes.
@@ -110,29 +109,29 @@ class Exporter:
         slowest = max((each.seconds for _, each in tried if each.verdict is Verdict.AC), default=0.0)
         seconds = max(1, ceil(SLOWEST * slowest))
         mistakes = list(self._mistakes())
-        for makers in mistakes[wrong:] if wrong is not None else []:
-            self._leave_out(makers[0].file, "no more wrong programs are wanted")
-        patience = float(SURELY * seconds)
-        tried += self._tried(self._files(Kind.SLOW), "slow", patience)
-        tried += self._tried(mistakes[:wrong], "wrong", patience)
-        held, sources = [], {}
+        most = len(mistakes) if wrong is None else wrong
+        for makers in mistakes[most:]:
+            self._exclude(makers[0].file, "no more wrong programs are wanted")
+        tried += self._tried(self._files(Kind.SLOW), "slow", SURELY * seconds)
+        tried += self._tried(mistakes[:most], "wrong", SURELY * seconds)
+        included, sources = [], {}
         for candidate, trial in tried:
             if why := _misfit(candidate.kind, trial, seconds):
-                self._leave_out(candidate.file, why)
+                self._exclude(candidate.file, why)
             else:
                 file = f"{FOLDERS[trial.verdict]}/{candidate.name}"
-                held.append(Held(file, trial.verdict, trial.test))
+                included.append(Included(file, trial.verdict, trial.test))
                 sources[file] = candidate.source
-        return Programs(tuple(held), sources, tuple(self._left_out), seconds)
+        return Programs(tuple(included), sources, tuple(self._excluded), seconds)
 
-    def _leave_out(self, file: str, why: str) -> None:
-        self._left_out.append(LeftOut(file, why))
+    def _exclude(self, file: str, why: str) -> None:
+        self._excluded.append(Excluded(file, why))
 
     def _files(self, kind: Kind) -> list[list[_Candidate]]:
         found = []
         for each in read_solutions(self._problem, kind).programs:
             if each.language:
-                self._leave_out(each.file, "only Python is exported")
+                self._exclude(each.file, "only Python is exported")
             elif candidate := self._candidate(each.path.name, kind, each.file, each.source):
                 found.append([candidate])
         return found
@@ -151,20 +150,20 @@ class Exporter:
 
     def _candidate(self, name: str, kind: Kind, file: str, source: bytes) -> _Candidate | None:
         """The program as a package has it; None where it cannot be one, which is noted."""
+        problem, rule = self._problem, self._problem.time
+        reads_input = kind is Kind.ACCEPTED and rule is not None and name == rule.program
         try:
             text = source.decode()
             why = why_not_alone(text)
-            rule = self._problem.time
-            read_in = kind is Kind.ACCEPTED and rule is not None and name == rule.program
-            if defines(text, self._problem.entry) and not read_in:
-                if self._problem.formatted:
-                    why = f"it defines {self._problem.entry} to be called, and reads no input"
+            if defines(text, problem.entry) and not reads_input:
+                if problem.formatted:
+                    why = f"it defines {problem.entry} to be called, and reads no input"
                 else:
-                    text = as_program(self._problem, text)
+                    text = as_program(problem, text)
         except (SyntaxError, UnicodeDecodeError):
             why = "it does not compile"
         if why:
-            self._leave_out(file, why)
+            self._exclude(file, why)
             return None
         return _Candidate(_NOT_ALLOWED.sub("_", name), kind, file, text.encode())
 
@@ -189,33 +188,22 @@ class Exporter:
             if box.inspect().fault:
                 return _Trial(Verdict.CE)
             for test in self._tests:
-                result = self._run(box, test, limits)
-                most = max(most, result.usage.cpu_seconds)
-                verdict = self._verdict(test, result)
-                if verdict is not Verdict.AC:
+                replies = self._runner.ask(box, test.group.cases, limits)
+                most = max(most, replies.usage.cpu_seconds)
+                if (verdict := self._verdict(test.group, replies)) is not Verdict.AC:
                     return _Trial(verdict, test.stem, most)
         return _Trial(Verdict.AC, None, most)
 
-    def _run(self, box: Box, test: Test, limits: Limits) -> ProgramResult:
-        """What a program prints for a test; in a dialogue why it is wrong."""
-        if not self._problem.talks:
-            return box.run_program(test.input, limits)
-        asked = self._runner.ask(box, test.group.cases, limits)
-        (reply,) = asked.replies
-        return ProgramResult(reply.stop, (reply.answer or "").encode(), b"", reply.detail, asked.usage)
-
-    def _verdict(self, test: Test, result: ProgramResult) -> Verdict:
+    def _verdict(self, group: GroupData, replies: Replies) -> Verdict:
         """As a package has it: how a program ends goes before what it has printed."""
-        if result.stop is not Stop.ANSWERED:
-            return VERDICTS[result.stop]
-        lines, group = answer_lines(result.stdout, complete=True), test.group
-        if self._problem.formatted:
-            lines = [text_of(result.stdout)]
-        if len(lines) != len(group.cases):
-            return Verdict.WA
-        for line, case, target in zip(lines, group.cases, group.targets, strict=True):
+        for stop in (replies.stop, *(each.stop for each in replies.replies)):
+            if stop is not Stop.ANSWERED:
+                return VERDICTS[stop]
+        if replies.breakdown:
+            return replies.breakdown.verdict
+        for reply, case, target in zip(replies.replies, group.cases, group.targets, strict=True):
             exact = partial(self._data.exact, case, group.group)
-            if not isinstance(self._decide(line, target, exact), Accepted):
+            if not isinstance(self._runner.decide(reply.answer, target, exact), Accepted):
                 return Verdict.WA
         return Verdict.AC
 
@@ -223,16 +211,15 @@ class Exporter:
 def _misfit(kind: Kind, trial: _Trial, seconds: int) -> str:
     """Why a program fits into no folder; empty where it does."""
     verdict = trial.verdict
-    if kind is Kind.ACCEPTED and verdict is not Verdict.AC:
-        return f"as a program it is no longer accepted: {verdict.value} on {trial.test or 'every file'}"
-    if verdict is Verdict.AC and kind is Kind.SLOW:
-        took = f"it takes {trial.seconds:.2f} s, and must take {SURELY * seconds} s"
-        return f"too near the package's time limit of {seconds} s: {took}"
-    if verdict is Verdict.AC and kind is Kind.WRONG:
-        return "as a program it is accepted"
+    near = f"too near the package's time limit of {seconds} s: it takes {trial.seconds:.2f} s, and must take"
+    if kind is Kind.ACCEPTED:
+        where = trial.test or "every file"
+        no_longer = f"as a program it is no longer accepted: {verdict.value} on {where}"
+        return "" if verdict is Verdict.AC else no_longer
+    if verdict is Verdict.AC:
+        return "as a program it is accepted" if kind is Kind.WRONG else f"{near} {SURELY * seconds} s"
     if verdict not in FOLDERS:
         return f"a package has no folder for {verdict.value}"
-    if verdict is not Verdict.TLE and kind is not Kind.ACCEPTED and trial.seconds > seconds / 2:
-        took = f"it takes {trial.seconds:.2f} s, and must take at most {seconds / 2} s"
-        return f"too near the package's time limit of {seconds} s: {took}"
+    if verdict is not Verdict.TLE and trial.seconds > seconds / 2:
+        return f"{near} at most {seconds / 2} s"
     return ""

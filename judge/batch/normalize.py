@@ -55,7 +55,13 @@ def normal_form(source: bytes, name: str, entry: str = "") -> NormalForm:
 def _of_python(source: bytes, entry: str) -> NormalForm:
     tree = tree_of_stranger(source)
     nodes = list(ast.walk(tree))
-    own = {name for node in nodes for name in _bound(node)} - _imported(nodes) - {entry}
+    bound = {
+        getattr(node, field)
+        for node in nodes
+        for field in _name_fields(node)
+        if not isinstance(getattr(node, "ctx", None), ast.Load)
+    }
+    own = bound - _imported(nodes) - {entry}
     for node in nodes:
         _drop_remarks(node)
     nodes = list(ast.walk(tree))
@@ -64,21 +70,15 @@ def _of_python(source: bytes, entry: str) -> NormalForm:
     return NormalForm("py " + ast.dump(tree, annotate_fields=False), words)
 
 
-def _bound(node: ast.AST) -> Iterator[str]:
-    """The names that a node gives to something."""
-    match node:
-        case ast.Name(id=name, ctx=ast.Store() | ast.Del()) | ast.arg(arg=name):
-            yield name
-        case ast.FunctionDef(name=name) | ast.AsyncFunctionDef(name=name) | ast.ClassDef(name=name):
-            yield name
-        case ast.ExceptHandler(name=str(name)) | ast.MatchAs(name=str(name)) | ast.MatchStar(name=str(name)):
-            yield name
-        case ast.MatchMapping(rest=str(name)):
-            yield name
+def _name_fields(node: ast.AST) -> list[str]:
+    """The fields of a node that hold a name of the file's own: of a variable, a parameter, a function."""
+    if isinstance(node, ast.keyword | ast.alias):
+        return []
+    return [field for field in ("id", "arg", "name", "rest") if isinstance(getattr(node, field, None), str)]
 
 
 def _imported(nodes: list[ast.AST]) -> set[str]:
-    aliases = [each for node in nodes if isinstance(node, ast.Import | ast.ImportFrom) for each in node.names]
+    aliases = [node for node in nodes if isinstance(node, ast.alias)]
     return {each.asname or each.name.partition(".")[0] for each in aliases}
 
 
@@ -86,16 +86,13 @@ def _drop_remarks(node: ast.AST) -> None:
     """Take away docstrings and other strings that stand for themselves."""
     for field in ("body", "orelse", "finalbody"):
         body = getattr(node, field, None)
-        if isinstance(body, list):
-            kept = [each for each in body if not _is_remark(each)]
-            setattr(node, field, kept or [ast.Pass()] if body else [])
+        if body and isinstance(body, list):
+            setattr(node, field, [each for each in body if not _is_remark(each)] or [ast.Pass()])
 
 
 def _is_remark(node: ast.AST) -> bool:
-    match node:
-        case ast.Expr(value=ast.Constant(value=str())):
-            return True
-    return False
+    value = node.value if isinstance(node, ast.Expr) else None
+    return isinstance(value, ast.Constant) and isinstance(value.value, str)
 
 
 def _number(nodes: list[ast.AST], own: set[str]) -> None:
@@ -113,10 +110,8 @@ def _number(nodes: list[ast.AST], own: set[str]) -> None:
             for keyword in node.keywords:
                 keyword.arg = numbered(keyword.arg) if keyword.arg else None
     for node in nodes:
-        for field in ("id", "arg", "name", "rest"):
-            value = getattr(node, field, None)
-            if isinstance(value, str) and not isinstance(node, ast.keyword | ast.alias):
-                setattr(node, field, numbered(value))
+        for field in _name_fields(node):
+            setattr(node, field, numbered(getattr(node, field)))
         if isinstance(node, ast.Global | ast.Nonlocal):
             node.names = [numbered(name) for name in node.names]
         if isinstance(node, ast.Constant):
@@ -125,12 +120,7 @@ def _number(nodes: list[ast.AST], own: set[str]) -> None:
 
 # -- the judge's own other languages ----------------------------------------------------------------
 
-_WORD = re.compile(
-    r"""(?P<name>[^\W\d]\w*+)
-    |(?P<number>\.?\d(?>(?:[eEpP][+-]|[\w.])*))
-    |(?P<sign>:=|::|->|=>|==|[^\w\s])""",
-    re.VERBOSE,
-)
+_WORD = re.compile(r"[^\W\d]\w*+|\.?\d(?>(?:[eEpP][+-]|[\w.])*)|:=|::|->|=>|==|[^\w\s]")
 # After one of these a name is not a new one, but something used.
 _USES = re.compile(
     r"return|else|case|goto|new|throws?|in|of|do|await|yield|typeof|delete|instanceof|sizeof|import|package|use"
@@ -145,41 +135,31 @@ def _of_words(language: Language, text: str, entry: str) -> NormalForm:
     words = list(_words(language, text))
     own = _declared(words) - {entry, "main", "Main", "self", "this"}
     numbers: dict[str, str] = {}
-    plain = []
-    for place, (kind, word) in enumerate(words):
-        part = place > 0 and words[place - 1][1] in _KEEPS
-        if kind == "name" and word in own and not part:
-            word = numbers.setdefault(word, f"_{len(numbers)}")
-        plain.append(word)
+    plain = [
+        numbers.setdefault(word, f"_{len(numbers)}") if word in own and before not in _KEEPS else word
+        for before, word in zip(["", *words], words, strict=False)
+    ]
     return NormalForm(f"{language.id} " + "\x00".join(plain), len(words))
 
 
-def _words(language: Language, text: str) -> Iterator[tuple[str, str]]:
-    """The words of a text, each with its kind; comments are none, a string is one."""
+def _words(language: Language, text: str) -> Iterator[str]:
+    """The words of a text; comments are none, a string is one."""
     start = 0
-    for begin, end in unsaid(text, language.tokens):
-        yield from _between(text, start, begin)
-        if not text.startswith(("//", "/*"), begin):
-            yield "text", text[begin:end]
+    for begin, end in (*unsaid(text, language.tokens), (len(text), len(text))):
+        yield from _WORD.findall(text, start, begin)
+        if begin < end and not text.startswith(("//", "/*"), begin):
+            yield text[begin:end]
         start = end
-    yield from _between(text, start, len(text))
 
 
-def _between(text: str, start: int, end: int) -> Iterator[tuple[str, str]]:
-    return ((found.lastgroup or "", found[0]) for found in _WORD.finditer(text, start, end))
-
-
-def _declared(words: list[tuple[str, str]]) -> set[str]:
+def _declared(words: list[str]) -> set[str]:
     """The names that stand after a type or another word that declares, or before what gives them a value."""
-    found = set()
-    for place, (kind, word) in enumerate(words):
-        if kind != "name" or _USES.fullmatch(word):
-            continue
-        before = words[place - 1] if place else ("sign", "")
-        after = words[place + 1][1] if place + 1 < len(words) else ""
-        if before[1] in _KEEPS:
-            continue
-        declared = before[0] == "name" and not _USES.fullmatch(before[1])
-        if declared or after in _GIVES:
-            found.add(word)
-    return found
+    return {
+        word
+        for before, word, after in zip(["", *words], words, [*words[1:], ""], strict=False)
+        if _is_name(word) and before not in _KEEPS and (_is_name(before) or after in _GIVES)
+    }
+
+
+def _is_name(word: str) -> bool:
+    return word.isidentifier() and not _USES.fullmatch(word)

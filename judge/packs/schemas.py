@@ -24,35 +24,35 @@ from judge.values.types import ArrayType, ListType, OptionalType, TupleType
 Form = list[Any]
 
 
-class NoForm(Exception):  # noqa: N818 - a reason
+class NotExportable(Exception):  # noqa: N818 - a reason
     """Why a problem cannot be a package, in a few words."""
 
 
 def form_of(type_: Type, within: Parameter | None = None) -> Form:
-    """The form of an answer, or `within` a parameter, with the bounds of its numbers. Raises NoForm."""
-    kind = type(type_)
-    if isinstance(type_, NumberType) and (kind is RealType or kind is IntType):
+    """The form of an answer, or of a parameter (`within`) with its numbers' bounds. Raises NotExportable."""
+    if isinstance(type_, ArrayType):
+        raise NotExportable(f"a line holds no {type_.text}")
+    if isinstance(type_, TupleType):
+        return ["tuple", [form_of(part, within) for part in type_.made_of]]
+    if isinstance(type_, OptionalType):
+        return ["optional", form_of(type_.inner, within)]
+    if isinstance(type_, DictType):
+        return ["dict", form_of(type_.key, within), form_of(type_.value, within), type_.low, type_.high]
+    if isinstance(type_, ReturnType):
+        return ["returns", [each.answer and form_of(each.answer) for each in type_.methods]]
+    kind = type(type_)  # of those that follow, what a pack derives from them may be written otherwise
+    if isinstance(type_, NumberType) and kind in (RealType, IntType):
         own = [] if type_.low is None else [type_.low, type_.high]
         return ["real" if kind is RealType else "int", *(_bounds(type_, within) if within else own)]
     if isinstance(type_, WordType) and kind is WordType:
         return ["word", list(type_.samples)]
     if isinstance(type_, TextType) and kind is TextType:
         return ["text", type_.low, type_.high, "".join(sorted(type_.signs))]
-    if kind is BoolType:
-        return ["bool"]
-    if isinstance(type_, ReturnType):
-        return ["returns", [each.answer and form_of(each.answer) for each in type_.methods]]
-    if isinstance(type_, TupleType):
-        return ["tuple", [form_of(part, within) for part in type_.made_of]]
-    if isinstance(type_, OptionalType):
-        return ["optional", form_of(type_.inner, within)]
-    if isinstance(type_, ArrayType):
-        raise NoForm(f"a line holds no {type_.text}")
-    if isinstance(type_, DictType):
-        return ["dict", form_of(type_.key, within), form_of(type_.value, within), type_.low, type_.high]
     if isinstance(type_, ListType) and kind is ListType:
         return ["list", form_of(type_.item, within), type_.low, type_.high]
-    raise NoForm(f"a package knows no type {type_.text}")
+    if kind is BoolType:
+        return ["bool"]
+    raise NotExportable(f"a package knows no type {type_.text}")
 
 
 def _bounds(type_: NumberType, parameter: Parameter) -> Iterator[list[int]]:
@@ -66,7 +66,7 @@ def _bounds(type_: NumberType, parameter: Parameter) -> Iterator[list[int]]:
 def accepted_form(
     type_: Type, exact: Exact, tolerance: Tolerance, case: Case = (), at: tuple[int, ...] = ()
 ) -> Any:
-    """What is accepted for an exact answer, `at` that place of the whole one to the case. Raises NoForm."""
+    """What is accepted for an exact answer, `at` that place of the whole one. Raises NotExportable."""
 
     def parts(types: Iterable[Type], found: Iterable[Exact]) -> list[Any]:
         pairs = enumerate(zip(types, found, strict=False))
@@ -99,18 +99,15 @@ def _sent(value: Any) -> Any:
 def _ends(low: Surd, high: Surd) -> list[int]:
     """Both ends over one denominator and one radicand; three ints where they are rational."""
     assert low.d == high.d or not (low.q and high.q)
-    mine, its = high.s, low.s  # what each is multiplied by
-    if low.s == high.s:
-        mine = its = 1
-    ends = [low.p * mine, low.q * mine, high.p * its, high.q * its]
-    s = low.s * mine
-    return [*ends, low.d or high.d, s] if low.q or high.q else [ends[0], ends[2], s]
+    mine, its = (1, 1) if low.s == high.s else (high.s, low.s)  # what each is multiplied by
+    a, b, c, d, s = low.p * mine, low.q * mine, high.p * its, high.q * its, low.s * mine
+    return [a, b, c, d, low.d or high.d, s] if low.q or high.q else [a, c, s]
 
 
 def _returned(type_: ReturnType, called: Called, tolerance: Tolerance) -> Any:
     """What is accepted of one of several calls in a row."""
     if isinstance(called.answer, Judged):
-        raise NoForm("no table says which answers of its methods are right: problem.py decides")
+        raise NotExportable("no table says which answers of its methods are right: problem.py decides")
     answer = type_.methods[called.method].answer
     return answer and accepted_form(answer, called.answer, tolerance)
 
@@ -124,10 +121,10 @@ def whole_output(problem: Problem) -> str:
 
 
 def check_forms(problem: Problem) -> None:
-    """Raises NoForm where a problem cannot be a package, as far as its types tell."""
+    """Raises NotExportable where a problem cannot be a package, as far as its types tell."""
     if problem.methods and whole_output(problem) != "read":
         lacks = "its FORMAT read and show" if problem.formatted else "it a FORMAT"
-        raise NoForm(f"a class has no form for programs; give {lacks}")
+        raise NotExportable(f"a class has no form for programs; give {lacks}")
     if not problem.talks:
         form_of(problem.answer)
     if problem.talks or not problem.formatted:

@@ -13,10 +13,10 @@ from typing import Any
 
 from msgspec import Struct
 
-from judge.packs.export.cases import Test
-from judge.packs.export.forms import form_of, whole_output
-from judge.packs.export.metadata import Version, domjudge_ini, problem_yaml
-from judge.packs.export.programs import Programs
+from judge.packs.cases import Test
+from judge.packs.metadata import Version, domjudge_ini, problem_yaml
+from judge.packs.programs import Programs
+from judge.packs.schemas import form_of, whole_output
 from judge.problem import Problem
 
 Files = Mapping[str, bytes]  # by path within the package, parts separated by /

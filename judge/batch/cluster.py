@@ -18,11 +18,10 @@ from concurrent.futures import CancelledError
 from importlib import import_module
 from pathlib import Path
 from queue import Empty, SimpleQueue
-from typing import Any, TypeAlias, TypeVar
+from typing import Any, TypeVar
 from urllib.parse import urlsplit
 
 import msgspec
-from msgspec import Struct
 
 from judge.errors import JudgeError, UsageError
 from judge.files import read_ordinary, unreadable
@@ -31,7 +30,6 @@ from judge.sandbox.boundary import LEVELS
 
 T = TypeVar("T")
 R = TypeVar("R")
-Waiting: TypeAlias = deque[tuple[int, str]]  # places of items, each with the one worker that may do it, or ""
 
 _DIED = f"the machine died {ATTEMPTS} times"
 _KILLED = "the machine died of it"  # as dask has seen it, by its own count
@@ -42,16 +40,16 @@ _PORT = 8786
 _CONNECT = 5.0  # seconds
 _ANSWER = 30.0  # seconds for a worker to say which isolation it has
 _FETCH = 5.0  # seconds to fetch a result, which is gone if its worker has died meanwhile
+_PATIENCE = 60.0  # seconds without a worker: one that died may just be starting again
 _RESTART = 15.0  # seconds for a worker that died to be there again
 _LOOK = 1.0  # seconds between looks at who is there
 
 
-class Elsewhere:
+class ClusterExecutor:
     """An executor, and a context manager that reaches the scheduler at the address or in the file `where`.
 
     `level` is the isolation that every worker can have: the best, or the one that is demanded. `say` is told
-    which workers are left out and why. For `patience` seconds there may be no worker: one that died may just
-    be starting again.
+    which workers are left out and why.
 
     Raises:
         UsageError: `where` is no scheduler, or no worker can judge as this machine does.
@@ -59,24 +57,22 @@ class Elsewhere:
     """
 
     def __init__(
-        self,
-        where: str,
-        demanded: str | None = None,
-        say: Callable[[str], None] = lambda _: None,
-        patience: float = 60.0,
+        self, where: str, demanded: str | None = None, say: Callable[[str], None] = lambda _: None
     ) -> None:
         self.address = scheduler_at(where)
         self.level = demanded or ""
         self._allowed = (demanded,) if demanded else LEVELS[: LEVELS.index("limits")]
         self._say = say
-        self._patience = patience
         self._client: Any = None
-        self._workers: dict[str, _Worker] = {}  # those that are there, by their addresses
+        self._workers: dict[
+            str, str
+        ] = {}  # those that are there, by address: why one is left out, or nothing
+        self._levels: dict[str, tuple[str, ...]] = {}  # that the workers give
         self._looked = 0.0
         self._seen = 0.0  # when a worker was fit
         self._missed = 0.0  # when one was missed that had been
 
-    def __enter__(self) -> Elsewhere:
+    def __enter__(self) -> ClusterExecutor:
         self._client = _connected(self.address)
         try:
             self._meet()
@@ -93,69 +89,50 @@ class Elsewhere:
         """See `Executor.alive`."""
         return len(self._fit())
 
-    def machines(self) -> list[str]:
-        """One worker of each machine."""
-        return sorted({self._workers[address].host: address for address in self._fit()}.values())
-
     def run(self, work: Callable[[T], R], items: Sequence[T], lost: Lost[T, R]) -> Finished[R]:
         """See `Executor.run`; but a UsageError costs its worker, and ends the work when none is left."""
-        yield from self._run(work, items, lost, deque((place, "") for place in range(len(items))))
-
-    def everywhere(self, work: Callable[[T], R], items: Sequence[T], lost: Lost[T, R]) -> Finished[R]:
-        """As `run`, but each item once on each machine, unless that is lost meanwhile."""
-        machines = self.machines()
-        pairs = deque((place, worker) for place in range(len(items)) for worker in machines)
-        yield from self._run(work, items, lost, pairs)
-
-    def _run(
-        self, work: Callable[[T], R], items: Sequence[T], lost: Lost[T, R], waiting: Waiting
-    ) -> Finished[R]:
-        flying: dict[Any, tuple[tuple[int, str], str]] = {}  # what was sent, and to which worker
-        tries = Counter[tuple[int, str]]()
+        waiting, tries = deque(range(len(items))), Counter[int]()
+        sent: dict[Any, tuple[int, str]] = {}  # the place of each item, and its worker
         done: SimpleQueue[Any] = SimpleQueue()
         try:
-            while waiting or flying:
+            while waiting or sent:
                 self._look()
-                fit = self._fit()
-                if waiting and waiting[0][1]:
-                    waiting = deque(each for each in waiting if each[1] in fit)
-                for worker in fit - {worker for _, worker in flying.values()}:
-                    item = next((each for each in waiting if each[1] in ("", worker)), None)
-                    if item is not None:
-                        waiting.remove(item)
-                        future = self._sent(worker, work, items[item[0]])
-                        flying[future] = item, worker
+                for worker in self._fit() - {worker for _, worker in sent.values()}:
+                    if waiting:
+                        place = waiting.popleft()
+                        future = self._sent(worker, work, items[place])
+                        sent[future] = place, worker
                         future.add_done_callback(done.put)
-                for future in self._ended(done, flying):
-                    item, worker = flying.pop(future)
+                for future in self._ended(done, sent):
+                    place, worker = sent.pop(future)
                     result, fault = self._fetched(worker, future)
                     future.release()
-                    tries[item] += 1
+                    tries[place] += 1
                     if fault is None:
-                        yield item[0], result
+                        yield place, result
                     elif isinstance(fault, UsageError):
                         self._leave_out(worker, str(fault))
-                        waiting.append(item)
+                        waiting.append(place)
                     elif isinstance(fault, JudgeError):
                         raise fault
-                    elif tries[item] < ATTEMPTS and fault != _KILLED:
-                        waiting.append(item)
+                    elif tries[place] < ATTEMPTS and fault != _KILLED:
+                        waiting.append(place)
                     else:
-                        yield item[0], lost(items[item[0]], fault)
+                        yield place, lost(items[place], fault)
         finally:
-            for future in flying:
+            for future in sent:
                 future.release()
 
-    def _ended(self, done: SimpleQueue[Any], flying: Mapping[Any, tuple[object, str]]) -> list[Any]:
+    def _ended(self, done: SimpleQueue[Any], sent: Mapping[Any, tuple[int, str]]) -> list[Any]:
         """The tasks whose workers are gone, or else one that is done, if one is soon."""
-        gone = [future for future, (_, worker) in flying.items() if worker not in self._workers]
+        gone = [future for future, (_, worker) in sent.items() if worker not in self._workers]
         if gone:
             return gone
         try:
             future = done.get(timeout=_LOOK)
         except Empty:
             return []
-        return [future] if future in flying else []
+        return [future] if future in sent else []
 
     def _sent(self, worker: str, work: Callable[[T], R], item: T) -> Any:
         """The future of `attempt` on that worker. No key comes twice."""
@@ -182,10 +159,10 @@ class Elsewhere:
 
     def _fit(self) -> set[str]:
         """The workers that are there and can judge."""
-        return {address for address, worker in self._workers.items() if not worker.unfit}
+        return {address for address, unfit in self._workers.items() if not unfit}
 
     def _leave_out(self, address: str, why: str) -> None:
-        self._workers[address].unfit = why
+        self._workers[address] = why
         self._say(f"the worker {address} is left out: {why}")
 
     def _lost(self) -> JudgeError:
@@ -197,11 +174,11 @@ class Elsewhere:
         self._missed = self._seen - _RESTART
         self._look()
         if not self._workers:
-            self._say(f"there is no worker at {self.address} yet; waiting {self._patience:.0f} s for one")
+            self._say(f"there is no worker at {self.address} yet; waiting {_PATIENCE:.0f} s for one")
         while not self._fit():
             time.sleep(_LOOK)
             self._look()
-        has = [self._workers[address].levels for address in self._fit()]
+        has = [self._levels[address] for address in self._fit()]
         common = [level for level in self._allowed if all(level in each for each in has)]
         if not common:
             raise UsageError("the workers have no isolation in common", remedy="demand one with --isolation")
@@ -223,17 +200,17 @@ class Elsewhere:
             raise self._lost() from fault
         if self._fit() - there.keys():
             self._missed = now
-        self._workers = {address: worker for address, worker in self._workers.items() if address in there}
+        self._workers = {address: unfit for address, unfit in self._workers.items() if address in there}
         for address, answer in answers.items():
-            if isinstance(answer, OSError) and not isinstance(answer, TimeoutError):
-                continue  # it has gone; if not, it is asked again
-            self._greet(address, there[address], answer)
+            # One that has gone; if not, it is asked again.
+            if not isinstance(answer, OSError) or isinstance(answer, TimeoutError):
+                self._greet(address, there[address]["nthreads"], answer)
         if self._fit():
             self._seen = now
         elif there and there.keys() == self._workers.keys() and now - self._missed > _RESTART:
-            why = self._workers[min(there)].unfit
-            raise UsageError(f"no worker at {self.address} can judge this: {why}", remedy=_HELP)
-        elif now - self._seen > self._patience:
+            what = f"no worker at {self.address} can judge this: {self._workers[min(there)]}"
+            raise UsageError(what, remedy=_HELP)
+        elif now - self._seen > _PATIENCE:
             remedy = f"start some with 'dask worker {self.address} --nthreads 1'; {_KEPT}"
             raise JudgeError(f"no worker is ready at {self.address}", remedy=remedy)
 
@@ -251,26 +228,17 @@ class Elsewhere:
             return {worker: answer for each in workers for worker, answer in self._asked([each]).items()}
         return found
 
-    def _greet(self, address: str, told: Mapping[str, Any], levels: Any) -> None:
+    def _greet(self, address: str, threads: int, levels: Any) -> None:
         """Note which isolation a worker has, or why it is left out."""
-        worker = self._workers[address] = _Worker(told["host"])
         if isinstance(levels, Exception):
             self._leave_out(address, _cannot(levels))
-        elif told["nthreads"] > 1:
-            self._leave_out(address, f"it has {told['nthreads']} threads; start it with --nthreads 1")
+        elif threads > 1:
+            self._leave_out(address, f"it has {threads} threads; start it with --nthreads 1")
         elif not set(levels) & set(self._allowed):
             has, wanted = " or ".join(levels) or "none", " or ".join(self._allowed)
             self._leave_out(address, f"its isolation is {has}, not {wanted}; see 'judge doctor' there")
         else:
-            worker.levels = levels
-
-
-class _Worker(Struct):
-    """A worker that is there: its machine, the isolation that it gives, and why it is left out, if so."""
-
-    host: str
-    levels: tuple[str, ...] = ()
-    unfit: str = ""
+            self._workers[address], self._levels[address] = "", levels
 
 
 def _cannot(fault: Exception) -> str:

@@ -9,14 +9,14 @@ from msgspec import Struct
 
 from judge.data.load import load_data
 from judge.errors import UsageError
-from judge.packs.export.cases import Test, tests_in
-from judge.packs.export.driver import why_not_alone
-from judge.packs.export.forms import NoForm, check_forms, is_judged, whole_output
-from judge.packs.export.metadata import UNKNOWN, Version, license_of, short_name, uuid_of
-from judge.packs.export.package import Contents, zipped
-from judge.packs.export.place import check_archive, check_folder, write_archive, write_folder
-from judge.packs.export.programs import SURELY, Exporter, Held, LeftOut, Programs
-from judge.packs.export.statement import latex
+from judge.packs.cases import Test, tests_in
+from judge.packs.driver import why_not_alone
+from judge.packs.metadata import UNKNOWN, Version, license_of, short_name, uuid_of
+from judge.packs.package import Contents, zipped
+from judge.packs.programs import SURELY, Excluded, Exporter, Included, Programs
+from judge.packs.schemas import NotExportable, check_forms, is_judged, whole_output
+from judge.packs.statement import latex
+from judge.packs.write import check_place, write_archive, write_folder
 from judge.problem import Problem, Verdict
 from judge.problem.declare import __all__ as declared
 from judge.published import Published
@@ -24,10 +24,8 @@ from judge.sandbox.boundary import BoxFactory
 
 Progress = Callable[[str, int, int], None]
 
-_ARCHIVE = ".kpp"
 
-
-class Order(Struct, frozen=True):
+class ExportOptions(Struct, frozen=True):
     """What to write: `wrong` bounds how many mistakes the packages hold programs of."""
 
     out: Path
@@ -36,11 +34,15 @@ class Order(Struct, frozen=True):
     wrong: int | None = None
 
     def folder(self, problem: Problem, version: Version) -> Path:
-        """Where a problem's package goes; its archive lies beside it."""
+        """Where a problem's package goes."""
         return self.out / version.value / short_name(problem.id)
 
+    def archive(self, problem: Problem, version: Version) -> Path:
+        """Where its archive goes, if one is wanted."""
+        return self.folder(problem, version).with_suffix(".kpp")
+
     def domjudge(self, problem: Problem) -> Path:
-        """Where the archive for DOMjudge goes."""
+        """Where the archive for DOMjudge goes, if one is wanted."""
         return self.out / "domjudge" / f"{short_name(problem.id)}.zip"
 
 
@@ -62,12 +64,12 @@ class Exported(Published, frozen=True):
     packages: tuple[Package, ...] = ()
     domjudge: Path | None = None
     time_limit: int | None = None
-    programs: tuple[Held, ...] = ()
-    programs_left_out: tuple[LeftOut, ...] = ()
+    programs: tuple[Included, ...] = ()
+    programs_left_out: tuple[Excluded, ...] = ()
     notes: tuple[str, ...] = ()
 
 
-def check_order(problems: Sequence[Problem], order: Order) -> None:
+def check_options(problems: Sequence[Problem], options: ExportOptions) -> None:
     """Raises UsageError where these cannot be written, before anything takes long."""
     owners: dict[str, str] = {}
     for problem in problems:
@@ -77,66 +79,64 @@ def check_order(problems: Sequence[Problem], order: Order) -> None:
             what = f"{owner} and {problem.id} would both be the package {short}"
             raise UsageError(what, remedy="export them into different folders")
     for problem in problems:
-        _check_places(problem, order)
+        _check_places(problem, options)
 
 
-def _check_places(problem: Problem, order: Order) -> None:
+def _check_places(problem: Problem, options: ExportOptions) -> None:
     """Raises UsageError where something else is where a package is to be written."""
-    for version in order.versions:
-        folder, uuid = order.folder(problem, version), uuid_of(problem.id, version)
-        check_folder(folder, uuid)
-        if order.archives:
-            check_archive(folder.with_suffix(_ARCHIVE), uuid)
-    if order.archives:
-        check_archive(order.domjudge(problem), uuid_of(problem.id, Version.LEGACY))
+    for version in options.versions:
+        check_place(options.folder(problem, version), uuid_of(problem.id, version))
+        if options.archives:
+            check_place(options.archive(problem, version), uuid_of(problem.id, version))
+    if options.archives:
+        check_place(options.domjudge(problem), uuid_of(problem.id, Version.LEGACY))
 
 
-def export(problem: Problem, order: Order, boxes: BoxFactory, progress: Progress) -> Exported:
+def export(problem: Problem, options: ExportOptions, boxes: BoxFactory, progress: Progress) -> Exported:
     """Write a problem's packages. Raises JudgeError: ProblemError for its data, UsageError for a place."""
     large: list[str] = []
     try:
         check_forms(problem)
         data = load_data(problem, progress=lambda done, total: progress("building data", done, total))
         tests = tuple(tests_in(data, large))
-        brought = _brought(problem, tests)
-    except NoForm as why:
+        brought = brought_along(problem, tests)
+    except NotExportable as why:
         return Exported(problem.id, str(why))
-    programs = Exporter(data, tests, boxes, progress).programs(order.wrong)
+    programs = Exporter(data, tests, boxes, progress).programs(options.wrong)
     contents = Contents(problem, tests, programs, latex(problem), brought)
-    _check_places(problem, order)
-    packages, domjudge = [], None
-    for version in order.versions:
-        folder, files, archive = order.folder(problem, version), contents.files(version), None
-        write_folder(folder, files)
-        if order.archives:
-            archive = folder.with_suffix(_ARCHIVE)
-            write_archive(archive, zipped(files, folder.name))
-        packages.append(Package(version, folder, archive, len(files), sum(map(len, files.values()))))
-    if order.archives:
-        domjudge = order.domjudge(problem)
+    _check_places(problem, options)
+    domjudge = options.domjudge(problem) if options.archives else None
+    if domjudge:
         write_archive(domjudge, zipped(contents.domjudge()))
     return Exported(
         problem.id,
-        packages=tuple(packages),
+        packages=tuple(_written(contents, version, options) for version in options.versions),
         domjudge=domjudge,
         time_limit=programs.seconds,
-        programs=programs.held,
-        programs_left_out=programs.left_out,
+        programs=programs.included,
+        programs_left_out=programs.excluded,
         notes=(*_notes(problem, programs), *(f"left out: {each}" for each in large)),
     )
 
 
-def _brought(problem: Problem, tests: Sequence[Test]) -> bytes:
-    """The problem.py that the output validator asks; empty where it needs none. Raises NoForm."""
-    if (
-        not problem.talks
-        and whole_output(problem) != "read"
-        and not any(is_judged(test.accepted) for test in tests)
-    ):
+def _written(contents: Contents, version: Version, options: ExportOptions) -> Package:
+    """The package in that version, once it is there. Raises UsageError."""
+    folder, files, archive = options.folder(contents.problem, version), contents.files(version), None
+    write_folder(folder, files)
+    if options.archives:
+        archive = options.archive(contents.problem, version)
+        write_archive(archive, zipped(files, folder.name))
+    return Package(version, folder, archive, len(files), sum(map(len, files.values())))
+
+
+def brought_along(problem: Problem, tests: Sequence[Test]) -> bytes:
+    """The problem.py that a validator asks; empty where it needs none. Raises NotExportable."""
+    judged = any(is_judged(test.accepted) for test in tests)
+    if not (problem.talks or judged or whole_output(problem) == "read"):
         return b""
     source = (problem.folder / "problem.py").read_bytes()
     if why := why_not_alone(source.decode("utf-8-sig"), declared):
-        raise NoForm(f"its checker {why.removeprefix('it ')}")
+        raise NotExportable(f"its checker {why.removeprefix('it ')}")
     return source
 
 
@@ -144,8 +144,8 @@ def _notes(problem: Problem, programs: Programs) -> Iterator[str]:
     """What a person should know of the package."""
     if problem.source.license and license_of(problem.source) == UNKNOWN:
         yield f"packages know no license {problem.source.license}: it is 'unknown' there"
-    for each in programs.held:
+    for each in programs.included:
         if each.verdict is Verdict.TLE:
             yield f"{each.file} takes more than {SURELY * programs.seconds} s of {programs.seconds} s"
-    if not any(each.verdict is Verdict.AC for each in programs.held):
+    if not any(each.verdict is Verdict.AC for each in programs.included):
         yield "it holds no accepted program, and the tools want one"

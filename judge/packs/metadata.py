@@ -45,11 +45,8 @@ def license_of(source: Source) -> str:
 def problem_yaml(problem: Problem, version: Version, seconds: int) -> str:
     """The file problem.yaml; `seconds` is the time limit, which in the legacy format the solutions set."""
     source, legacy = problem.source, version is Version.LEGACY
-    rows = (
-        []
-        if legacy
-        else ["problem_format_version: 2025-09", f"type: {'interactive' if problem.talks else 'pass-fail'}"]
-    )
+    form = "interactive" if problem.talks else "pass-fail"
+    rows = [] if legacy else ["problem_format_version: 2025-09", f"type: {form}"]
     rows += [f"name: {_text(problem.title)}", f"uuid: {uuid_of(problem.id, version)}"]
     if source.authors and legacy:
         rows.append(f"author: {_text(', '.join(source.authors))}")
@@ -58,11 +55,11 @@ def problem_yaml(problem: Problem, version: Version, seconds: int) -> str:
     if source.origin:
         rows.append(f"source: {_text(source.origin)}")
     rows.append(f"license: {license_of(source)}")
-    rows += (
-        [f"validation: custom{' interactive' * problem.talks}", "limits:"]
-        if legacy
-        else ["limits:", f"  time_limit: {seconds}.0"]
-    )
+    if legacy:
+        rows.append("validation: custom interactive" if problem.talks else "validation: custom")
+    rows.append("limits:")
+    if not legacy:
+        rows.append(f"  time_limit: {seconds}.0")
     return "\n".join([*rows, f"  memory: {memory(problem)}"]) + "\n"
 
 

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import ast
+import symtable
 import sys
 from collections.abc import Collection
 from typing import Any
 
-from judge.packs.export.forms import form_of
+from judge.packs.schemas import form_of
 from judge.problem import Problem
 from judge.problem.solutions import tree_of
 
@@ -92,16 +93,8 @@ def as_program(problem: Problem, source: str) -> str:
 
 def defines(source: str, entry: str) -> bool:
     """Whether a file binds the entry at its top level. Raises SyntaxError."""
-    return any(entry in _bound(node) for node in tree_of(source).body)
-
-
-def _bound(node: ast.stmt) -> set[str]:
-    if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef):
-        return {node.name}
-    if isinstance(node, ast.Import | ast.ImportFrom):
-        return {(alias.asname or alias.name).partition(".")[0] for alias in node.names}
-    inner = ast.walk(node)
-    return {each.id for each in inner if isinstance(each, ast.Name) and isinstance(each.ctx, ast.Store)}
+    top = symtable.symtable(source, "", "exec")
+    return entry in top.get_identifiers() and top.lookup(entry).is_assigned()
 
 
 def why_not_alone(source: str, declared: Collection[str] = ()) -> str:

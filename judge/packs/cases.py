@@ -10,7 +10,7 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from judge.data.model import GroupData, ProblemData
-from judge.packs.export.forms import accepted_form
+from judge.packs.schemas import accepted_form
 from judge.problem import Problem
 from judge.problem.formats import input_of, output_of
 from judge.problem.model import EXAMPLES
@@ -37,21 +37,15 @@ class Test(Struct, frozen=True):
 
 
 def tests_in(data: ProblemData, large: list[str]) -> Iterator[Test]:
-    """The groups in the order in which they are judged: the examples first. Raises NoForm, ProblemError.
+    """The groups as they are judged, the examples first. Raises NotExportable, ProblemError.
 
     `large` is told of each that no package has room for.
     """
     groups = sorted(data.groups, key=lambda each: each.group.name != EXAMPLES)
     for place, whole in enumerate(groups, 1):
-        name, parts = whole.group.name, {f"{place:02d}-{whole.group.name}": whole}
-        if data.problem.formatted:
-            width = max(2, len(str(len(whole.cases))))
-            parts = {
-                f"{place:02d}-{name}-{at:0{width}d}": replace(whole, cases=[case], targets=[target])
-                for at, (case, target) in enumerate(zip(whole.cases, whole.targets, strict=True), 1)
-            }
-        for stem, group in parts.items():
-            given, answers = _both(data, group)
+        name = whole.group.name
+        for suffix, group in _parts(data, whole):
+            stem, (given, answers) = f"{place:02d}-{name}{suffix}", _both(data, group)
             if len(given) > MOST_INPUT * 10**6:
                 large.append(f"{stem}, {len(given) / 10**6:,.0f} MB")
                 continue
@@ -59,8 +53,18 @@ def tests_in(data: ProblemData, large: list[str]) -> Iterator[Test]:
             yield Test(group, folder, stem, given, answers, _accepted(data, group))
 
 
+def _parts(data: ProblemData, whole: GroupData) -> Iterator[tuple[str, GroupData]]:
+    """The group, or each of its cases where each is a run of its own; with what its name ends in."""
+    if not data.problem.formatted:
+        yield "", whole
+        return
+    width = max(2, len(str(len(whole.cases))))
+    for at, (case, target) in enumerate(zip(whole.cases, whole.targets, strict=True), 1):
+        yield f"-{at:0{width}d}", replace(whole, cases=[case], targets=[target])
+
+
 def _accepted(data: ProblemData, group: GroupData) -> list[Any]:
-    """What is accepted for each case; in a dialogue its arguments, as Python writes them. Raises NoForm."""
+    """What is accepted for each case; in a dialogue its arguments, as Python writes them."""
     problem = data.problem
     if problem.talks:
         return [repr(tuple(each)) for each in problem.calls(group.cases)]
@@ -73,12 +77,11 @@ def _accepted(data: ProblemData, group: GroupData) -> list[Any]:
 
 def _both(data: ProblemData, group: GroupData) -> tuple[bytes, bytes]:
     """What a program reads and what a right one prints."""
-    if data.problem.talks:
-        return render_group(data.problem, group.cases), b""
-    if not (own := data.module.format):
-        return render_group(data.problem, group.cases), _answers(data, group)
-    (case,), (target,) = group.cases, group.targets
-    return input_of(data.problem, own, case).encode(), output_of(data.problem, own, target).encode()
+    problem, own = data.problem, data.module.format
+    if own and not problem.talks:
+        (case,), (target,) = group.cases, group.targets
+        return input_of(problem, own, case).encode(), output_of(problem, own, target).encode()
+    return render_group(problem, group.cases), b"" if problem.talks else _answers(data, group)
 
 
 def file_names(problem: Problem) -> list[str]:

@@ -7,7 +7,7 @@ import sys
 import msgspec
 from msgspec.structs import replace
 
-from judge.batch.model import Standard
+from judge.batch.model import Environment
 from judge.cache import code_key, content_key, digest
 from judge.judging.options import RunOptions, judged_by
 from judge.judging.session import Session
@@ -16,7 +16,7 @@ from judge.problem import Problem
 from judge.version import __version__
 
 _SIGNS = 12  # of a hash; they tell versions apart, and nobody would forge one
-_WORDS = {
+_PARTS = {
     "judge": "the judge",
     "data": "the problem's files",
     "python": "Python",
@@ -25,9 +25,9 @@ _WORDS = {
 }
 
 
-def standard_of(problem: Problem, options: RunOptions, isolation: str) -> Standard:
+def environment_of(problem: Problem, options: RunOptions, isolation: str) -> Environment:
     """By what this process judges the problem at that level of isolation. Raises ProblemError."""
-    return Standard(
+    return Environment(
         judge=f"{__version__}+{code_key()[:_SIGNS]}",
         data=content_key(judged_by(problem))[:_SIGNS],
         python=f"{sys.implementation.name} {'.'.join(map(str, sys.version_info[:3]))}",
@@ -49,11 +49,7 @@ def level_here(problem: Problem, options: RunOptions) -> tuple[str, tuple[str, .
         return box.isolation, session.notes(box.isolation)
 
 
-def differing(before: Standard | None, now: Standard) -> str:
+def differences(before: Environment | None, now: Environment) -> str:
     """In which parts they differ, in words; nothing where they agree, or there was none."""
-    apart = []
-    for part, name in _WORDS.items():
-        old, new = getattr(before, part, ""), getattr(now, part)
-        if old and old != new:
-            apart.append(f"{name} ({old} → {new})")
-    return ", ".join(apart)
+    parts = [(name, getattr(before, part, ""), getattr(now, part)) for part, name in _PARTS.items()]
+    return ", ".join(f"{name} ({old} → {new})" for name, old, new in parts if old and old != new)

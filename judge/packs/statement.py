@@ -99,7 +99,7 @@ def _as_a_program(problem: Problem) -> str:
 def _words(parameter: Parameter) -> str:
     """What stands on a line for a parameter: `r`, `ax ay`, `points …`."""
     names = getattr(parameter.type, "names", ())
-    if parameter.type.width == len(names):
+    if parameter.type.width == len(names) and all(map(str.isidentifier, names)):
         return " ".join(f"{parameter.name.lower()}{name}" for name in names)
     return parameter.name if parameter.type.width == 1 else f"{parameter.name} …"
 

@@ -1,4 +1,4 @@
-"""Hand-ins of different students to one problem that are one program but for names, spacing and comments.
+"""Submissions of different students to one problem that are one program but for names, spacing and comments.
 
 Nothing but equality is told: no likeness, no share, no verdict. Short solutions of a kata are often alike, so
 that programs of fewer than `LEAST` words are left out.
@@ -10,9 +10,8 @@ from collections import defaultdict
 from collections.abc import Iterable, Mapping
 from pathlib import PurePath
 
-from judge.batch.model import Handin
-from judge.batch.normal import NormalForm, normal_form
-from judge.cache import digest
+from judge.batch.model import Submission
+from judge.batch.normalize import NormalForm, normal_form
 from judge.errors import ProblemError
 from judge.languages import SUFFIX
 from judge.practice.stub import make_stub
@@ -25,28 +24,26 @@ LEAST = 80
 
 
 def equal_files(
-    handins: Iterable[Handin], problems: Mapping[str, Problem], least: int = LEAST
+    submissions: Iterable[Submission], problems: Mapping[str, Problem], least: int = LEAST
 ) -> list[Alike]:
     """The sets of equal files, by problem and then by the first student's name.
 
-    `problems` are those handed in to, by id: the name of the entry function is nobody's own choice, and a
-    stub is nobody's own work. Hand-ins that are not judged, or without a source, take no part.
+    `problems` are those submitted to, by id: the name of the entry function is nobody's own choice, and a
+    stub is nobody's own work. Submissions that are not judged, or without a source, take no part.
     """
-    entries = {name: problem.entry for name, problem in problems.items()}
     stubs = {name: _stub(problem) for name, problem in problems.items()}
-    found: dict[tuple[str, str], list[tuple[Handin, int]]] = defaultdict(list)
     forms: dict[tuple[str, str, bytes], NormalForm] = {}
-    for each in handins:
+    found: dict[tuple[str, str], list[Submission]] = defaultdict(list)
+    for each in submissions:
         if each.why or not each.source:
             continue
-        text = each.problem, PurePath(each.file).suffix, each.source
+        problem, text = problems.get(each.problem), (each.problem, PurePath(each.file).suffix, each.source)
         if text not in forms:
-            forms[text] = normal_form(each.source, each.file, entries.get(each.problem, ""))
+            forms[text] = normal_form(each.source, each.file, problem.entry if problem else "")
         form = forms[text]
         if form.words >= least and form.text != stubs.get(each.problem):
-            same = digest(form.text.encode("utf-8", "surrogatepass"))
-            found[each.problem, same].append((each, form.words))
-    sets = [_told(each) for each in found.values() if _several(handin for handin, _ in each)]
+            found[each.problem, form.text].append(each)
+    sets = [_alike(group) for group in found.values() if _several(group)]
     return sorted(sets, key=lambda each: (each.problem, each.students, each.files))
 
 
@@ -58,20 +55,20 @@ def _stub(problem: Problem) -> str:
         return ""
 
 
-def _several(handins: Iterable[Handin]) -> bool:
+def _several(group: Iterable[Submission]) -> bool:
     """Whether several students have submitted them, and not one file as a group."""
-    groups: dict[str, set[str]] = {}
-    for each in handins:
-        groups.setdefault(each.file, set()).add(each.student)
-    return len({*map(frozenset, groups.values())}) > 1
+    members: dict[str, set[str]] = defaultdict(set)
+    for each in group:
+        members[each.file].add(each.student)
+    return len({*map(frozenset, members.values())}) > 1
 
 
-def _told(found: list[tuple[Handin, int]]) -> Alike:
-    handins = sorted((handin for handin, _ in found), key=lambda each: (each.student, each.file))
-    same_bytes = len({each.source for each in handins}) == 1
+def _alike(group: list[Submission]) -> Alike:
+    group = sorted(group, key=lambda each: (each.student, each.file))
+    same_bytes = len({each.source for each in group}) == 1
     return Alike(
-        problem=handins[0].problem,
+        problem=group[0].problem,
         what="identical files" if same_bytes else "identical after removing names, spacing and comments",
-        students=tuple(dict.fromkeys(each.student for each in handins)),
-        files=tuple(each.file for each in handins),
+        students=tuple(dict.fromkeys(each.student for each in group)),
+        files=tuple(each.file for each in group),
     )

@@ -14,6 +14,7 @@ from __future__ import annotations
 
 import re
 import unicodedata
+from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import pairwise
 
@@ -33,8 +34,11 @@ _SHARED = {"group", "groups", "section", "sections", "status", "note", "extra da
 _MOST = 0.8  # of the names beside each other have the form
 _LEAST = 3  # letters of a cell that may be a part of a name
 _AGAIN = re.compile(r"-\d+(?=\.[^.]+$)")  # of a second upload: count-1.py
-_SUBMISSION = re.compile(r"(submission_\d+):\s*$")
-_KEY = re.compile(r"( *)(- +)?:(\w+):\s*['\"]?(.*?)['\"]?\s*$")
+# Of Gradescope's metadata, which no strict reader of YAML takes: a folder, who submitted it, one of them.
+_FOLDER = re.compile(r"^(submission_\d+):\s*$", re.MULTILINE)
+_SUBMITTERS = re.compile(r"^( *):submitters:\s*$(.*?)(?=^\1:|\Z)", re.MULTILINE | re.DOTALL)
+_SUBMITTER = re.compile(r"^ *- ", re.MULTILINE)
+_KEY = re.compile(r"^ *:(\w+):\s*['\"]?(.*?)['\"]?\s*$", re.MULTILINE)
 
 
 class Owner(Struct, frozen=True):
@@ -42,18 +46,17 @@ class Owner(Struct, frozen=True):
 
     key: str
     name: str
-    file: str
+    file: str = ""
     late: bool = False
 
 
-def owners(names: Iterable[str]) -> dict[str, Owner]:
-    """Of names beside each other those that have the form of nearly all of them."""
+def owners(names: Iterable[str]) -> dict[str, list[Owner]]:
+    """Of names beside each other those that have the form of nearly all of them, each with its owner."""
     every = [name for name in names if not name.startswith("index.")]
     for form in _FORMS:
-        found = {name: form.fullmatch(name) for name in every}
-        told = {name: _owner(match.groupdict()) for name, match in found.items() if match}
-        if told and len(told) >= _MOST * len(every):
-            return told
+        found = {name: [_owner(match.groupdict())] for name in every if (match := form.fullmatch(name))}
+        if found and len(found) >= _MOST * len(every):
+            return found
     return {}
 
 
@@ -63,28 +66,16 @@ def _owner(parts: dict[str, str | None]) -> Owner:
 
 
 def submitters(metadata: str) -> dict[str, list[Owner]]:
-    """Who submitted each folder of a Gradescope export, several if it is a group's; read line by line."""
-    found: dict[str, list[dict[str, str]]] = {}
-    members, deep = list[dict[str, str]](), -1  # how far `:submitters:` is indented; -1 outside of it
-    for line in metadata.splitlines():
-        if begins := _SUBMISSION.fullmatch(line):
-            members, deep = found.setdefault(begins[1], []), -1
-        elif key := _KEY.fullmatch(line):
-            indent, item, title, value = key.groups()
-            if title == "submitters":
-                deep = len(indent)
-            elif item and deep >= 0:
-                members.append({title: value})
-            elif len(indent) <= deep:
-                deep = -1
-            elif members and deep >= 0:
-                members[-1][title] = value
-    return {
-        folder: [
-            Owner(told.get("email") or told.get("sid", ""), told.get("name", ""), "") for told in members
+    """Who submitted each folder of a Gradescope export, several if it is a group's."""
+    _, *sections = _FOLDER.split(metadata)
+    found = {}
+    for folder, section in zip(sections[::2], sections[1::2], strict=True):
+        listed = _SUBMITTERS.search(section)
+        members = [dict(_KEY.findall(each)) for each in _SUBMITTER.split(listed[2])[1:]] if listed else []
+        found[folder] = [
+            Owner(each.get("email") or each.get("sid", ""), each.get("name", "")) for each in members
         ]
-        for folder, members in found.items()
-    }
+    return found
 
 
 class Roster:
@@ -92,37 +83,37 @@ class Roster:
 
     def __init__(self, students: Sequence[Student] = (), titles: Sequence[str] = ()) -> None:
         self.students, self.titles = tuple(students), tuple(titles)
-        self._cells: dict[str, set[str]] = {}
-        self._names: dict[str, set[str]] = {}
+        self._cells: defaultdict[str, set[str]] = defaultdict(set)
+        self._names: defaultdict[str, set[str]] = defaultdict(set)
         tried = [at for at, title in enumerate(titles) if title.casefold() not in _SHARED]
         for each in students:
             cells = [each.cells[at].removeprefix("#") for at in tried if at < len(each.cells)]
             for cell in filter(None, (each.id, *cells)):
-                self._cells.setdefault(cell.casefold(), set()).add(each.id)
+                self._cells[cell.casefold()].add(each.id)
             for name in _names([each.name, *cells]):
-                self._names.setdefault(name, set()).add(each.id)
+                self._names[name].add(each.id)
 
-    def whose(self, owner: Owner) -> set[str]:
-        """The ids of those who fit best: by the key as a cell, or the end of one, then by name or mail."""
+    def owner(self, owner: Owner) -> str:
+        """The id of who fits best: by the key as a cell, or the end of one, then by name or mail; empty where
+        several do.
+        """
         key = owner.key.casefold()
-        for found in (self._cells.get(key), self._ending(key), *map(self._names.get, _plain(owner.name))):
-            if found:
-                return found
-        return self._within(owner.name)
-
-    def named(self, name: str) -> set[str]:
-        """The ids of those whom a folder or a file is called after."""
-        return self._cells.get(name.casefold()) or next(
-            filter(None, map(self._names.get, _plain(name))), set()
+        return _only(
+            self._cells.get(key),
+            self._ending(key),
+            *map(self._names.get, _plain(owner.name)),
+            self._within(owner.name),
         )
+
+    def named(self, name: str) -> str:
+        """The id of whom a folder or a file is called after; empty where that is nobody or several."""
+        return _only(self._cells.get(name.casefold()), *map(self._names.get, _plain(name)))
 
     def _ending(self, key: str) -> set[str]:
         """Who has a cell such as `Participant 4711`, or a mail address that begins so."""
-        if not key:
-            return set()
-        end = re.compile(rf"[^\d@]+{re.escape(key)}") if key.isdecimal() else None
-        fits = (cell for cell in self._cells if (end and end.fullmatch(cell)) or cell.startswith(f"{key}@"))
-        return {who for cell in fits for who in self._cells[cell]}
+        end = rf"[^\d@]+{re.escape(key)}|" if key.isdecimal() else ""
+        fits = re.compile(rf"{end}{re.escape(key)}@.*", re.DOTALL)
+        return {who for cell, ids in self._cells.items() if key and fits.fullmatch(cell) for who in ids}
 
     def _within(self, name: str) -> set[str]:
         """Who has the longest cell that is the first or the last part of the name."""
@@ -133,6 +124,12 @@ class Roster:
             if len(cell) >= _LEAST and re.search(rf"(?:^|[_-]){re.escape(cell)}$|^{re.escape(cell)} ", folded)
         )
         return self._cells.get(max(parts, key=len, default=""), set())
+
+
+def _only(*groups: set[str] | None) -> str:
+    """Who is alone in the first group that is not empty; empty where there are several."""
+    first = next(filter(None, groups), set())
+    return next(iter(first)) if len(first) == 1 else ""
 
 
 def _names(cells: Iterable[str]) -> Iterator[str]:

@@ -1,0 +1,332 @@
+"""Judging a class: what is missing is learnt once, every text is judged once, each row is kept at once."""
+
+from __future__ import annotations
+
+import time
+from collections import Counter, defaultdict
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import closing, suppress
+from datetime import datetime
+from functools import cached_property, partial
+from math import ceil
+from pathlib import Path, PurePath
+from types import MappingProxyType
+from typing import Any
+
+import msgspec
+from msgspec import Struct
+
+from judge.batch.cluster import ClusterExecutor
+from judge.batch.cohort import cohort_of, counting
+from judge.batch.duplicates import equal_files
+from judge.batch.environment import environment_of, level_here
+from judge.batch.folder import read_class
+from judge.batch.model import Environment, KeptRow, Submission, Task, WorkerResult
+from judge.batch.plan import ClassPlan, Context, current, planned
+from judge.batch.platforms import Roster
+from judge.batch.roster import everyone, read_students
+from judge.batch.samples import SmallestCases, samples
+from judge.batch.shards import Shard
+from judge.batch.store import ResultStore
+from judge.batch.work import judge_task, learn_task, release
+from judge.data.load import is_kept as data_kept
+from judge.errors import JudgeError, ProblemError, UsageError
+from judge.judging.options import RunOptions
+from judge.judging.pool import Executor, Processes
+from judge.mistakes.known import is_kept
+from judge.problem import Problem
+from judge.problem.find import find_problem
+from judge.report.published_klass import ClassRow, Cohort
+from judge.report.wait import Live
+from judge.report.words import counted, shown_name
+from judge.run.result import Result
+
+_DAY = 86_400  # seconds
+_NAMES = 5  # files that one sentence names
+_NOTES = 5  # different notes of the workers that are said
+
+
+class ClassOptions(Struct, frozen=True):
+    """Which of a class's files are judged, and how.
+
+    `students` is the list of the class, `only` are ids of katas, `folders` folders of katas to look in first.
+    Only groups of the `level` run. Days late count from `due`; `weights` are those of katas.
+    """
+
+    students: Path | None = None
+    only: Sequence[str] = ()
+    folders: Sequence[Path] = ()
+    isolation: str | None = None
+    level: str | None = None
+    due: datetime | None = None
+    weights: Mapping[str, float] = MappingProxyType({})
+    shard: Shard | None = None
+
+
+class Classroom:
+    """A class that is judged; `cohort` says how far it has come, at any time.
+
+    Raises:
+        UsageError: the folder or the list of students cannot be read, or nothing is submitted there.
+    """
+
+    def __init__(
+        self, folder: Path, store: ResultStore, options: ClassOptions, say: Callable[[str], None]
+    ) -> None:
+        """Each sentence goes to `say` once."""
+        self._store, self._options, self._tell = store, options, say
+        self._run = RunOptions(isolation=options.isolation, diagnosed=False, level=options.level)
+        self._roster = read_students(options.students) if options.students else Roster()
+        found = read_class(folder, only=options.only, folders=options.folders, roster=self._roster)
+        shard, unread = options.shard, [each for each in found.unplaced if each.student]
+        self._submissions = [each for each in found.submissions if shard is None or shard.holds(each)]
+        self.students = {each.id: each for each in everyone(self._roster, [*found.submissions, *unread])}
+        self._called_late = [each for each in self._submissions if each.student in found.late]
+        self._unread = _unread(unread)
+        self._environments: dict[str, Environment] | None = None  # any, until it is known
+        self._katas = sorted({each.problem for each in self._submissions})
+        self._expected = Counter(each.student for each in self._submissions)
+        self._own: defaultdict[str, list[KeptRow]] = defaultdict(list)  # as they come
+        self._said: set[str] = set()
+        self._noted: set[str] = set()
+        self._live = Live()
+        if shard is None or shard.number == 1:
+            self._say(*_left_out(found.unplaced))
+        if not found.submissions and not self._roster.students:
+            remedy = "it holds STUDENT/KATA.py or KATA/STUDENT.py; see 'judge help class'"
+            raise UsageError("nothing is submitted here", where=str(folder), remedy=remedy)
+
+    def judge(self, executor: Executor, again: Sequence[str] = ()) -> Iterator[ClassRow]:
+        """Judge what is not judged yet; each row is kept before it is given, those of before come first.
+
+        `again` are names of students, katas or files to judge anew.
+
+        Raises:
+            UsageError: nothing is called like one of `again`, or a worker does not judge by the environment
+                that is asked for.
+            JudgeError: nothing can be judged, or the results cannot be kept.
+        """
+        self._check_again(again)
+        context = self._context(executor)
+        self._environments = dict(context.environments)
+        plan = planned(self._submissions, self._store.every(), context, again)
+        short = [executor.short] if isinstance(executor, Processes) and executor.short else []
+        self._say(*context.notices, *short, *plan.notices)
+        for row in plan.kept:
+            yield self._published(row, kept=True)
+        with self._live as live:
+            self._learn(plan, context, executor)
+            self._store.keep_all(plan.rows)
+            for row in plan.rows:
+                yield self._published(row)
+            done, began = len(plan.kept) + len(plan.rows), time.monotonic()
+            live.show(partial(_pace, plan, done, 0, began, executor.alive()))
+            tasks = [work.task for work in plan.work]
+            with closing(executor.run(judge_task, tasks, _lost)) as outcomes:
+                for texts, (place, outcome) in enumerate(outcomes, 1):
+                    rows = plan.work[place].rows(outcome)
+                    self._store.keep_all(rows)
+                    live.hide()
+                    for row in rows:
+                        yield self._published(row)
+                    done += len(rows)
+                    live.show(partial(_pace, plan, done, texts, began, executor.alive()))
+        release()
+        if len(self._noted) > _NOTES:
+            more = counted(len(self._noted) - _NOTES, "further note")
+            self._say(f"{more} of the workers; --json has them all")
+
+    def cohort(self) -> Cohort:
+        """The class as it stands."""
+        every = self._store.every()
+        rows = current(self._submissions, every, self._environments)
+        return self._cohort(
+            sorted({row.problem for row in rows.values()}),
+            list(rows.values()),
+            history=every,
+            equal_files=tuple(equal_files(rows, self.problems)),
+            left=len(self._submissions) - len(rows),
+        )
+
+    def is_done(self, student: str) -> bool:
+        """Whether all that the student has submitted has been judged, or was before."""
+        return len(self._own[student]) == self._expected[student]
+
+    def alone(self, student: str) -> tuple[Cohort, dict[tuple[str, str], Result]]:
+        """The class with nothing but what one student has submitted, who is done; and what their page shows
+        of it, by kata and file, with smallest cases.
+        """
+        rows = self._own[student]
+        return self._cohort(self._katas, rows), self._smallest_of(list(counting(rows).values()))
+
+    def results(self, cohort: Cohort) -> dict[tuple[str, str], Result]:
+        """What the page of the class shows, by kata and file: one file of each mistake."""
+        rows = current(self._submissions, self._store.every(), self._environments).values()
+        return self._smallest_of(samples(cohort, rows))
+
+    def _smallest_of(self, rows: Sequence[KeptRow]) -> dict[tuple[str, str], Result]:
+        return self._smallest.of(rows, {each.file: each.source for each in self._submissions})
+
+    def _cohort(self, katas: Sequence[str], rows: Sequence[KeptRow], **shown: Any) -> Cohort:
+        judged_late = self._submissions if self._options.due else self._called_late
+        late = {(each.student, each.file): self._days_late(each) for each in judged_late}
+        return cohort_of(
+            tuple(self.students.values()),
+            katas,
+            rows,
+            titles=self._roster.titles,
+            unread=self._unread,
+            late=late,
+            weights=dict(self._options.weights),
+            **shown,
+        )
+
+    def _days_late(self, each: Submission) -> int | None:
+        """By how many days a file is late, less what the list grants; None where a platform alone says so."""
+        if self._options.due is None:
+            return None
+        days = (each.at - self._options.due.timestamp()) / _DAY - self.students[each.student].extra_days
+        return max(0, ceil(days))
+
+    @cached_property
+    def problems(self) -> dict[str, Problem]:
+        """The katas of the class that can be read, by id."""
+        found = {}
+        for name in self._katas:
+            with suppress(JudgeError):  # which the table says
+                found[name] = find_problem(name, self._options.folders)
+        return found
+
+    @cached_property
+    def _smallest(self) -> SmallestCases:
+        return SmallestCases(self.problems, self._run, self._store)
+
+    def _context(self, executor: Executor) -> Context:
+        """By what the class is judged; workers elsewhere have an isolation, and find the katas themselves.
+
+        Raises:
+            UsageError: the isolation that is demanded cannot be had.
+            JudgeError: nothing can be judged here.
+        """
+        problems: dict[str, Problem] = {}
+        faults: dict[str, str] = {}
+        for each in dict.fromkeys(each.problem for each in self._submissions if not each.why):
+            try:
+                problem = find_problem(each, self._options.folders)
+                self._run.chosen(problem)
+                problems[each] = problem
+            except (ProblemError, UsageError) as fault:
+                faults[each] = str(fault)
+        level, notices, folders = "", tuple[str, ...](), tuple[str, ...]()
+        if isinstance(executor, ClusterExecutor):
+            level = executor.level
+        elif problems:
+            level, notices = level_here(next(iter(problems.values())), self._run)
+            folders = tuple(str(folder.absolute()) for folder in self._options.folders)
+        environments = {each: environment_of(found, self._run, level) for each, found in problems.items()}
+        return Context(problems, environments, faults, self._run, folders, notices)
+
+    def _learn(self, plan: ClassPlan, context: Context, executor: Executor) -> None:
+        """Build the data, and find what known mistakes answer, of each kata where that is not there yet; so
+        that no two workers here do it. What cannot be learnt is told with each row.
+        """
+        firsts = {work.task.problem: work.task for work in reversed(plan.work)}
+        tasks = [
+            task
+            for name, task in reversed(firsts.items())
+            if isinstance(executor, ClusterExecutor) or not _is_learnt(context.problems[name])
+        ]
+        if not tasks:
+            return
+        self._live.show(partial(_learning, tasks[0], 0, len(tasks)))
+        with closing(executor.run(learn_task, tasks, lambda _task, why: why)) as outcomes:
+            for done, (place, _) in enumerate(outcomes, 1):
+                self._live.show(partial(_learning, tasks[place], done, len(tasks)))
+
+    def _published(self, row: KeptRow, *, kept: bool = False) -> ClassRow:
+        """The row as it goes out; new notes of its worker are said."""
+        done, student, result = row.done, self.students[row.student], row.result
+        self._own[student.id].append(row)
+        for text in result.notes:
+            if text not in self._noted and len(self._noted) < _NOTES:
+                self._say(text)
+            self._noted.add(text)
+        return ClassRow(
+            student=student.id,
+            name=student.name,
+            group=student.group,
+            listed=student.known,
+            problem=row.problem,
+            file=row.file,
+            verdict=result.verdict,
+            score=result.score,
+            mistake=row.mistake or None,
+            copied=row.copied or None,
+            kept=kept,
+            machine=done.machine or None,
+            worker=done.worker or None,
+            cpu_seconds=done.seconds,
+            judged_at=row.at,
+            standard=msgspec.to_builtins(row.standard),
+            result=result.as_json(),
+        )
+
+    def _say(self, *texts: str) -> None:
+        for text in texts:
+            if text not in self._said:
+                self._said.add(text)
+                self._live.hide()
+                self._tell(text)
+
+    def _check_again(self, again: Sequence[str]) -> None:
+        known = {name for each in self._submissions for name in (each.student, each.problem, each.file)}
+        for name in again:
+            if name not in known | set(self.students):
+                remedy = "name a student, a kata or a file, as the table does"
+                raise UsageError(f"nothing here is called {name!r}", where="--again", remedy=remedy)
+
+
+def _is_learnt(problem: Problem) -> bool:
+    try:
+        return data_kept(problem, None) and is_kept(problem, None)
+    except JudgeError:  # whoever judges says so
+        return True
+
+
+def _lost(task: Task, why: str) -> WorkerResult:
+    return WorkerResult.fault(task.problem, task.name, why)
+
+
+def _learning(task: Task, done: int, total: int) -> str:
+    return f"learning {task.problem}, {done} of {total} katas"
+
+
+def _pace(plan: ClassPlan, done: int, texts: int, began: float, workers: int) -> str:
+    """How far it is and how fast it goes, in one line: so many rows are there, and `texts` were judged."""
+    equal = done - len(plan.kept) - texts
+    count = f"{done} of {counted(plan.total, 'file')}"
+    count += f", {equal} of them equal to others" if equal > 0 else ""
+    speed = [counted(workers, "worker")] if workers else []
+    if texts:
+        rate = texts / max(time.monotonic() - began, 1e-9)
+        minutes, seconds = divmod(round((len(plan.work) - texts) / rate), 60)
+        speed = [f"{rate:.2g} a second", f"about {minutes}:{seconds:02} left", *speed]
+    return "; ".join(filter(None, [count, ", ".join(speed)]))
+
+
+def _left_out(unplaced: Sequence[Submission]) -> Iterator[str]:
+    """What in the folder is not judged: each reason with its files, once."""
+    reasons: dict[str, dict[str, None]] = {}
+    for each in unplaced:
+        reasons.setdefault(each.why, {})[shown_name(each.file)] = None
+    for why, files in reasons.items():
+        names, more = [*files][:_NAMES], len(files) - _NAMES
+        yield f"not judged: {', '.join(names)}{f' and {more} more' if more > 0 else ''}: {why}"
+
+
+def _unread(unplaced: Sequence[Submission]) -> dict[str, tuple[str, ...]]:
+    """What of each student is not judged, with the reason."""
+    told: dict[str, tuple[str, ...]] = {}
+    for each in unplaced:
+        told[each.student] = (*told.get(each.student, ()), f"{PurePath(each.file).name}: {each.why}")
+    return told
