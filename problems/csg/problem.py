@@ -48,10 +48,13 @@ def bored(draw):
 
 
 def leaving(draw, along):
-    """A disc that the ray leaves or enters at its origin, almost `along` its edge or almost through its centre."""
-    circles, O, _ = aligned(2**28, (1, 1))(draw)
+    """A disc that the ray leaves or enters at its origin, almost through its centre, or `along` its edge and a million times as large as another one."""
+    disc, (x, y), _ = aligned(2**28, (1, 1))(draw)
     D = draw.sign(), (draw.integer(900, 2200) if along else draw.integer(2**20, 2**25)) * draw.sign()
-    return circles, O, D if (circles[0][1] == O[1]) is along else D[::-1]
+    small = disc[0][2] >> draw.integer(16, 20)
+    if (disc[0][1] == y) is along:
+        return (*disc, *[(x, y + small * draw.integer(-2, 2), small)] * along), (x, y), D
+    return (*disc, *[(x + small * draw.integer(-2, 2), y, small)] * along), (x, y), D[::-1]
 
 
 INTERVIEW = [

@@ -34,9 +34,9 @@ def ending(draw):
 
 
 def resting(draw):
-    """A point that rests at an end of the wall."""
+    """A point that rests at an end of the wall, or goes from there to the other one."""
     _, X, r, Q, *_ = meeting(28)(draw)
-    return X, X, r, *draw.choice(((X, Q), (Q, X)))
+    return X, draw.choice((X, Q, Q)), r, *draw.choice(((X, Q), (Q, X)))
 
 
 def late(draw):
@@ -143,6 +143,22 @@ def abreast(draw):
     return mirrored(draw, r, (r, 0.0), (r + x, y), (0.0, 0.0), (-u, v))
 
 
+def sinking(draw):
+    """A disc that slides all along the wall, and as rounding sees it in the wall's frame comes down on it at another time."""
+    p, q, c = triple(draw, 4_418)
+    k, before = (ldexp(draw.integer(1, 1 << bits), -10) for bits in (10, 20))
+    for _ in range(40):
+        wall = ldexp(draw.integer(1, 1 << 20), -10)
+        after = wall + before
+        points = (-before * p - k * q, k * p - before * q), (after * p - k * q, k * p + after * q), (0.0, 0.0), (wall * p, wall * q)
+        length = sqrt(wall * p * wall * p + wall * q * wall * q)
+        m, n, (x, y), way = wall * p / length, wall * q / length, points[0], before + after
+        height, rise = m * y - n * x, m * (way * q) - n * (way * p)
+        if height > c * k and rise < -1e-16 * (after * max(p, q) + k * c) and 0 < (height - c * k) / -rise * way - before < wall:
+            return mirrored(draw, c * k, *points)
+    return draw.reject()
+
+
 def tangent(draw):
     """A graze of the end of a wall from right above or beside it."""
     p, q, c = triple(draw, 65)
@@ -184,11 +200,11 @@ PRODUCTION = [  # the same, where rounding bites
     group("turned", "Grazes that squares cannot see.", walls(*GRAZES, "graze cap dot", "graze cap dot", "graze cap dot", "slide side", **BIGGER), cases=110, skills="a tangent has a width"),
     group("upright", "Grazes along an axis that seem to be apart or to overlap, from level with an end of the wall, from its line, or right beside it.", either(*3 * [upright], *2 * [partial(upright, stops=True), telling(tangent, *TELLING)]), cases=215, skills="a tangent has a width"),
     group("graze-full", "Grazes that no formula in floats can see, or that seem to overlap.", telling(walls(*GRAZES, **FULL), *TELLING), cases=46, skills="a tangent has a width"),
-    group("slide-full", "The disc slides along the wall, or stops where it would, and rounding puts it beside.", telling(walls("slide side", "stop side", **FULL), *TELLING), cases=64, skills="a tangent has a width"),
+    group("slide-full", "The disc slides along the wall, or stops where it would, and rounding puts it beside.", either(*3 * [telling(walls("slide side", "stop side", **FULL), *TELLING)], sinking), cases=84, skills="a tangent has a width"),
     group("start-full", "The disc touches at the start, and rounding puts it apart.", either(*2 * [telling(walls("rest side", **FULL), *TELLING)], telling(walls("start side", **{**FULL, "turn": "axis"}), *TELLING), walls("start cap", **FULL), walls("start side dot", **FULL), walls("start side dot", **FULL), *4 * [abreast]), cases=90, skills="touching from the start"),
     group("end-full", "The disc touches at the very end, and rounding makes it later.", telling(either(walls("end side", "end cap", **FULL), walls("end cap level", "end cap dot level", "end side level", "end post level", **{**FULL, "turn": "axis"}), walls("end cap afar", "end post afar", **AFAR), walls("end side dot", "end cap dot", "end post dot", **FULL), walls("end cap", "end side", **{**STEEP, "size": 2**7}), walls("end cap home", "end side home", "end post home", "stop cap home", "stop post home", **{**FULL, "move": 0})), *TELLING), cases=72, skills="first in time"),
     group("beside", "The disc touches at the very end, and its way begins level with an end of the wall.", beside(walls("end side", "end side", "end side", "end side dot", "end cap dot", "end post dot", **FULL)), cases=70, skills="first in time"),
-    group("at-an-end", "A point that begins or ends its way at an end of the wall.", either(ending, late, *3 * [slipping], *2 * [head_on, resting]), cases=125, skills="first in time"),
+    group("at-an-end", "A point that begins or ends its way at an end of the wall.", either(ending, late, *3 * [slipping], *2 * [head_on, resting, resting]), cases=160, skills="first in time"),
     group("near-graze", "Nearly a graze: 1e-7 of the figure away.", walls("graze~ cap", "graze~ cap dot", "graze~ cap dot", "graze~ cap dot", "graze~ post", "slide~ side", **CLEAR), cases=90, skills="nearly is not touching"),
     group("near-start", "The disc nearly touches at the start, and leaves.", walls("start~ side", "start~ cap", **CLEAR), skills="touching from the start"),
     group("near-end", "The disc touches just before the end, or does not quite.", either(walls("end~ side", "end~ cap", "end~ side dot level", "end~ post dot level", **CLEAR), walls("shy cap", "shy post", **{**FULL, "shift": 0}), walls("shy post afar", **AFAR), walls("end~ side grain", "end~ side", **{**PLAIN, "shift": -20})), cases=115, skills="first in time"),

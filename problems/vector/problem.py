@@ -1,6 +1,7 @@
 """Many circles in three columns and one line: how many points each has in common with it."""
 
 from functools import partial
+from math import ldexp
 
 from judge.geometry import plain
 from judge.geometry.hooks import ROWS, hooks
@@ -17,6 +18,16 @@ def solve(cx, cy, r, A, B):
     return counts(cx, cy, r, A, B)
 
 
+def upright(draw):
+    """Touches at A by circles that are level with it but for a hundredth or less, or upright of it, and millions of times as far as B."""
+    m, turn = 1 << draw.integer(8, 12), draw.choice((1, -1))
+    radii = [ldexp(draw.integer(1 << 20, 1 << 28), -24) for _ in range(draw.integer(8, 24))]
+    sides = [r * draw.sign() for r in radii]
+    columns = [-2 * m * n for n in sides], [(m * m - 1) * n for n in sides]
+    cx, cy = map(tuple, columns[::turn])
+    return cx, cy, tuple([(m * m + 1) * r for r in radii]), (0, 0), (ldexp(m * m - 1, -24), ldexp(m, -23))[::turn]
+
+
 INTERVIEW = [
     group("few", "Up to forty circles that cut the line, touch it or miss it.", columns(*ALL, count=(1, 40), **PLAIN), skills="distance against radius"),
     group("one", "A single circle: an array of one number.", columns(*ALL, count=(1, 1), **PLAIN), cases=30, skills="nothing at all"),
@@ -28,7 +39,7 @@ INTERVIEW = [
 
 PRODUCTION = [  # the same, where rounding bites
     group("decimals", "Touches in short decimals, which == does not see.", telling(columns("touch", "touch", "cut", count=(10, 30), **DECIMALS), *TELLING), skills="collapse the tangent"),
-    group("touch-full", "Touches that no formula in floats can see, also by circles beside which A and B are close together.", either(columns("touch", "cut", count=(8, 24), **{**HUGE, "size": 2**36}), columns("touch", "cut", count=(8, 24), octaves=(20, 31), **{**HUGE, "size": 2**36, "move": 0})), skills="a tangent has a width"),
+    group("touch-full", "Touches that no formula in floats can see, also by circles beside which A and B are close together.", either(columns("touch", "cut", count=(8, 24), **{**HUGE, "size": 2**36}), columns("touch", "cut", count=(8, 24), octaves=(20, 31), **{**HUGE, "size": 2**36, "move": 0}), upright), cases=75, skills="a tangent has a width"),
     group("near", "Circles that miss or cut the line by 1e-7 of their size.", columns("touch~", "touch~", "touch", "dot~", **NEAR), cases=30, skills="nearly is not touching"),
     group("mixed-scale", "Circles of very different sizes in one array: each has a size of its own.", columns("touch~", "touch", "cut", octaves=(8, 31), **{**NEAR, "shift": -40}), cases=30, skills="each by its own size"),
     group("far-end", "A and B are thousands of sizes apart, or millions: that is the size of the circles.", either(columns("touch", "cut", "touch~", along=5000, **{**NEAR, "size": 2**5}), columns("touch", along=10**8, **{**NEAR, "size": 2**5, "shift": (-20, -40)})), cases=45, skills="each by its own size"),
