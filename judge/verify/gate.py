@@ -200,9 +200,7 @@ def _check_pins(
     except ProblemError as error:
         return "differing", [fault_of(error, where)]
     if pins is None:
-        return "missing", [
-            Fault("there is no such file: the data are not pinned", where, f"pin them with: {command}")
-        ]
+        return "missing", [Fault("the data are not pinned", where, f"pin them with: {command}")]
     if partial:  # which mistakes the groups reject was not measured
         pins = {name: {**pins[name], "kills": found[name]["kills"]} for name in found if name in pins}
     faults = [Fault(what, where, remedy) for what in differences(pins, found)]

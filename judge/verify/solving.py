@@ -21,7 +21,7 @@ class Solving:
     """
 
     def __init__(self, say: Callable[[str], None], clock: Callable[[], float] = monotonic) -> None:
-        self.text = ""
+        self.at: tuple[str, int, Case] | None = None  # the case that is solved, or was at Ctrl-C
         self._say, self._clock = say, clock
         self._due = 0.0
         self._ended = Event()
@@ -39,17 +39,24 @@ class Solving:
         while not self._ended.wait(_LOOK):
             self.look()
 
+    @property
+    def text(self) -> str:
+        """Which case is worked on; nothing where none is."""
+        if self.at is None:
+            return ""
+        group, number, case = self.at
+        return f"solve works on group {group!r}, case {number}: {cut(repr(case))}"
+
     def look(self) -> None:
         """Say it if it is time to."""
-        text = self.text
-        if text and self._clock() >= self._due:
+        if self._clock() >= self._due and (text := self.text):
             self._due += AGAIN
             self._say(text)
 
     def within(self, group: str, number: int, case: Case) -> AbstractContextManager[None]:
         """While that case of a group, counted from 1, is solved."""
         self._due = self._clock() + FIRST
-        self.text = f"solve works on group {group!r}, case {number}: {cut(repr(case))}"
+        self.at = group, number, case
         return _Case(self)
 
 
@@ -59,4 +66,4 @@ class _Case(AbstractContextManager[None]):
 
     def __exit__(self, kind: type[BaseException] | None, *_: object) -> None:
         if kind is not KeyboardInterrupt:
-            self._solving.text = ""
+            self._solving.at = None

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from functools import partial
-from itertools import chain
 from pathlib import Path
 from typing import TypeVar
 
@@ -18,7 +17,6 @@ from judge.cli.files import writing
 from judge.cli.options import Common, command, opt, seconds_of
 from judge.data.libraries import LibraryTable
 from judge.data.load import load_data
-from judge.data.model import GroupData, ProblemData
 from judge.errors import ProblemError, UsageError
 from judge.files import replace_file
 from judge.holes.hunt import look_for_holes
@@ -30,9 +28,8 @@ from judge.packs.export import Exported, ExportOptions, check_options, export
 from judge.packs.metadata import Version
 from judge.practice.begin import KINDS, NewKata, begin_kata, begin_pack
 from judge.practice.setter import kata_faults, verify_decks
-from judge.problem import Group, Problem
+from judge.problem import Problem
 from judge.problem.find import find_problem, folders_within, problem_folders
-from judge.problem.formats import input_of, output_of
 from judge.problem.model import chosen_groups
 from judge.report.published_setter import FilesWritten, VerifySummary
 from judge.report.screen import note
@@ -313,7 +310,7 @@ def _files(problems: Sequence[Problem], ask: ExportAsk) -> Iterator[FilesWritten
         target = ask.out / each.id
         with writing(target, _REMEDY):
             target.mkdir(parents=True, exist_ok=True)
-            there = [name for name in _names(each) if (target / name).exists()]
+            there = [name for name in file_names(each) if (target / name).exists()]
         if there and not ask.force:
             more = f" and {counted(len(there) - 1, 'more file')}" if len(there) > 1 else ""
             what = f"{there[0]}{more} would be written over"
@@ -325,41 +322,8 @@ def _files(problems: Sequence[Problem], ask: ExportAsk) -> Iterator[FilesWritten
         for said in data.notes:
             note(said)
         for group in data.groups:
-            for name, content in _contents(data, group).items():
+            for name, content in group_files(data, group).items():
                 with writing(target / name, _REMEDY):
                     replace_file(target / name, content)
         cases = sum(len(group.cases) for group in data.groups)
-        yield FilesWritten(each.id, str(target), cases, tuple(_names(each)))
-
-
-def _names(problem: Problem) -> list[str]:
-    """The names of all files of a kata's data."""
-    if problem.talks or not problem.formatted:
-        return file_names(problem)
-    return [
-        name
-        for group in problem.groups
-        for name in (f"{group.name}.json", *chain.from_iterable(map(_pair, _stems(group))))
-    ]
-
-
-def _contents(data: ProblemData, group: GroupData) -> dict[str, bytes]:
-    """The files of a group; with a FORMAT of the kata's own each case's input and output."""
-    found, own, json = group_files(data, group), data.module.format, f"{group.group.name}.json"
-    if own is None or own.talk:
-        return found
-    found = {json: found[json]}
-    for stem, case, target in zip(_stems(group.group), group.cases, group.targets, strict=True):
-        texts = input_of(data.problem, own, case), output_of(data.problem, own, target)
-        found |= zip(_pair(stem), map(str.encode, texts), strict=True)
-    return found
-
-
-def _stems(group: Group) -> list[str]:
-    """What the files of each case are called, without their endings."""
-    width = max(2, len(str(group.count)))
-    return [f"{group.name}-{at:0{width}d}" for at in range(1, group.count + 1)]
-
-
-def _pair(stem: str) -> tuple[str, str]:
-    return f"{stem}.in", f"{stem}.ans"
+        yield FilesWritten(each.id, str(target), cases, tuple(file_names(each)))
