@@ -32,6 +32,7 @@ from judge.languages import language_of
 from judge.practice.progress import solved
 from judge.practice.stub import make_stub, usual_name, write_stub
 from judge.practice.syllabus import Course, read_course
+from judge.problem.find import typed
 from judge.report import watch as texts
 from judge.report.parts import faint, good, warning
 from judge.report.picture import has_room, statement
@@ -88,7 +89,7 @@ class _Loop:
         self._kata, self._common, self._take = kata, common, take
         options = RunOptions(isolation=common.isolation, level=level)
         self._file = WatchedFile(kata, Wish(options, db=common.db))
-        self._stub = make_stub(kata.problem, language_of(kata.path)).encode()
+        self._stub = make_stub(kata.problem, language_of(kata.path), typed(kata.problem)).encode()
         self._since: float | None = None  # when judging began, while it goes on
         self._found: Judged | None = None
         self._why = ""  # there is no result

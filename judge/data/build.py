@@ -16,6 +16,7 @@ import marshal
 import math
 from collections import Counter
 from collections.abc import Callable, Container, Iterator, Sequence
+from contextlib import nullcontext
 from fractions import Fraction
 from functools import cache, partial
 from itertools import count, starmap
@@ -24,7 +25,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from msgspec import Struct
 
 from judge.data.draw import Draw, Pick, Rejected, quick, seeded
-from judge.data.model import GroupData, Progress, reseeded
+from judge.data.model import GroupData, Progress, Within, reseeded
 from judge.errors import UsageError
 from judge.problem import Case, Example, Group, Problem, Tolerance
 from judge.problem.declare import InvalidCase
@@ -54,15 +55,22 @@ class Made(NamedTuple):
 
 
 def build(
-    problem: Problem, module: Module, seed: int | None = None, progress: Progress | None = None
+    problem: Problem,
+    module: Module,
+    seed: int | None = None,
+    progress: Progress | None = None,
+    within: Within | None = None,
 ) -> list[GroupData]:
     """Every group's data. Raises ProblemError, also where a worked example contradicts `solve`."""
-    examples = [_solved_example(problem, module, each) for each in problem.examples]
+    examples: list[Made] = []
+    for each in problem.examples:
+        with within(EXAMPLES, len(examples) + 1, each.case) if within else nullcontext():
+            examples.append(_solved_example(problem, module, each))
     total = sum(group.count for group in problem.groups)
     built: list[GroupData] = []
     for declared in problem.groups:
         group = reseeded(declared, seed)
-        made = examples if group.name == EXAMPLES else draw_cases(problem, module, group)
+        made = examples if group.name == EXAMPLES else draw_cases(problem, module, group, within)
         built.append(_aimed(problem, group, made))
         _check_size(problem, built[-1])
         if progress is not None:
@@ -70,14 +78,14 @@ def build(
     return built
 
 
-def draw_cases(problem: Problem, module: Module, group: Group) -> list[Made]:
+def draw_cases(problem: Problem, module: Module, group: Group, within: Within | None = None) -> list[Made]:
     """The cases of one group, no two of them equal: 1 and 1.0 are one case. Raises ProblemError."""
     made: list[Made] = []
     taken: set[Case] = set()
     what = f"group {group.name!r}: its draw fails"
     with blaming(problem, what, group.line):
         for number in range(group.count):
-            made.append(new_case(problem, module, group, partial(_pick, group, number), made, taken))
+            made.append(new_case(problem, module, group, partial(_pick, group, number), made, taken, within))
             taken.add(made[-1].case)
     return made
 
@@ -89,6 +97,7 @@ def new_case(
     pick: Callable[[int], Pick],
     before: Sequence[Made] = (),
     taken: Container[Case] = (),
+    within: Within | None = None,
 ) -> Made:
     """A case of a group after those `before`, valid and not `taken`; `pick` has the choices of each attempt.
 
@@ -116,7 +125,8 @@ def new_case(
             remedy = "draw others, or widen the parameter's bounds or letters"
             raise problem.fault(what, remedy, group.line)
         try:
-            exact = module.solve(*case)
+            with within(group.name, len(before) + 1, case) if within else nullcontext():
+                exact = module.solve(*case)
         except InvalidCase as fault:
             vain["against the promise"] += 1
             broken = f" ({fault})"

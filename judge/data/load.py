@@ -12,7 +12,7 @@ import os
 from typing import Any, Union
 
 from judge.cache import DISK, Store, digest
-from judge.data.model import GroupData, ProblemData, Progress, reseeded
+from judge.data.model import GroupData, ProblemData, Progress, Within, reseeded
 from judge.errors import ProblemError
 from judge.problem import Problem
 from judge.problem.load import problem_key
@@ -34,10 +34,12 @@ def load_data(
     seed: int | None = None,
     progress: Progress | None = None,
     store: Store | None = DISK,
+    within: Within | None = None,
 ) -> ProblemData:
     """Every group's cases and targets, in the order of the groups.
 
-    With `seed`, each group's own seed is derived from it. `progress` hears how many cases are built.
+    With `seed`, each group's own seed is derived from it. `progress` hears how many cases are built, and each
+    of them is solved `within` what is given.
     Without a `store` they are built afresh and not kept. Raises ProblemError.
     """
     place = kept_place("data", problem, seed)
@@ -50,7 +52,7 @@ def load_data(
     from judge.data.build import as_seeds, build
 
     data = ProblemData(problem, ())
-    data.groups = tuple(build(problem, data.module, seed, progress))
+    data.groups = tuple(build(problem, data.module, seed, progress, within))
     if store and problem.key and problem_key(problem.folder) == problem.key:  # its files are still these
         plain = {
             each.group.name: [each.cases, each.targets]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from contextlib import AbstractContextManager
 from typing import TYPE_CHECKING
 
 from msgspec import Struct
@@ -17,6 +18,7 @@ if TYPE_CHECKING:
     from judge.values.answers import Exact, Target
 
 Progress = Callable[[int, int], None]  # cases done, cases in all
+Within = Callable[[str, int, Case], AbstractContextManager[None]]  # what a case of a group is solved in
 
 
 class GroupData(Struct, frozen=True):

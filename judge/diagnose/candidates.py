@@ -5,13 +5,18 @@ most often that two of its numbers are the same. The pool's numbers are small in
 m·10^k + n, and all may be multiplied by 10^-u. Each candidate set fixes k and u; the first levels are the
 simplest. In a lone set one coordinate of one point is m·10^k and all other numbers are small: what only
 just happens, far from all the rest, is found in no other way.
+
+Where there are texts or lists, the first level also has the least cases that the bounds leave, in order: what
+depends on a length and an int, or on two texts, is small only where both are.
 """
 
 from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
+from heapq import nsmallest
+from itertools import count, islice, product
 from operator import or_
 from typing import Any
 
@@ -20,15 +25,18 @@ from msgspec import Struct
 from judge.data.draw import Draw, seeded
 from judge.problem import Case, Group, Problem
 from judge.values import parameters
-from judge.values.atoms import Number
-from judge.values.letters import rank
-from judge.values.types import is_pair
+from judge.values.atoms import Atom, Number, NumberType, Type, Value
+from judge.values.letters import TextType, rank
+from judge.values.types import ListType, atoms, is_pair, lasting
 
 Simplicity = tuple[int, int, tuple[float, ...]]
 
 _NUMBERS = (int, float)
 _FLOAT = 2  # a float weighs as much as an integer of so many digits more
 _POOL = 3
+_LEAST = 600  # of the least cases, of so many that are looked at
+_LOOKED_AT = 20_000
+_FEW = 3  # letters of a least text, items of a list, values of an item: beyond the least, or in all
 
 
 class CandidateSet(Struct, frozen=True):
@@ -98,9 +106,56 @@ class CandidateSet(Struct, frozen=True):
         return float(value) if self.floats else value
 
 
-def candidates(problem: Problem) -> Iterator[list[CandidateSet]]:
+class LeastCases(Struct, frozen=True):
+    """The cases of which all parameters have the shortest and smallest values that the bounds leave."""
+
+    def cases(self, problem: Problem) -> Iterator[Case]:
+        """The simplest ones, each once; none where the values of a type cannot be listed."""
+        most = max(2, int(_LOOKED_AT ** (1 / max(1, len(problem.parameters)))))
+        bounds = ((each.type, math.ceil(each.low), math.floor(each.high)) for each in problem.parameters)
+        values = [list(islice(_least(*each), most)) for each in bounds]
+        yield from nsmallest(_LEAST, islice(product(*values), _LOOKED_AT), key=measure)
+
+
+def _least(type_: Type, low: int, high: int) -> Iterator[Value]:
+    """The values of a type, the shortest and smallest first, all its numbers within the bounds."""
+    inner = lasting(type_)
+    if inner is not type_:
+        yield None
+    if isinstance(inner, NumberType):
+        low = low if inner.low is None else max(low, inner.low)
+        high = high if inner.high is None else min(high, inner.high)
+        first = min(max(0, low), high)
+        near = (value for by in count() for value in dict.fromkeys((first + by, first - by)))
+        yield from (value for value in islice(near, 100) if low <= value <= high)
+    elif isinstance(inner, TextType):
+        for length in range(inner.low, min(inner.high, inner.low + _FEW) + 1):
+            yield from map("".join, islice(product(inner.signs[:2], repeat=length), 2**_FEW))
+    elif isinstance(inner, Atom):
+        yield from inner.samples
+    else:
+        some = [list(islice(_least(each, low, high), _FEW)) for each in inner.made_of]
+        lengths = [len(some)]
+        if isinstance(inner, ListType):
+            most = inner.low + _FEW
+            lengths = [*range(inner.low, 1 + min(most, most if inner.high is None else inner.high))]
+        for length in lengths:
+            parts = islice(product(*(some if inner.kind is tuple else some * length)), _FEW**_FEW)
+            yield from filter(lambda value: value is not None, map(inner.arranged, parts))
+
+
+def sized(problem: Problem) -> bool:
+    """Whether there are texts or lists, and no real numbers: every case is made of few simple pieces."""
+    types = [parameter.type for parameter in problem.parameters]
+    texts = any(isinstance(atom, TextType) for type_ in types for atom in atoms(type_))
+    lists = any(isinstance(lasting(type_), ListType) for type_ in types)
+    return (texts or lists) and not any(type_.measured for type_ in types)
+
+
+def candidates(problem: Problem) -> Iterator[Sequence[CandidateSet | LeastCases]]:
     """The levels for a problem, the simplest first."""
-    yield [CandidateSet(1, 100), CandidateSet(3, 400)]
+    least = [LeastCases()] if sized(problem) else []
+    yield [CandidateSet(1, 100), CandidateSet(3, 400), *least]
     yield [CandidateSet(9, 400)]
     if not any(parameter.type.measured for parameter in problem.parameters):
         yield from ([CandidateSet(3, 250, tens)] for tens in (1, 2, 3, 4, 5, 6, 8, 10, 16, 20, 30))

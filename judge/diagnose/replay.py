@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from judge.values.answers import Exact
 
 _ID = re.compile(r"([\w-]+):([\w-]+):([vc])([^:\s]*):([0-9a-f]{6})", re.ASCII)
+_BEGINS = re.compile(r"([\w-]+):[\w-]+:", re.ASCII)
 LONGEST = 16_000  # characters of an id: a case of the longest integers has fewer
 
 
@@ -44,6 +45,17 @@ def encode(problem: Problem, group: Group, case: Case) -> str:
     tokens = (word for parameter, value in values for word in parameters.tokens(parameter.type, value))
     words = ",".join(quote(word, safe="+") for word in tokens)
     return f"{problem.id}:{group.name}:v{words}:{_check(case)}"
+
+
+def has_form(word: str) -> bool:
+    """Whether a word is written as an id is."""
+    return bool(_ID.fullmatch(word))
+
+
+def begun(word: str) -> str:
+    """The problem that a word names as an id does, which may be damaged behind; nothing where it does not."""
+    found = _BEGINS.match(word)
+    return found[1] if found else ""
 
 
 def problem_name(replay: str) -> str:

@@ -5,7 +5,8 @@
     2. The candidates (candidates.py): seeded cases of few digits, the simplest kinds first, in batches.
     3. Where they all pass: the failing group's own builder, shrunk by its parameters (search.py).
     4. What was found, or the failing case itself, is simplified, value by value (simplify.py).
-    5. If that still has many digits, the candidates again, for a case that fails in any way.
+    5. If that still has many digits, or several pieces of text and lists, all of it for a case that fails in
+       any way.
 
 Cases that no recipe built are judged under the tolerance of the problem's usual group, and only count if
 the problem's reference solution, a program in doubles too, gets them right. All of it ends within a budget of
@@ -24,7 +25,7 @@ from msgspec.structs import replace
 from judge.data.build import choices_of
 from judge.data.draw import Draw
 from judge.data.model import GroupData, ProblemData
-from judge.diagnose.candidates import candidates, items_of, measure, usual_group
+from judge.diagnose.candidates import candidates, items_of, measure, sized, usual_group
 from judge.diagnose.replay import LONGEST, encode
 from judge.diagnose.simplify import rounded, simplified
 from judge.diagnose.trial import LIMITED, FailingCase, Outcome, SearchBudget, Trial, answer_class
@@ -34,7 +35,10 @@ from judge.run.reference import Reference
 from judge.run.result import Failure, Result, short_answer
 from judge.run.runner import Runner
 from judge.sandbox.boundary import Box
+from judge.sandbox.encode import in_call
+from judge.values.atoms import IntType
 from judge.values.outline import right
+from judge.values.types import lasting
 
 _SHRUNK = (Verdict.WA, Verdict.RTE, Verdict.TLE, Verdict.MLE)  # the verdicts that one call can earn
 _SOUGHT = 40  # cases of a group, among which one is looked for that fails alone
@@ -104,8 +108,10 @@ def _has_many_answers(problem: Problem, data: ProblemData) -> bool:
     """Whether the right answers are of more classes than a mistake could be looked for in.
 
     Lists that may have many lengths are, even where the data have few of them: the smallest case is shorter.
+    So are ints that come from texts or lists.
     """
-    if problem.answer.lengths > _CLASSES:
+    counts = isinstance(lasting(problem.answer), IntType) and sized(problem)
+    if counts or problem.answer.lengths > _CLASSES:
         return True
     targets = (target for group in data.groups for target in group.targets)
     return len({answer_class(right(problem.answer, target)) for target in targets}) > _CLASSES
@@ -134,11 +140,14 @@ class _Search(NamedTuple):
                 best = self._by_parameters()
             under = usual if usual.tolerance == self.data.group.tolerance else self.data.group
             best = min(best, simplified(trial, best, under))
-        if _is_long(best, HARD):
+        pieces = sized(trial.runner.problem)  # which every mistake needs few of
+        if _is_long(best, SIMPLE if pieces else HARD):
             trial.look_for(None)
             other = self._candidate(again, usual)
-            if other is not None:
+            if other is not None and other < best:
                 best, under = simplified(trial, other, usual), usual
+            elif pieces:
+                best = simplified(trial, best, under)
         return self._told(rounded(trial, best, under))
 
     def _levels(self) -> Iterator[list[Case]]:
@@ -177,6 +186,9 @@ class _Search(NamedTuple):
         if len(replay) > LONGEST:  # nobody would look at it, nor type it
             return None
         message, cut_short = best.message, trial.budget.cut_short
+        if trial.runner.problem.methods and (place := trial.stopped_at(best)):
+            name, *given = best.case[-1][place - 1]
+            message += in_call(place, name, *given)
         if best.case == self.first.case and cut_short and trial.slow_seconds:
             message += f"; not made smaller: one call takes {trial.slow_seconds:.1g} s"
         return Failure(

@@ -1,8 +1,8 @@
 """Making a failing case simpler, value by value: fewer digits, smaller numbers, equal ones kept equal.
 
 The problem's topic is asked first for cases that are simpler as a whole. Then each round offers all single
-steps from the best case so far, has them called in one batch, and goes on from the simplest that still fails,
-until none does.
+step from the best case so far, has them called in one batch, and goes on from the simplest that still fails,
+until none does. Then two steps are taken at once, as where a text and an int only fail together.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from heapq import nsmallest
 from itertools import chain, combinations, islice
 from math import gcd
 
-from judge.diagnose.candidates import items_of, measure, numbers_of, texts_of, with_numbers
+from judge.diagnose.candidates import items_of, measure, numbers_of, sized, texts_of, with_numbers
 from judge.diagnose.trial import FailingCase, Trial
 from judge.problem import Case, Group, Problem
 from judge.values import parameters
@@ -21,6 +21,8 @@ from judge.values.atoms import Number
 
 _ROUNDS = 60
 _MOST = 600  # candidates of a round, the simplest first
+_PAIRS = 20_000  # of two steps at once that are looked at, and called
+_PAIRS_CALLED = 2_000
 _WORK = 1_000_000  # values that the candidates of a round may have together: a list of hundreds has few
 _HUGE = 400  # bits, beyond which numbers are only cut
 
@@ -30,8 +32,11 @@ def simplified(trial: Trial, start: FailingCase, group: Group) -> FailingCase:
     simpler, best = trial.module.hooks.simpler, start
     if simpler is not None:
         best = _better(trial, best, group, simpler(trial.runner.problem, start.case))
+    problem = trial.runner.problem
     for _ in range(_ROUNDS):
-        after = _better(trial, best, group, chain(fewer(trial.runner.problem, best.case), steps(best.case)))
+        after = _better(trial, best, group, chain(fewer(problem, best.case), steps(best.case)))
+        if after is best and sized(problem):
+            after = _better(trial, best, group, islice(_both(problem, best.case), _PAIRS), _PAIRS_CALLED)
         if after is best or trial.budget.spent:
             return after
         best = after
@@ -62,11 +67,13 @@ def _rounder(signed: Number) -> Iterator[int]:
         yield from (int(text) // unit * unit, (int(text) // unit + 1) * unit)
 
 
-def _better(trial: Trial, best: FailingCase, group: Group, cases: Iterable[Case]) -> FailingCase:
+def _better(
+    trial: Trial, best: FailingCase, group: Group, cases: Iterable[Case], called: int = _MOST
+) -> FailingCase:
     letters = sum(len(each) for each in texts_of(best.case) if isinstance(each, str))
     most, size = max(_MOST, _WORK // (1 + items_of(best.case) + letters)), best.measure
     simpler = {hash(repr(case)): case for case in islice(cases, most) if measure(case) < size}
-    return trial.simplest(nsmallest(_MOST, simpler.values(), key=measure), group) or best
+    return trial.simplest(nsmallest(called, simpler.values(), key=measure), group) or best
 
 
 def fewer(problem: Problem, case: Case) -> Iterator[Case]:
@@ -75,6 +82,16 @@ def fewer(problem: Problem, case: Case) -> Iterator[Case]:
         most = max(_MOST, _WORK // (1 + len(value))) if isinstance(value, str) else _MOST
         for other in islice(parameters.simpler(parameter.type, value), most):
             yield (*case[:place], other, *case[place + 1 :])
+
+
+def _both(problem: Problem, case: Case) -> Iterator[Case]:
+    """The case with a shorter or simpler text or list, and beside it a smaller number, or another such."""
+    for one in fewer(problem, case):
+        numbers = list(numbers_of(one))
+        for place, value in enumerate(numbers):
+            for smaller in {0, 1, abs(value) // 2, abs(value) - 1}:
+                yield _replaced(one, numbers, {place: smaller})
+        yield from fewer(problem, one)
 
 
 def steps(case: Case) -> Iterator[Case]:

@@ -23,7 +23,7 @@ from judge.problem import Case, Group, Verdict
 from judge.problem.declare import InvalidCase
 from judge.problem.module import Module
 from judge.run.printed import message_of, text_of
-from judge.run.replies import VERDICTS
+from judge.run.replies import NO_ANSWER, VERDICTS
 from judge.run.runner import Runner
 from judge.sandbox.boundary import Box, Limits, Reply, Stop, Usage
 from judge.values import outline
@@ -191,6 +191,27 @@ class Trial(Struct):
             self.budget.slow(self.slow_seconds)
         return answer
 
+    def stopped_at(self, failing: FailingCase) -> int:
+        """Which one of calls in a row did not come to its end, from 1; 0 where a message says it, or nothing.
+
+        It is the last of the first calls with which the program ends as with all of them: one fewer, and it
+        goes on.
+        """
+        *own, calls = failing.case
+
+        def ends(count: int) -> bool:
+            case = (*own, calls[:count])
+            return self.valid(case, failing.group) and self.ask(case, failing.group).ended is self.verdict
+
+        if self.verdict is Verdict.WA or ", in call " in failing.message:
+            return 0
+        low, high = -1, len(calls)  # with none of them it may end, too: in the constructor
+        middle = high - 1  # most likely it is the last
+        while high - low > 1:
+            low, high = (low, middle) if ends(middle) else (middle, high)
+            middle = (low + high) // 2
+        return high
+
     @property
     def slow_seconds(self) -> float:
         """What a process takes for a single call, where that is long; 0 for the usual."""
@@ -292,13 +313,15 @@ class Trial(Struct):
     def _judged(self, case: Case, group: Group, reply: Reply, printed: str) -> Answer:
         given = reply.answer
         if reply.stop is not Stop.ANSWERED:
-            return self._stopped(case, group, VERDICTS[reply.stop], reply.detail, "no answer", printed)
+            return self._stopped(case, group, VERDICTS[reply.stop], reply.detail, NO_ANSWER, printed)
         exact, target = self._answer(case, group)
         outcome = self.runner.decide(given, target, lambda: (within(exact, group.name), group.tolerance))
         if not isinstance(outcome, Rejection):
             return _RIGHT
         right, got = outline.right(self.runner.problem.answer, target), self.runner.outline(given)
-        told = *_failure_class(right, got, coarse=self.coarse), "off" if outcome.where else "other"
+        lengths = not self.coarse or self.runner.problem.answer.measured  # whether these tell mistakes apart
+        told = _failure_class(right, got, coarse=self.coarse, lengths=lengths)
+        told += ("off" if outcome.where and lengths else "other",)
         message, raw = message_of(outcome.message, outcome.got, printed), self.runner.raw(given)
         texts = outcome.wanted, outcome.got, message
         return self._wrong(FailingCase(case, group, Verdict.WA, *texts, told, raw, printed))
@@ -321,10 +344,11 @@ def _key(case: Case, group: Group) -> tuple[str, str]:
     return group.name, repr(case)
 
 
-def _failure_class(right: Outline, given: Outline, *, coarse: bool) -> tuple[str, ...]:
+def _failure_class(right: Outline, given: Outline, *, coarse: bool, lengths: bool) -> tuple[str, ...]:
     """In which way an answer is wrong: what is wanted and what is given, without their numbers."""
     wanted, got = answer_class(right), answer_class(given)
-    if got.rpartition(" ")[2].isdecimal() and got != wanted:  # of a wanted 1, 0 and 2 are the same mistake
+    number = got.rpartition(" ")[2] if lengths else got
+    if number.isdecimal() and got != wanted:  # of a wanted 1, 0 and 2 are the same mistake
         got = "another number"
     elif got == "zero":  # as wrong as any other
         got = "a number"

@@ -3,11 +3,13 @@
 shapes.py     what a drawing is made of
 clip.py       cutting to a panel
 labels.py     placing labels
+plain.py      tables and graphs
 lengths.py    lengths as a person reads them
 svg.py, braille.py      drawing.css has the colours
 chart.py      the one chart, in braille
 """
 
-from judge.drawing.shapes import Picture
+from judge.drawing.plain import graph, table
+from judge.drawing.shapes import Picture, Role
 
-__all__ = ["Picture"]
+__all__ = ["Picture", "Role", "graph", "table"]

@@ -12,7 +12,8 @@ from itertools import groupby, pairwise
 from math import atan2, hypot, pi
 from typing import NamedTuple
 
-from judge.drawing.shapes import Dot, Mark, Panel, Picture, Role, Stroke
+from judge.drawing.shapes import Dot, Mark, Panel, Picture, Role, Stroke, Word
+from judge.errors import printable
 
 COLUMNS = 60
 ROWS = 16
@@ -120,7 +121,7 @@ def _legend(
     """What the letters of answers stand for, of those that are drawn, and how far away what is outside is."""
     drawn = {cell for each in grids for row in each.values() for cell in row}
     letters = zip((*LETTERS.items(), (None, "*")), (*picture.keys, "both"), strict=True)
-    found = [] if titled else [Piece("true scale")]
+    found = [Piece("true scale")] if picture.scaled and not titled else []
     found += [
         Piece(f"{letter} {key}", role)
         for (role, letter), key in letters
@@ -180,7 +181,19 @@ def grid(panel: Panel, raster: Raster, margin: int = 0) -> dict[int, list[Cell]]
     cells |= {-1 if side > 0 else raster.high: [*blank] for side in sides}
     for row, column, label in _labels(panel.marks, raster, margin, cells):
         cells[row][column : column + len(label)] = label
+    for word in panel.words:
+        x, y = raster.cell(*raster.fine(word.at))
+        text = _in_cell(word, int(word.room / 2 * raster.wide) - 2)
+        column = margin + x // 2 - len(text) // 2
+        cells[y // 4][column : column + len(text)] = [(letter, word.role) for letter in text]
     return cells
+
+
+def _in_cell(word: Word, room: int) -> str:
+    """A word as far as there is room, and behind it the sign of answers."""
+    text, sign = printable(word.text), LETTERS.get(word.role, "")
+    room = max(1, room - len(sign))
+    return f"{text if len(text) <= room else text[: room - 1] + '…'}{sign}"
 
 
 def _labels(

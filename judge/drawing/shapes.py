@@ -60,6 +60,16 @@ class Mark:
 
 
 @dataclass(frozen=True, slots=True)
+class Word:
+    """A text in the middle of a place, which has so much `room` from left to right."""
+
+    at: Dot
+    role: Role
+    text: str
+    room: float
+
+
+@dataclass(frozen=True, slots=True)
 class Bar:
     """A scale bar: its length in the panel and what that is; upright where it measures across the line."""
 
@@ -77,6 +87,7 @@ class Panel:
     marks: tuple[Mark, ...]
     bars: tuple[Bar, ...]
     note: str = ""
+    words: tuple[Word, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,6 +99,7 @@ class Picture:
     lens: Panel | None
     why: str = ""  # what the case turns on, where that is exact or cannot be seen
     keys: tuple[str, str] = (Role.WANTED.said, Role.GOT.said)  # what the two kinds of marks are called
+    scaled: bool = True  # whether lengths are those of the case
 
     @property
     def panels(self) -> tuple[Panel, ...]:

@@ -79,6 +79,10 @@ def _drawing(panel: Panel) -> Iterator[str]:
         name = "circle" if stroke.role is Role.SHAPE else stroke.role.value
         shape, kind = ("polygon", f"{name}-area") if stroke.filled else ("polyline", name)
         yield f'<{shape} class="{kind}" points="{_points(map(_pixel, stroke.dots))}"/>'
+    for word in panel.words:
+        x, y = _pixel(word.at)
+        said = _cut(word.text, word.room * _SIDE / 2 - _LETTER)
+        yield text(x, y + 4.5, said, f"halo {_TEXT.get(word.role, '')}".strip(), "middle")
     ink = _ink(panel)
     bars, taken = _bars(panel, ink)
     for stroke in panel.strokes:
@@ -168,8 +172,8 @@ def _bar(bar: Bar, base: float) -> Iterator[str]:
     yield text(12, y - 8, bar.text, "halo quiet")
 
 
-def _cut(said: str) -> str:
-    said, most = printable(said), int(_WIDEST / _LETTER)
+def _cut(said: str, room: float = _WIDEST) -> str:
+    said, most = printable(said), max(1, int(room / _LETTER))
     return said if len(said) <= most else said[: most - 1] + "…"
 
 

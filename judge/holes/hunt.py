@@ -36,6 +36,7 @@ from judge.values.show import shown, wanted
 from judge.verify.model import Fault, Progress, fault_of
 
 MARKS = "same.toml"  # beside the folders of solutions: mutants that nobody wants to hold
+_PROGRAMS = "no holes are looked for: it asks for programs, and has no function to change"
 _UNJUDGED = "there was no time to judge all of its mutants; the same command goes on"
 _SAVED = 5.0  # seconds between two times that a search is kept
 _TURNS = 64  # of a batch of cases, at most
@@ -81,13 +82,12 @@ def look_for_holes(
     if not problem.parameters:  # there is nothing to try
         return Holes(problem.id)
     programs = bases(problem, search.program)
+    if not problem.entry:
+        return Holes(problem.id, notes=(f"{problem.id}: {_PROGRAMS}",))
     if not programs:
         kind = "class" if problem.methods else "function"
-        remedy = f"write a {kind} {problem.entry} in Python into accepted" if problem.entry else ""
-        what = (
-            "no accepted program can be changed" if remedy else "a kata of programs has no function to change"
-        )
-        fault = Fault(what, f"{problem.solutions.name}/accepted", remedy)
+        remedy = f"write a {kind} {problem.entry} in Python into accepted"
+        fault = Fault("no accepted program can be changed", f"{problem.solutions.name}/accepted", remedy)
         return Holes(problem.id, faults=(fault,))
     name, key = kept_place("holes", problem, None)[0], code_key("holes")
     own = f"{name}-{search.seed}"
@@ -106,6 +106,14 @@ def look_for_holes(
         tell = progress or (lambda *_: None)
         bench = Bench(problem, sets, Crowd(problem, box), judged, tell)
         return _Hunt(bench, sets[0], search, kept, tell, keep).holes(programs)
+
+
+def _line(candidate: Candidate) -> str:
+    """A mutant in a line, `exact.py:7: a < b becomes a <= b`."""
+    mutant = candidate.mutant
+    place = f"{candidate.base.file}:{mutant.line}" if mutant.line else candidate.base.file
+    was, becomes = (" ".join(each.split()) for each in (mutant.was, mutant.becomes))
+    return f"{place}: {was} becomes {becomes}" if was else f"{place}: {becomes}"
 
 
 def _said(reply: Reply) -> str:
@@ -153,6 +161,7 @@ class _Hunt:
         wrong = [each for key, each in left.items() if key in self._found]
         found = {each.key: each for each in self._bench.accepted(wrong, every=True)}
         rejected = count - len(accepted) + len(wrong) - len(found)
+        unknown = [each for key, each in left.items() if key not in self._found | self._edge]
         self._bench.until = begun + seconds * 1.25  # for shorter cases
         return Holes(
             problem=problem.id,
@@ -164,7 +173,8 @@ class _Hunt:
             cases=self._kept.cases,
             holes=tuple(self._told(found)),
             edge=len(self._edge),
-            unknown=len(left) - len(wrong) - len(self._edge),
+            unknown=len(unknown),
+            unwitnessed=tuple(sorted(map(_line, unknown))),
             faults=(*(stale if ended else ()), *self._faults.values()),
             notes=tuple(filter(None, [None if ended else f"{problem.id}: {_UNJUDGED}", self._keep()])),
             stopped=self._stopped,

@@ -35,8 +35,8 @@ class Hole(Struct, frozen=True):
 class Holes(Published, frozen=True):
     """What came of it; of the `accepted` mutants `edge` are wrong only at the very edge of the promise.
 
-    `unknown` are those without any witness, and `marked` those that same.toml says to be right. `stopped`
-    says that Ctrl-C ended the search, `notes` what else a person should know.
+    `unknown` are those without any witness, each a line of `unwitnessed`, and `marked` those that same.toml
+    says to be right. `stopped` says that Ctrl-C ended the search, `notes` what else a person should know.
     """
 
     problem: str
@@ -49,6 +49,7 @@ class Holes(Published, frozen=True):
     holes: tuple[Hole, ...] = ()
     edge: int = 0
     unknown: int = 0
+    unwitnessed: tuple[str, ...] = ()
     faults: tuple[Fault, ...] = ()
     notes: tuple[str, ...] = ()
     stopped: bool = False

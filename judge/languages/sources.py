@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import codecs
 import re
+from collections.abc import Sequence
 from functools import partial
 from itertools import islice
 
@@ -17,7 +18,7 @@ from judge.languages.model import Language, languages
 from judge.languages.scan import changed, met, reading, stripped
 from judge.languages.shapes import Unsupported
 from judge.languages.signature import Signature
-from judge.languages.spec import around, spec_of
+from judge.languages.spec import Spec, around, spec_of
 from judge.languages.spell import Writer
 from judge.sandbox.boundary import SourceFault
 from judge.sandbox.recipe import Sources
@@ -26,6 +27,8 @@ _UTF16 = (codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)
 _CLASS = re.compile(r"\bclass\s+(\w+)")
 _PUBLIC_CLASS = re.compile(r"\bpublic\s++(?>(?:(?:final|abstract)\s++)*)class\s++(\w+)")
 _CALLED = re.compile(r"\b([A-Za-z_]\w*+)\s*+\(")
+_TOKEN = re.compile(r"\w+|[^\w\s]")
+_UNSAID = ("const", "&", "std", ":", "final", "public")  # in a head that is declared otherwise and fits
 _MOST_NAMES = 10_000  # of functions, one of which may be meant
 
 
@@ -96,11 +99,32 @@ def _called(language: Language, signature: Signature, source: bytes, text: str, 
     empty = "".join(stub.split()) in "".join(text.split())
     declared = writer.text("declared") if spec.methods and "declared" in writer else head
     mismatch = f"{spec.entry} is not declared as the problem says: {declared}"
+    other = _undeclared(writer.text("heads").split(";"), spec, text) if "heads" in writer else []
+    if spec.methods and other:
+        mismatch = f"{spec.entry} must declare: {'; '.join(other)}"
     if spec.own and "struct" in writer:
         types = (writer.text("struct", each) for each in spec.structs if each.name in spec.own)
         mismatch = f"{mismatch}, with {' and '.join(types)}"
     files = ((name, content.encode()), (own, writer.adapted(source)))
     return Sources(files, own, signature.entry, text.count("\n", 0, end) + 1, mismatch, empty=empty)
+
+
+def _undeclared(heads: Sequence[str], spec: Spec, text: str) -> list[str]:
+    """The heads of a class's members that the source lacks, whatever the names of their parameters.
+
+    Those that take other things come first: where there are some, what others return is most likely fine.
+    """
+    names = {name for _, member in spec.members for name, _ in member.parameters}
+    source = " ".join(each for each in _TOKEN.findall(text) if each not in _UNSAID)
+
+    def lacks(head: str, of: str = "") -> bool:
+        said = [each for each in _TOKEN.findall(head) if each not in _UNSAID]
+        said = said[said.index(of) if of else 0 :]
+        return not re.search(" ".join(r"\w+" if each in names else re.escape(each) for each in said), source)
+
+    pairs = [*zip(heads, (member.entry for _, member in spec.members), strict=False)]
+    taking = [head.strip() for head, name in pairs if lacks(head, name)]
+    return taking or [head.strip() for head, _ in pairs if lacks(head)]
 
 
 def own_file(language: Language, text: str, signature: Signature | None = None) -> str:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import ast
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from msgspec import Struct
 
@@ -14,6 +15,9 @@ from judge.mistakes.family import Choice, Family, Line
 from judge.problem import Problem
 from judge.problem.solutions import Kind, Solution, read_solutions, usual_first
 from judge.run.result import Behaviour
+
+SHARED = "shared-by-all-objects"
+_CHANGEABLE = (ast.List, ast.Dict, ast.Set, ast.ListComp, ast.DictComp, ast.SetComp, ast.Call)
 
 
 class Maker(Struct, frozen=True):
@@ -72,7 +76,49 @@ def read_makers(problem: Problem) -> Makers:
     if family is not None:
         found += [_of_choice(family, choice, name) for choice, name in family.named]
     found += [_of_file(each, catalogue.get(each.name, Words())) for each in usual_first(programs)]
+    if problem.methods and SHARED not in {each.name for each in found}:
+        found += _of_classes(problem, catalogue.get(SHARED, Words()))
     return Makers(problem, tuple(found), faults, family)
+
+
+def _of_classes(problem: Problem, words: Words) -> Iterator[Maker]:
+    """The right classes of which all objects share their state."""
+    for each in read_solutions(problem, Kind.ACCEPTED)[0]:
+        source = shared(each.source, problem.entry) if each.language is None else None
+        if source is not None:
+            program = Program(source.encode(), each.path.name)
+            yield Maker(SHARED, each.file, words.told, words, program, offered=True)
+
+
+def shared(source: bytes, entry: str) -> str | None:
+    """The class, which has itself what its constructor makes of no argument; None if that is nothing."""
+    try:
+        tree = ast.parse(source)
+    except (SyntaxError, ValueError):
+        return None
+    made = next((each for each in tree.body if isinstance(each, ast.ClassDef) and each.name == entry), None)
+    body = made.body if made else []
+    first = next(
+        (each for each in body if isinstance(each, ast.FunctionDef) and each.name == "__init__"), None
+    )
+    if made is None or first is None:
+        return None
+    own = {each.arg for each in ast.walk(first.args) if isinstance(each, ast.arg)}
+    moved = [each for each in first.body if isinstance(each, ast.Assign) and _is_fresh(each, own)]
+    kept = [each for each in first.body if each not in moved]
+    first.body = kept or [ast.Pass()]
+    for each in moved:
+        each.targets = [ast.Name(target.attr) for target in each.targets if isinstance(target, ast.Attribute)]
+    made.body[:0] = moved
+    return ast.unparse(ast.fix_missing_locations(tree)) if moved else None
+
+
+def _is_fresh(statement: ast.Assign, own: set[str]) -> bool:
+    """Whether it gives attributes an object that is made there, of no argument, and may be changed."""
+    nodes = [*ast.walk(statement.value)]
+    plain = not own.intersection(each.id for each in nodes if isinstance(each, ast.Name))
+    attributes = all(isinstance(target, ast.Attribute) for target in statement.targets)
+    return plain and attributes and any(isinstance(each, _CHANGEABLE) for each in nodes)
 
 
 def _of_choice(family: Family, choice: Choice, name: str) -> Maker:

@@ -58,9 +58,14 @@ def _parts(data: ProblemData, whole: GroupData) -> Iterator[tuple[str, GroupData
     if not data.problem.formatted:
         yield "", whole
         return
-    width = max(2, len(str(len(whole.cases))))
-    for at, (case, target) in enumerate(zip(whole.cases, whole.targets, strict=True), 1):
-        yield f"-{at:0{width}d}", replace(whole, cases=[case], targets=[target])
+    for suffix, case, target in zip(_suffixes(len(whole.cases)), whole.cases, whole.targets, strict=True):
+        yield suffix, replace(whole, cases=[case], targets=[target])
+
+
+def _suffixes(count: int) -> list[str]:
+    """What the names of so many cases end in."""
+    width = max(2, len(str(count)))
+    return [f"-{at:0{width}d}" for at in range(1, count + 1)]
 
 
 def _accepted(data: ProblemData, group: GroupData) -> list[Any]:
@@ -86,17 +91,29 @@ def _both(data: ProblemData, group: GroupData) -> tuple[bytes, bytes]:
 
 def file_names(problem: Problem) -> list[str]:
     """The names of all files of `group_files`."""
-    return [f"{group.name}{ending}" for group in problem.groups for ending in (".in", ".ans", ".json")]
+    own = problem.formatted and not problem.talks
+    names = []
+    for group in problem.groups:
+        stems = [f"{group.name}{suffix}" for suffix in (_suffixes(group.count) if own else ("",))]
+        names += [*(f"{stem}{ending}" for stem in stems for ending in (".in", ".ans")), f"{group.name}.json"]
+    return names
 
 
 def group_files(data: ProblemData, group: GroupData) -> dict[str, bytes]:
-    """The files of one group for other tools, by name. Raises ProblemError where the reference fails."""
-    name = group.group.name
-    return {
-        f"{name}.in": render_group(data.problem, group.cases),
-        f"{name}.ans": _answers(data, group),
-        f"{name}.json": _document(data, group).encode(),
-    }
+    """The files of one group for other tools, by name, with a FORMAT those of each case.
+
+    Raises ProblemError where the reference fails.
+    """
+    name, problem = group.group.name, data.problem
+    files = {f"{name}.json": _document(data, group).encode()}
+    if problem.talks:
+        return files | {
+            f"{name}.in": render_group(problem, group.cases),
+            f"{name}.ans": _answers(data, group),
+        }
+    for suffix, part in _parts(data, group):
+        files[f"{name}{suffix}.in"], files[f"{name}{suffix}.ans"] = _both(data, part)
+    return files
 
 
 def _answers(data: ProblemData, group: GroupData) -> bytes:

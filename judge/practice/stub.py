@@ -22,6 +22,7 @@ from judge.errors import ProblemError, UsageError, unwritable
 from judge.files import new_file, read_ordinary, replace_file
 from judge.languages import file_name, language_of
 from judge.problem import Example, Problem
+from judge.problem.find import typed
 from judge.problem.model import tupled
 from judge.problem.transcripts import typed_lines
 from judge.values import parameters
@@ -58,7 +59,7 @@ def write_stub(problem: Problem, path: Path, *, over: bool = False, hidden: bool
         UsageError: there is a file, or none can be written there.
         ProblemError: no stub can be made of the problem.
     """
-    text = make_stub(problem, language_of(path)).encode()
+    text = make_stub(problem, language_of(path), typed(problem)).encode()
     try:
         if hidden and not path.parent.exists():
             path.parent.mkdir()
@@ -95,24 +96,30 @@ def write_over(path: Path, text: bytes) -> Path | None:
     raise AssertionError
 
 
-def make_stub(problem: Problem, language: Language | None = None) -> str:
-    """The text of the stub in that language, or in Python.
+def make_stub(problem: Problem, language: Language | None = None, name: str = "") -> str:
+    """The text of the stub in that language, or in Python; `name` is what commands in it call the problem.
 
     Raises:
         ProblemError: what the setter wrote makes no Python.
         UsageError: the language has no form of one of the problem's types.
     """
+    name = name or problem.id
     about = [
         *_wrapped(f"{problem.id}: {problem.title}.", _WIDTH - len(_QUOTES)),
         "",
-        f"`judge show {problem.id}` shows the whole statement, `judge hint` the next hint.",
-        f"`judge start {problem.id}` judges this file on every save.",
+        *_said(f"`judge show {name}`", "shows the whole statement, `judge hint` the next hint."),
+        *_said(f"`judge start {name}`", "judges this file on every save."),
     ]
     if not problem.entry:
         return _program(problem, language, about)
     if language is not None:
         return _native(problem, language, about)
     return _class(problem, about) if problem.methods else _python(problem, about)
+
+
+def _said(command: str, what: str) -> Iterator[str]:
+    """What a command does; it is on one line itself."""
+    return (row.replace("\0", " ") for row in _wrapped(f"{command.replace(' ', chr(0))} {what}", _WIDTH))
 
 
 def _class(problem: Problem, about: Iterable[str]) -> str:

@@ -108,17 +108,19 @@ def holes(found: Holes, _screen: Screen) -> RenderableType:
     said = f"{counted(found.mutants, 'mutant')} of {counted(found.programs, 'program')}: "
     said += f"{found.rejected:,} rejected, {found.accepted:,} accepted; {counted(found.cases, 'case')} tried"
     if not found.programs:
-        said = "" if found.faults else "its cases have no input"
+        said = "" if found.faults or found.notes else "its cases have no input"
     count = bad(counted(len(found.holes), "hole")) if found.holes else good("no hole")
     faults = [(bad("fault"), str(each)) for each in found.faults]
-    top = head(found.problem, count, said)
+    top = head(found.problem, count if found.programs or not found.notes else faint("not looked at"), said)
     told = Group(top, indented(table(faults))) if faults else top
     left = [f"{counted(found.unknown, 'accepted mutant')} without a witness"] if found.unknown else []
     left += [f"{found.edge} wrong only at the very edge of the promise"] if found.edge else []
     left += [f"{found.marked} marked in same.toml"] if found.marked else []
-    more = "Again to look longer; --seed 1 looks at other cases." if found.unknown or found.edge else ""
+    more = "--all lists them. " if found.unknown and not found.unwitnessed else ""
+    more += "Again to look longer; --seed 1 looks at other cases." if found.unknown or found.edge else ""
     below = [faint(". ".join(filter(None, (", ".join(left), more))))] if left else []
-    return blocks(told, *(_hole(found.problem, each) for each in found.holes), *below)
+    listed = [Group(*map(text, found.unwitnessed))] if found.unwitnessed else []
+    return blocks(told, *(_hole(found.problem, each) for each in found.holes), *below, *listed)
 
 
 def _hole(problem: str, hole: Hole) -> RenderableType:

@@ -21,6 +21,7 @@ from judge.run.unreadable import other_order, why_ended
 _PLACE = re.compile(r" \(line (\d{1,9})\)")
 # As judge.run.execute writes a compiler's complaint, whose quotation of the line follows it.
 _COMPILED = re.compile(r" \(line (\d{1,9})(?:, column (\d{1,9}))?\)(?:: .*)?")
+_IN_CALL = re.compile(r", in call \d{1,9}: .*")
 _SPENT = re.compile(r"used more than (\S+ s) of CPU time")
 _SLOW = 1.5  # times as long as the reference, from which on an accepted program hears of it
 _LIKELY = 0.9  # the score from which on a mistake is very likely
@@ -114,6 +115,14 @@ def shown_failure(result: Result) -> Failure | None:
     return small if small is not None and small.replay is not None else result.failure
 
 
+def _ended(result: Result) -> Failure | None:
+    """The failure that says what ended the program: that of the case that is shown.
+
+    How long it was waited for is said of the first one: the search for a smaller one is less patient.
+    """
+    return result.failure if result.verdict is Verdict.TLE or result.hurdle else shown_failure(result)
+
+
 def place_of(failure: Failure | None) -> str:
     """`grid, case 7`; nothing where a failure has no place."""
     if failure is None or failure.group is None:
@@ -160,7 +169,7 @@ def _step(pitfall: Pitfall, at: int) -> str:
 
 def _happened(problem: Problem | None, result: Result, text: str) -> str:
     """What ended the program, or keeps it from running; nothing for a wrong answer."""
-    failure, verdict = result.failure, result.verdict
+    failure, verdict = _ended(result), result.verdict
     if failure is None or verdict is Verdict.AC:
         return ""
     message, unplaced, place = failure.message, failure.input is None, fault_place(result)
@@ -176,7 +185,9 @@ def _happened(problem: Problem | None, result: Result, text: str) -> str:
         return f"line {place.line}: {_COMPILED.sub('', message)}" if place else message
     if verdict is Verdict.TLE and (spent := _SPENT.search(message)):
         where = f", at line {found[1]}" if (found := _PLACE.search(message)) else ""
-        return f"Stopped after {spent[1]} of CPU time{where}. An endless loop?"
+        small = shown_failure(result)
+        call = found[0] if small and (found := _IN_CALL.search(small.message)) else ""
+        return f"Stopped after {spent[1]} of CPU time{where}{call}. An endless loop?"
     slow = result.time.ratio is not None or result.time.growth is not None
     if verdict is Verdict.TLE and unplaced and failure.case is None and slow:
         return ""  # it is too slow beside the reference, and was not stopped
@@ -334,7 +345,9 @@ def level_share(result: LevelResult) -> str:
 
 # As judge.sandbox.inside.child writes an exception, which may have such words in its own text before, or the
 # place where a call stood that did not end.
-_RAISED = re.compile(r".*\(line (\d{1,9})\)(?:$|, after |, when |; its input|; it was run as a program)")
+_RAISED = re.compile(
+    r".*\(line (\d{1,9})\)(?:$|, after |, when |, in call |; its input|; it was run as a program)"
+)
 
 
 class FilePlace(Struct, frozen=True):
@@ -349,7 +362,8 @@ def fault_place(result: Result) -> FilePlace | None:
 
     Its failure's message says so.
     """
-    message = result.failure.message if result.failure else ""
+    failure = _ended(result)
+    message = failure.message if failure else ""
     if result.verdict is Verdict.CE:
         found = _COMPILED.search(message)
         return FilePlace(int(found[1]), int(found[2] or 0)) if found else None

@@ -12,7 +12,7 @@ from msgspec.structs import replace
 
 from judge.data.model import GroupData, ProblemData
 from judge.problem import Group, Problem, Verdict
-from judge.run.replies import VERDICTS, Replies
+from judge.run.replies import NO_ANSWER, VERDICTS, Replies
 from judge.run.result import Answers, Failure, GroupResult, short_answer
 from judge.sandbox.boundary import Limits, Stop, Usage
 from judge.values.check import Accepted
@@ -95,7 +95,7 @@ class GroupRun:
                 input=self._shown_input(index),
             )
 
-    def failed(self, index: int, verdict: Verdict, message: str, got: str = "no answer") -> None:
+    def failed(self, index: int, verdict: Verdict, message: str, got: str = NO_ANSWER) -> None:
         """Record a case without an answer to compare."""
         self.wrong.setdefault(index, (f"stopped {verdict.value}", ()))
         if self.failure is None:
@@ -132,7 +132,7 @@ class GroupRun:
         self.wrong[index] = (f"raised {raised[0]}" if raised else f"stopped {stop.value}", ())
         self.failed(index, VERDICTS[stop], detail)
 
-    def unsteady(self, index: int, verdict: Verdict, message: str, got: str = "no answer") -> None:
+    def unsteady(self, index: int, verdict: Verdict, message: str, got: str = NO_ANSWER) -> None:
         """Record a case that passed, but did not when it was run again."""
         self.passed -= 1
         self.failed(index, verdict, message, got)

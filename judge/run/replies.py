@@ -8,6 +8,7 @@ from typing import NamedTuple
 from judge.problem import Verdict
 from judge.sandbox.boundary import Reply, Stop, Usage
 
+NO_ANSWER = "no answer"  # what is shown in place of one
 VERDICTS = {
     Stop.EXCEPTION: Verdict.RTE,
     Stop.EXITED: Verdict.RTE,
@@ -30,7 +31,7 @@ class Breakdown(NamedTuple):
     verdict: Verdict
     detail: str
     case: int
-    got: str = "no answer"
+    got: str = NO_ANSWER
     so_far: str = ""
 
 

@@ -1,4 +1,7 @@
-"""A failing case of calls in a row: each call with what it returned, up to the one that fails."""
+"""A failing case of calls in a row: each call with what it returned, up to the one that fails.
+
+Where it is not known at which call the program ended, nothing is said of what they returned.
+"""
 
 from __future__ import annotations
 
@@ -8,13 +11,15 @@ from judge.problem import Problem
 from judge.problem.model import case_of
 from judge.problem.module import load_module
 from judge.problem.transcripts import typed_lines
+from judge.run.replies import NO_ANSWER
 from judge.run.result import Failure
 from judge.values import check, show
 from judge.values.answers import Tolerance
 from judge.values.calls import ReturnType
 
 _ROWS = 20
-_WHAT = re.compile(r": | \(line |, in call ")  # what comes after the exception's type
+_WHAT = re.compile(r": | \(|, in call ")  # what comes after the exception's type, or what ended it
+_RAISED = re.compile(r"[\w.:]+")  # a type
 _IN_CALL = re.compile(r", in call ([0-9]{1,9}): ")
 
 
@@ -29,16 +34,17 @@ def transcript(problem: Problem, failure: Failure) -> str:
     first, *typed = typed_lines(problem, case)
     given = failure.given if isinstance(failure.given, list) and len(failure.given) == len(target) else []
     found = _IN_CALL.search(failure.message)
-    stopped = int(found[1]) if found else 0
+    stopped, ended = int(found[1]) if found else 0, failure.got == NO_ANSWER
     wide = max(map(len, typed), default=0)
     rows = []
     for at, line in enumerate(typed):
         place, wanted = target[at]
         answer = type_.methods[place].answer
-        told = show.wanted(answer, wanted) if answer else ""
+        told = show.wanted(answer, wanted) if answer and (stopped or not ended) else ""
         wrong = at + 1 == stopped
         if wrong:
-            told = f"raised {_WHAT.split(failure.message)[0]}"
+            what = _WHAT.split(failure.message)[0]
+            told = f"raised {what}" if _RAISED.fullmatch(what) else what
         elif given:
             off = type_.decided(at, given[at], target[at], lambda: (exact, tolerance))
             if isinstance(off, check.Rejection):

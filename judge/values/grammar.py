@@ -150,7 +150,7 @@ class _Parser:
         elif token in _IN_A_ROW and self._take("{"):
             found = _IN_A_ROW[token](self._methods())
         elif token.replace("-", "_").isidentifier():
-            found = self._named(token, self._several(self._next, "|;,") if self._take("(") else [])
+            found = self._named(token)
         else:
             raise ValueError(f"none begins with {token!r}")
         self._depth -= 1
@@ -236,13 +236,14 @@ class _Parser:
             what = f"types/{name}.py is not used: {name} is a type of the judge"
             raise TypeFault(what, "rename or remove it")
 
-    def _named(self, name: str, arguments: list[str]) -> Type:
+    def _named(self, name: str) -> Type:
         """The type of that name."""
         if name in NAMES:
             self._known(name)
         found = NAMES.get(name) or _found(name, self._folder)
         if found is None:
             raise self._unknown(name)
+        arguments = self._several(self._next, "|;,") if self._take("(") else []
         if isinstance(found, str):
             if arguments:
                 raise ValueError(f"{name} takes nothing in parentheses")
@@ -258,6 +259,8 @@ class _Parser:
         own = [*NAMES, *(path.stem.replace("_", "-") for path in files)]
         elsewhere = (meant for names, meant in _ELSEWHERE.items() if name in names.split())
         meant = next(elsewhere, None) or nearest(name, own)
+        if meant in _BOUNDED and (bounds := re.search(rf"\b{name}(\([-0-9.]*\))", self._text)):
+            meant += bounds[1]
         remedy = f"did you mean {meant!r}?" if meant else f"use one of {', '.join(own)}"
         what = f"{name!r} is unknown"
         return TypeFault(what if self._text == name else f"{self._text!r} is not a type: {what}", remedy)

@@ -12,6 +12,7 @@ Nothing is printed: what is wrong is in the report.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from functools import partial
 from itertools import chain
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -20,7 +21,7 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from judge.data.load import load_data
-from judge.data.model import ProblemData
+from judge.data.model import ProblemData, Within
 from judge.data.pins import Kills, differences, pins_file, pins_of, read_pins, write_pins
 from judge.errors import ProblemError, UsageError, meant
 from judge.languages import NAME as PYTHON
@@ -75,8 +76,9 @@ def verify_problem(
     options: Options = Options(),  # noqa: B008 - frozen
     progress: Progress | None = None,
     boxes: Boxes | None = None,
+    within: Within | None = None,
 ) -> Verified:
-    """Check everything, the solutions in these boxes, where there are some.
+    """Check everything, the solutions in these boxes, where there are some; cases are solved `within` that.
 
     A problem whose data cannot be built has that as its one fault. Raises UsageError where there is no such
     solution or group, or where a module is not installed that its reference needs; ProblemError where the
@@ -90,7 +92,9 @@ def verify_problem(
     if options.solution:
         solutions, unsound = (_named(options.solution, solutions),), ()
     try:
-        pinned, *others = data = [fresh_data(problem, tell, at or None) for at in range(options.seeds)]
+        pinned, *others = data = [
+            fresh_data(problem, tell, at or None, within) for at in range(options.seeds)
+        ]
     except ProblemError as error:
         return Verified(problem.id, (fault_of(error, problem.id),))
     factory = AnyBoxes(boxes or Boxes(), signature_of(problem))
@@ -135,10 +139,16 @@ def verify_problem(
     )
 
 
-def fresh_data(problem: Problem, progress: Progress | None = None, seed: int | None = None) -> ProblemData:
+def fresh_data(
+    problem: Problem,
+    progress: Progress | None = None,
+    seed: int | None = None,
+    within: Within | None = None,
+) -> ProblemData:
     """The problem's data, or those of a seed, built without a look at the cache. Raises ProblemError."""
     tell = progress or (lambda *_told: None)
-    return load_data(problem, seed=seed, progress=lambda *done: tell("building data", *done), store=None)
+    built = partial(tell, "building data")
+    return load_data(problem, seed=seed, progress=built, store=None, within=within)
 
 
 def _named(name: str, solutions: Sequence[Solution]) -> Solution:
@@ -183,13 +193,14 @@ def _check_pins(
         write_pins(problem, found)
         return "written", []
     where = f"{problem.id}/{pins_file(problem).name}"
-    remedy = f"if that is meant, pin the data with: judge verify {typed(problem)} --pin"
+    command = f"judge verify {typed(problem)} --pin"
+    remedy = f"if that is meant, pin the data with: {command}"
     try:
         pins = read_pins(problem)
     except ProblemError as error:
         return "differing", [fault_of(error, where)]
     if pins is None:
-        return "differing", [Fault("the data are not pinned", where, remedy)]
+        return "missing", [Fault("the data are not pinned", where, f"pin them with: {command}")]
     if partial:  # which mistakes the groups reject was not measured
         pins = {name: {**pins[name], "kills": found[name]["kills"]} for name in found if name in pins}
     faults = [Fault(what, where, remedy) for what in differences(pins, found)]

@@ -57,8 +57,8 @@ class SolutionReport(Struct, frozen=True):
 class Verified(Published, frozen=True):
     """What was checked of a kata, or of the cards of `judge quiz`, and what is wrong.
 
-    `pins` is "matching", "written" or "differing", and empty where no data were looked at. `warnings` are
-    worth a look, and no broken promise.
+    `pins` is "matching", "written", "differing" or "missing", and empty where no data were looked at.
+    `warnings` are worth a look, and no broken promise.
     """
 
     problem: str

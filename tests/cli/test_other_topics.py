@@ -121,3 +121,31 @@ def test_a_slip_is_one_line_and_no_fault_of_the_judge(name, file, old, new, told
     assert (ended.status, ended.err.count("\n")) == (3, 1)
     assert told in ended.err
     assert name in ended.err
+
+
+@pytest.mark.parametrize("text", ["a:b", "a:b:c", "at:12:v0:0", "brackets::"])
+def test_a_text_with_colons_is_a_case_and_no_replay_id(text, judge, tmp_path):
+    shutil.copytree(ROOT / "judge" / "manual" / "katas" / "problems" / "runs", tmp_path / "problems" / "runs")
+    place = tmp_path / "problems" / "runs" / "problem.toml"
+    place.write_text(place.read_text().replace('letters = "a-z "', 'letters = "a-z0-9: "'))
+    ended = judge("try", "runs", text, "--problems", tmp_path / "problems", "--json")
+    assert (ended.status, ended.err) == (0, "")
+    assert objects(ended)[0]["case"]["input"] == {"s": text}
+
+
+def test_the_files_of_a_kata_with_a_format_are_an_input_and_an_output_for_each_case(judge):
+    """Its own program prints just that; a second export writes over nothing."""
+    katas = ROOT / "judge" / "manual" / "katas"
+    words = "export", "depot", "--out", "data", "--format", "files", "--problems", katas / "problems"
+    ended = judge(*words, "--json")
+    names = sorted(path.name for path in Path("data", "depot").iterdir())
+    assert (ended.status, names) == (0, sorted(objects(ended)[0]["files"]))
+    assert {"one-shelf-12.in", "one-shelf-12.ans", "refusals.json"} < set(names)
+    assert "one-shelf.in" not in names
+    program = katas / "solutions" / "depot" / "accepted" / "exact.py"
+    for given in sorted(Path("data", "depot").glob("*-01.in")):
+        command = [sys.executable, "-I", str(program)]
+        case = given.read_bytes()
+        printed = subprocess.run(command, input=case, capture_output=True, check=True, timeout=60)
+        assert printed.stdout == given.with_suffix(".ans").read_bytes()
+    assert judge(*words).status == 2

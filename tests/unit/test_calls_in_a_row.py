@@ -88,6 +88,44 @@ def test_an_exception_says_in_which_call(cache):
     assert "calls" in dict(told.facts)
 
 
+FULL = "if len(self.values) > self.capacity:\n            "
+
+
+@pytest.mark.parametrize(
+    ("deed", "row"),
+    [
+        ("while True: pass", "of CPU time"),
+        ("__import__('os').abort()", "killed by SIGABRT"),
+        ("[0] * 10**10", "raised MemoryError"),
+        ("__import__('os')._exit(3)", "exit status 3"),
+    ],
+)
+def test_the_call_that_does_not_end_is_marked(cache, deed, row):
+    """It is known to be the last of the smallest case; of the first case nothing is said."""
+    result, told = explained(cache, RIGHT.replace(FULL, f"{FULL}{deed}\n            "))
+    first, *_, last = result.counterexample.shown.splitlines()
+    assert first == "cache = LRUCache(1)"
+    assert last.startswith("cache.put(1, 0)   ")
+    assert last.endswith(f" {row}")
+    assert "in call 2: put(1, 0)" in told.happened
+    assert "None" not in result.failure.shown
+
+
+def test_a_constructor_that_does_not_end_marks_no_call(cache):
+    result, told = explained(cache, RIGHT.replace("self.capacity = capacity", "__import__('os').abort()"))
+    assert result.counterexample.shown == "cache = LRUCache(1)"
+    assert "in call" not in told.happened
+
+
+def test_what_ended_it_is_said_of_the_case_that_is_shown(cache):
+    wrong = RIGHT.replace("return None", "return None if len(self.values) < 2 else 1 // 0")
+    result, told = explained(cache, wrong)
+    called = result.counterexample.shown.splitlines()[-1].partition("  ")[0].removeprefix("cache.")
+    assert told.happened.endswith(f"in call {len(result.counterexample.input['calls'])}: {called}")
+    assert told.source
+    assert called not in result.failure.message
+
+
 @pytest.mark.parametrize(
     "raised", ["1 / 0", "raise SystemExit", "raise KeyboardInterrupt", "raise OSError(self)"]
 )

@@ -354,6 +354,14 @@ class TestSearch:
         (fault,) = looked(pack).faults
         assert fault.what == "no accepted program can be changed"
 
+    def test_a_kata_of_programs_alone_is_one_clear_line_and_no_fault(self):
+        katas = Path(load_data.__code__.co_filename).parents[1] / "manual" / "katas" / "problems"
+        command = [sys.executable, "-m", "judge", "verify", "depot", "--holes", "--problems", str(katas)]
+        ended = subprocess.run(command, capture_output=True, text=True, check=False)
+        assert (ended.returncode, ended.stdout) == (0, "depot  not looked at\n")
+        assert ended.stderr.count("\n") == 1
+        assert "has no function to change" in ended.stderr
+
     def test_the_command_says_what_it_found_and_exits_with_3(self, pack):
         def judge(*words):
             command = [sys.executable, "-m", "judge", *words, "--problems", str(pack / "problems")]
@@ -364,6 +372,10 @@ class TestSearch:
         assert found.returncode == 3, found.stderr
         (line,) = found.stdout.splitlines()
         assert {hole["becomes"] for hole in json.loads(line)["holes"]}
+        unknown = json.loads(line)["unwitnessed"]
+        assert len(unknown) == json.loads(line)["unknown"] > 0
+        assert unknown[0] not in judge(*look).stdout
+        assert unknown[0] in judge(*look, "--all").stdout
         shown = judge(*look).stdout
         assert "judge try divides" in shown
         assert "solutions/divides/same.toml" in shown

@@ -247,6 +247,27 @@ def test_what_is_raised_is_told_with_its_type_and_line(name):
     assert re.fullmatch(told, reply.detail), reply.detail
 
 
+def test_what_is_raised_is_shown_in_its_own_letters():
+    source = "#include <stdexcept>\ndouble mirror_all(double) { throw std::logic_error(%s); }"
+    (reply,) = called(
+        "a.cpp", source % r'"caf\xc3\xa9 \xe2\x82\xac \xf0\x9f\x98\x80 \xe9 \xc3"', REAL, [(2.0,)]
+    )
+    assert reply.detail == "std::logic_error: café € 😀 é Ã"
+
+
+@pytest.mark.parametrize(
+    ("source", "told"),
+    [
+        ("function* mirrorAll(x) { yield x; }", "TypeError: mirrorAll is a GeneratorFunction: write it as"),
+        ("const mirrorAll = async (x) => x;", "TypeError: mirrorAll is an AsyncFunction: write it as"),
+    ],
+)
+def test_a_function_that_returns_no_answer_itself_is_told(source, told):
+    (reply,) = called("a.js", source, REAL, [(2.0,)])
+    assert reply.stop is Stop.EXCEPTION
+    assert reply.detail.startswith(told)
+
+
 ENDED = {  # a program that ends in its third line
     "a.c": "#undef NDEBUG\n#include <assert.h>\nint main(int x, char **words) { assert(x > 9); }",
     "a.go": "package main\nfunc main() {\n var a []int; print(a[len(a)]) }",

@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+import shutil
 from pathlib import Path
 
 import pytest
 
-from judge import judge
+from judge import RunOptions, Session, judge
 from judge.data.load import load_data
-from judge.mistakes.makers import read_makers
+from judge.mistakes.makers import read_makers, shared
+from judge.problem import Verdict
 from judge.problem.load import load_problem
 from judge.sandbox import Boxes
+from judge.verify.gate import Options, verify_problem
 from judge.verify.mistakes import verify_choices
 
 KATAS = Path(__file__).parents[2] / "judge" / "manual" / "katas" / "problems"
@@ -117,6 +120,47 @@ def test_what_people_do_to_a_value_is_named(kata, wrapped, name, tmp_path, monke
     found = judge(problem, source).pitfall
     assert found is not None
     assert found.names[0] == name
+
+
+@pytest.fixture
+def cache(tmp_path):
+    """The class kata, whose wrong classes are not written down."""
+    for kind in ("problems", "solutions"):
+        shutil.copytree(KATAS.parent / kind / "least-recently-used", tmp_path / kind / "least-recently-used")
+    shutil.rmtree(tmp_path / "solutions" / "least-recently-used" / "wrong")
+    return tmp_path / "problems" / "least-recently-used"
+
+
+def test_a_class_whose_objects_share_their_state_is_named(cache):
+    mine = (KATAS.parent / "solutions/least-recently-used/wrong/shared-by-all-objects.py").read_bytes()
+    with Session(load_problem(cache), RunOptions(timed=False)) as session:
+        result = session.judge(mine, "mine.py")
+    assert result.verdict is Verdict.WA
+    assert result.pitfall.names == ("shared-by-all-objects",)
+
+
+def test_no_group_need_reject_a_class_with_shared_state(cache):
+    assert [(each.name, each.offered) for each in read_makers(load_problem(cache)).all] == [
+        ("shared-by-all-objects", True)
+    ]
+    found = verify_problem(load_problem(cache), Options(pin=True))
+    assert (found.faults, found.mistakes) == ((), ())
+
+
+@pytest.mark.parametrize(
+    ("state", "moved"),
+    [
+        ("self.a = {}", "a = {}"),
+        ("self.a = self.b = [0] * 3", "a = b = [0] * 3"),
+        ("self.a = list(range(3))", "a = list(range(3))"),
+        ("self.a = [n]", None),
+        ("self.a = 0", None),
+        ("a = []", None),
+    ],
+)
+def test_what_the_constructor_makes_of_no_argument_is_moved_to_the_class(state, moved):
+    found = shared(f"class C:\n    def __init__(self, n):\n        {state}\n".encode(), "C")
+    assert found == (moved and f"class C:\n    {moved}\n\n    def __init__(self, n):\n        pass")
 
 
 KNAPSACK = """\

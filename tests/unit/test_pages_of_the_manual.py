@@ -7,9 +7,13 @@ import inspect
 import re
 import tomllib
 from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
 
 import msgspec
 
+from judge.drawing.braille import to_braille
+from judge.drawing.svg import panel_svg
 from judge.problem.declare import Hooks, group
 from judge.problem.model import GroupLimits, KataLevel, Parameter, Source, TimeRule
 from judge.problem.read import Head
@@ -71,6 +75,17 @@ def test_every_formula_computes_what_its_example_shows():
         doctest.DocTestParser().get_doctest(examples, {}, "formulas.md", None, 0)
     )
     assert (ended.failed, ended.attempted > 20) == (0, True)
+
+
+def test_the_picture_of_the_example_is_drawn():
+    (example,) = re.findall(r"^```py\n(.*?)^```$", sections()["Pictures"], re.MULTILINE | re.DOTALL)
+    names: dict[str, Any] = {}
+    exec(example, names)
+    picture = names["HOOKS"].picture(SimpleNamespace(values={"xs": [3, 141, 59]}))
+    rows = ["".join(piece.text for piece in row) for row in to_braille(picture)]
+    assert re.search(r" 3 .*141o .* 59", "\n".join(rows))
+    assert rows[-1] == "o expected"
+    assert panel_svg(picture.whole, "a", picture.description).count(">141<") == 1
 
 
 SECURITY = (MANUAL / "sandbox.md").read_text(encoding="utf-8")

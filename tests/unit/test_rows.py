@@ -21,6 +21,7 @@ from judge.problem.load import load_problem
 from judge.problem.model import KataLevel
 from judge.problem.module import load_module
 from judge.verify.gate import Options, verify_problem
+from judge.verify.solving import Solving
 
 TOML = """title = "Signs"
 tier = "junior"
@@ -136,7 +137,7 @@ def test_verify_measures_and_pins_what_each_group_rejects(kata):
 
 
 def test_ctrl_c_says_what_verify_was_at(kata, monkeypatch, capsys):
-    def interrupted(problem, options, progress, boxes):
+    def interrupted(problem, options, progress, *_):
         progress("judging mistakes", 3, 7)
         raise KeyboardInterrupt
 
@@ -144,6 +145,34 @@ def test_ctrl_c_says_what_verify_was_at(kata, monkeypatch, capsys):
     with pytest.raises((KeyboardInterrupt, click.Abort)):
         verify.main(["signs", "--problems", str(kata.parent)], standalone_mode=False)
     assert "signs: stopped while judging mistakes, 3 of 7" in " ".join(capsys.readouterr().err.split())
+
+
+def test_what_solve_works_on_for_long_is_said_and_said_again(kata):
+    now, told = [0.0], []
+    solving = Solving(told.append, lambda: now[0])
+
+    def at(*seconds):
+        for now[0] in seconds:
+            solving.look()
+
+    with solving.within("large", 7, (3,)):
+        at(4.9)
+        assert told == []
+        at(5.1, 34.9)
+        assert told == ["solve works on group 'large', case 7: (3,)"]
+        at(35.1)
+        assert len(told) == 2
+    at(99.0)
+    assert len(told) == 2
+
+
+def test_ctrl_c_says_which_case_solve_works_on(kata, monkeypatch, capsys):
+    source = (kata / "problem.py").read_text()
+    (kata / "problem.py").write_text(f"{source}\ndef solve(x):\n    raise KeyboardInterrupt\n")
+    with pytest.raises((KeyboardInterrupt, click.Abort)):
+        verify.main(["signs", "--problems", str(kata.parent)], standalone_mode=False)
+    said = " ".join(capsys.readouterr().err.split())
+    assert re.search(r"signs: stopped while solve works on group '\w+', case 1: \(-?\d+,\)", said)
 
 
 RULES = """# Signs

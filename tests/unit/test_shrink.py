@@ -266,3 +266,88 @@ def test_where_each_call_is_slow_a_case_that_is_not_made_smaller_says_so():
 )
 def test_a_case_of_fewer_items_is_simpler(simpler, other):
     assert measure(simpler) < measure(other)
+
+
+# A kata whose parameters are small only together: its types, its solution, what its cases are, an example.
+WIDTH = """
+def cut(s, width):
+    lines = [word[at : at + width] for word in s.split() for at in range(0, len(word), width)]
+    return lines
+"""
+TURNED = """
+def turned(xs, k):
+    k = k % len(xs) if xs else 0
+    return [*xs[k:], *xs[:k]]
+"""
+COMMON = """
+def common(s, t):
+    starts = [(i, j) for i in range(len(s)) for j in range(len(t))]
+    return max((equal(s[i:], t[j:]) for i, j in starts), default=0)
+
+
+def equal(s, t):
+    return next((at for at, (a, b) in enumerate(zip(s, t)) if a != b), min(len(s), len(t)))
+"""
+TOGETHER = {
+    "cut": (
+        WIDTH,
+        "[text]",
+        {"s": ("text(0..40)", ', letters = "a-d "'), "width": ("int(1..12)", "")},
+        '(" ".join(draw.choice("abcd") * draw.integer(4, 9) for _ in range(3)), draw.integer(3, 8))',
+        "cut('aa b', 1)\n    ['a', 'a', 'b']",
+    ),
+    "turned": (
+        TURNED,
+        "[int]",
+        {"xs": ("[int(0..99); 0..30]", ""), "k": ("int(0..60)", "")},
+        "(tuple(draw.integer(0, 99) for _ in range(draw.integer(8, 20))), draw.integer(3, 60))",
+        "turned([1, 2, 3], 1)\n    [2, 3, 1]",
+    ),
+    "common": (
+        COMMON,
+        "int",
+        {"s": ("text(0..20)", ', letters = "a-d"'), "t": ("text(0..20)", ', letters = "a-d"')},
+        '("b" + (t := "".join(draw.choice("bcd") for _ in range(draw.integer(5, 12)))), t)',
+        "common('ab', 'b')\n    1",
+    ),
+}
+
+
+@pytest.fixture(scope="module")
+def together(tmp_path_factory):
+    """Those katas, in a pack."""
+    pack = tmp_path_factory.mktemp("together") / "problems"
+    for name, (solution, answer, types, case, example) in TOGETHER.items():
+        folder = pack / name
+        folder.mkdir(parents=True)
+        rows = "\n".join(
+            f'{each} = {{ type = "{type_}", about = "it"{letters} }}'
+            for each, (type_, letters) in types.items()
+        )
+        head = f'title = "T"\ntier = "junior"\nsummary = "S."\nentry = "{name}"\nanswer = "{answer}"\n'
+        (folder / "problem.toml").write_text(f"{head}[parameters]\n{rows}\n")
+        (folder / "problem.py").write_text(
+            f"from judge.problem.declare import group\n{solution}\n\nsolve = {name}\n"
+            f'GROUPS = [group("some", "Some.", lambda draw: {case})]\n'
+        )
+        (folder / "statement.md").write_text(f"# T\n\n## Examples\n\n    >>> {example}\n")
+    PACKS.append(pack)
+    yield
+    PACKS.remove(pack)
+
+
+@pytest.mark.parametrize(
+    ("name", "right", "wrong", "smallest"),
+    [
+        ("cut", "return lines", "return lines * (len(s) != width + 12)", ("a" * 13, 1)),
+        ("turned", "k % len(xs) if xs else 0", "min(k, len(xs))", ([0, 1], 3)),
+        ("turned", "k % len(xs) if xs else 0", "k if k <= len(xs) else k - len(xs)", ([0, 1], 5)),
+        ("common", "default=0)", "default=0) % 5", ("aaaaa", "aaaaa")),
+        ("common", "default=0)", "default=0) * (len(t) < 4)", ("a", "aaaa")),
+    ],
+)
+def test_what_fails_only_together_is_made_smaller_together(name, right, wrong, smallest, together):
+    source = TOGETHER[name][0]
+    assert source.count(right) == 1
+    _, result, found = shrunk(name, source.replace(right, wrong))
+    assert (result.verdict, tuple(found.input.values()), found.cut_short) == (Verdict.WA, smallest, False)

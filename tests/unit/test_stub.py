@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import doctest
+import shutil
 import types
 from pathlib import Path
 
 import pytest
 
 from judge.practice.solutions import approaches
-from judge.practice.stub import make_stub
+from judge.practice.stub import make_stub, write_stub
 from judge.problem.find import sound_problems
 from judge.problem.load import load_problem
 
@@ -72,3 +73,13 @@ def test_its_examples_pass_once_the_function_is_written(problem):
         test.globs = vars(module)
         runner.run(test, out=said.append, clear_globs=False)
     assert (runner.tries, said) == (_doctests(problem), [])
+
+
+def test_the_commands_in_its_head_name_the_folder_of_a_kata_elsewhere(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    shutil.copytree(MIDDLE.folder.parents[1], tmp_path / "a pack")
+    write_stub(load_problem(tmp_path / "a pack" / "problems" / "middle"), Path("middle.py"))
+    head = Path("middle.py").read_text().partition("def ")[0]
+    for command in ("show", "start"):
+        assert f"\n`judge {command} middle --problems 'a pack/problems'`" in head
+    assert "--problems" not in make_stub(MIDDLE)  # of a site, which knows no folder

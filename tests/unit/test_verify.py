@@ -45,6 +45,14 @@ def test_drifted_data_are_a_fault_until_they_are_pinned(pack):
     assert not verified(pack).faults
 
 
+def test_pins_that_are_missing_are_told_so(pack):
+    (pack / "problems" / "root-count" / "pins.json").unlink()
+    report = verified(pack)
+    (fault,) = report.faults
+    assert (report.pins, fault.where) == ("missing", "root-count/pins.json")
+    assert fault.remedy.endswith("--pin")
+
+
 def test_data_that_cannot_be_built_are_the_one_fault(tmp_path):
     report = verify_problem(load_problem(broken("example-contradicts", tmp_path)))
     (fault,) = report.faults

@@ -15,8 +15,8 @@ from judge.cli.files import OutFile, opened_in_browser, read_submissions
 from judge.cli.options import Common, command, opt
 from judge.cli.resolve import history_at, kata_meant, keep, problem_of_file, shown, usual_file
 from judge.data.parse import example_of, line_of, read_case
-from judge.diagnose.replay import decode, problem_name
-from judge.errors import UsageError
+from judge.diagnose.replay import begun, decode, has_form, problem_name
+from judge.errors import UnknownKataError, UsageError
 from judge.judging.cases import ask as ask_file
 from judge.judging.cases import hack as attack
 from judge.judging.cases import smallest, try_case
@@ -87,13 +87,22 @@ def _is_case(word: str) -> bool:
     return any(sign in word for sign in ",=([{: ")
 
 
+def _is_id(word: str, common: Common) -> bool:
+    """Whether a word is a replay id, or was one of a kata that there is; a case may have colons too."""
+    if has_form(word):
+        return True
+    with suppress(UnknownKataError):
+        return bool(name := begun(word)) and find_problem(name, common.problems).id == name
+    return False
+
+
 def _meant(words: list[str], common: Common) -> tuple[Problem, Tried | None, str | None]:
     """The kata, its case, None where none is named and none has failed, and the file."""
     is_file = words and (is_program(words[-1]) or words[-1].startswith(("/", "./", "../")))
     file = words.pop() if is_file else None
     named = words and words[0][:1].isalpha() and not _is_case(words[0])
     problem = find_problem(words.pop(0), common.problems) if named else None
-    if words and ":" in words[0] and not words[0].startswith(("{", "[")):
+    if words and _is_id(words[0], common):
         own = find_problem(problem_name(" ".join(words)), common.problems)
         if problem and problem.id != own.id:
             raise UsageError(f"this ID is a case of {own.id}, not of {problem.id}")

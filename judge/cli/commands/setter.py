@@ -33,12 +33,13 @@ from judge.problem.find import find_problem, folders_within, problem_folders
 from judge.problem.model import chosen_groups
 from judge.report.published_setter import FilesWritten, VerifySummary
 from judge.report.screen import note
-from judge.report.wait import progress, stages
+from judge.report.wait import Stage, progress, stages
 from judge.report.words import counted
 from judge.sandbox import Boxes
 from judge.verify.gate import Options, fresh_data, verify_problem
 from judge.verify.libraries import measure_libraries
 from judge.verify.model import Fault, Verified, fault_of
+from judge.verify.solving import Solving
 
 _Found = TypeVar("_Found")
 _BOTH = "both"
@@ -87,6 +88,7 @@ class VerifyAsk(Struct, frozen=True):
     holes: bool = opt("--holes", "Look for wrong programs that the data accept.")
     lasting: str | None = opt("--for TIME", "Look so long at each kata, as 20s or 2m; 30s is usual.")
     seed: int | None = opt("--seed N", "Look at other cases.")
+    whole: bool = opt("--all", "List the accepted mutants without a witness, too.")
 
 
 @command("verify", Verified, Holes, LibraryTable, ask=VerifyAsk)
@@ -96,7 +98,7 @@ def verify(names: tuple[str, ...], ask: VerifyAsk, common: Common) -> Iterator[S
 
     Every case keeps the promise, the examples agree with the reference, the data are the pinned ones, every
     solution gets the verdict its folder says, hints can be read, a stub can be made, and the cards of judge
-    quiz can be asked. Without a name: all of the folders that --problems gives, or all there is.
+    quiz can be asked. Without a name: all that --problems gives, or all there is.
 
     With --group or --solution only a part is checked, as you work on it. With --libraries the adapters in
     solutions/KATA/libraries are judged instead, where their packages are found.
@@ -160,7 +162,7 @@ def _check_holes(ask: VerifyAsk) -> None:
     flags = [flag for flag in ("holes", "libraries", "pin", "matrix", "figures") if getattr(ask, flag)]
     if (ask.holes or ask.libraries) and len(flags) > 1:
         raise UsageError(f"--{flags[0]} and --{flags[1]} contradict each other", remedy="leave one out")
-    for name, value in (("--for", ask.lasting), ("--seed", ask.seed)):
+    for name, value in (("--for", ask.lasting), ("--seed", ask.seed), ("--all", ask.whole or None)):
         if value is not None and not ask.holes:
             raise UsageError(f"{name} is for --holes", remedy="add --holes")
 
@@ -179,7 +181,8 @@ def _look(chosen: Sequence[str], ask: VerifyAsk, common: Common) -> Iterator[Str
         for found in _each(partial(_holes, ask, common), chosen, ask.jobs):
             faults += len(found.faults)
             holes += len(found.holes) if isinstance(found, Holes) else 0
-            yield found
+            listed = ask.whole or common.json or not isinstance(found, Holes)
+            yield found if listed else replace(found, unwitnessed=())
             for said in found.notes if isinstance(found, Holes) else ():
                 note(said)
             if isinstance(found, Holes) and found.stopped:
@@ -211,9 +214,17 @@ def _verify(ask: VerifyAsk, folders: Sequence[Path], name: str) -> Verified:
     """What was found of one kata."""
     options = Options(ask.pin, ask.seeds, ask.groups, ask.solution, ask.matrix)
     at = "reading the kata"
+    advance: Stage | None = None
+
+    def say(text: str) -> None:
+        if advance:
+            advance("", 1, 1)  # takes the bar off
+        note(f"{name}: {text}")
+
+    solving = Solving(say)
     try:
         problem = find_problem(name, folders)
-        with stages(name) as advance:
+        with stages(name) as advance, solving:
 
             def tell(what: str, done: int, total: int) -> None:
                 nonlocal at
@@ -221,11 +232,11 @@ def _verify(ask: VerifyAsk, folders: Sequence[Path], name: str) -> Verified:
                 if advance:
                     advance(what, done, total)
 
-            found = verify_problem(problem, options, tell, Boxes(least=kept_level()))
+            found = verify_problem(problem, options, tell, Boxes(least=kept_level()), solving.within)
     except ProblemError as error:
         return Verified(name, (fault_of(error, name),))
     except KeyboardInterrupt:
-        note(f"{name}: stopped while {at}")
+        note(f"{name}: stopped while {solving.text or at}")
         raise
     return replace(found, faults=tuple(dict.fromkeys((*found.faults, *kata_faults(problem, folders)))))
 
@@ -264,7 +275,8 @@ def write(names: tuple[str, ...], ask: ExportAsk, common: Common) -> Iterator[St
     --zip also DIR/*/ID.kpp, and DIR/domjudge/ID.zip. A package of the same kata is replaced.
 
     Files: DIR/ID/G.in is what a program reads for the test group G, G.ans what a perfect one prints, and
-    G.json holds every case with its exact answer and the least and greatest double that is accepted.
+    G.json holds every case with its exact answer and the least and greatest double that is accepted. A kata
+    with a FORMAT has G-01.in and G-01.ans for each case.
 
     Exit status: 0 written, 2 usage, or nothing could be written, 3 a kata is broken.
     """

@@ -64,7 +64,25 @@ static bool is_whole(const std::string& s) { size_t i = s[0] == '-'; return s.si
 // @if not digits
 static bool is_whole(const std::string&) { return false; }
 // @end
-static void text(const std::string& s) { judge_out += '"'; for (unsigned char c : s) { char b[8]; if (c == '"' || c == '\\' || c < 32 || c > 126) { std::snprintf(b, 8, "\\u%04x", c); judge_out += b; } else judge_out += char(c); } judge_out += '"'; }
+static void escaped(unsigned code) { char b[16]; std::snprintf(b, 16, "\\u%04x", code); judge_out += b; }
+static size_t more(const std::string& s, size_t i, unsigned& code) {  // how many bytes a character of UTF-8 goes on, 0 where it is none
+    unsigned c = code;
+    size_t n = c < 0xC2 ? 0 : c < 0xE0 ? 1 : c < 0xF0 ? 2 : c < 0xF5 ? 3 : 0;
+    for (size_t k = 1; k <= n; ++k) if (i + k >= s.size() || ((unsigned char)s[i + k] & 0xC0) != 0x80) return 0;
+    code = n ? c & (0x3F >> n) : c;
+    for (size_t k = 1; k <= n; ++k) code = code << 6 | ((unsigned char)s[i + k] & 0x3F);
+    return n;
+}
+static void text(const std::string& s) {
+    judge_out += '"';
+    for (size_t i = 0; i < s.size(); ++i) {
+        unsigned c = (unsigned char)s[i];
+        i += more(s, i, c);
+        if (c > 0xFFFF) { escaped(0xD800 + ((c - 0x10000) >> 10)); c = 0xDC00 + (c & 0x3FF); }
+        if (c == '"' || c == '\\' || c < 32 || c > 126) escaped(c); else judge_out += char(c);
+    }
+    judge_out += '"';
+}
 template <> struct Put<std::string> { static void it(const std::string& s) { if (is_whole(s)) judge_out += s; else text(s); } };
 template <class T> struct Put<T, std::enable_if_t<std::is_floating_point_v<T>>> { static void it(double v) { char b[64]; if (std::isfinite(v)) judge_out.append(b, std::to_chars(b, b + 64, v).ptr); else { judge_out += "{\"type\":\"float\",\"text\":"; text(std::isnan(v) ? "nan" : v < 0 ? "-inf" : "inf"); judge_out += '}'; } } };
 template <class T> struct Put<T, std::enable_if_t<std::is_integral_v<T>>> { static void it(T v) { if constexpr (sizeof v <= 8) judge_out += std::to_string(v); else { if (v < 0 && v > -10) judge_out += '-'; if (v / 10) it(v / 10); int digit = int(v % 10); judge_out += char('0' + (digit < 0 ? -digit : digit)); } } };

@@ -41,10 +41,12 @@ function put(value, shape) {
   if (typeof value === 'object' && shape && shape.kind === 'tuple' && shape.fields.every(field => field in value)) return '[' + shape.fields.map((field, i) => put(value[field], shape.parts[i])).join(',') + ']';
   return odd(typeof value, value);
 }
+const kind = Object.prototype.toString.call(entry).slice(8, -1);  // which an async function and a generator have of their own
 let call = 0;  // which one of calls in a row is made
 function answered(words) {
   const given = parameters.map(shape => read(shape, words));
 // @if not methods
+  if (kind !== 'Function') throw new TypeError(`@entry@ is ${/^A/.test(kind) ? 'an' : 'a'} ${kind}: write it as a function that returns the answer`);
   return put(entry(...given), answer);
 // @end
 // @if methods

@@ -1,6 +1,7 @@
 """Whoever hops as far as possible, each time to where the next hop ends farthest, needs the fewest."""
 
-from judge.problem.declare import group
+from judge.drawing import Role, table
+from judge.problem.declare import Hooks, group
 
 
 def solve(reach):
@@ -12,6 +13,24 @@ def solve(reach):
             hops, here = hops + 1, far
         far = max(far, at + each)
     return hops
+
+
+def way(reach):
+    """The stones of a shortest way to the last one."""
+    stones = [len(reach) - 1]
+    while stones[0]:
+        stones.insert(0, next((at for at in range(stones[0]) if at + reach[at] >= stones[0]), 0))
+    return stones
+
+
+def picture(shown):
+    reach = shown.values["reach"]
+    if shown.exact is None or len(reach) > 12:
+        return None
+    return table([range(len(reach)), reach], {(1, at): Role.WANTED for at in way(reach)}, "stones and their reach")
+
+
+HOOKS = Hooks(picture=picture)
 
 
 def stones(low, high, least, most):
