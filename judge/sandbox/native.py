@@ -105,7 +105,7 @@ class NativeBox(ContainerBox):
     def _start(self, level: str) -> Container:
         roots = find_roots(self._boxes.hide, self._more, modules=False)
         plan = partial(launch.plan, level, "", roots, self._boxes.share, place=self._place)
-        return Container(level, b"", plan)
+        return Container(level, b"", plan, self._boxes.seeds)
 
     # -- compiling
 

@@ -54,7 +54,7 @@ class PythonBox(ContainerBox):
 
     def _start(self, level: str) -> Container:
         plan = partial(launch.plan, level, self._name, self._boxes.roots, self._boxes.share)
-        return Container(level, self._source, plan)
+        return Container(level, self._source, plan, self._boxes.seeds)
 
     def __enter__(self) -> PythonBox:
         self._warmed_up()
@@ -134,8 +134,8 @@ class PythonBox(ContainerBox):
             kept = outcome.parse_replies(lost.replies, len(calls))[0][: len(calls) - 1]
             return CallsResult((*kept, Reply(Stop.TAMPERED, detail=LOST)), Usage(0, lost.wall_ns / 1e9))
         replies = self._ended(done, head, limits, printed, len(calls))
-        told = tuple(reply._replace(detail=self._with_threads(reply.detail)) for reply in replies)
-        return CallsResult(told, done.usage, done.imported, text if done.stage == wire.CALLING else b"")
+        text = text if done.stage == wire.CALLING else b""
+        return CallsResult(tuple(map(self._with_threads, replies)), done.usage, done.imported, text)
 
     def _ended(self, done: Done, head: bytes, limits: Limits, printed: int, count: int) -> list[Reply]:
         """The replies of a child that is gone; the last says how it ended if it did not answer all."""

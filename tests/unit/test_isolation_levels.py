@@ -17,6 +17,7 @@ from pathlib import Path
 import pytest
 from sandboxed import LIMITS, children, require
 
+from judge import sandbox
 from judge.errors import JudgeError, ShortageError, UsageError
 from judge.sandbox import Boxes, bundle, container, launch, levels, levels_here, open_box
 from judge.sandbox.inside.again import PAUSES
@@ -174,7 +175,11 @@ def test_resource_limits_alone_are_taken_only_where_there_is_no_sandbox(tmp_path
 
 @pytest.mark.parametrize(
     ("place", "code"),
-    [("_socket.socketpair", errno.EMFILE), ("shared.region", errno.ENOMEM), ("_STARTER.start", errno.EAGAIN)],
+    [
+        ("container._socket.socketpair", errno.EMFILE),
+        ("container.shared.region", errno.ENOMEM),
+        ("seeds._STARTER.start", errno.EAGAIN),
+    ],
 )
 def test_what_the_judge_itself_is_short_of_is_tried_again_and_named(place, code, monkeypatch):
     real = _found(place)
@@ -186,7 +191,7 @@ def test_what_the_judge_itself_is_short_of_is_tried_again_and_named(place, code,
             raise OSError(code, os.strerror(code))
         return real(*arguments, **settings)
 
-    monkeypatch.setattr(f"judge.sandbox.container.{place}", scarce)
+    monkeypatch.setattr(f"judge.sandbox.{place}", scarce)
     before, descriptors = children(), len(list(Path("/proc/self/fd").iterdir()))
     most = 3
     with Boxes()(b"def f(n): return n", "f.py") as box:
@@ -201,7 +206,7 @@ def test_what_the_judge_itself_is_short_of_is_tried_again_and_named(place, code,
 
 
 def _found(place):
-    found = container
+    found = sandbox
     for name in place.split("."):
         found = getattr(found, name)
     return found
@@ -242,8 +247,8 @@ def test_what_a_server_says_is_told_by_its_errno_and_not_by_its_words(code, trie
 )
 def test_a_server_that_cannot_confine_itself_sends_the_errno(fault, kind, monkeypatch):
     require("strong")
-    start = "        sys.path[:] = config"
-    with changed(monkeypatch, ".server", start, f"        raise {fault}\n{start}"), pytest.raises(kind):
+    start = "        confinement = Confinement(config)"
+    with changed(monkeypatch, ".seed", start, f"        raise {fault}\n{start}"), pytest.raises(kind):
         Boxes("strong")(b"", "f.py").__enter__()
 
 
@@ -270,7 +275,7 @@ FILTER = "lambda: linux.load_filter(load, own_filter(child, pid_at))"
 @pytest.mark.parametrize(
     ("here", "instead", "deed"),
     [
-        (FILTER, "_nothing", "start a process"),
+        (FILTER, "lambda: None", "start a process"),
         ("linux.load_filter(load, bytearray(server))", "pass", "open a socket"),
     ],
 )

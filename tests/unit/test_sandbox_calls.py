@@ -6,6 +6,7 @@ import math
 import os
 import signal
 import sys
+import time
 from pathlib import Path
 
 import pytest
@@ -149,9 +150,12 @@ def test_a_container_that_ends_by_itself_is_no_fault_of_the_submission():
     before = children()
 
     def kill_it():
+        server = Path(f"/proc/{box._here()._pid}/stat")
         for pid in children() - before:
             os.kill(int(pid), signal.SIGKILL)
             os.waitid(os.P_PID, int(pid), os.WEXITED | os.WNOWAIT)
+        while server.exists() and b") Z " not in server.read_bytes():
+            time.sleep(0.001)
 
     with open_box(b"def f(n): return n", "my.py", level="limits") as box:
         box.inspect()

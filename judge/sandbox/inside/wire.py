@@ -46,9 +46,10 @@ REQUEST = struct.Struct("=cqqqqqii")  # kind, cpu ns and wall ns, and as the fie
 DONE = struct.Struct("=4siiqqqiqqq")  # ENDED and the fields of container.Done
 LACK = struct.Struct("=4si")  # LACKING and the errno of what there was no room for, in place of a DONE
 ENDED, LACKING = b"done", b"lack"
-READY = b"ready"
+READY = b"ready"  # and the server's pid, in 4 bytes
 FAILED = b"failed"  # the reason is in the region's note
 
+OPEN = b"O"  # to a seed, with the descriptors of a server's channel, its region and its (config, source)
 INSPECT, PREPARE, CALLS, PROGRAM = b"I", b"M", b"F", b"P"
 EXECUTE, COLLECT = b"X", b"C"  # of what is not Python: see exec.py
 STOP = b"S"
@@ -112,6 +113,19 @@ class Channel:
     def close(self) -> None:
         """Hang up."""
         self._end.close()
+
+    def ended(self, seconds: float) -> bool:
+        """Ask the other side to end; whether it does in that time."""
+        try:
+            self._end.shutdown(_socket.SHUT_WR)
+            self._end.settimeout(seconds)
+            while self._end.recv(FRAME):
+                continue
+        except TimeoutError:
+            return False
+        except OSError:  # it has
+            return True
+        return True
 
     def patience(self, seconds: float | None) -> None:
         """How long a receive may wait; it raises TimeoutError after that."""

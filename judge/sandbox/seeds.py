@@ -1,0 +1,221 @@
+"""Seeds: interpreters that have the judge's modules of the inside, and fork a server for each container.
+
+A seed is used again by whatever would start the same one, at `full` by one at a time.
+"""
+
+from __future__ import annotations
+
+import _socket  # socket itself wraps every constant in an enumeration: slow
+import contextlib
+import os
+import select
+import signal
+import subprocess
+import sys
+import threading
+from collections.abc import Sequence
+from queue import SimpleQueue
+from typing import Any
+
+from judge.sandbox import bundle, levels, shared
+from judge.sandbox.inside import wire
+from judge.sandbox.launch import Plan
+
+END_SECONDS = 1.0
+REASON_BYTES = 2000
+PAIR = _socket.SOCK_SEQPACKET if sys.platform == "linux" else _socket.SOCK_STREAM
+
+
+class _Order:
+    """A process to be started, and what came of it."""
+
+    def __init__(self, command: Sequence[str], settings: dict[str, Any]) -> None:
+        self.done = threading.Event()
+        self.process: subprocess.Popen[bytes] | None = None
+        self.fault: BaseException | None = None
+        self._command = command
+        self._settings = settings
+
+    def carry_out(self) -> None:
+        try:
+            self.process = subprocess.Popen(self._command, **self._settings)
+        except BaseException as fault:
+            self.fault = fault
+        self.done.set()
+
+
+class _Starter:
+    """The one thread that starts every fork server.
+
+    On Linux a fork server dies with the thread that started it; this one lives as long as the judge, so that
+    a box may be handed from thread to thread.
+    """
+
+    def __init__(self) -> None:
+        self._lock = threading.Lock()
+        self._thread: threading.Thread | None = None
+        self._orders: SimpleQueue[_Order] = SimpleQueue()
+
+    def start(self, command: Sequence[str], **settings: Any) -> subprocess.Popen[bytes]:
+        """As `subprocess.Popen`. Raises OSError, and RuntimeError where there is no thread left for it."""
+        order = _Order(command, settings)
+        with self._lock:
+            if self._thread is None or not self._thread.is_alive():  # the first time, or after a fork
+                orders: SimpleQueue[_Order] = SimpleQueue()
+                thread = threading.Thread(target=self._serve, args=(orders,), daemon=True)
+                thread.start()
+                self._thread, self._orders = thread, orders
+            self._orders.put(order)
+        try:
+            order.done.wait()
+        except BaseException:  # Ctrl-C: it takes only a moment more, and nobody else would end it
+            order.done.wait()
+            if order.process is not None:
+                _kill(order.process)
+            raise
+        if order.fault is not None:
+            raise order.fault
+        assert order.process is not None
+        return order.process
+
+    @staticmethod
+    def _serve(orders: SimpleQueue[_Order]) -> None:
+        while True:
+            orders.get().carry_out()
+
+
+_STARTER = _Starter()
+
+
+class Seed:
+    """An interpreter that has the judge's modules of the inside, and forks a server for each container."""
+
+    def __init__(self, plan: Plan) -> None:
+        """Start it. Raises StartError, OSError and RuntimeError."""
+        self.plan = plan
+        self.users = 0
+        self._closing = contextlib.ExitStack()
+        try:
+            self._start()
+        except BaseException:
+            self._closing.close()
+            raise
+
+    def _start(self) -> None:
+        ours, theirs = _socket.socketpair(_socket.AF_UNIX, PAIR)
+        self._line = wire.Channel(ours)
+        self._closing.callback(ours.close)
+        with contextlib.ExitStack() as passed:
+            passed.callback(theirs.close)
+            self._complaints = shared.nameless()
+            self._closing.callback(os.close, self._complaints)
+            code = passed.enter_context(shared.file(bundle.pack(self.plan.config)))
+            descriptors = code, theirs.fileno()
+            try:
+                self._process = _STARTER.start(
+                    (*self.plan.command, *map(str, descriptors)),
+                    env=self.plan.environment,
+                    cwd="/",
+                    stdin=subprocess.DEVNULL,
+                    stdout=subprocess.DEVNULL,
+                    stderr=self._complaints,
+                    pass_fds=descriptors,
+                    start_new_session=True,  # Ctrl-C is for the judge, which ends this in its own way
+                )
+            except OSError as fault:
+                not_started = levels.of_fault(fault, self.plan.command[0])
+                assert not_started is not None
+                raise not_started from fault
+
+    def fork(self, channel: int, region: int, order: int) -> None:
+        """Fork a server with these. One that has ended is noticed at the channel, which hangs up then."""
+        with contextlib.suppress(BrokenPipeError, ConnectionResetError):
+            self._line.send(wire.OPEN, (channel, region, order))
+
+    def kill(self) -> None:
+        """End it with all its servers at once."""
+        _kill(self._process)
+
+    def close(self) -> tuple[str, int]:
+        """End it with all its servers; what was complained of, and its status."""
+        try:
+            self._line.close()
+            _await_end(self._process)
+        finally:
+            _kill(self._process)
+            said = shared.tail(self._complaints, REASON_BYTES).decode(errors="replace")
+            self._closing.close()
+        return said, self._process.returncode
+
+
+class Seeds:
+    """The seeds of some boxes, for any thread. With `keep` one that nobody uses waits for the next box."""
+
+    def __init__(self) -> None:
+        self.keep = False
+        self._lock = threading.Lock()
+        self._seeds: list[Seed] = []
+
+    def take(self, plan: Plan) -> Seed:
+        """One for a container of that plan. Raises as `Seed`."""
+        with self._lock:
+            for seed in self._seeds:
+                if seed.plan.seed == plan.seed and not (seed.users and plan.alone):
+                    break
+            else:
+                seed = Seed(plan)
+                self._seeds.append(seed)
+            seed.users += 1
+            return seed
+
+    def leave(self, seed: Seed, *, whole: bool) -> tuple[str, int]:
+        """A container has ended; where it is not `whole` the seed ends with it, as `Seed.close` tells."""
+        with self._lock:
+            seed.users -= 1
+            stays = seed.users > 0 or (self.keep and not seed.plan.once)
+            if seed not in self._seeds or (whole and stays):
+                return "", 0
+            self._seeds.remove(seed)
+        return seed.close()
+
+    def close(self) -> None:
+        """End those that nobody uses; the next container has another."""
+        with self._lock:
+            idle = [seed for seed in self._seeds if not seed.users]
+            self._seeds = [seed for seed in self._seeds if seed.users]
+        for seed in idle:
+            seed.close()
+
+
+def _await_end(process: subprocess.Popen[bytes]) -> None:
+    """Give it a moment; by its own descriptor where there is one, since Popen.wait looks only every 50 ms."""
+    descriptor = _descriptor_of(process.pid)
+    if descriptor is None:
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            process.wait(END_SECONDS)
+        return
+    try:
+        ended = select.poll()
+        ended.register(descriptor, select.POLLIN)
+        ended.poll(END_SECONDS * 1000)
+    finally:
+        os.close(descriptor)
+
+
+def _descriptor_of(pid: int) -> int | None:
+    """A descriptor that is readable once the child has ended; None where the system has no such thing."""
+    if sys.platform != "linux":
+        return None
+    try:
+        return os.pidfd_open(pid)
+    except OSError:  # before Linux 5.3, or refused by the filter of a container around the judge
+        return None
+
+
+def _kill(process: subprocess.Popen[bytes]) -> None:
+    """Its session has no other members than its own; under bubblewrap its death is that of its namespace."""
+    if process.poll() is None:
+        with contextlib.suppress(ProcessLookupError, PermissionError):
+            os.killpg(process.pid, signal.SIGKILL)
+        process.kill()
+        process.wait()
