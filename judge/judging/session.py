@@ -110,8 +110,7 @@ class Session(AbstractContextManager["Session"]):
         Raises UsageError where the level of isolation that is asked for cannot be had.
         """
         with suppress(*_SHORT):
-            box = self._ahead[source, name] = self.open_box(source, name)
-            box.warm_up()
+            self._ahead[source, name] = self.open_box(source, name)
 
     def take(self, source: bytes, name: str) -> Box:
         """The submission's box, started ahead or now."""

@@ -9,7 +9,6 @@ from __future__ import annotations
 import errno
 import os
 import signal
-import threading
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from functools import partial
@@ -49,7 +48,7 @@ class ContainerBox(ABC):
         self._prepared = False  # whether the container has compiled the source
         self._inspection: Inspection | None = None
         self._oom_kills = room.oom_kills()
-        self._closed = threading.Event()
+        self._closed = False
         self._container: Container | None = None
         self._dialogue: Dialogue | None = None  # with the program that is run
 
@@ -69,7 +68,7 @@ class ContainerBox(ABC):
         return Usage()
 
     def __exit__(self, *exc: object) -> None:
-        self._closed.set()
+        self._closed = True
         self._drop()
 
     def inspect(self) -> Inspection:
@@ -134,10 +133,10 @@ class ContainerBox(ABC):
 
     def _here(self) -> Container:
         """The running container, ready for a request. Raises as `Levels.open`, and Lost once it is closed."""
-        return self._boxes.levels.open(self._ready, self._closed.wait)
+        return self._boxes.levels.open(self._ready)
 
     def _ready(self, level: str) -> Container:
-        if self._closed.is_set():
+        if self._closed:
             raise Lost
         if self._container is None or self._held != level:
             self._drop()
@@ -170,7 +169,12 @@ class ContainerBox(ABC):
         try:
             container = self._here()
             begun = partial(self._dialogue.begin, container.stop) if self._dialogue else None
-            done = container.ask(kind, stdio, payload, limits, memory, begun)
+            opening = kind == wire.INSPECT  # is under way
+            done = (
+                container.answer(limits)
+                if opening
+                else container.ask(kind, stdio, payload, limits, memory, begun)
+            )
         except BaseException as fault:
             self._drop()
             if isinstance(fault, Lost):

@@ -16,6 +16,7 @@ from typing import Any
 
 _ALWAYS = (
     "judge.sandbox.encode",
+    "judge.sandbox.imports",
     "judge.sandbox.inside.again",
     "judge.sandbox.inside.wire",
     "judge.sandbox.inside.source",

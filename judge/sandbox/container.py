@@ -71,8 +71,10 @@ class Done(NamedTuple):
 class Container:
     """A fork server and its descriptors."""
 
-    def __init__(self, level: str, source: bytes, plan: Planned, pool: Seeds) -> None:
-        """Have one forked as `plan` says. Raises StartError where there is no room, or no command for it."""
+    def __init__(
+        self, level: str, source: bytes, plan: Planned, pool: Seeds, opening: Limits | None = None
+    ) -> None:
+        """Have one forked as `plan` says, and with `opening` the source looked at. Raises StartError."""
         self.region: wire.Region
         self._closing = contextlib.ExitStack()
         self._seeds = pool
@@ -81,7 +83,7 @@ class Container:
         self.level = level
         self._exposed = ""  # a path
         try:
-            self._start(source, plan)
+            self._open(source, plan, opening)
         except (OSError, MemoryError, RuntimeError) as fault:
             self.close()
             not_started = levels.of_fault(fault)
@@ -92,7 +94,7 @@ class Container:
             self.close()
             raise
 
-    def _start(self, source: bytes, planned: Planned) -> None:
+    def _open(self, source: bytes, planned: Planned, opening: Limits | None) -> None:
         ours, theirs = _socket.socketpair(_socket.AF_UNIX, seeds.PAIR)
         self._line = wire.Channel(ours)
         self._closing.callback(ours.close)
@@ -106,6 +108,10 @@ class Container:
             self.region.lay(plan.hidden)
             self._seed = self._seeds.take(plan)
             self._seed.fork(theirs.fileno(), descriptor, order)
+        if opening is not None:
+            self.region.words[wire.USED] = wire.replies_at(len(plan.hidden))
+            with shared.stdio(b"") as stdio, contextlib.suppress(OSError):  # it shows when it is to be ready
+                self.send(wire.INSPECT, stdio, len(plan.hidden), opening, 2 * opening.memory_bytes)
 
     def _home(self) -> str:
         """An empty folder of this machine for a submission's own, gone with the container."""
@@ -167,31 +173,38 @@ class Container:
         if self._seed is None:
             raise Lost
         self.await_ready()
-        start = wire.replies_at(len(payload))
-        stop = start + wire.reply_bytes(limits.output_bytes)
-        if stop > wire.REGION_BYTES:
+        if wire.replies_at(len(payload)) + wire.reply_bytes(limits.output_bytes) > wire.REGION_BYTES:
             raise JudgeError(
                 "more calls at once than the container's memory holds", remedy="make fewer at a time"
             )
         self.region.prepare(payload)
-        times = [
-            round(each * 1e9) for each in (limits.cpu_seconds, limits.wall_seconds, limits.waiting_seconds)
-        ]
-        frame = wire.REQUEST.pack(kind, *times, memory, limits.output_bytes, len(payload), stop)
         try:
-            self._line.send(frame, stdio)
+            self.send(kind, stdio, len(payload), limits, memory)
         except OSError:
             self.close()
             raise Lost(asked=False) from None
         if begun is not None:
             begun()
+        return self.answer(limits)
+
+    def send(self, kind: bytes, stdio: Sequence[int], payload: int, limits: Limits, memory: int) -> None:
+        """A request, whose payload of that length is there already. Raises OSError."""
+        self._start = wire.replies_at(payload)
+        self._stop = self._start + wire.reply_bytes(limits.output_bytes)
+        seconds = limits.cpu_seconds, limits.wall_seconds, limits.waiting_seconds
+        times = [round(each * 1e9) for each in seconds]
+        frame = wire.REQUEST.pack(kind, *times, memory, limits.output_bytes, payload, self._stop)
+        self._line.send(frame, stdio)
+
+    def answer(self, limits: Limits) -> Done:
+        """What comes of the request. Raises as `ask`."""
         began = time.monotonic_ns()
         answer = self._receive(2 * limits.wall_seconds + GRACE_SECONDS)  # an import has a limit of its own
         if answer.startswith(wire.LACKING):
             raise shortage_of(wire.LACK.unpack_from(answer)[1], "the submission could not be run")
         if answer.startswith(wire.ENDED):
             return Done(*wire.DONE.unpack_from(answer)[1:])
-        data = self.replies(payload, limits.output_bytes)
+        data = self.replies()
         self.close()
         raise Lost(data, time.monotonic_ns() - began)
 
@@ -200,16 +213,9 @@ class Container:
         with contextlib.suppress(OSError):  # all of it has
             self._line.send(wire.STOP)
 
-    def replies(self, payload: bytes, output: int) -> bytes:
+    def replies(self) -> bytes:
         """What the last child appended; foreign data."""
-        start = wire.replies_at(len(payload))
-        return self.region.replies(start, start + wire.reply_bytes(output))
-
-    def kill(self) -> None:
-        """End what runs in it at once; whoever waits for its answer finds it lost."""
-        seed = self._seed
-        if seed is not None:
-            self._end(seed)
+        return self.region.replies(self._start, self._stop)
 
     def close(self) -> None:
         """Hang up, which ends the server; kill it if that takes too long. Safe to call twice."""

@@ -8,7 +8,6 @@ from __future__ import annotations
 import _socket  # socket itself wraps every constant in an enumeration: slow
 import contextlib
 import os
-import select
 import signal
 import subprocess
 import sys
@@ -139,8 +138,9 @@ class Seed:
     def close(self) -> tuple[str, int]:
         """End it with all its servers; what was complained of, and its status."""
         try:
-            self._line.close()
-            _await_end(self._process)
+            if self._line.ended(END_SECONDS):
+                with contextlib.suppress(subprocess.TimeoutExpired):
+                    self._process.wait(END_SECONDS)
         finally:
             _kill(self._process)
             said = shared.tail(self._complaints, REASON_BYTES).decode(errors="replace")
@@ -185,31 +185,6 @@ class Seeds:
             self._seeds = [seed for seed in self._seeds if seed.users]
         for seed in idle:
             seed.close()
-
-
-def _await_end(process: subprocess.Popen[bytes]) -> None:
-    """Give it a moment; by its own descriptor where there is one, since Popen.wait looks only every 50 ms."""
-    descriptor = _descriptor_of(process.pid)
-    if descriptor is None:
-        with contextlib.suppress(subprocess.TimeoutExpired):
-            process.wait(END_SECONDS)
-        return
-    try:
-        ended = select.poll()
-        ended.register(descriptor, select.POLLIN)
-        ended.poll(END_SECONDS * 1000)
-    finally:
-        os.close(descriptor)
-
-
-def _descriptor_of(pid: int) -> int | None:
-    """A descriptor that is readable once the child has ended; None where the system has no such thing."""
-    if sys.platform != "linux":
-        return None
-    try:
-        return os.pidfd_open(pid)
-    except OSError:  # before Linux 5.3, or refused by the filter of a container around the judge
-        return None
 
 
 def _kill(process: subprocess.Popen[bytes]) -> None:

@@ -30,7 +30,6 @@ def unpacked_once() -> Iterator[None]:
 @pytest.fixture
 def plain_system(monkeypatch: pytest.MonkeyPatch, unpacked_once: None) -> None:
     monkeypatch.setattr(seeds, "PAIR", socket.SOCK_STREAM)
-    monkeypatch.setattr(seeds, "_descriptor_of", lambda _pid: None)
     monkeypatch.setattr(shared, "_create", lambda _flags: shared._unlinked())
     monkeypatch.setattr(container.shared, "region", _unsealed_region)
     as_here = bundle._code_of

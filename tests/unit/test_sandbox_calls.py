@@ -158,7 +158,6 @@ def test_a_container_that_ends_by_itself_is_no_fault_of_the_submission():
             time.sleep(0.001)
 
     with open_box(b"def f(n): return n", "my.py", level="limits") as box:
-        box.inspect()
         kill_it()  # before it is made ready for calls
         assert stops(box.call("f", NUMBERS, LIMITS)) == [Stop.ANSWERED] * 5
         kill_it()

@@ -1,8 +1,7 @@
 """The fork server: trusted code only, one per submission, alone with its children.
 
-    "ready" ─┬─ INSPECT   a child compiles the source, so that none that takes the compiler
-             │            down ever reaches the server's own
-             ├─ PREPARE   the server compiles it too, imports the modules the judge allows
+    "ready" ─┬─ INSPECT   a child compiles the source, so that none that takes the compiler down ever
+             │            reaches the server's own; then it does too, and imports what may be
              └─ CALLS or PROGRAM, any number of times: fork, watch, reap, sweep → DONE
 
 The judge hanging up is the end of the server and so of everything it has started; see `seed` for its start.
@@ -13,7 +12,6 @@ from __future__ import annotations
 import _signal as signal  # type: ignore[import-not-found]  # signal itself wraps every call in enums: slow
 import errno
 import gc
-import marshal
 import os
 import resource
 import select
@@ -92,7 +90,9 @@ class Server:
                     continue
                 job = wire.Request(frame, descriptors)
                 try:
-                    answer = self._prepare(job) if job.kind == wire.PREPARE else self._run(job, self._code)
+                    answer = self._run(job, self._code)
+                    if job.kind == wire.INSPECT:
+                        self._prepare()
                 except Lacking as lack:
                     answer = wire.LACK.pack(wire.LACKING, lack.code)
                 for number in descriptors:
@@ -101,9 +101,12 @@ class Server:
             except (BrokenPipeError, ConnectionError):
                 os._exit(0)
 
-    def _prepare(self, job: wire.Request) -> bytes:
-        """Import ahead, and compile."""
-        for module in marshal.loads(self._region.payload(job.payload)):
+    def _prepare(self) -> None:
+        """Import ahead what the compiled source asks for, and compile it here."""
+        kind, modules = self._region.note()
+        if kind != wire.COMPILED:
+            return
+        for module in modules.split():
             try:
                 __import__(module)
             except Exception:  # not installed or broken: the submission's own import says so
@@ -111,7 +114,6 @@ class Server:
         self._code = compile(self._source, self._name, "exec", dont_inherit=True)
         gc.collect()
         gc.freeze()
-        return wire.done()
 
     def _run(self, job: wire.Request, code: CodeType | None) -> bytes:
         if len(job.descriptors) < 3 + (job.kind == wire.CALLS and wire.PAUSES):
@@ -143,7 +145,7 @@ class Server:
             self._confinement.confine_child(job.memory, job.output, job.cpu_ns // 10**9 + 2)
             if job.kind == wire.INSPECT:
                 child.look_at(self._source, name, region, job.stop)
-            assert code is not None, "PREPARE comes before this"
+            assert code is not None, "INSPECT comes before this"
             if job.kind == wire.PROGRAM:
                 child.be_program(code, name, region)
             child.make_calls(code, name, region, job)

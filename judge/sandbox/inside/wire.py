@@ -50,7 +50,7 @@ READY = b"ready"  # and the server's pid, in 4 bytes
 FAILED = b"failed"  # the reason is in the region's note
 
 OPEN = b"O"  # to a seed, with the descriptors of a server's channel, its region and its (config, source)
-INSPECT, PREPARE, CALLS, PROGRAM = b"I", b"M", b"F", b"P"
+INSPECT, CALLS, PROGRAM = b"I", b"F", b"P"
 EXECUTE, COLLECT = b"X", b"C"  # of what is not Python: see exec.py
 STOP = b"S"
 PAUSES = sys.platform == "linux"  # elsewhere no clock of another process says when an import is over
@@ -73,6 +73,7 @@ NOTE_BYTES = PAYLOAD_AT - WORDS
 REPLY_BYTES = 8 << 20  # of all replies, whatever the output limit: the judge has to parse them
 
 NO_NOTE, RAISED, NO_MEMORY, TOO_MUCH, BROKEN_BOX = range(5)  # what a note says of a child's end
+COMPILED = 6  # of a look at the source: these modules are to be imported
 EXPOSED = 5  # of the server's own: this path can be read, and no submission may see it
 
 
