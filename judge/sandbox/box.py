@@ -14,13 +14,12 @@ from collections.abc import Sequence
 from functools import partial
 from typing import TYPE_CHECKING, TypeVar
 
-from judge.errors import LIMIT_ON_TASKS, NO_THREAD, ShortageError, shortage_of
+from judge.errors import LIMIT_ON_TASKS, NO_THREAD, JudgeError, ShortageError, shortage_of
 from judge.sandbox import outcome, room, shared
 from judge.sandbox.boundary import Inspection, Limits, ProgramResult, Reply, Stop, Talk, Usage
 from judge.sandbox.container import Container, Done, Lost
 from judge.sandbox.dialogue import Dialogue
 from judge.sandbox.inside import wire
-from judge.sandbox.levels import StartError
 
 if TYPE_CHECKING:
     from judge.sandbox.factory import Boxes
@@ -144,7 +143,7 @@ class ContainerBox(ABC):
             self._container = self._start(level)
         try:
             self._container.await_ready()
-        except StartError:
+        except JudgeError:
             self._container = None
             raise
         return self._container

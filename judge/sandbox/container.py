@@ -81,7 +81,6 @@ class Container:
         self._seed: Seed | None = None
         self._pid = 0  # as the server knows it, once it is ready
         self.level = level
-        self._exposed = ""  # a path
         try:
             self._open(source, plan, opening)
         except (OSError, MemoryError, RuntimeError) as fault:
@@ -128,8 +127,6 @@ class Container:
         """
         if self._pid:
             return
-        if self._exposed:
-            raise self._refusal()
         began = time.monotonic()
         frame = self._receive(START_SECONDS)
         if not frame.startswith(wire.READY):
@@ -138,16 +135,12 @@ class Container:
             said, status = self._hang_up(whole=bool(note))  # ends it, so that it has said all
             self.close()
             if kind == wire.EXPOSED:
-                self._exposed = note
-                raise self._refusal()
+                what = f"isolation {self.level} would let a submission read {note}"
+                raise JudgeError(what, remedy="install the judge in a virtual environment of its own")
             if silent:
                 raise StartError(f"it was not ready after {START_SECONDS:g} s", SLOW_TRIES)
             raise levels.of_code(code, note) if note else levels.of_end(said, status)
         self._pid = int.from_bytes(frame[len(wire.READY) :][:4], "little")
-
-    def _refusal(self) -> JudgeError:
-        what = f"isolation {self.level} would let a submission read {self._exposed}"
-        return JudgeError(what, remedy="install the judge in a virtual environment of its own")
 
     def _receive(self, seconds: float) -> bytes:
         self._line.patience(seconds)

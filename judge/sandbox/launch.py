@@ -80,21 +80,23 @@ class Plan(NamedTuple):
     """How to start the seed of a fork server; `config` is what the server is told besides its source.
 
     `hidden` is what must not be visible, and where nothing of ours may be, for the region: nothing that
-    outlives the look keeps these names. At `limits` nothing is hidden. `alone` says that what the seed starts
-    shares namespaces, and `once` that the next one would find what this one has written.
+    outlives the look keeps these names. At `limits` nothing is hidden.
     """
 
     command: tuple[str, ...]
     environment: dict[str, str]
     config: dict[str, Any]
     hidden: bytes
-    alone: bool
-    once: bool
 
     @property
     def seed(self) -> tuple[object, ...]:
         """What is the same of all servers that may have one seed."""
         return self.command, self.environment, "folders" in self.config
+
+    @property
+    def alone(self) -> bool:
+        """Whether all that a seed starts share its namespaces."""
+        return bool(self.config["level"] == "full")
 
 
 def plan(
@@ -132,7 +134,6 @@ def plan(
     if level != "limits":
         config["filters"] = tuple(filters(os.uname().machine, place.profile if place else "python"))
     config["environment"] = {}
-    alone, once = level == "full", level == "full" and place is not None
     if place is not None:
         _settle(place, level, roots, config)
         config["passes_on"] = closed
@@ -144,9 +145,9 @@ def plan(
         if level != "full" and uid is not None:
             os.chown(home, uid, uid)
     if level != "full":
-        return Plan(tuple(python), ENVIRONMENT, config, hidden, alone, once)
+        return Plan(tuple(python), ENVIRONMENT, config, hidden)
     command = [*_bubblewrap(roots, uid, config["reads_all"], place), "--", *python]
-    return Plan(tuple(command), {"PATH": os.environ.get("PATH", os.defpath)}, config, hidden, alone, once)
+    return Plan(tuple(command), {"PATH": os.environ.get("PATH", os.defpath)}, config, hidden)
 
 
 def _settle(place: Workplace, level: str, roots: Roots, config: dict[str, Any]) -> None:

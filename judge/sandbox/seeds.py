@@ -25,62 +25,45 @@ REASON_BYTES = 2000
 PAIR = _socket.SOCK_SEQPACKET if sys.platform == "linux" else _socket.SOCK_STREAM
 
 
-class _Order:
-    """A process to be started, and what came of it."""
-
-    def __init__(self, command: Sequence[str], settings: dict[str, Any]) -> None:
-        self.done = threading.Event()
-        self.process: subprocess.Popen[bytes] | None = None
-        self.fault: BaseException | None = None
-        self._command = command
-        self._settings = settings
-
-    def carry_out(self) -> None:
-        try:
-            self.process = subprocess.Popen(self._command, **self._settings)
-        except BaseException as fault:
-            self.fault = fault
-        self.done.set()
-
-
 class _Starter:
-    """The one thread that starts every fork server.
+    """The one thread that starts every seed.
 
-    On Linux a fork server dies with the thread that started it; this one lives as long as the judge, so that
-    a box may be handed from thread to thread.
+    On Linux a seed dies with the thread that started it; this one lives as long as the judge, so that a box
+    may be handed from thread to thread.
     """
 
     def __init__(self) -> None:
         self._lock = threading.Lock()
         self._thread: threading.Thread | None = None
-        self._orders: SimpleQueue[_Order] = SimpleQueue()
+        self._orders: SimpleQueue[Any] = SimpleQueue()
 
     def start(self, command: Sequence[str], **settings: Any) -> subprocess.Popen[bytes]:
         """As `subprocess.Popen`. Raises OSError, and RuntimeError where there is no thread left for it."""
-        order = _Order(command, settings)
+        told: SimpleQueue[subprocess.Popen[bytes] | BaseException] = SimpleQueue()
         with self._lock:
             if self._thread is None or not self._thread.is_alive():  # the first time, or after a fork
-                orders: SimpleQueue[_Order] = SimpleQueue()
-                thread = threading.Thread(target=self._serve, args=(orders,), daemon=True)
-                thread.start()
-                self._thread, self._orders = thread, orders
-            self._orders.put(order)
+                self._orders = SimpleQueue()
+                self._thread = threading.Thread(target=_start_all, args=(self._orders,), daemon=True)
+                self._thread.start()
+            self._orders.put((told, command, settings))
         try:
-            order.done.wait()
+            started = told.get()
         except BaseException:  # Ctrl-C: it takes only a moment more, and nobody else would end it
-            order.done.wait()
-            if order.process is not None:
-                _kill(order.process)
+            if not isinstance(late := told.get(), BaseException):
+                _kill(late)
             raise
-        if order.fault is not None:
-            raise order.fault
-        assert order.process is not None
-        return order.process
+        if isinstance(started, BaseException):
+            raise started
+        return started
 
-    @staticmethod
-    def _serve(orders: SimpleQueue[_Order]) -> None:
-        while True:
-            orders.get().carry_out()
+
+def _start_all(orders: SimpleQueue[Any]) -> None:
+    while True:
+        told, command, settings = orders.get()
+        try:
+            told.put(subprocess.Popen(command, **settings))
+        except BaseException as fault:
+            told.put(fault)
 
 
 _STARTER = _Starter()
@@ -172,7 +155,8 @@ class Seeds:
         """A container has ended; where it is not `whole` the seed ends with it, as `Seed.close` tells."""
         with self._lock:
             seed.users -= 1
-            stays = seed.users > 0 or (self.keep and not seed.plan.once)
+            # What a compiler was started from at `full` would show the next one what it has written.
+            stays = seed.users > 0 or (self.keep and not (seed.plan.alone and "folders" in seed.plan.config))
             if seed not in self._seeds or (whole and stays):
                 return "", 0
             self._seeds.remove(seed)
