@@ -12,11 +12,11 @@ import signal
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from functools import partial
-from typing import TYPE_CHECKING, TypeVar
+from typing import TYPE_CHECKING
 
 from judge.errors import LIMIT_ON_TASKS, NO_THREAD, JudgeError, ShortageError, shortage_of
 from judge.sandbox import outcome, room, shared
-from judge.sandbox.boundary import Inspection, Limits, ProgramResult, Reply, Stop, Talk, Usage
+from judge.sandbox.boundary import Inspection, Limits, ProgramResult, Stop, Talk, Usage
 from judge.sandbox.container import Container, Done, Lost
 from judge.sandbox.dialogue import Dialogue
 from judge.sandbox.inside import wire
@@ -25,7 +25,6 @@ if TYPE_CHECKING:
     from judge.sandbox.factory import Boxes
 
 BUSY = "judge it again, with a smaller -j if the machine is busy"
-E = TypeVar("E", Reply, ProgramResult)
 _PATIENCE = 5.0  # seconds, with a talk whose program is gone
 LOST = "it stopped the process that watches it"
 
@@ -94,7 +93,7 @@ class ContainerBox(ABC):
         note, words = self._said(done, err)
         stop, detail = self._overrun(done, limits, printed, note) or outcome.end_of(done, note, words)
         detail = "" if stop is Stop.ANSWERED else detail
-        return self._with_threads(ProgramResult(stop, out, err, detail, done.usage))
+        return ProgramResult(stop, out, err, self._with_threads(detail), done.usage)
 
     def _talked(self, talk: Talk, stderr: int, limits: Limits) -> tuple[Done, int, bytes]:
         """Run the program while it is talked with: how much it wrote, and what nobody has heard."""
@@ -207,13 +206,13 @@ class ContainerBox(ABC):
             done, limits, printed, note, said if said <= self.lines else 0, self.idle, self.name
         )
 
-    def _with_threads(self, end: E) -> E:
+    def _with_threads(self, detail: str) -> str:
         """How it ended, with how many threads it may have where that is fewer than elsewhere.
 
         Whether it wanted more is its own word, which decides nothing.
         """
         share = self._boxes.share
-        if not share.short or NO_THREAD not in end.detail:
-            return end
+        if not share.short or NO_THREAD not in detail:
+            return detail
         most = f"it may have {share.each} threads at once here, and not {room.THREADS} as elsewhere"
-        return end._replace(detail=f"{end.detail}; {most}: {LIMIT_ON_TASKS}")
+        return f"{detail}; {most}: {LIMIT_ON_TASKS}"

@@ -103,7 +103,9 @@ class PythonBox(ContainerBox):
             return CallsResult((*kept, Reply(Stop.TAMPERED, detail=LOST)), Usage(0, lost.wall_ns / 1e9))
         replies = self._ended(done, limits, printed, len(calls))
         text = text if done.stage == wire.CALLING else b""
-        return CallsResult(tuple(map(self._with_threads, replies)), done.usage, done.imported, text)
+        if self._boxes.share.short:
+            replies = [reply._replace(detail=self._with_threads(reply.detail)) for reply in replies]
+        return CallsResult(tuple(replies), done.usage, done.imported, text)
 
     def _ended(self, done: Done, limits: Limits, printed: int, count: int) -> list[Reply]:
         """The replies of a child that is gone; the last says how it ended if it did not answer all."""

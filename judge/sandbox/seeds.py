@@ -76,27 +76,19 @@ class Seed:
         """Start it. Raises StartError, OSError and RuntimeError."""
         self.plan = plan
         self.users = 0
-        self._closing = contextlib.ExitStack()
-        try:
-            self._start()
-        except BaseException:
-            self._closing.close()
-            raise
-
-    def _start(self) -> None:
-        ours, theirs = _socket.socketpair(_socket.AF_UNIX, PAIR)
-        self._line = wire.Channel(ours)
-        self._closing.callback(ours.close)
-        with contextlib.ExitStack() as passed:
+        with contextlib.ExitStack() as closing, contextlib.ExitStack() as passed:
+            ours, theirs = _socket.socketpair(_socket.AF_UNIX, PAIR)
+            closing.callback(ours.close)
             passed.callback(theirs.close)
+            self._line = wire.Channel(ours)
             self._complaints = shared.nameless()
-            self._closing.callback(os.close, self._complaints)
-            code = passed.enter_context(shared.file(bundle.pack(self.plan.config)))
+            closing.callback(os.close, self._complaints)
+            code = passed.enter_context(shared.file(bundle.pack(plan.config)))
             descriptors = code, theirs.fileno()
             try:
                 self._process = _STARTER.start(
-                    (*self.plan.command, *map(str, descriptors)),
-                    env=self.plan.environment,
+                    (*plan.command, *map(str, descriptors)),
+                    env=plan.environment,
                     cwd="/",
                     stdin=subprocess.DEVNULL,
                     stdout=subprocess.DEVNULL,
@@ -105,9 +97,10 @@ class Seed:
                     start_new_session=True,  # Ctrl-C is for the judge, which ends this in its own way
                 )
             except OSError as fault:
-                not_started = levels.of_fault(fault, self.plan.command[0])
+                not_started = levels.of_fault(fault, plan.command[0])
                 assert not_started is not None
                 raise not_started from fault
+            self._closing = closing.pop_all()
 
     def fork(self, channel: int, region: int, order: int) -> None:
         """Fork a server with these. One that has ended is noticed at the channel, which hangs up then."""
