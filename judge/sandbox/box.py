@@ -167,12 +167,10 @@ class ContainerBox(ABC):
         try:
             container = self._here()
             begun = partial(self._dialogue.begin, container.stop) if self._dialogue else None
-            opening = kind == wire.INSPECT  # is under way
-            done = (
-                container.answer(limits)
-                if opening
-                else container.ask(kind, stdio, payload, limits, memory, begun)
-            )
+            if kind == wire.INSPECT:  # which it was asked when it was started
+                done = container.answer(limits)
+            else:
+                done = container.ask(kind, stdio, payload, limits, memory, begun)
         except BaseException as fault:
             self._drop()
             if isinstance(fault, Lost):
@@ -207,7 +205,7 @@ class ContainerBox(ABC):
         )
 
     def _with_threads(self, detail: str) -> str:
-        """How it ended, with how many threads it may have where that is fewer than elsewhere.
+        """What it says of its own end, with how many threads it may have where that is fewer than elsewhere.
 
         Whether it wanted more is its own word, which decides nothing.
         """

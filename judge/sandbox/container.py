@@ -109,7 +109,7 @@ class Container:
             self._seed.fork(theirs.fileno(), descriptor, order)
         if opening is not None:
             self.region.words[wire.USED] = wire.replies_at(len(plan.hidden))
-            with shared.stdio(b"") as stdio, contextlib.suppress(OSError):  # it shows when it is to be ready
+            with shared.stdio(b"") as stdio, contextlib.suppress(*seeds.GONE):  # which shows later
                 self.send(wire.INSPECT, stdio, len(plan.hidden), opening, 2 * opening.memory_bytes)
 
     def _home(self) -> str:

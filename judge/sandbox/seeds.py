@@ -21,6 +21,7 @@ from judge.sandbox.inside import wire
 from judge.sandbox.launch import Plan
 
 END_SECONDS = 1.0
+GONE = BrokenPipeError, ConnectionResetError
 REASON_BYTES = 2000
 PAIR = _socket.SOCK_SEQPACKET if sys.platform == "linux" else _socket.SOCK_STREAM
 
@@ -103,8 +104,8 @@ class Seed:
             self._closing = closing.pop_all()
 
     def fork(self, channel: int, region: int, order: int) -> None:
-        """Fork a server with these. One that has ended is noticed at the channel, which hangs up then."""
-        with contextlib.suppress(BrokenPipeError, ConnectionResetError):
+        """Fork a server with these. That it has ended is noticed at the channel, which hangs up then."""
+        with contextlib.suppress(*GONE):
             self._line.send(wire.OPEN, (channel, region, order))
 
     def kill(self) -> None:

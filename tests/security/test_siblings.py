@@ -62,4 +62,6 @@ def test_what_reaches_another_submission_of_the_command(attacker: Attacker, worl
     known = next(each.opened for each in HELD if each[:2] == world[:2])
     # Where root's interpreter lies in a private home, what may pass closed folders passes these too.
     passed_over = {"list_descriptors"} if world[:2] == ("limits", "root") else set()
+    if "the count" in world.lacking:  # then the server before is seen while it ends
+        passed_over |= {*TOLD, *OF_ONE_USER}
     assert opened - passed_over == (known | world.opened) - passed_over

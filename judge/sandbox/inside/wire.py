@@ -1,5 +1,7 @@
 """What the judge and its fork server say to each other, and the memory they share.
 
+    judge → seed     one 64-byte frame: OPEN, with the descriptors of a server's channel, of the memory
+                     that it shares with the judge, and of a file with (config, source)
     judge → server   one 64-byte frame: REQUEST, with the descriptors of stdin, stdout, stderr
                      and, of calls, that of a file with their arguments
                      and, while one is outstanding, perhaps STOP: its child is killed
@@ -49,7 +51,7 @@ ENDED, LACKING = b"done", b"lack"
 READY = b"ready"  # and the server's pid, in 4 bytes
 FAILED = b"failed"  # the reason is in the region's note
 
-OPEN = b"O"  # to a seed, with the descriptors of a server's channel, its region and its (config, source)
+OPEN = b"O"
 INSPECT, CALLS, PROGRAM = b"I", b"F", b"P"
 EXECUTE, COLLECT = b"X", b"C"  # of what is not Python: see exec.py
 STOP = b"S"
