@@ -15,7 +15,7 @@ from sandboxed import LIMITS, call, children, limits, require, run
 import judge
 from judge.errors import JudgeError, ShortageError
 from judge.sandbox import LEVELS, Reply, Stop, levels, open_box, outcome
-from judge.sandbox.container import Done
+from judge.sandbox.container import Container, Done, Lost
 from judge.sandbox.inside import wire
 from judge.sandbox.outcome import end_of, overrun, parse_replies
 from judge.values.wire import number
@@ -158,12 +158,27 @@ def test_a_container_that_ends_by_itself_is_no_fault_of_the_submission():
             time.sleep(0.001)
 
     with open_box(b"def f(n): return n", "my.py", level="limits") as box:
-        kill_it()  # before it is made ready for calls
         assert stops(box.call("f", NUMBERS, LIMITS)) == [Stop.ANSWERED] * 5
         kill_it()
         with pytest.raises(ShortageError, match="the process that watches it has ended"):
             box.call("f", NUMBERS, LIMITS)
         assert stops(box.call("f", NUMBERS, LIMITS)) == [Stop.ANSWERED] * 5
+
+
+def test_a_container_that_ends_before_anything_runs_is_started_again(monkeypatch):
+    lost, answer = [], Container.answer
+
+    def once(self, limits):
+        if not lost:
+            lost.append(self)
+            self.close()
+            raise Lost
+        return answer(self, limits)
+
+    monkeypatch.setattr(Container, "answer", once)
+    with open_box(b"def f(n): return n", "my.py") as box:
+        assert stops(box.call("f", NUMBERS, LIMITS)) == [Stop.ANSWERED] * 5
+    assert lost
 
 
 # -- whole programs ------------------------------------------------------------------------------------------
