@@ -17,11 +17,10 @@ from judge.languages.signature import signature_of
 from judge.problem import Problem
 from judge.problem.find import problem_roots
 from judge.sandbox import LEVELS, Boxes, room
-from judge.sandbox.boundary import BoxFactory
 from judge.version import __version__
 
 
-def contained(problem: Problem, options: RunOptions, jobs: int = 1, had: str | None = None) -> BoxFactory:
+def contained(problem: Problem, options: RunOptions, jobs: int = 1, had: str | None = None) -> AnyBoxes:
     """What opens containers for submissions to the problem; see `Session`. Raises UsageError."""
     room.raise_descriptors()
     least = None if options.isolation else kept_level()

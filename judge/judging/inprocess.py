@@ -103,9 +103,6 @@ class InProcess:
     def __exit__(self, *exc: object) -> None:
         pass
 
-    def warm_up(self) -> None:
-        """There is nothing to get ready."""
-
     def inspect(self) -> Inspection:
         """See `Box.inspect`."""
         return Inspection.read(inspect(self._source, self._name))

@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from judge.repair.search import Repair
     from judge.run.execute import Judged
     from judge.run.runner import Runner
+    from judge.sandbox import Boxes
 
 NAMED = (Verdict.WA, Verdict.RTE)  # the other verdicts do not come from wrong answers
 Bars = Callable[[str], AbstractContextManager[Progress | None]]  # opens a bar for work of that label
@@ -50,7 +51,7 @@ def silent(_label: str) -> AbstractContextManager[Progress | None]:
     return nullcontext()
 
 
-class Session:
+class Session(AbstractContextManager["Session"]):
     """A context manager, for one thread; it ends the boxes that are open.
 
     `bars` opens what is told how far the work is, by its label. Nothing is printed: what a person should know
@@ -73,16 +74,16 @@ class Session:
 
         Without `boxes` there are containers. The `store` keeps the data, and what known mistakes answer.
         """
-        given = boxes is not None
+        self._contained: Boxes | None = None
         if boxes is None:
             from judge.judging.containment import contained  # not in a tab, which has no processes
 
             boxes = contained(problem, options, jobs, had)
+            self._contained = boxes.boxes.kept()
         self.problem = problem
         self.options = options
         self.bars = bars
         self.open_box = boxes
-        self._in_process = given
         self._store = store
         self.reference = Reference(problem, self.open_box)
         self.lock = MeasureLock(waiting=lambda: self.bars(_WAITING))
@@ -92,9 +93,6 @@ class Session:
         self._ahead: dict[tuple[bytes, str], Box] = {}
         self._namer: Namer | None = None
 
-    def __enter__(self) -> Session:
-        return self
-
     def __exit__(self, *exc: object) -> None:
         self.close()
 
@@ -103,6 +101,8 @@ class Session:
         self.reference.close()
         while self._ahead:
             self._ahead.popitem()[1].__exit__(None, None, None)
+        if self._contained:
+            self._contained.close()
 
     def boot(self, source: bytes, name: str) -> None:
         """Start the box of a submission that will be judged soon.
@@ -110,8 +110,7 @@ class Session:
         Raises UsageError where the level of isolation that is asked for cannot be had.
         """
         with suppress(*_SHORT):
-            box = self._ahead[source, name] = self.open_box(source, name)
-            box.warm_up()
+            self._ahead[source, name] = self.open_box(source, name)
 
     def take(self, source: bytes, name: str) -> Box:
         """The submission's box, started ahead or now."""
@@ -173,11 +172,17 @@ class Session:
     def _judged(self, source: bytes, name: str, on_verdict: Callable[[Result], None] | None) -> Result:
         from judge.run.execute import judge_submission
 
-        options, settings, groups = self.options, self.settings, self.options.chosen(self.problem)
+        options = self.options
         with self.take(source, name) as box:
             with self.bars(name) as advance:
                 judged = judge_submission(
-                    self.data, source, name, settings, box=box, groups=groups, on_progress=advance
+                    self.data,
+                    source,
+                    name,
+                    self.settings,
+                    box=box,
+                    groups=options.chosen(self.problem),
+                    on_progress=advance,
                 )
             result, runner, _ = judged
             every = len(self.problem.groups)
@@ -283,8 +288,7 @@ class Session:
         """What makes it right; sought half as long where everything is one process."""
         from judge.repair.search import seek
 
-        share = 0.5 if self._in_process else 1.0
-        return seek(self.data, judged, box, beside, share=share)
+        return seek(self.data, judged, box, beside, share=1.0 if self._contained else 0.5)
 
     def _fails_alone(self, source: bytes, name: str, group: str, case: int) -> bool:
         """Whether the submission fails one case when nothing was called before it."""

@@ -24,14 +24,14 @@ class AnyBoxes:
     """
 
     def __init__(self, boxes: Boxes, signature: Signature | None = None) -> None:
-        self._boxes = boxes
+        self.boxes = boxes
         self._signature = signature
 
     def __call__(self, source: bytes, name: str) -> Box:
         """A box for this source; `name` is its file's. Raises as `Boxes`."""
         language = language_of(name)
         if language is None:
-            return self._boxes(source, name)
+            return self.boxes(source, name)
         from judge.languages.find import toolchain
         from judge.languages.sources import sources_of
         from judge.languages.store import CacheStore
@@ -40,7 +40,7 @@ class AnyBoxes:
         def order() -> tuple[Recipe, Sources]:
             return recipe_of(toolchain(language)), sources_of(language, source, self._signature)
 
-        return NativeBox(order, self._boxes, CacheStore())
+        return NativeBox(order, self.boxes, CacheStore())
 
 
 def recipe_of(found: Toolchain) -> Recipe:

@@ -47,10 +47,7 @@ class Reference:
     def warm_up(self) -> None:
         """Get the one ready that most submissions are raced against: the function, if there is one."""
         rule = self._problem.time
-        name = (rule.function or rule.program) if rule else None
-        box = self._box(name) if name else None
-        if box is not None:
-            box.warm_up()
+        self.open((rule.function or rule.program) if rule else None)
 
     def open(self, name: str | None) -> Box | None:
         """The box of the solution of that name; None where there is no name or no such file."""

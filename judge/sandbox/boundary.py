@@ -189,10 +189,6 @@ class Box(Protocol):
 
     def __exit__(self, *exc: object) -> None: ...
 
-    def warm_up(self) -> None:
-        """Get ready for calls in the background, where the judge has something else to do first."""
-        ...
-
     def inspect(self) -> Inspection:
         """Parse and compile the source, without running it."""
         ...

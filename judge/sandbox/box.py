@@ -9,19 +9,17 @@ from __future__ import annotations
 import errno
 import os
 import signal
-import threading
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from functools import partial
 from typing import TYPE_CHECKING
 
-from judge.errors import LIMIT_ON_TASKS, NO_THREAD, ShortageError, shortage_of
+from judge.errors import LIMIT_ON_TASKS, NO_THREAD, JudgeError, ShortageError, shortage_of
 from judge.sandbox import outcome, room, shared
 from judge.sandbox.boundary import Inspection, Limits, ProgramResult, Stop, Talk, Usage
 from judge.sandbox.container import Container, Done, Lost
 from judge.sandbox.dialogue import Dialogue
 from judge.sandbox.inside import wire
-from judge.sandbox.levels import StartError
 
 if TYPE_CHECKING:
     from judge.sandbox.factory import Boxes
@@ -48,7 +46,7 @@ class ContainerBox(ABC):
         self._prepared = False  # whether the container has compiled the source
         self._inspection: Inspection | None = None
         self._oom_kills = room.oom_kills()
-        self._closed = threading.Event()
+        self._closed = False
         self._container: Container | None = None
         self._dialogue: Dialogue | None = None  # with the program that is run
 
@@ -68,7 +66,7 @@ class ContainerBox(ABC):
         return Usage()
 
     def __exit__(self, *exc: object) -> None:
-        self._closed.set()
+        self._closed = True
         self._drop()
 
     def inspect(self) -> Inspection:
@@ -94,8 +92,8 @@ class ContainerBox(ABC):
             return ProgramResult(Stop.TAMPERED, b"", b"", LOST, Usage())
         note, words = self._said(done, err)
         stop, detail = self._overrun(done, limits, printed, note) or outcome.end_of(done, note, words)
-        detail = "" if stop is Stop.ANSWERED else self._with_threads(detail)
-        return ProgramResult(stop, out, err, detail, done.usage)
+        detail = "" if stop is Stop.ANSWERED else detail
+        return ProgramResult(stop, out, err, self._with_threads(detail), done.usage)
 
     def _talked(self, talk: Talk, stderr: int, limits: Limits) -> tuple[Done, int, bytes]:
         """Run the program while it is talked with: how much it wrote, and what nobody has heard."""
@@ -133,10 +131,10 @@ class ContainerBox(ABC):
 
     def _here(self) -> Container:
         """The running container, ready for a request. Raises as `Levels.open`, and Lost once it is closed."""
-        return self._boxes.levels.open(self._ready, self._closed.wait)
+        return self._boxes.levels.open(self._ready)
 
     def _ready(self, level: str) -> Container:
-        if self._closed.is_set():
+        if self._closed:
             raise Lost
         if self._container is None or self._held != level:
             self._drop()
@@ -144,7 +142,7 @@ class ContainerBox(ABC):
             self._container = self._start(level)
         try:
             self._container.await_ready()
-        except StartError:
+        except JudgeError:
             self._container = None
             raise
         return self._container
@@ -169,7 +167,10 @@ class ContainerBox(ABC):
         try:
             container = self._here()
             begun = partial(self._dialogue.begin, container.stop) if self._dialogue else None
-            done = container.ask(kind, stdio, payload, limits, memory, begun)
+            if kind == wire.INSPECT:  # which it was asked when it was started
+                done = container.answer(limits)
+            else:
+                done = container.ask(kind, stdio, payload, limits, memory, begun)
         except BaseException as fault:
             self._drop()
             if isinstance(fault, Lost):

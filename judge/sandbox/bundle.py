@@ -1,8 +1,7 @@
-"""The code of a container's server as one file, so that no path of the package is needed inside it.
+"""The code of a seed as one file, so that no path of the package is needed inside it.
 
-A descriptor carries marshal data: (modules, config, source). The interpreter inside, the same as the
-judge's, reads it, makes the modules under their own names and starts the server; the server forgets those
-names again before anything foreign runs.
+A descriptor carries marshal data: (modules, config). The interpreter inside, the same as the judge's, reads
+it, makes the modules under their own names and is the seed, which forgets those names again.
 """
 
 from __future__ import annotations
@@ -17,6 +16,7 @@ from typing import Any
 
 _ALWAYS = (
     "judge.sandbox.encode",
+    "judge.sandbox.imports",
     "judge.sandbox.inside.again",
     "judge.sandbox.inside.wire",
     "judge.sandbox.inside.source",
@@ -25,16 +25,17 @@ _ALWAYS = (
     "judge.sandbox.inside.unseen",
     "judge.sandbox.inside.server",
 )
+_SEED = "judge.sandbox.inside.seed"
 _EXEC = "judge.sandbox.inside.exec"  # the server of what is no Python
 _ON_LINUX = "judge.sandbox.inside.linux"
 
-# argv: the bundle's descriptor, the channel's, the region's
+# argv: the bundle's descriptor, the channel's
 BOOTSTRAP = """\
 import marshal, sys
 from types import ModuleType
-bundle, channel, region = map(int, sys.argv[1:])
+bundle, channel = map(int, sys.argv[1:])
 with open(bundle, "rb") as file:
-    modules, config, source = marshal.loads(file.read())
+    modules, config = marshal.loads(file.read())
 for name in ("judge", "judge.sandbox", "judge.sandbox.inside"):
     sys.modules[name] = ModuleType(name)
     sys.modules[name].__path__ = []
@@ -43,15 +44,16 @@ for name, code in modules:
     package, _, own = name.rpartition(".")
     setattr(sys.modules[package], own, module)
     exec(code, module.__dict__)
-module.start(channel, region, config, source)
+module.start(channel, config)
 """
 
 
-def pack(config: dict[str, Any], source: bytes) -> bytes:
-    """The bundle's bytes; the last of its modules is the server. `config` holds plain values only."""
-    first, last = [_ON_LINUX] if sys.platform == "linux" else [], [_EXEC] if "folders" in config else []
-    modules = tuple(map(_module, (*first, *_ALWAYS, *last)))  # in the order in which they import one another
-    return marshal.dumps((modules, config, source))
+def pack(config: dict[str, Any]) -> bytes:
+    """The bundle's bytes; the last of its modules starts it. `config` holds plain values only."""
+    first, more = [_ON_LINUX] if sys.platform == "linux" else [], [_EXEC] if "folders" in config else []
+    names = (*first, *_ALWAYS, *more, _SEED)  # in the order in which they import one another
+    modules = tuple(map(_module, names))
+    return marshal.dumps((modules, config))
 
 
 @cache

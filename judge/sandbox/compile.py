@@ -157,7 +157,7 @@ def _collected(container: Container, folder: str) -> Compiled:
     payload = marshal.dumps((folder, ARTIFACT_BYTES, ARTIFACT_FILES))
     with shared.stdio(b"") as stdio:
         _asked(container, wire.COLLECT, stdio, payload)
-        found = marshal.loads(container.replies(payload, LIMITS.output_bytes))
+        found = marshal.loads(container.replies())
         content = shared.head(stdio[1], ARTIFACT_BYTES)
     if isinstance(found, str):
         return Compiled((), SourceFault(found))

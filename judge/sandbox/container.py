@@ -8,34 +8,27 @@ from __future__ import annotations
 
 import _socket  # socket itself wraps every constant in an enumeration: slow
 import contextlib
+import marshal
 import os
-import select
 import signal
-import subprocess
-import sys
-import threading
 import time
 from collections.abc import Callable, Sequence
-from queue import SimpleQueue
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from judge.errors import JudgeError, shortage_of
-from judge.sandbox import bundle, levels, shared
+from judge.sandbox import levels, seeds, shared
 from judge.sandbox.boundary import Limits, Usage
 from judge.sandbox.inside import wire
 from judge.sandbox.launch import Plan
 from judge.sandbox.levels import StartError
+from judge.sandbox.seeds import Seed, Seeds
 from judge.sandbox.temporary import TemporaryFolder
 
 START_SECONDS = 20.0  # a loaded machine, a cold disk
 SLOW_TRIES = 2  # each takes as long as that
 GRACE_SECONDS = 5.0  # beyond a request's own wall limit
-END_SECONDS = 1.0
-REASON_BYTES = 2000
 
-# By the descriptors of the code, the channel and the region, and what makes an empty folder.
-Planned = Callable[[tuple[int, int, int], Callable[[], str]], Plan]
-_PAIR = _socket.SOCK_SEQPACKET if sys.platform == "linux" else _socket.SOCK_STREAM
+Planned = Callable[[Callable[[], str]], Plan]  # by what makes an empty folder
 
 
 class Lost(Exception):  # noqa: N818 - it never reaches a person
@@ -75,80 +68,21 @@ class Done(NamedTuple):
         return Usage(self.imported_cpu_ns / 1e9, self.imported_wall_ns / 1e9)
 
 
-class _Order:
-    """A process to be started, and what came of it."""
-
-    def __init__(self, command: Sequence[str], settings: dict[str, Any]) -> None:
-        self.done = threading.Event()
-        self.process: subprocess.Popen[bytes] | None = None
-        self.fault: BaseException | None = None
-        self._command = command
-        self._settings = settings
-
-    def carry_out(self) -> None:
-        try:
-            self.process = subprocess.Popen(self._command, **self._settings)
-        except BaseException as fault:
-            self.fault = fault
-        self.done.set()
-
-
-class _Starter:
-    """The one thread that starts every fork server.
-
-    On Linux a fork server dies with the thread that started it; this one lives as long as the judge, so that
-    a box may be handed from thread to thread.
-    """
-
-    def __init__(self) -> None:
-        self._lock = threading.Lock()
-        self._thread: threading.Thread | None = None
-        self._orders: SimpleQueue[_Order] = SimpleQueue()
-
-    def start(self, command: Sequence[str], **settings: Any) -> subprocess.Popen[bytes]:
-        """As `subprocess.Popen`. Raises OSError, and RuntimeError where there is no thread left for it."""
-        order = _Order(command, settings)
-        with self._lock:
-            if self._thread is None or not self._thread.is_alive():  # the first time, or after a fork
-                orders: SimpleQueue[_Order] = SimpleQueue()
-                thread = threading.Thread(target=self._serve, args=(orders,), daemon=True)
-                thread.start()
-                self._thread, self._orders = thread, orders
-            self._orders.put(order)
-        try:
-            order.done.wait()
-        except BaseException:  # Ctrl-C: it takes only a moment more, and nobody else would end it
-            order.done.wait()
-            if order.process is not None:
-                _kill(order.process)
-            raise
-        if order.fault is not None:
-            raise order.fault
-        assert order.process is not None
-        return order.process
-
-    @staticmethod
-    def _serve(orders: SimpleQueue[_Order]) -> None:
-        while True:
-            orders.get().carry_out()
-
-
-_STARTER = _Starter()
-
-
 class Container:
     """A fork server and its descriptors."""
 
-    def __init__(self, level: str, source: bytes, plan: Planned) -> None:
-        """Start it as `plan` says. Raises StartError where there is no room, or the command is missing."""
+    def __init__(
+        self, level: str, source: bytes, plan: Planned, pool: Seeds, opening: Limits | None = None
+    ) -> None:
+        """Have one forked as `plan` says, and with `opening` the source looked at. Raises StartError."""
         self.region: wire.Region
         self._closing = contextlib.ExitStack()
-        self._process: subprocess.Popen[bytes] | None = None
-        self._ready = False
+        self._seeds = pool
+        self._seed: Seed | None = None
+        self._pid = 0  # as the server knows it, once it is ready
         self.level = level
-        self._exposed = ""  # a path
         try:
-            self._start(source, plan)
+            self._open(source, plan, opening)
         except (OSError, MemoryError, RuntimeError) as fault:
             self.close()
             not_started = levels.of_fault(fault)
@@ -159,8 +93,8 @@ class Container:
             self.close()
             raise
 
-    def _start(self, source: bytes, planned: Planned) -> None:
-        ours, theirs = _socket.socketpair(_socket.AF_UNIX, _PAIR)
+    def _open(self, source: bytes, planned: Planned, opening: Limits | None) -> None:
+        ours, theirs = _socket.socketpair(_socket.AF_UNIX, seeds.PAIR)
         self._line = wire.Channel(ours)
         self._closing.callback(ours.close)
         with contextlib.ExitStack() as passed:
@@ -168,29 +102,15 @@ class Container:
             descriptor, self.region = shared.region()
             self._closing.callback(self.region.close)
             passed.callback(os.close, descriptor)
-            self._complaints = shared.nameless()
-            self._closing.callback(os.close, self._complaints)
-            code = shared.nameless()
-            passed.callback(os.close, code)
-            plan = planned((code, theirs.fileno(), descriptor), self._home)
-            shared.write_whole(code, bundle.pack(plan.config, source))
-            os.lseek(code, 0, os.SEEK_SET)
+            plan = planned(self._home)
+            order = passed.enter_context(shared.file(marshal.dumps((plan.config, source))))
             self.region.lay(plan.hidden)
-            try:
-                self._process = _STARTER.start(
-                    plan.command,
-                    env=plan.environment,
-                    cwd="/",
-                    stdin=subprocess.DEVNULL,
-                    stdout=subprocess.DEVNULL,
-                    stderr=self._complaints,
-                    pass_fds=(code, theirs.fileno(), descriptor),
-                    start_new_session=True,  # Ctrl-C is for the judge, which ends this in its own way
-                )
-            except OSError as fault:
-                not_started = levels.of_fault(fault, plan.command[0])
-                assert not_started is not None
-                raise not_started from fault
+            self._seed = self._seeds.take(plan)
+            self._seed.fork(theirs.fileno(), descriptor, order)
+        if opening is not None:
+            self.region.words[wire.USED] = wire.replies_at(len(plan.hidden))
+            with shared.stdio(b"") as stdio, contextlib.suppress(*seeds.GONE):  # which shows later
+                self.send(wire.INSPECT, stdio, len(plan.hidden), opening, 2 * opening.memory_bytes)
 
     def _home(self) -> str:
         """An empty folder of this machine for a submission's own, gone with the container."""
@@ -205,31 +125,22 @@ class Container:
 
         Raises JudgeError where a submission in it could read what none may see: a lower level is no way out.
         """
-        if self._ready:
+        if self._pid:
             return
-        if self._exposed:
-            raise self._refusal()
         began = time.monotonic()
         frame = self._receive(START_SECONDS)
         if not frame.startswith(wire.READY):
             silent = time.monotonic() - began >= START_SECONDS
             (kind, note), code = self.region.note(), self.region.code()
-            process = self._process
-            self._hang_up()  # ends it, so that it has said all
-            said = shared.tail(self._complaints, REASON_BYTES).decode(errors="replace")
+            said, status = self._hang_up(whole=bool(note))  # ends it, so that it has said all
             self.close()
             if kind == wire.EXPOSED:
-                self._exposed = note
-                raise self._refusal()
-            status = process.returncode if process is not None else 0
+                what = f"isolation {self.level} would let a submission read {note}"
+                raise JudgeError(what, remedy="install the judge in a virtual environment of its own")
             if silent:
                 raise StartError(f"it was not ready after {START_SECONDS:g} s", SLOW_TRIES)
             raise levels.of_code(code, note) if note else levels.of_end(said, status)
-        self._ready = True
-
-    def _refusal(self) -> JudgeError:
-        what = f"isolation {self.level} would let a submission read {self._exposed}"
-        return JudgeError(what, remedy="install the judge in a virtual environment of its own")
+        self._pid = int.from_bytes(frame[len(wire.READY) :][:4], "little")
 
     def _receive(self, seconds: float) -> bytes:
         self._line.patience(seconds)
@@ -252,34 +163,41 @@ class Container:
         `memory` is the bytes that the process may have in all, more than the limit of the submission. `begun`
         is called once the request is on its way, which `stop` may end from another thread.
         """
-        if self._process is None:
+        if self._seed is None:
             raise Lost
         self.await_ready()
-        start = wire.replies_at(len(payload))
-        stop = start + wire.reply_bytes(limits.output_bytes)
-        if stop > wire.REGION_BYTES:
+        if wire.replies_at(len(payload)) + wire.reply_bytes(limits.output_bytes) > wire.REGION_BYTES:
             raise JudgeError(
                 "more calls at once than the container's memory holds", remedy="make fewer at a time"
             )
         self.region.prepare(payload)
-        times = [
-            round(each * 1e9) for each in (limits.cpu_seconds, limits.wall_seconds, limits.waiting_seconds)
-        ]
-        frame = wire.REQUEST.pack(kind, *times, memory, limits.output_bytes, len(payload), stop)
         try:
-            self._line.send(frame, stdio)
+            self.send(kind, stdio, len(payload), limits, memory)
         except OSError:
             self.close()
             raise Lost(asked=False) from None
         if begun is not None:
             begun()
+        return self.answer(limits)
+
+    def send(self, kind: bytes, stdio: Sequence[int], payload: int, limits: Limits, memory: int) -> None:
+        """A request, whose payload of that length is there already. Raises OSError."""
+        self._start = wire.replies_at(payload)
+        self._stop = self._start + wire.reply_bytes(limits.output_bytes)
+        seconds = limits.cpu_seconds, limits.wall_seconds, limits.waiting_seconds
+        times = [round(each * 1e9) for each in seconds]
+        frame = wire.REQUEST.pack(kind, *times, memory, limits.output_bytes, payload, self._stop)
+        self._line.send(frame, stdio)
+
+    def answer(self, limits: Limits) -> Done:
+        """What comes of the request. Raises as `ask`."""
         began = time.monotonic_ns()
         answer = self._receive(2 * limits.wall_seconds + GRACE_SECONDS)  # an import has a limit of its own
         if answer.startswith(wire.LACKING):
             raise shortage_of(wire.LACK.unpack_from(answer)[1], "the submission could not be run")
         if answer.startswith(wire.ENDED):
             return Done(*wire.DONE.unpack_from(answer)[1:])
-        data = self.replies(payload, limits.output_bytes)
+        data = self.replies()
         self.close()
         raise Lost(data, time.monotonic_ns() - began)
 
@@ -288,16 +206,9 @@ class Container:
         with contextlib.suppress(OSError):  # all of it has
             self._line.send(wire.STOP)
 
-    def replies(self, payload: bytes, output: int) -> bytes:
+    def replies(self) -> bytes:
         """What the last child appended; foreign data."""
-        start = wire.replies_at(len(payload))
-        return self.region.replies(start, start + wire.reply_bytes(output))
-
-    def kill(self) -> None:
-        """End what runs in it at once; whoever waits for its answer finds it lost."""
-        process = self._process
-        if process is not None:
-            _kill(process)
+        return self.region.replies(self._start, self._stop)
 
     def close(self) -> None:
         """Hang up, which ends the server; kill it if that takes too long. Safe to call twice."""
@@ -306,46 +217,25 @@ class Container:
         finally:
             self._closing.close()
 
-    def _hang_up(self) -> None:
-        process, self._process = self._process, None
-        if process is None:
-            return
+    def _hang_up(self, *, whole: bool = True) -> tuple[str, int]:
+        """End it, and the seed too unless it is `whole`; what that complained of, and its status."""
+        seed, self._seed = self._seed, None
+        if seed is None:
+            return "", 0
+        ended = False
         try:
-            self._line.close()
-            _await_end(process)
+            if not (ended := self._line.ended(seeds.END_SECONDS)):
+                self._end(seed)
+                ended = self._line.ended(seeds.END_SECONDS)
         finally:
-            _kill(process)
+            self._line.close()
+            told = self._seeds.leave(seed, whole=whole and ended)
+        return told
 
-
-def _await_end(process: subprocess.Popen[bytes]) -> None:
-    """Give it a moment; by its own descriptor where there is one, since Popen.wait looks only every 50 ms."""
-    descriptor = _descriptor_of(process.pid)
-    if descriptor is None:
-        with contextlib.suppress(subprocess.TimeoutExpired):
-            process.wait(END_SECONDS)
-        return
-    try:
-        ended = select.poll()
-        ended.register(descriptor, select.POLLIN)
-        ended.poll(END_SECONDS * 1000)
-    finally:
-        os.close(descriptor)
-
-
-def _descriptor_of(pid: int) -> int | None:
-    """A descriptor that is readable once the child has ended; None where the system has no such thing."""
-    if sys.platform != "linux":
-        return None
-    try:
-        return os.pidfd_open(pid)
-    except OSError:  # before Linux 5.3, or refused by the filter of a container around the judge
-        return None
-
-
-def _kill(process: subprocess.Popen[bytes]) -> None:
-    """Its session has no other members than its own; under bubblewrap its death is that of its namespace."""
-    if process.poll() is None:
-        with contextlib.suppress(ProcessLookupError, PermissionError):
-            os.killpg(process.pid, signal.SIGKILL)
-        process.kill()
-        process.wait()
+    def _end(self, seed: Seed) -> None:
+        """Kill it; below `full` it is known here by the number that it knows itself by, and others stay."""
+        if self._pid and not seed.plan.alone:
+            with contextlib.suppress(ProcessLookupError, PermissionError):
+                os.kill(self._pid, signal.SIGKILL)
+        else:
+            seed.kill()

@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from judge.sandbox.boundary import Box
     from judge.sandbox.room import Share
     from judge.sandbox.roots import Roots
+    from judge.sandbox.seeds import Seeds
 
 
 class Boxes:
@@ -45,6 +46,22 @@ class Boxes:
         from judge.sandbox.python import PythonBox  # only a run needs sockets, processes and ctypes
 
         return PythonBox(self, source, name)
+
+    @cached_property
+    def seeds(self) -> Seeds:
+        """What forks the boxes' servers."""
+        from judge.sandbox.seeds import Seeds
+
+        return Seeds()
+
+    def kept(self) -> Boxes:
+        """These, where what a box was started from is there for the next one, until `close`."""
+        self.seeds.keep = True
+        return self
+
+    def close(self) -> None:
+        """End what is there for the next box."""
+        self.seeds.close()
 
     @cached_property
     def roots(self) -> Roots:

@@ -7,7 +7,9 @@ too, at its own cost.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Iterable
 
 _STANDARD = """
     __future__ abc argparse array ast atexit bisect builtins cProfile cmath codecs collections contextlib

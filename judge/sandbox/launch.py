@@ -1,8 +1,8 @@
-"""Starting a container's server at a level: the command line, the environment, the user it becomes.
+"""Starting a container's seed at a level: the command line, the environment, the user a server becomes.
 
-    full     bubblewrap → fork server as pid 1 of its own namespaces, landlock and seccomp inside
-    strong   the fork server alone, landlock and seccomp
-    limits   the fork server alone, resource limits only
+    full     bubblewrap → seed as pid 1 of its own namespaces → one fork server, landlock and seccomp inside
+    strong   seed → fork servers, landlock and seccomp
+    limits   seed → fork servers, resource limits only
 
 Each needs less of the machine than the one above it.
 """
@@ -77,7 +77,7 @@ class Workplace(NamedTuple):
 
 
 class Plan(NamedTuple):
-    """How to start one fork server; `config` is what it is told besides its source.
+    """How to start the seed of a fork server; `config` is what the server is told besides its source.
 
     `hidden` is what must not be visible, and where nothing of ours may be, for the region: nothing that
     outlives the look keeps these names. At `limits` nothing is hidden.
@@ -88,17 +88,26 @@ class Plan(NamedTuple):
     config: dict[str, Any]
     hidden: bytes
 
+    @property
+    def seed(self) -> tuple[object, ...]:
+        """What is the same of all servers that may have one seed."""
+        return self.command, self.environment, "folders" in self.config
+
+    @property
+    def alone(self) -> bool:
+        """Whether all that a seed starts share its namespaces."""
+        return bool(self.config["level"] == "full")
+
 
 def plan(
     level: str,
     name: str,
     roots: Roots,
     share: Share,
-    descriptors: tuple[int, int, int],
     make_home: Callable[[], str],
     place: Workplace | None = None,
 ) -> Plan:
-    """The plan for `level`; `descriptors` are the bundle's, the channel's and the region's.
+    """The plan for `level`; the descriptors of the bundle and of the channel are its command's last words.
 
     `place` is there for what is no Python; that has a home, an empty folder of this machine, at `full` one
     inside: it may be listed, and only `limits` lets anybody write there. Raises OSError where a folder cannot
@@ -108,7 +117,7 @@ def plan(
     uid, hidden = _spare_uid(), marshal.dumps(unseen)
     needed = (*place.runnable, *place.reads) if place is not None and uid is not None else ()
     closed = not open_to_all(needed, below=level == "full")
-    python = [roots.executable, *_INTERPRETER, "-c", BOOTSTRAP, *map(str, descriptors)]
+    python = [roots.executable, *_INTERPRETER, "-c", BOOTSTRAP]
     config: dict[str, Any] = {
         "level": level,
         "name": name,
@@ -124,20 +133,20 @@ def plan(
     }
     if level != "limits":
         config["filters"] = tuple(filters(os.uname().machine, place.profile if place else "python"))
-    environment = dict(ENVIRONMENT)
+    config["environment"] = {}
     if place is not None:
         _settle(place, level, roots, config)
         config["passes_on"] = closed
     else:
         home = SCRATCH if level == "full" else make_home()
-        environment |= dict.fromkeys(_AT_HOME, home)
+        config["environment"] = dict.fromkeys(_AT_HOME, home)
         config["readable"].append(home)
         config["home"] = home
         if level != "full" and uid is not None:
             os.chown(home, uid, uid)
     if level != "full":
-        return Plan(tuple(python), environment, config, hidden)
-    command = [*_bubblewrap(roots, uid, config["reads_all"], environment, place), "--", *python]
+        return Plan(tuple(python), ENVIRONMENT, config, hidden)
+    command = [*_bubblewrap(roots, uid, config["reads_all"], place), "--", *python]
     return Plan(tuple(command), {"PATH": os.environ.get("PATH", os.defpath)}, config, hidden)
 
 
@@ -180,9 +189,7 @@ def bubblewrap_path() -> str | None:
     return None
 
 
-def _bubblewrap(
-    roots: Roots, uid: int | None, reads_all: bool, environment: dict[str, str], place: Workplace | None
-) -> list[str]:
+def _bubblewrap(roots: Roots, uid: int | None, reads_all: bool, place: Workplace | None) -> list[str]:
     arguments = [
         bubblewrap_path() or "bwrap",
         "--die-with-parent",
@@ -197,7 +204,7 @@ def _bubblewrap(
     else:  # real root: kernel uid 0 would be exempt from RLIMIT_NPROC, so it changes its user inside instead
         kept = ["CAP_SETUID", "CAP_SETGID", *(["CAP_DAC_READ_SEARCH"] if reads_all else [])]
         arguments += [part for capability in kept for part in ("--cap-add", capability)]
-    for key, value in environment.items():
+    for key, value in ENVIRONMENT.items():
         arguments += ["--setenv", key, value]
     made: set[str] = set()
     for path in (*roots.folders, *roots.files):
@@ -267,5 +274,5 @@ def threads(level: str, share: Share, *, alone: bool) -> int:
     if sys.platform != "linux":
         return 0
     if alone or level == "full":
-        return share.each + 2
+        return share.each + (2 if alone else 3)  # itself, its server, and the seed of the same user
     return max(1, min(tasks_of_mine() + share.together, share.ceiling))

@@ -99,13 +99,10 @@ class NativeBox(ContainerBox):
             self._folder.close()
             self._folder = None
 
-    def warm_up(self) -> None:
-        """Nothing is gained by starting ahead what is compiled first."""
-
     def _start(self, level: str) -> Container:
         roots = find_roots(self._boxes.hide, self._more, modules=False)
         plan = partial(launch.plan, level, "", roots, self._boxes.share, place=self._place)
-        return Container(level, b"", plan)
+        return Container(level, b"", plan, self._boxes.seeds)
 
     # -- compiling
 

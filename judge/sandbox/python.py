@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import contextlib
-import marshal
-import threading
 from collections.abc import Sequence
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
-from judge.errors import JudgeError, ShortageError
-from judge.sandbox import imports, launch, outcome, shared
+from judge.errors import ShortageError
+from judge.sandbox import launch, outcome, shared
 from judge.sandbox.boundary import (
     IMPORTING,
     CallsResult,
@@ -34,11 +32,12 @@ PRINTED_BYTES = 4 << 10  # of what a function prints that are kept
 _INSPECTION = Limits(cpu_seconds=10.0, wall_seconds=30.0, memory_bytes=1 << 30, output_bytes=1 << 22)
 _ADDRESS_SPACE = 256 << 20  # beyond twice the memory limit: honest numpy reserves far more than it touches
 _TRUSTED_TRIES = 2
+_FAILED = "the container failed"
 
 
 class PythonBox(ContainerBox):
-    """The container is started at once and awaited on entering, so that a judge may do other things while it
-    boots.
+    """The container is started at once, where the source is looked at and its modules are imported, and
+    awaited on entering, so that a judge may do other things meanwhile.
     """
 
     def __init__(self, boxes: Boxes, source: bytes, name: str) -> None:
@@ -46,74 +45,43 @@ class PythonBox(ContainerBox):
         super().__init__(boxes)
         self._source, self._name = source, name
         self.lines = len(source.splitlines())
-        self._modules: list[str] = []
-        self._warm_up: threading.Thread | None = None
         self._held = self._first
         with contextlib.suppress(StartError):
             self._container = self._start(self._held)
 
     def _start(self, level: str) -> Container:
         plan = partial(launch.plan, level, self._name, self._boxes.roots, self._boxes.share)
-        return Container(level, self._source, plan)
+        return Container(level, self._source, plan, self._boxes.seeds, _INSPECTION)
 
     def __enter__(self) -> PythonBox:
-        self._warmed_up()
         self._here()
         return self
 
-    def __exit__(self, *exc: object) -> None:
-        self._closed.set()
-        container = self._container
-        if self._warm_up is not None and container is not None:  # then it need not be waited for
-            container.kill()
-        self._warmed_up()
-        self._drop()
-
-    def warm_up(self) -> None:
-        """Get ready for calls in the background: they wait for it, whatever fails shows when they come."""
-
-        def prepare() -> None:
-            with contextlib.suppress(JudgeError, Lost, OSError, MemoryError, RuntimeError):
-                self._prepare()
-
-        thread = threading.Thread(target=prepare, daemon=True)
-        with contextlib.suppress(RuntimeError):  # no thread is left: the calls get ready themselves
-            thread.start()
-            self._warm_up = thread
-
-    def _warmed_up(self) -> None:
-        if self._warm_up is not None and self._warm_up is not threading.current_thread():
-            self._warm_up.join()
-            self._warm_up = None
-
-    def inspect(self) -> Inspection:
-        """Parse and compile the source in a child, without running it."""
-        self._warmed_up()
-        return super().inspect()
-
     def _inspect(self) -> Inspection:
-        done = self._ask_trusted(wire.INSPECT, b"")
-        replies = self._here().replies(b"", _INSPECTION.output_bytes)
+        done = self._opened()
+        replies = self._here().replies()
         over = self._overrun(done, _INSPECTION, 0, self._note())
         if done.reason not in (wire.NOT_KILLED, wire.FOR_CPU):  # no compiler waits
+            self._drop()
             raise ShortageError("the machine is too busy to compile it", remedy=BUSY)
         if over or done.status or not replies.endswith(b",\n"):
             text = over[1] if over else outcome.end_of(done, self._note())[1]
             return Inspection(SourceFault(f"the compiler did not survive it: {text}"))
-        found = outcome.parse_inspection(replies)
-        self._modules = imports.to_import(found["modules"])
-        return Inspection.read(found)
+        return Inspection.read(outcome.parse_inspection(replies))
 
-    def _ask_trusted(self, kind: bytes, payload: bytes) -> Done:
-        """A request in which nothing foreign runs: what is lost or killed then, the machine has lost."""
+    def _opened(self) -> Done:
+        """How a container's look at the source ended, where nothing foreign has run: what is lost or killed
+        then, the machine has lost.
+        """
         for _ in range(_TRUSTED_TRIES):
             try:
-                with shared.stdio(b"") as stdio:
-                    done = self._request(kind, stdio, payload, _INSPECTION)
+                done = self._ask(wire.INSPECT, (), b"", _INSPECTION, 0, _FAILED)
             except Lost:
                 continue
             if done.reason or not outcome.is_from_outside(done):
+                self._prepared = True
                 return done
+            self._drop()
         raise ShortageError("the container ended before the submission was run", remedy=BUSY)
 
     def call(self, entry: str, calls: Sequence[Sequence[Any]], limits: Limits) -> CallsResult:
@@ -133,14 +101,16 @@ class PythonBox(ContainerBox):
         except Lost as lost:
             kept = outcome.parse_replies(lost.replies, len(calls))[0][: len(calls) - 1]
             return CallsResult((*kept, Reply(Stop.TAMPERED, detail=LOST)), Usage(0, lost.wall_ns / 1e9))
-        replies = self._ended(done, head, limits, printed, len(calls))
-        told = tuple(reply._replace(detail=self._with_threads(reply.detail)) for reply in replies)
-        return CallsResult(told, done.usage, done.imported, text if done.stage == wire.CALLING else b"")
+        replies = self._ended(done, limits, printed, len(calls))
+        text = text if done.stage == wire.CALLING else b""
+        if self._boxes.share.short:
+            replies = [reply._replace(detail=self._with_threads(reply.detail)) for reply in replies]
+        return CallsResult(tuple(replies), done.usage, done.imported, text)
 
-    def _ended(self, done: Done, head: bytes, limits: Limits, printed: int, count: int) -> list[Reply]:
+    def _ended(self, done: Done, limits: Limits, printed: int, count: int) -> list[Reply]:
         """The replies of a child that is gone; the last says how it ended if it did not answer all."""
         note = self._note()
-        replies, kept_form = outcome.parse_replies(self._here().replies(head, limits.output_bytes), count)
+        replies, kept_form = outcome.parse_replies(self._here().replies(), count)
         if done.stage != wire.CALLING and any(reply.stop is Stop.ANSWERED for reply in replies):
             replies, kept_form = [], False  # nothing was asked
         over = self._overrun(done, limits, printed, note)
@@ -172,13 +142,12 @@ class PythonBox(ContainerBox):
         if found.fault:
             return found.fault.message
         if not self._prepared:
-            self._ask_trusted(wire.PREPARE, marshal.dumps(self._modules))
-            self._prepared = True
+            self._opened()
         return ""
 
     def _request(self, kind: bytes, stdio: Sequence[int], payload: bytes, limits: Limits) -> Done:
         memory = 2 * limits.memory_bytes + _ADDRESS_SPACE
-        return self._ask(kind, stdio, payload, limits, memory, "the container failed")
+        return self._ask(kind, stdio, payload, limits, memory, _FAILED)
 
     def _note(self) -> tuple[int, str]:
         return self._here().region.note()

@@ -10,6 +10,7 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Iterable
+from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
@@ -46,8 +47,7 @@ class Roots(NamedTuple):
 
     def around(self, paths: Iterable[str]) -> list[str]:
         """These real paths, or instead of one that has something hidden in it what lies around that."""
-        hidden = [Path(path) for path in self.hidden]
-        return [each for path in paths for each in _around(Path(path), hidden)]
+        return [each for path in paths for each in _around(path, self.hidden)]
 
     def outsiders_may_read(self, *, below: bool) -> bool:
         """Whether somebody who owns nothing can read the interpreter; `below` looks at the folders only."""
@@ -129,17 +129,18 @@ def _coverable(path: str, folders: Iterable[str]) -> bool:
     return places.within(path, folders) and Path(path).is_dir()
 
 
-def _around(folder: Path, hidden: list[Path]) -> list[str]:
+@cache
+def _around(folder: str, hidden: tuple[str, ...]) -> list[str]:
     """The folder, or where something hidden lies below it, its entries around that, but no symlink.
 
     A rule holds for what a symlink leads to; where that is shown, it has a rule of its own.
     """
-    inside = [path for path in hidden if path == folder or folder in path.parents]
-    if not inside:
-        return [str(folder)]
-    if folder in inside:
+    if folder in hidden:
         return []
-    entries = [entry for entry in sorted(folder.iterdir()) if not entry.is_symlink()]
+    inside = tuple(path for path in hidden if places.within(path, [folder]))
+    if not inside:
+        return [folder]
+    entries = sorted(entry.path for entry in os.scandir(folder) if not entry.is_symlink())
     return [path for entry in entries for path in _around(entry, inside)]
 
 

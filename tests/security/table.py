@@ -59,10 +59,10 @@ except (OSError, ImportError, MemoryError, RuntimeError, ValueError) as error:
 def _tries(
     deeds: dict[str, str], *, open_at: frozenset[str] = frozenset({"limits"}), control: str = "breach"
 ) -> list[Attack]:
-    return [Attack(name, _tried(deed), open_at=open_at, control=control) for name, deed in deeds.items()]
+    return [Attack(name, tried(deed), open_at=open_at, control=control) for name, deed in deeds.items()]
 
 
-def _tried(deed: str) -> str:
+def tried(deed: str) -> str:
     modules = "".join(f", {name}" for name in sorted({*re.findall(MODULES, deed)} | _of_libc(deed)))
     return TRIED.format(modules=modules, deed=textwrap.indent(textwrap.dedent(deed), "    "))
 

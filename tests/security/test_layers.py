@@ -60,7 +60,7 @@ WORLDS = [
     Lacking(
         "landlock and both filters",
         "full",
-        {*OF_THE_KERNEL, *STARTS, "tcp_listen", *AT_HOME, *MADE_AT_HOME} - {"kill_everybody"},
+        {*OF_THE_KERNEL, *STARTS, "tcp_listen", *AT_HOME, *MADE_AT_HOME},
         filters=True,
     ),
     Lacking("the limit on threads", "limits", {"threads"}),

@@ -19,9 +19,15 @@ _RULES = (
     'linux.restrict(config["readable"], config["writable"], runnable, filled)',
     "pass",
 )
-_LOOK = (f"{INSIDE}server", '        _look_around(region, line, config["unseen"])\n', "")
+_LOOK = (f"{INSIDE}seed", '        _look_around(region, line, config["unseen"])\n', "")
 _SERVERS = (f"{INSIDE}confine", "linux.load_filter(load, bytearray(server))", "pass")
-_CHILDS = (f"{INSIDE}confine", "lambda: linux.load_filter(load, own_filter(child, pid_at))", "_nothing")
+_CHILDS = (f"{INSIDE}confine", "lambda: linux.load_filter(load, own_filter(child, pid_at))", "lambda: None")
+_SWEEP = (
+    f"{INSIDE}server",
+    '_kill_all([-1] if self._level == "full" else [-pid, *_children_of(os.getpid())])',
+    "return spent",
+)
+_COUNT = (f"{INSIDE}seed", '_left(config.get("home"))', "False")
 LAYERS = {
     "landlock": (_RULES,),
     "landlock and the last look": (_RULES, _LOOK),
@@ -34,6 +40,10 @@ LAYERS = {
         (f"{INSIDE}confine", "setrlimit(which, (value, value))", "setrlimit(which, (value, hard))"),
     ),
     "closed descriptors": ((f"{INSIDE}child", "os.closerange(len(kept), wire.MOST_DESCRIPTORS)", "pass"),),
+    "a session of its own": ((f"{INSIDE}seed", "    os.setsid()\n", ""),),
+    "the sweep": (_SWEEP,),
+    "landlock, both filters and the sweep": (_RULES, _LOOK, _SERVERS, _CHILDS, _SWEEP),
+    "landlock, both filters, the sweep and the count": (_RULES, _LOOK, _SERVERS, _CHILDS, _SWEEP, _COUNT),
     "the seals of its source": (
         (f"{INSIDE}source", "fcntl.fcntl(number, fcntl.F_ADD_SEALS, seals)", "pass"),
     ),

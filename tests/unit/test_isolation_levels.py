@@ -10,13 +10,13 @@ import errno
 import os
 import shutil
 import sys
-import threading
 import time
 from pathlib import Path
 
 import pytest
 from sandboxed import LIMITS, children, require
 
+from judge import sandbox
 from judge.errors import JudgeError, ShortageError, UsageError
 from judge.sandbox import Boxes, bundle, container, launch, levels, levels_here, open_box
 from judge.sandbox.inside.again import PAUSES
@@ -72,13 +72,13 @@ def test_a_demanded_level_is_not_lowered(monkeypatch):
         levels.missing.cache_clear()
 
 
-def test_a_box_may_be_closed_while_it_warms_up():
+def test_a_box_may_be_closed_while_it_boots():
+    before = children()
     for seconds in (0, 0.01, 0.03):
-        box = open_box(b"def f(n): return n", "f.py")
-        box.warm_up()
+        box = open_box(b"import decimal\ndef f(n): return n", "f.py")
         time.sleep(seconds)
         box.__exit__(None, None, None)
-    assert not [thread for thread in threading.enumerate() if "prepare" in thread.name]
+        assert children() == before
 
 
 @pytest.mark.parametrize("script", PASSING)
@@ -113,9 +113,7 @@ def test_a_lasting_refusal_leads_to_the_next_level_and_is_not_tried_again(tmp_pa
     require("strong")
     starts = pretend(tmp_path, monkeypatch, f"sleep 0.2; {LASTING}")
     boxes = Boxes()
-    box = boxes(b"def f(n): return n", "f.py")
-    box.warm_up()  # it fails in the background, and leaves the next one whole
-    with box:
+    with boxes(b"def f(n): return n", "f.py") as box:
         assert box.isolation == "strong"
         for _ in range(2):
             assert box.call("f", [(1,)], LIMITS).replies[0].answer == 1
@@ -174,7 +172,11 @@ def test_resource_limits_alone_are_taken_only_where_there_is_no_sandbox(tmp_path
 
 @pytest.mark.parametrize(
     ("place", "code"),
-    [("_socket.socketpair", errno.EMFILE), ("shared.region", errno.ENOMEM), ("_STARTER.start", errno.EAGAIN)],
+    [
+        ("container._socket.socketpair", errno.EMFILE),
+        ("container.shared.region", errno.ENOMEM),
+        ("seeds._STARTER.start", errno.EAGAIN),
+    ],
 )
 def test_what_the_judge_itself_is_short_of_is_tried_again_and_named(place, code, monkeypatch):
     real = _found(place)
@@ -186,7 +188,7 @@ def test_what_the_judge_itself_is_short_of_is_tried_again_and_named(place, code,
             raise OSError(code, os.strerror(code))
         return real(*arguments, **settings)
 
-    monkeypatch.setattr(f"judge.sandbox.container.{place}", scarce)
+    monkeypatch.setattr(f"judge.sandbox.{place}", scarce)
     before, descriptors = children(), len(list(Path("/proc/self/fd").iterdir()))
     most = 3
     with Boxes()(b"def f(n): return n", "f.py") as box:
@@ -201,7 +203,7 @@ def test_what_the_judge_itself_is_short_of_is_tried_again_and_named(place, code,
 
 
 def _found(place):
-    found = container
+    found = sandbox
     for name in place.split("."):
         found = getattr(found, name)
     return found
@@ -242,8 +244,8 @@ def test_what_a_server_says_is_told_by_its_errno_and_not_by_its_words(code, trie
 )
 def test_a_server_that_cannot_confine_itself_sends_the_errno(fault, kind, monkeypatch):
     require("strong")
-    start = "        sys.path[:] = config"
-    with changed(monkeypatch, ".server", start, f"        raise {fault}\n{start}"), pytest.raises(kind):
+    start = "        confinement = Confinement(config)"
+    with changed(monkeypatch, ".seed", start, f"        raise {fault}\n{start}"), pytest.raises(kind):
         Boxes("strong")(b"", "f.py").__enter__()
 
 
@@ -270,7 +272,7 @@ FILTER = "lambda: linux.load_filter(load, own_filter(child, pid_at))"
 @pytest.mark.parametrize(
     ("here", "instead", "deed"),
     [
-        (FILTER, "_nothing", "start a process"),
+        (FILTER, "lambda: None", "start a process"),
         ("linux.load_filter(load, bytearray(server))", "pass", "open a socket"),
     ],
 )

@@ -6,6 +6,7 @@ import math
 import os
 import signal
 import sys
+import time
 from pathlib import Path
 
 import pytest
@@ -14,7 +15,7 @@ from sandboxed import LIMITS, call, children, limits, require, run
 import judge
 from judge.errors import JudgeError, ShortageError
 from judge.sandbox import LEVELS, Reply, Stop, levels, open_box, outcome
-from judge.sandbox.container import Done
+from judge.sandbox.container import Container, Done, Lost
 from judge.sandbox.inside import wire
 from judge.sandbox.outcome import end_of, overrun, parse_replies
 from judge.values.wire import number
@@ -149,18 +150,35 @@ def test_a_container_that_ends_by_itself_is_no_fault_of_the_submission():
     before = children()
 
     def kill_it():
+        server = Path(f"/proc/{box._here()._pid}/stat")
         for pid in children() - before:
             os.kill(int(pid), signal.SIGKILL)
             os.waitid(os.P_PID, int(pid), os.WEXITED | os.WNOWAIT)
+        while server.exists() and b") Z " not in server.read_bytes():
+            time.sleep(0.001)
 
     with open_box(b"def f(n): return n", "my.py", level="limits") as box:
-        box.inspect()
-        kill_it()  # before it is made ready for calls
         assert stops(box.call("f", NUMBERS, LIMITS)) == [Stop.ANSWERED] * 5
         kill_it()
         with pytest.raises(ShortageError, match="the process that watches it has ended"):
             box.call("f", NUMBERS, LIMITS)
         assert stops(box.call("f", NUMBERS, LIMITS)) == [Stop.ANSWERED] * 5
+
+
+def test_a_container_that_ends_before_anything_runs_is_started_again(monkeypatch):
+    lost, answer = [], Container.answer
+
+    def once(self, limits):
+        if not lost:
+            lost.append(self)
+            self.close()
+            raise Lost
+        return answer(self, limits)
+
+    monkeypatch.setattr(Container, "answer", once)
+    with open_box(b"def f(n): return n", "my.py") as box:
+        assert stops(box.call("f", NUMBERS, LIMITS)) == [Stop.ANSWERED] * 5
+    assert lost
 
 
 # -- whole programs ------------------------------------------------------------------------------------------

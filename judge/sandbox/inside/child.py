@@ -20,6 +20,7 @@ from gc import freeze
 from types import CodeType, ModuleType
 
 from judge.sandbox.encode import IMPORTING, encode, found, place_in
+from judge.sandbox.imports import to_import
 from judge.sandbox.inside import source, wire
 
 TYPE_CHECKING = False
@@ -71,11 +72,14 @@ def tell_where(name: str, region: wire.Region) -> None:
 def look_at(text: bytes, name: str, region: wire.Region, stop: int) -> NoReturn:
     """Compile the source, and reply with what `source.inspect` finds."""
     start_the_clock()
-    line = "".join(_json(source.inspect(text, name), 0)).encode() + b",\n"
+    found = source.inspect(text, name)
+    line = "".join(_json(found, 0)).encode() + b",\n"
     start = region.words[wire.USED]
     if start + len(line) <= stop:
         region.memory[start : start + len(line)] = line
         region.words[wire.USED] = start + len(line)
+        if not found["fault"]:
+            region.write_note(wire.COMPILED, " ".join(to_import(found["modules"])))
     os._exit(0)
 
 

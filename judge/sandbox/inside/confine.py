@@ -1,6 +1,7 @@
 """Giving up rights, in the order in which the kernel allows it.
 
-    the fork server, once    other user (root only) → death with the parent → no new privileges
+    the seed                 death with the parent
+    a fork server, once      other user (root only) → death with the parent → no new privileges
                              → landlock → big filter
     a child, each time       resource limits → small filter
 
@@ -23,6 +24,8 @@ if TYPE_CHECKING:
     from typing import Any
 
 LINUX = sys.platform == "linux"
+if LINUX:
+    from judge.sandbox.inside import linux
 _SIGKILL = 9
 
 
@@ -33,25 +36,18 @@ class Confinement:
         """Give up everything the fork server does not need. Raises OSError where the kernel refuses."""
         self._threads: int = config["threads"]
         self._server = os.getpid()
-        self._die_with_parent: Callable[[], None] = _nothing
         self._small: Callable[[], None] | None = None  # load a child's own filter
         _once_only_limits(config.get("descriptors", wire.MOST_DESCRIPTORS))
         if LINUX:
             self._on_linux(config)
 
     def _on_linux(self, config: dict[str, Any]) -> None:
-        from judge.sandbox.inside import linux
-
         if config["level"] == "full" and "home" in config and not linux.abi():
             os.chmod(config["home"], 0o555)  # noqa: PTH101 - nothing else would keep files out of it
         if config["uid"] is not None:
             passed_on = config.get("passes_on", False)  # to a compiler that lies in a private home
             _become(config["uid"], config["reads_all"], linux, passed_on=passed_on)
-        self._die_with_parent = lambda: linux.prctl(linux.PR_SET_PDEATHSIG, _SIGKILL)
-        self._die_with_parent()
-        if config["parent"] not in (None, os.getppid()):
-            os._exit(1)  # it died before its death could be noticed
-        linux.prctl(linux.PR_SET_DUMPABLE, 0)
+        die_with(config["parent"])
         linux.prctl(linux.PR_SET_NO_NEW_PRIVS, 1)
         linux.prctl(linux.PR_SET_CHILD_SUBREAPER, 1)  # what a child leaves behind comes to us, to be ended
         if config["level"] == "limits":
@@ -71,7 +67,7 @@ class Confinement:
             _limit(resource.RLIMIT_CPU, cpu_seconds)
         if self._threads:
             _limit(resource.RLIMIT_NPROC, self._threads)
-        self._die_with_server()
+        die_with(self._server)
         if self._small is None:
             os.setpgid(0, 0)  # so that what it forks can be ended with it
         else:
@@ -85,15 +81,21 @@ class Confinement:
         os.setpgid(0, 0)
         for name, value in limits.items():
             _limit(getattr(resource, name), value)
-        self._die_with_server()
+        die_with(self._server)
         if self._small is not None:
             self._small()
 
-    def _die_with_server(self) -> None:
-        """End this child with the fork server, also where that has died since the fork."""
-        self._die_with_parent()  # a fork does not inherit it
-        if os.getppid() != self._server:
-            os._exit(1)
+
+def die_with(parent: int | None) -> None:
+    """End with this parent, also where it is dead by now; None where another sees to that.
+
+    A fork does not inherit it. Elsewhere than on Linux the hang-up has to do.
+    """
+    if LINUX:
+        linux.prctl(linux.PR_SET_PDEATHSIG, _SIGKILL)
+        linux.prctl(linux.PR_SET_DUMPABLE, 0)
+    if parent not in (None, os.getppid()):
+        os._exit(1)
 
 
 def own_filter(rows: bytes, pid_at: tuple[int, ...]) -> bytearray:
@@ -102,10 +104,6 @@ def own_filter(rows: bytes, pid_at: tuple[int, ...]) -> bytearray:
     for place in pid_at:
         own[place : place + 4] = os.getpid().to_bytes(4, "little")
     return own
-
-
-def _nothing() -> None:
-    """What death with the parent is where the system has no such thing; the hang-up has to do."""
 
 
 def _once_only_limits(descriptors: int) -> None:

@@ -31,11 +31,6 @@ _AS_IT_IS = os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC
 _AT_ONCE = 1 << 20
 
 
-def start(channel: int, memory: int, config: dict[str, Any], source: bytes) -> NoReturn:
-    """Confine this process, say so, and serve until the judge hangs up."""
-    server.start(channel, memory, config, source, ExecServer)
-
-
 class ExecServer(server.Server):
     """A server whose children become other programs."""
 

@@ -1,37 +1,32 @@
-"""The fork server: trusted code only, one per submission, alone in its container with its children.
+"""The fork server: trusted code only, one per submission, alone with its children.
 
-    start → confine → "ready" ─┬─ INSPECT   a child compiles the source, so that none that takes the compiler
-                               │            down ever reaches the server's own
-                               ├─ PREPARE   the server compiles it too, imports the modules the judge allows
-                               └─ CALLS or PROGRAM, any number of times: fork, watch, reap, sweep → DONE
+    "ready" ─┬─ INSPECT   a child compiles the source, so that none that takes the compiler down ever
+             │            reaches the server's own; then it does too, and imports what may be
+             └─ CALLS or PROGRAM, any number of times: fork, watch, reap, sweep → DONE
 
-The judge hanging up is the end of the server and so of everything in here.
+The judge hanging up is the end of the server and so of everything it has started; see `seed` for its start.
 """
 
 from __future__ import annotations
 
 import _signal as signal  # type: ignore[import-not-found]  # signal itself wraps every call in enums: slow
-import _sitebuiltins
-import _socket
-import builtins
 import errno
 import gc
-import marshal
 import os
 import resource
 import select
 import sys
 import time
 
-from judge.sandbox.inside import again, child, unseen, wire
-from judge.sandbox.inside.confine import Confinement
-from judge.sandbox.inside.source import sealed
+from judge.sandbox.inside import again, child, wire
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Callable
     from types import CodeType
     from typing import Any, NoReturn
+
+    from judge.sandbox.inside.confine import Confinement
 
 SHORTEST_WAIT_NS = 1_000_000
 LAST_MOMENT_NS = 50_000_000
@@ -46,61 +41,6 @@ class Lacking(Exception):  # noqa: N818 - it never reaches a person
     def __init__(self, code: int) -> None:
         super().__init__()
         self.code = code
-
-
-def start(
-    channel: int, memory: int, config: dict[str, Any], source: bytes, kind: type[Server] | None = None
-) -> NoReturn:
-    """Confine this process, say so, and serve until the judge hangs up, as a server of that kind."""
-    config["source"] = sealed(source)
-    line = wire.Channel(_socket.socket(fileno=channel))
-    region = wire.Region(memory)
-    os.close(memory)
-    try:
-        sys.path[:] = config["path"]
-        _fill_finders()
-        confinement = Confinement(config)
-        _look_around(region, line, config["unseen"])
-        for word in ("exit", "quit"):  # -S leaves them out
-            setattr(builtins, word, _sitebuiltins.Quitter(word, "Ctrl-D"))
-        for name in [name for name in sys.modules if name.partition(".")[0] == "judge"]:
-            del sys.modules[name]
-    except (OSError, ValueError, LookupError, MemoryError) as error:
-        region.write_fault(error)
-        line.send(wire.FAILED)
-        os._exit(1)
-    line.send(wire.READY)
-    (kind or Server)(line, region, confinement, config, source).serve()
-
-
-def _look_around(region: wire.Region, line: wire.Channel, length: int) -> None:
-    """End here, with the reason, if something can be read that no submission may see.
-
-    A child looks, and is gone: what is hidden has its names in the memory of no submission.
-    """
-    pid = again.again(os.fork)
-    if pid == 0:
-        try:
-            if visible := unseen.first_visible(*marshal.loads(region.payload(length))):
-                region.write_note(wire.EXPOSED, visible)
-            os._exit(bool(visible))
-        except BaseException as error:
-            region.write_fault(error)
-            os._exit(1)
-    if os.waitpid(pid, 0)[1]:
-        line.send(wire.FAILED)
-        os._exit(1)
-
-
-def _fill_finders() -> None:
-    """Let imports list their folders while they may: landlock denies the list where an entry is hidden."""
-    try:
-        __import__("a_module_that_nobody_has")
-    except ImportError:
-        for finder in sys.path_importer_cache.values():
-            entries = getattr(finder, "_path_cache", None)
-            if isinstance(entries, set):
-                entries.discard("judge")  # where it lies among the modules that may be imported
 
 
 class Server:
@@ -120,6 +60,7 @@ class Server:
         self._source, self._own_source = source, config["source"]
         self._name: str = child.OWN_FILE if self._own_source else config["name"]
         self._cores: int = config["cores"]
+        self._level: str = config["level"]
         self._code: CodeType | None = None
         self._tally, self._tally_end = os.pipe()
         os.set_blocking(self._tally, False)
@@ -149,7 +90,9 @@ class Server:
                     continue
                 job = wire.Request(frame, descriptors)
                 try:
-                    answer = self._prepare(job) if job.kind == wire.PREPARE else self._run(job, self._code)
+                    answer = self._run(job, self._code)
+                    if job.kind == wire.INSPECT:
+                        self._prepare()
                 except Lacking as lack:
                     answer = wire.LACK.pack(wire.LACKING, lack.code)
                 for number in descriptors:
@@ -158,9 +101,12 @@ class Server:
             except (BrokenPipeError, ConnectionError):
                 os._exit(0)
 
-    def _prepare(self, job: wire.Request) -> bytes:
-        """Import ahead, and compile."""
-        for module in marshal.loads(self._region.payload(job.payload)):
+    def _prepare(self) -> None:
+        """Import ahead what the compiled source asks for, and compile it here."""
+        kind, modules = self._region.note()
+        if kind != wire.COMPILED:
+            return
+        for module in modules.split():
             try:
                 __import__(module)
             except Exception:  # not installed or broken: the submission's own import says so
@@ -168,7 +114,6 @@ class Server:
         self._code = compile(self._source, self._name, "exec", dont_inherit=True)
         gc.collect()
         gc.freeze()
-        return wire.done()
 
     def _run(self, job: wire.Request, code: CodeType | None) -> bytes:
         if len(job.descriptors) < 3 + (job.kind == wire.CALLS and wire.PAUSES):
@@ -200,7 +145,7 @@ class Server:
             self._confinement.confine_child(job.memory, job.output, job.cpu_ns // 10**9 + 2)
             if job.kind == wire.INSPECT:
                 child.look_at(self._source, name, region, job.stop)
-            assert code is not None, "PREPARE comes before this"
+            assert code is not None, "INSPECT comes before this"
             if job.kind == wire.PROGRAM:
                 child.be_program(code, name, region)
             child.make_calls(code, name, region, job)
@@ -282,19 +227,19 @@ class Server:
             return None
 
     def _sweep(self, pid: int) -> int:
-        """End whatever the child left behind; gives the CPU time of that."""
+        """End whatever the child left behind; gives the CPU time of that. What cannot be ended ends us."""
         spent = 0
         until = time.monotonic() + SWEEP_SECONDS
         while time.monotonic() < until:
             try:
                 gone, _, usage = os.wait4(-1, os.WNOHANG)
             except ChildProcessError:
-                break
+                return spent
             if gone:
                 spent += _cpu_of(usage)
             else:
-                _kill_all(pid)
-        return spent
+                _kill_all([-1] if self._level == "full" else [-pid, *_children_of(os.getpid())])
+        os._exit(1)
 
 
 class Watch:
@@ -367,10 +312,9 @@ def _drain(number: int) -> None:
         return
 
 
-def _kill_all(group: int) -> None:
-    """Kill what is left of a child's group and every process that has become ours."""
-    me = os.getpid()
-    for target in [-1] if me == 1 else [-group, *_children_of(me)]:
+def _kill_all(targets: list[int]) -> None:
+    """Kill these: processes, and a child's group."""
+    for target in targets:
         try:
             os.kill(target, signal.SIGKILL)
         except (ProcessLookupError, PermissionError):

@@ -1,5 +1,7 @@
 """What the judge and its fork server say to each other, and the memory they share.
 
+    judge → seed     one 64-byte frame: OPEN, with the descriptors of a server's channel, of the memory
+                     that it shares with the judge, and of a file with (config, source)
     judge → server   one 64-byte frame: REQUEST, with the descriptors of stdin, stdout, stderr
                      and, of calls, that of a file with their arguments
                      and, while one is outstanding, perhaps STOP: its child is killed
@@ -46,10 +48,11 @@ REQUEST = struct.Struct("=cqqqqqii")  # kind, cpu ns and wall ns, and as the fie
 DONE = struct.Struct("=4siiqqqiqqq")  # ENDED and the fields of container.Done
 LACK = struct.Struct("=4si")  # LACKING and the errno of what there was no room for, in place of a DONE
 ENDED, LACKING = b"done", b"lack"
-READY = b"ready"
+READY = b"ready"  # and the server's pid, in 4 bytes
 FAILED = b"failed"  # the reason is in the region's note
 
-INSPECT, PREPARE, CALLS, PROGRAM = b"I", b"M", b"F", b"P"
+OPEN = b"O"
+INSPECT, CALLS, PROGRAM = b"I", b"F", b"P"
 EXECUTE, COLLECT = b"X", b"C"  # of what is not Python: see exec.py
 STOP = b"S"
 PAUSES = sys.platform == "linux"  # elsewhere no clock of another process says when an import is over
@@ -72,6 +75,7 @@ NOTE_BYTES = PAYLOAD_AT - WORDS
 REPLY_BYTES = 8 << 20  # of all replies, whatever the output limit: the judge has to parse them
 
 NO_NOTE, RAISED, NO_MEMORY, TOO_MUCH, BROKEN_BOX = range(5)  # what a note says of a child's end
+COMPILED = 6  # of a look at the source: these modules are to be imported
 EXPOSED = 5  # of the server's own: this path can be read, and no submission may see it
 
 
@@ -112,6 +116,19 @@ class Channel:
     def close(self) -> None:
         """Hang up."""
         self._end.close()
+
+    def ended(self, seconds: float) -> bool:
+        """Ask the other side to end; whether it does in that time."""
+        try:
+            self._end.shutdown(_socket.SHUT_WR)
+            self._end.settimeout(seconds)
+            while self._end.recv(FRAME):
+                continue
+        except TimeoutError:
+            return False
+        except OSError:  # it has
+            return True
+        return True
 
     def patience(self, seconds: float | None) -> None:
         """How long a receive may wait; it raises TimeoutError after that."""
