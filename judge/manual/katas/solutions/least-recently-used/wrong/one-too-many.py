@@ -1,6 +1,6 @@
 """one-too-many
 
-One key more than the capacity stays. Compare with `>`.
+More keys stay than the capacity allows. Compare with `>`.
 """
 
 
