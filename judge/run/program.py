@@ -172,7 +172,9 @@ def _breakdown(result: ProgramResult, lines: Sequence[str], count: int) -> Break
     if len(lines) > count or (complete and len(lines) < count):
         what = f"{_counted(len(lines), 'line')} printed, {count} expected: one for each case"
         if len(lines) < count:
-            return Breakdown(Verdict.WA, what, 0, "no line")
+            blank = len(result.stdout.splitlines()) > len(lines)
+            hint = "; blank lines at the end answer nothing" if blank else ""
+            return Breakdown(Verdict.WA, what + hint, 0, "no line")
         surplus, hint = repr(lines[count][:SHOWN]), ""
         if not all(line.strip(" \t") for line in lines):
             hint = ", and no blank lines between"
