@@ -12,8 +12,8 @@ from judge.sandbox.levels import Levels
 if TYPE_CHECKING:
     from judge.sandbox.boundary import Box
     from judge.sandbox.room import Share
-    from judge.sandbox.roots import Roots
     from judge.sandbox.seeds import Seeds
+    from judge.sandbox.visible import Visible
 
 
 class Boxes:
@@ -64,11 +64,11 @@ class Boxes:
         self.seeds.close()
 
     @cached_property
-    def roots(self) -> Roots:
+    def visible(self) -> Visible:
         """What a Python submission sees: looking for them takes longer than starting a process."""
-        from judge.sandbox.roots import find_roots
+        from judge.sandbox.visible import visible
 
-        return find_roots(self.hide)
+        return visible(self.hide)
 
     @property
     def share(self) -> Share:

@@ -37,8 +37,8 @@ from judge.sandbox.factory import Boxes
 from judge.sandbox.inside import wire
 from judge.sandbox.launch import Workplace
 from judge.sandbox.recipe import Files, Recipe, Sources, Store, filled, written
-from judge.sandbox.roots import find_roots
 from judge.sandbox.temporary import TemporaryFolder
+from judge.sandbox.visible import visible
 
 _BOX = "/box"
 _WARNED = "judge-warnings"  # a file beside what was compiled, for whoever takes that from the cache
@@ -100,8 +100,8 @@ class NativeBox(ContainerBox):
             self._folder = None
 
     def _start(self, level: str) -> Container:
-        roots = find_roots(self._boxes.hide, self._more, modules=False)
-        plan = partial(launch.plan, level, "", roots, self._boxes.share, place=self._place)
+        seen = visible(self._boxes.hide, self._more, modules=False)
+        plan = partial(launch.plan, level, "", seen, self._boxes.share, place=self._place)
         return Container(level, b"", plan, self._boxes.seeds)
 
     # -- compiling
