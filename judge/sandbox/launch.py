@@ -23,10 +23,9 @@ from judge.sandbox.places import open_to_all
 from judge.sandbox.room import Share, tasks_of_mine
 from judge.sandbox.visible import Visible
 
+PLAIN = {"PATH": "/usr/bin:/bin", "LANG": "C.UTF-8", "TZ": "UTC"}  # of all that is started
 ENVIRONMENT = {
-    "PATH": "/usr/bin:/bin",
-    "LANG": "C.UTF-8",
-    "TZ": "UTC",
+    **PLAIN,
     "ONLINE_JUDGE": "1",  # as other judges set it: templates ask
     "PYTHONHASHSEED": "0",  # a verdict must not depend on the order of a set
     "OPENBLAS_NUM_THREADS": "1",

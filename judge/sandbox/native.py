@@ -202,9 +202,7 @@ class NativeBox(ContainerBox):
             "memory": str(memory >> 20),
         }
         environment = {
-            "PATH": "/usr/bin:/bin",
-            "LANG": "C.UTF-8",
-            "TZ": "UTC",
+            **launch.PLAIN,
             "MALLOC_ARENA_MAX": "2",
             **{name: filled([value], places)[0] for name, value in recipe.environment.items()},
         }
@@ -235,7 +233,7 @@ class NativeBox(ContainerBox):
         """What the language's empty program costs at this level; measured once for a toolchain."""
         if not self._subtracts:
             return _NOTHING
-        key = f"{self._recipe.key}-{self._held or self._first}"
+        key = f"{self._recipe.key}-{self._held or self._boxes.levels.level}"
         found = self._store.idle(key)
         if found is None:
             found = measured(self._recipe, self._boxes, self._store)

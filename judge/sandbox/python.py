@@ -45,7 +45,7 @@ class PythonBox(ContainerBox):
         super().__init__(boxes)
         self._source, self._name = source, name
         self.lines = len(source.splitlines())
-        self._held = self._first
+        self._held = boxes.levels.level
         with contextlib.suppress(StartError):
             self._container = self._start(self._held)
 
@@ -104,7 +104,10 @@ class PythonBox(ContainerBox):
         replies = self._ended(done, limits, printed, len(calls))
         text = text if done.stage == wire.CALLING else b""
         if self._boxes.share.short:
-            replies = [reply._replace(detail=self._with_threads(reply.detail)) for reply in replies]
+            replies = [
+                each._replace(detail=self._with_threads(each.detail)) if each.detail else each
+                for each in replies
+            ]
         return CallsResult(tuple(replies), done.usage, done.imported, text)
 
     def _ended(self, done: Done, limits: Limits, printed: int, count: int) -> list[Reply]:

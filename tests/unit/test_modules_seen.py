@@ -11,7 +11,7 @@ from native import ran
 
 from judge.sandbox import Boxes, levels_here
 from judge.sandbox.boundary import Limits, Stop
-from judge.sandbox.imports import ALLOWED
+from judge.sandbox.inside.source import ALLOWED
 from judge.sandbox.visible import SITE_NAMES, visible
 
 LEVELS = [level.name for level in levels_here() if level.available and level.name != "limits"]

@@ -24,8 +24,6 @@ if TYPE_CHECKING:
     from types import CodeType
     from typing import Any, NoReturn
 
-    from judge.sandbox.inside.confine import Confinement
-
 _DEFAULTS = (signal.SIGINT, signal.SIGPIPE, signal.SIGUSR1, signal.SIGXFSZ, signal.SIGCHLD)
 _AS_IT_IS = os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC
 _AT_ONCE = 1 << 20
@@ -33,18 +31,6 @@ _AT_ONCE = 1 << 20
 
 class ExecServer(server.Server):
     """A server whose children become other programs."""
-
-    def __init__(
-        self,
-        line: wire.Channel,
-        region: wire.Region,
-        confinement: Confinement,
-        config: dict[str, Any],
-        source: bytes,
-    ) -> None:
-        super().__init__(line, region, confinement, config, source)
-        for folder in config["folders"]:
-            os.makedirs(folder, exist_ok=True)  # noqa: PTH103 - pathlib takes longer to import
 
     def _run(self, job: wire.Request, code: CodeType | None) -> bytes:
         return self._collect(job) if job.kind == wire.COLLECT else super()._run(job, code)
