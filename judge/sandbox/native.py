@@ -38,7 +38,6 @@ from judge.sandbox.inside import wire
 from judge.sandbox.launch import Workplace
 from judge.sandbox.recipe import Files, Recipe, Sources, Store, filled, written
 from judge.sandbox.temporary import TemporaryFolder
-from judge.sandbox.visible import visible
 
 _BOX = "/box"
 _WARNED = "judge-warnings"  # a file beside what was compiled, for whoever takes that from the cache
@@ -100,8 +99,8 @@ class NativeBox(ContainerBox):
             self._folder = None
 
     def _start(self, level: str) -> Container:
-        seen = visible(self._boxes.hide, self._more, modules=False)
-        plan = partial(launch.plan, level, "", seen, self._boxes.share, place=self._place)
+        visible = self._boxes.visible(self._more, modules=False)
+        plan = partial(launch.plan, level, "", visible, self._boxes.share, place=self._place)
         return Container(level, b"", plan, self._boxes.seeds)
 
     # -- compiling

@@ -50,7 +50,7 @@ class PythonBox(ContainerBox):
             self._container = self._start(self._held)
 
     def _start(self, level: str) -> Container:
-        plan = partial(launch.plan, level, self._name, self._boxes.visible, self._boxes.share)
+        plan = partial(launch.plan, level, self._name, self._boxes.visible(), self._boxes.share)
         return Container(level, self._source, plan, self._boxes.seeds, _INSPECTION)
 
     def __enter__(self) -> PythonBox:

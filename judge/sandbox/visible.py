@@ -26,7 +26,6 @@ SITE_NAMES = ("site-packages", "dist-packages")
 _LIBRARIES = ("/usr/lib", "/usr/lib64", "/usr/lib32", "/usr/libx32", "/usr/local/lib", "/lib", "/lib64")
 _OF_A_MACHINE = re.compile(r"\w+-linux-\w+")  # where a system that has them keeps its shared libraries
 _BESIDE_THEM = re.compile(rf"{_OF_A_MACHINE.pattern}|(?:lib|ld-).*\.so.*|locale")
-_PYTHON = re.compile("python").match
 _LOADER_CACHE = "/etc/ld.so.cache"
 _ZONES = "/usr/share/zoneinfo"  # of the times of the world
 _DEVICES = ("/dev/null", "/dev/urandom")
@@ -73,41 +72,32 @@ def visible(hide: Iterable[Path] = (), more: Iterable[str] = (), *, modules: boo
     """
     places.forget()
     executable, more = real(sys.executable), tuple(more)
-    path = [places.absolute(entry) for entry in sys.path]
-    own = [entry for entry in path if Path(entry).name in SITE_NAMES]
-    sites = [*own, *package_folders()] if modules else []
-    libraries = {name: real(name) for name in _libraries() if os.path.isdir(name)}  # noqa: PTH112 - hot
-    listed = {folder: places.listed(folder) for folder in libraries.values()}
-    standard = [
-        entry for entry in map(real, path) if within(entry, listed) and Path(entry).name not in SITE_NAMES
-    ]
-    parts = [part for folder, entries in listed.items() for part in _of_a_library(folder, entries)]
+    path, libraries = [places.absolute(entry) for entry in sys.path], _libraries()
+    standard, installed = _parted(path)
+    sites = [*installed, *package_folders()] if modules else []
+    parts = [part for folder in libraries.values() for part in _of_a_library(folder)]
     stores = [store for store in _STORES if executable.startswith(store)]
     names = (executable, _LOADER_CACHE, _ZONES, *parts, *standard, *stores, *sites, *more)
-    wanted = {name: real(name) for name in dict.fromkeys(names) if os.path.exists(name)}  # noqa: PTH110 - False if closed
+    wanted = {name: real(name) for name in names if os.path.exists(name)}  # noqa: PTH110 - False if closed
     folders = places.outermost(place for place in wanted.values() if os.path.isdir(place))  # noqa: PTH112
-    files = dict.fromkeys(place for place in wanted.values() if not within(place, folders))
     links = dict(link for name in (libraries | wanted).items() for link in places.links_on(*name))
     shown = [*wanted.values(), *_DEVICES, *links]
+    # What a virtual environment leaves alone is seen with the standard library that it takes.
     unused = [f"{entry}/{site}" for entry in standard for site in SITE_NAMES]
     searched = dict.fromkeys((*path, *sites, *(str(Path(each).parent) for each in _packages()), *unused))
     secret = _secret(hide, searched, shown)
-    apart = [f"{each}/{name}" for each in listed if each in folders for name in filter(_PYTHON, listed[each])]
-    apart += [] if modules else [*own, *unused]
+    others = [each for folder in libraries.values() if folder in folders for each in _pythons(folder)]
+    others += [] if modules else [*installed, *unused]
     needed = [*standard, *(wanted[name] for name in (*sites, *more) if name in wanted)]
-    covered = [
-        *secret,
-        *(each for each in map(real, apart) if not any(within(need, [each]) for need in needed)),
-    ]
+    others = [each for each in map(real, others) if not any(within(need, [each]) for need in needed)]
+    hidden = (each for each in (*secret, *others) if within(each, folders) and Path(each).is_dir())
     return Visible(
         executable=executable,
         folders=tuple(folders),
-        files=tuple(files),
+        files=tuple(dict.fromkeys(place for place in wanted.values() if not within(place, folders))),
         links=tuple(link for link in links.items() if not within(link[0], folders)),
         # What lies in a hidden folder is hidden with it; an empty one could not be laid over it once more.
-        hidden=tuple(
-            places.outermost(each for each in covered if within(each, folders) and Path(each).is_dir())
-        ),
+        hidden=tuple(places.outermost(hidden)),
         imports=tuple(dict.fromkeys((*standard, *map(real, sites)))),
         unseen=tuple(_with_files(each for each in secret if not _surrounds(each, shown))),
         searched=tuple(searched),
@@ -124,18 +114,37 @@ def package_folders(name: str = "") -> list[str]:
     return [each for each in named if not name or Path(each).name == name]
 
 
-def _libraries() -> Iterator[str]:
-    """The folders of libraries of the system, and of the interpreter."""
-    yield from _LIBRARIES
-    for prefix in (sys.base_prefix, sys.base_exec_prefix):
-        yield from (f"{prefix}/lib", f"{prefix}/{sys.platlibdir}")
+def _around_it() -> list[str]:
+    """The folders in which the interpreter's own libraries are."""
+    prefixes, parts = (sys.base_prefix, sys.base_exec_prefix), ("lib", sys.platlibdir)
+    return [f"{prefix}/{part}" for prefix in prefixes for part in parts]
 
 
-def _of_a_library(folder: str, entries: list[str]) -> list[str]:
+def _libraries() -> dict[str, str]:
+    """The folders of libraries that are here, by their names, where they really lie."""
+    names = dict.fromkeys((*_LIBRARIES, *_around_it()))
+    return {name: real(name) for name in names if os.path.isdir(name)}  # noqa: PTH112 - hot
+
+
+def _parted(path: Iterable[str]) -> tuple[list[str], list[str]]:
+    """Of the entries of sys.path the real ones of the interpreter itself, then those of installed modules."""
+    around = [real(each) for each in _around_it()]
+    installed = [entry for entry in path if Path(entry).name in SITE_NAMES]
+    standard = [real(entry) for entry in path if entry not in installed]
+    return [entry for entry in standard if within(entry, around)], installed
+
+
+def _of_a_library(folder: str) -> list[str]:
     """What is shown of a folder of libraries: all of it, or what is no folder but that of the machine."""
+    entries = places.listed(folder)
     if not any(map(_OF_A_MACHINE.fullmatch, entries)):
         return [folder]
     return [f"{folder}/{name}" for name in entries if _BESIDE_THEM.fullmatch(name)]
+
+
+def _pythons(folder: str) -> list[str]:
+    """What lies there of any Python."""
+    return [f"{folder}/{name}" for name in places.listed(folder) if name.startswith("python")]
 
 
 def _secret(hide: Iterable[Path], entries: Iterable[str], shown: Sequence[str]) -> list[str]:

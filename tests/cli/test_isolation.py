@@ -148,7 +148,7 @@ def pack_among_modules(tmp_path, monkeypatch):
 
 def test_doctor_names_what_a_level_fails_to_hide(judge, pack_among_modules, monkeypatch):
     found = visible()._replace(hidden=())
-    monkeypatch.setattr("judge.sandbox.visible.visible", lambda _hide: found)
+    monkeypatch.setattr("judge.sandbox.visible.visible", lambda *_arguments, **_options: found)
     weak = [
         level for level in json.loads(judge("doctor", "--json").out)["levels"] if level["name"] in OFFERED
     ]

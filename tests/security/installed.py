@@ -9,8 +9,8 @@ from __future__ import annotations
 
 import json
 import sys
-from collections.abc import Iterable
 from pathlib import Path
+from typing import Any
 
 import judge
 from judge.errors import JudgeError
@@ -44,8 +44,8 @@ def _tried(level: str | None) -> dict[str, object]:
 def main(level: str, forgotten: list[str]) -> None:
     whole = visible.visible
 
-    def forgetful(hide: Iterable[Path]) -> Visible:
-        return whole(hide)._replace(**dict.fromkeys(forgotten, ()))
+    def forgetful(*arguments: Any, **options: Any) -> Visible:
+        return whole(*arguments, **options)._replace(**dict.fromkeys(forgotten, ()))
 
     visible.visible = forgetful  # type: ignore[assignment]
     print(json.dumps(_tried(None if level == "best" else level)))
