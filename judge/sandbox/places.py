@@ -94,16 +94,19 @@ def mounts() -> list[Mount]:
     return [_mount(line.split(" ")) for line in lines]
 
 
-def elsewhere(paths: Sequence[str], table: Sequence[Mount]) -> Iterator[str]:
-    """The real paths of folders in each mount, and of the parts of them that can be seen without them."""
-    places = [_on_device(path, table) for path in paths]
-    places += [(mount.device, mount.root) for mount in table if within(mount.point, paths)]
-    for device, place in places:
+def elsewhere(path: str, table: Sequence[Mount]) -> Iterator[str]:
+    """The real paths of a folder in other mounts, and of the parts of it that can be seen without it."""
+    inner = [(mount.device, mount.root) for mount in table if within(mount.point, [path])]
+    for device, place in (_on_device(path, table), *inner):
         for mount in table:
             if mount.device == device and within(place, [mount.root]):
-                yield _join(mount.point, place[len(mount.root.rstrip("/")) :])
+                other = _join(mount.point, place[len(mount.root.rstrip("/")) :])
             elif mount.device == device and within(mount.root, [place]):
-                yield mount.point
+                other = mount.point
+            else:
+                continue
+            if not within(other, [path]):
+                yield other
 
 
 def _mount(fields: list[str]) -> Mount:

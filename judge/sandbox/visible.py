@@ -157,7 +157,8 @@ def _secret(hide: Iterable[Path], entries: Iterable[str], shown: Sequence[str]) 
     found = [path for path in dict.fromkeys(map(real, named)) if os.path.exists(path)]  # noqa: PTH110
     if sys.pycache_prefix:
         found.append(real(sys.pycache_prefix))
-    return list(dict.fromkeys([*found, *places.elsewhere(found, places.mounts())]))
+    table = places.mounts()
+    return list(dict.fromkeys([*found, *(each for path in found for each in places.elsewhere(path, table))]))
 
 
 def _ours(entries: Iterable[str], shown: Sequence[str]) -> Iterator[str]:
@@ -195,7 +196,7 @@ def _packages() -> list[str]:
 
 
 def _surrounds(folder: str, shown: Iterable[str]) -> bool:
-    return any(place.startswith(f"{folder}/") for place in shown)
+    return any(place != folder and place.startswith(f"{folder.rstrip('/')}/") for place in shown)
 
 
 def _with_files(folders: Iterable[str]) -> Iterator[str]:

@@ -168,7 +168,7 @@ def test_a_folder_above_what_is_shown_hides_nothing_of_it(monkeypatch, tmp_path)
     (tmp_path / "answers.txt").write_text("secret")
     monkeypatch.setattr(sys, "path", [*sys.path, str(site)])
     for level in AVAILABLE - {"limits"}:
-        assert _looked(Site([], [tmp_path], [tmp_path / "answers.txt"]), level) == ["42"]
+        assert _looked(Site([], [tmp_path, Path("/")], [tmp_path / "answers.txt"]), level) == ["42"]
 
 
 @pytest.mark.parametrize("level", ["full", "strong"])
@@ -242,6 +242,13 @@ def test_mounts_are_read_with_spaces_in_their_names(monkeypatch, tmp_path):
     assert places.mounts() == [places.Mount("8:1", "/", "/"), places.Mount("8:1", "/a b", "/c\\d")]
     monkeypatch.setattr(places, "_MOUNTS", tmp_path / "none")
     assert places.mounts() == []
+
+
+def test_a_mount_below_a_hidden_folder_is_not_taken_for_another_of_it():
+    """The environment in use may lie there."""
+    table = [places.Mount("8:1", "/", "/"), places.Mount("8:1", "/env", "/data/site-packages")]
+    assert set(places.elsewhere("/data", table)) == {"/env"}
+    assert set(places.elsewhere("/env/pack", table)) == {"/data/site-packages/pack"}
 
 
 @pytest.mark.parametrize("place", ["os.listdir", "os.scandir", "judge.sandbox.places._MOUNTS"])
