@@ -15,6 +15,7 @@ import _signal as signal  # type: ignore[import-not-found]
 import marshal
 import os
 import stat
+from itertools import islice
 
 from judge.sandbox.inside import child, server, wire
 
@@ -60,7 +61,7 @@ class ExecServer(server.Server):
         try:
             answer: Any = [
                 (os.path.relpath(path, folder), _copied(path, job.descriptors[1], most))
-                for path in _first(_files(folder), count)
+                for path in islice(_files(folder), count + 1)  # one over it tells that there are too many
             ]
             if sum(size for _, size in answer) > most or len(answer) > count:
                 answer = "what was compiled is larger than allowed"
@@ -85,14 +86,6 @@ def _files(folder: str) -> Iterator[str]:
             path = os.path.join(base, name)  # noqa: PTH118 - pathlib takes longer to import
             if stat.S_ISREG(os.lstat(path).st_mode):
                 yield path
-
-
-def _first(paths: Iterator[str], count: int) -> Iterator[str]:
-    """No more than one over the count, which tells that there are too many."""
-    for place, path in enumerate(paths):
-        if place > count:
-            return
-        yield path
 
 
 def _copied(path: str, into: int, most: int) -> int:
