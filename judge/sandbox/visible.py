@@ -82,15 +82,15 @@ def visible(hide: Iterable[Path] = (), more: Iterable[str] = (), *, modules: boo
     folders = places.outermost(place for place in wanted.values() if os.path.isdir(place))  # noqa: PTH112
     links = dict(link for name in (libraries | wanted).items() for link in places.links_on(*name))
     shown = [*wanted.values(), *_DEVICES, *links]
-    # What a virtual environment leaves alone is seen with the standard library that it takes.
-    unused = [f"{entry}/{site}" for entry in standard for site in SITE_NAMES]
+    others = [each for folder in libraries.values() if folder in folders for each in _pythons(folder)]
+    # Those that a virtual environment leaves alone are seen with the standard library that it takes.
+    unused = [f"{entry}/{site}" for entry in (*standard, *others) for site in SITE_NAMES]
     searched = dict.fromkeys((*path, *sites, *(str(Path(each).parent) for each in _packages()), *unused))
     secret = _secret(hide, searched, shown)
-    others = [each for folder in libraries.values() if folder in folders for each in _pythons(folder)]
     others += [] if modules else [*installed, *unused]
     needed = [*standard, *(wanted[name] for name in (*sites, *more) if name in wanted)]
     others = [each for each in map(real, others) if not any(within(need, [each]) for need in needed)]
-    hidden = (each for each in (*secret, *others) if within(each, folders) and Path(each).is_dir())
+    hidden = (each for each in (*secret, *others) if within(each, folders) and os.path.isdir(each))  # noqa: PTH112
     return Visible(
         executable=executable,
         folders=tuple(folders),
@@ -129,7 +129,7 @@ def _libraries() -> dict[str, str]:
 def _parted(path: Iterable[str]) -> tuple[list[str], list[str]]:
     """Of the entries of sys.path the real ones of the interpreter itself, then those of installed modules."""
     around = [real(each) for each in _around_it()]
-    installed = [entry for entry in path if Path(entry).name in SITE_NAMES]
+    installed = [entry for entry in path if _is_site(entry)]
     standard = [real(entry) for entry in path if entry not in installed]
     return [entry for entry in standard if within(entry, around)], installed
 
@@ -173,8 +173,12 @@ def _ours(entries: Iterable[str], shown: Sequence[str]) -> Iterator[str]:
                 yield place
             elif _surrounds(real(entry), [place]):  # downwards only, or it might never end
                 yield from _ours([place], shown)
-        if Path(entry).name in SITE_NAMES:
+        if _is_site(entry):
             yield from (real(f"{entry}/{each}") for each in places.listed(entry) if _INFO.fullmatch(each))
+
+
+def _is_site(entry: str) -> bool:
+    return os.path.basename(entry.rstrip("/")) in SITE_NAMES  # noqa: PTH119 - hot
 
 
 def _is_ours(folder: str, name: str) -> bool:

@@ -139,6 +139,17 @@ def test_no_other_python_shows_among_libraries(monkeypatch, tmp_path, level, mac
     assert _looked(Site([], [], looks), level) == ["42"]
 
 
+def test_of_another_python_that_has_a_tool_the_rest_is_hidden(monkeypatch, tmp_path):
+    tool, site = tmp_path / "python3.1" / "tool", tmp_path / "python3.1" / "site-packages"
+    _site(site)
+    tool.touch()
+    monkeypatch.setattr(visible, "_LIBRARIES", (*visible._LIBRARIES, str(tmp_path)))
+    assert str(site) in visible.visible(more=[str(tool)], modules=False).hidden
+    (site / "judge" / "sandbox").mkdir(parents=True)
+    (site / "judge" / "sandbox" / "boundary.py").touch()
+    assert str(site / "judge") in visible.visible(more=[str(site / "pack")], modules=False).hidden
+
+
 def test_a_package_that_is_only_called_so_may_be_imported(monkeypatch, tmp_path):
     site = tmp_path / "site-packages"
     for name in unseen.NAMES:
