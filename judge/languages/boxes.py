@@ -47,7 +47,7 @@ def recipe_of(found: Toolchain) -> Recipe:
     """What the sandbox has to know of a language with its tools."""
     from judge.languages.sources import own_file
     from judge.sandbox.recipe import Recipe
-    from judge.sandbox.roots import package_folders
+    from judge.sandbox.visible import package_folders
 
     language = found.language
     compiling, running = language.compiling, language.running

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from judge.errors import JudgeError, ShortageError
-from judge.sandbox import concealed, places, roots
+from judge.sandbox import places, visible
 from judge.sandbox.boundary import LEVELS, Limits, Stop
 from judge.sandbox.factory import Boxes
 
@@ -69,11 +69,10 @@ def levels_here(hide: Iterable[Path] = ()) -> tuple[Level, ...]:
     account; above `limits` it tries what only filters of system calls deny.
     """
     hide = tuple(hide)
-    found = roots.find_roots(hide)
-    others = concealed.ours(found.searched, (*found.folders, *found.files))
+    found = visible.visible(hide)
     home = places.real(os.path.expanduser("~"))  # noqa: PTH111 - Path's raises where there is none
     private = [] if home == "/" or places.within(home, found.folders) else [home]
-    wanted = "\0".join([*found.unseen, *others, *private, "/etc/passwd"])
+    wanted = "\0".join([*found.unseen, *private, "/etc/passwd"])
     return tuple(_try(name, hide, wanted.encode(errors="surrogateescape")) for name in LEVELS)
 
 

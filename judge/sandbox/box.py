@@ -41,7 +41,6 @@ class ContainerBox(ABC):
     def __init__(self, boxes: Boxes) -> None:
         """`boxes` says at which level it is held, and what it may have."""
         self._boxes = boxes
-        self._first = boxes.levels.level  # to be begun with
         self._held = ""
         self._prepared = False  # whether the container has compiled the source
         self._inspection: Inspection | None = None

@@ -16,7 +16,6 @@ from typing import Any
 
 _ALWAYS = (
     "judge.sandbox.encode",
-    "judge.sandbox.imports",
     "judge.sandbox.inside.again",
     "judge.sandbox.inside.wire",
     "judge.sandbox.inside.source",

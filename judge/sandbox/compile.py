@@ -18,9 +18,10 @@ from typing import NamedTuple
 from judge.errors import ShortageError, shortage_of
 from judge.sandbox import outcome, room, shared
 from judge.sandbox.boundary import Limits, SourceFault
+from judge.sandbox.box import BUSY
 from judge.sandbox.container import Container, Done, Lost
 from judge.sandbox.inside import wire
-from judge.sandbox.launch import RESULT, SCRATCH, Workplace
+from judge.sandbox.launch import PLAIN, RESULT, SCRATCH, Workplace
 from judge.sandbox.recipe import Files, Recipe, Sources, filled
 
 SOURCE = "/source"
@@ -62,7 +63,6 @@ _UNLINKED = (  # what a linker says, and what that means where it is not plain
     ),
 )
 _TOO_LARGE = f"it compiles to more than {LIMITS.output_bytes >> 20} MB"
-_BUSY = "judge it again, with a smaller -j if the machine is busy"
 
 
 class Compiled(NamedTuple):
@@ -109,8 +109,7 @@ def compiled(
     own_first = sorted((name for name, _ in sources.files), key=lambda name: name != sources.own)
     names = [f"{source}/{name}" for name in own_first]  # what begins first is the submission's
     environment = {
-        "PATH": "/usr/bin:/bin",
-        "LANG": "C.UTF-8",
+        **PLAIN,
         "HOME": scratch,
         "TMPDIR": scratch,
         **{name: filled([value], places)[0] for name, value in recipe.compile_environment.items()},
@@ -131,7 +130,7 @@ def compiled(
             said = shared.head(stdio[2], _SAID) + b"\n" + shared.head(stdio[1], _SAID)
         kind, note = container.region.note()
         if kind == wire.BROKEN_BOX:
-            raise ShortageError(f"{step[0]} cannot be started: {note}", remedy=_BUSY)
+            raise ShortageError(f"{step[0]} cannot be started: {note}", remedy=BUSY)
         used += done.cpu_ns / 1e9
         text = _plain(said.decode(errors="replace"), (f"{source}/", f"{scratch}/"))
         warnings += _warned(text, sources, recipe.warning)
@@ -149,7 +148,7 @@ def _asked(container: Container, kind: bytes, stdio: Sequence[int], payload: byt
     try:
         return container.ask(kind, stdio, payload, LIMITS, LIMITS.memory_bytes)
     except Lost:
-        raise ShortageError("the compiler's container has ended", remedy=_BUSY) from None
+        raise ShortageError("the compiler's container has ended", remedy=BUSY) from None
 
 
 def _collected(container: Container, folder: str) -> Compiled:
@@ -193,9 +192,9 @@ def _fault(done: Done, said: str, sources: Sources, complaint: str) -> SourceFau
         return SourceFault(f"the compiler took more than {LIMITS.cpu_seconds:g} s of CPU time")
     if done.reason:
         took = f"{done.wall_ns / 1e9:.3g} s for {done.cpu_ns / 1e9:.2g} s of CPU time"
-        raise ShortageError(f"the machine is too busy to compile it: that took {took}", remedy=_BUSY)
+        raise ShortageError(f"the machine is too busy to compile it: that took {took}", remedy=BUSY)
     if outcome.is_from_outside(done):
-        raise ShortageError("the compiler was killed", remedy=_BUSY)
+        raise ShortageError("the compiler was killed", remedy=BUSY)
     if os.WIFSIGNALED(done.status):
         number = os.WTERMSIG(done.status)
         return SourceFault(f"the compiler did not survive it: {signal.strsignal(number) or number}")

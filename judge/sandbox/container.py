@@ -83,14 +83,10 @@ class Container:
         self.level = level
         try:
             self._open(source, plan, opening)
-        except (OSError, MemoryError, RuntimeError) as fault:
+        except BaseException as fault:
             self.close()
-            not_started = levels.of_fault(fault)
-            if not_started is None:
-                raise
-            raise not_started from fault
-        except BaseException:
-            self.close()
+            if isinstance(fault, OSError | MemoryError | RuntimeError) and (why := levels.of_fault(fault)):
+                raise why from fault
             raise
 
     def _open(self, source: bytes, planned: Planned, opening: Limits | None) -> None:

@@ -12,8 +12,8 @@ from judge.sandbox.levels import Levels
 if TYPE_CHECKING:
     from judge.sandbox.boundary import Box
     from judge.sandbox.room import Share
-    from judge.sandbox.roots import Roots
     from judge.sandbox.seeds import Seeds
+    from judge.sandbox.visible import Visible
 
 
 class Boxes:
@@ -40,6 +40,7 @@ class Boxes:
         self.levels = Levels(level, least, had)
         self.hide = tuple(hide)
         self._own_share = share
+        self._visible: dict[tuple[tuple[str, ...], bool], Visible] = {}
 
     def __call__(self, source: bytes, name: str) -> Box:
         """A box for this source; `name` is its file's. Raises UsageError and JudgeError as `Levels.open`."""
@@ -63,12 +64,13 @@ class Boxes:
         """End what is there for the next box."""
         self.seeds.close()
 
-    @cached_property
-    def roots(self) -> Roots:
-        """What a Python submission sees: looking for them takes longer than starting a process."""
-        from judge.sandbox.roots import find_roots
+    def visible(self, more: tuple[str, ...] = (), *, modules: bool = True) -> Visible:
+        """What a submission sees; see `visible.visible`. It is looked for once."""
+        from judge.sandbox.visible import visible
 
-        return find_roots(self.hide)
+        if (more, modules) not in self._visible:
+            self._visible[more, modules] = visible(self.hide, more, modules=modules)
+        return self._visible[more, modules]
 
     @property
     def share(self) -> Share:

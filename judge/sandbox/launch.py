@@ -19,13 +19,13 @@ from typing import Any, NamedTuple
 from judge.errors import JudgeError
 from judge.sandbox.bundle import BOOTSTRAP
 from judge.sandbox.filters import filters
+from judge.sandbox.places import open_to_all
 from judge.sandbox.room import Share, tasks_of_mine
-from judge.sandbox.roots import Roots, open_to_all
+from judge.sandbox.visible import Visible
 
+PLAIN = {"PATH": "/usr/bin:/bin", "LANG": "C.UTF-8", "TZ": "UTC"}  # of all that is started
 ENVIRONMENT = {
-    "PATH": "/usr/bin:/bin",
-    "LANG": "C.UTF-8",
-    "TZ": "UTC",
+    **PLAIN,
     "ONLINE_JUDGE": "1",  # as other judges set it: templates ask
     "PYTHONHASHSEED": "0",  # a verdict must not depend on the order of a set
     "OPENBLAS_NUM_THREADS": "1",
@@ -102,7 +102,7 @@ class Plan(NamedTuple):
 def plan(
     level: str,
     name: str,
-    roots: Roots,
+    visible: Visible,
     share: Share,
     make_home: Callable[[], str],
     place: Workplace | None = None,
@@ -113,19 +113,19 @@ def plan(
     inside: it may be listed, and only `limits` lets anybody write there. Raises OSError where a folder cannot
     be made or handed over.
     """
-    unseen = ((), ()) if level == "limits" else (roots.unseen, roots.searched)
+    unseen = ((), ()) if level == "limits" else (visible.unseen, visible.searched)
     uid, hidden = _spare_uid(), marshal.dumps(unseen)
     needed = (*place.runnable, *place.reads) if place is not None and uid is not None else ()
     closed = not open_to_all(needed, below=level == "full")
-    python = [roots.executable, *_INTERPRETER, "-c", BOOTSTRAP]
+    python = [visible.executable, *_INTERPRETER, "-c", BOOTSTRAP]
     config: dict[str, Any] = {
         "level": level,
         "name": name,
         "uid": uid,
-        "reads_all": uid is not None and (closed or not roots.outsiders_may_read(below=level == "full")),
+        "reads_all": uid is not None and (closed or not visible.outsiders_may_read(below=level == "full")),
         "parent": None if level == "full" else os.getpid(),
-        "path": list(roots.imports),
-        "readable": [*roots.folders, *roots.files, _RANDOM] if level == "full" else roots.readable(),
+        "path": list(visible.imports),
+        "readable": [*visible.folders, *visible.files, _RANDOM] if level == "full" else visible.readable(),
         "writable": ["/dev/null"],
         "threads": threads(level, share, alone=uid is not None),
         "cores": os.cpu_count() or 1,
@@ -135,7 +135,7 @@ def plan(
         config["filters"] = tuple(filters(os.uname().machine, place.profile if place else "python"))
     config["environment"] = {}
     if place is not None:
-        _settle(place, level, roots, config)
+        _settle(place, level, visible, config)
         config["passes_on"] = closed
     else:
         home = SCRATCH if level == "full" else make_home()
@@ -146,17 +146,17 @@ def plan(
             os.chown(home, uid, uid)
     if level != "full":
         return Plan(tuple(python), ENVIRONMENT, config, hidden)
-    command = [*_bubblewrap(roots, uid, config["reads_all"], place), "--", *python]
+    command = [*_bubblewrap(visible, uid, config["reads_all"], place), "--", *python]
     return Plan(tuple(command), {"PATH": os.environ.get("PATH", os.defpath)}, config, hidden)
 
 
-def _settle(place: Workplace, level: str, roots: Roots, config: dict[str, Any]) -> None:
+def _settle(place: Workplace, level: str, visible: Visible, config: dict[str, Any]) -> None:
     """What the server is told besides."""
     shown = [place.where(name, level) for name, _ in place.shown]
     readable = [*config["readable"], *shown]
     config["descriptors"] = place.descriptors
     config["readable"] = [path for path in readable if place.random or path != _RANDOM]
-    config["runnable"] = [*roots.around(place.runnable), *shown, *_loaders()]
+    config["runnable"] = [*visible.around(place.runnable), *shown, *_loaders()]
     config["filled"] = [place.where(SCRATCH, level)] if place.scratch else []
     config["folders"] = [f"{folder}/{RESULT}" for folder in config["filled"]]
     if place.scratch and level != "full" and config["uid"] is not None:
@@ -189,7 +189,7 @@ def bubblewrap_path() -> str | None:
     return None
 
 
-def _bubblewrap(roots: Roots, uid: int | None, reads_all: bool, place: Workplace | None) -> list[str]:
+def _bubblewrap(visible: Visible, uid: int | None, reads_all: bool, place: Workplace | None) -> list[str]:
     arguments = [
         bubblewrap_path() or "bwrap",
         "--die-with-parent",
@@ -207,11 +207,11 @@ def _bubblewrap(roots: Roots, uid: int | None, reads_all: bool, place: Workplace
     for key, value in ENVIRONMENT.items():
         arguments += ["--setenv", key, value]
     made: set[str] = set()
-    for path in (*roots.folders, *roots.files):
+    for path in (*visible.folders, *visible.files):
         arguments += [*_parents(path, made), "--ro-bind", path, path]
-    for path, target in roots.links:
+    for path, target in visible.links:
         arguments += [*_parents(path, made), "--symlink", target, path]
-    for path in roots.hidden:
+    for path in visible.hidden:
         arguments += ["--perms", "0555", "--tmpfs", path, "--remount-ro", path]
     arguments += _parents("/dev/null", made)
     for device in ("/dev/null", _RANDOM) if place is None or place.random else ("/dev/null",):

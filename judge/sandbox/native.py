@@ -37,7 +37,6 @@ from judge.sandbox.factory import Boxes
 from judge.sandbox.inside import wire
 from judge.sandbox.launch import Workplace
 from judge.sandbox.recipe import Files, Recipe, Sources, Store, filled, written
-from judge.sandbox.roots import find_roots
 from judge.sandbox.temporary import TemporaryFolder
 
 _BOX = "/box"
@@ -100,8 +99,8 @@ class NativeBox(ContainerBox):
             self._folder = None
 
     def _start(self, level: str) -> Container:
-        roots = find_roots(self._boxes.hide, self._more, modules=False)
-        plan = partial(launch.plan, level, "", roots, self._boxes.share, place=self._place)
+        visible = self._boxes.visible(self._more, modules=False)
+        plan = partial(launch.plan, level, "", visible, self._boxes.share, place=self._place)
         return Container(level, b"", plan, self._boxes.seeds)
 
     # -- compiling
@@ -202,9 +201,7 @@ class NativeBox(ContainerBox):
             "memory": str(memory >> 20),
         }
         environment = {
-            "PATH": "/usr/bin:/bin",
-            "LANG": "C.UTF-8",
-            "TZ": "UTC",
+            **launch.PLAIN,
             "MALLOC_ARENA_MAX": "2",
             **{name: filled([value], places)[0] for name, value in recipe.environment.items()},
         }
@@ -235,7 +232,7 @@ class NativeBox(ContainerBox):
         """What the language's empty program costs at this level; measured once for a toolchain."""
         if not self._subtracts:
             return _NOTHING
-        key = f"{self._recipe.key}-{self._held or self._first}"
+        key = f"{self._recipe.key}-{self._held or self._boxes.levels.level}"
         found = self._store.idle(key)
         if found is None:
             found = measured(self._recipe, self._boxes, self._store)

@@ -8,7 +8,8 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
+from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
@@ -37,14 +38,29 @@ def refuse_shortage(fault: OSError) -> None:
         raise fault
 
 
+def listed(folder: str) -> list[str]:
+    """The names in a folder; none where nobody lets us look. Raises OSError for a shortage."""
+    try:
+        return os.listdir(folder)  # noqa: PTH208
+    except OSError as fault:
+        refuse_shortage(fault)
+        return []
+
+
+@cache
 def real(path: str | Path) -> str:
-    """The real path, whether anything is there or not."""
+    """The real path, whether anything is there or not; kept until `forget`."""
     return os.path.realpath(path)
+
+
+def forget() -> None:
+    """Look anew from here on."""
+    real.cache_clear()
 
 
 def within(path: str, folders: Iterable[str]) -> bool:
     """Whether the path is one of the folders or lies below one."""
-    return any(path == folder or path.startswith(folder.rstrip("/") + "/") for folder in folders)
+    return f"{path}/".startswith(tuple(f"{folder.rstrip('/')}/" for folder in folders))
 
 
 def outermost(paths: Iterable[str]) -> list[str]:
@@ -60,17 +76,12 @@ def links_on(path: str, leads_to: str) -> Iterator[tuple[str, str]]:
     """
     if path == leads_to:
         return
-    here, rest = Path("/"), list(reversed(Path(path).parts[1:]))
-    while rest:
-        part = rest.pop()
-        step = here.parent if part == ".." else here / part
-        if step.is_symlink():
-            target = step.readlink()
-            yield str(step), str(target)
-            here = Path("/") if target.is_absolute() else here
-            rest += reversed(target.parts[1:] if target.is_absolute() else target.parts)
-        else:
-            here = step
+    for step in (*reversed(Path(path).parents), Path(path)):
+        here = Path(real(str(step.parent)), step.name)
+        if here.is_symlink():
+            target = here.readlink()
+            yield str(here), str(target)
+            yield from links_on(str(here.parent / target), leads_to)
 
 
 def mounts() -> list[Mount]:
@@ -83,12 +94,18 @@ def mounts() -> list[Mount]:
     return [_mount(line.split(" ")) for line in lines]
 
 
-def elsewhere(path: str, table: Iterable[Mount]) -> Iterator[str]:
-    """The other real paths of a folder, and of the parts of it that can be seen without it."""
-    table = list(table)
-    for inner in (path, *(mount.point for mount in table if within(mount.point, [path]))):
-        for original, other in _again(inner, table):
-            if not within(other, [path]) and _same(original, other):
+def elsewhere(path: str, table: Sequence[Mount]) -> Iterator[str]:
+    """The real paths of a folder in other mounts, and of the parts of it that can be seen without it."""
+    inner = [(mount.device, mount.root) for mount in table if within(mount.point, [path])]
+    for device, place in (_on_device(path, table), *inner):
+        for mount in table:
+            if mount.device == device and within(place, [mount.root]):
+                other = _join(mount.point, place[len(mount.root.rstrip("/")) :])
+            elif mount.device == device and within(mount.root, [place]):
+                other = mount.point
+            else:
+                continue
+            if not within(other, [path]):
                 yield other
 
 
@@ -97,31 +114,27 @@ def _mount(fields: list[str]) -> Mount:
     return Mount(fields[2], root, point)
 
 
-def _again(path: str, table: list[Mount]) -> Iterator[tuple[str, str]]:
-    """Pairs of a path, this one or one below it, and where another mount shows the same."""
+def _on_device(path: str, table: Sequence[Mount]) -> tuple[str, str]:
+    """The device on which it lies, and where on that."""
     own = Mount("", "/", "")
     for mount in table:  # of two at one place the later one is seen
         if within(path, [mount.point]) and len(mount.point) >= len(own.point):
             own = mount
-    if not own.device:
-        return
-    place = _join(own.root, path[len(own.point.rstrip("/")) :])
-    for mount in table:
-        if mount.device != own.device:
-            continue
-        if within(place, [mount.root]):
-            yield path, _join(mount.point, place[len(mount.root.rstrip("/")) :])
-        elif within(mount.root, [place]):
-            yield _join(path, mount.root[len(place.rstrip("/")) :]), mount.point
+    return own.device, _join(own.root, path[len(own.point.rstrip("/")) :])
 
 
 def _join(folder: str, rest: str) -> str:
     return folder.rstrip("/") + rest or "/"
 
 
-def _same(one: str, other: str) -> bool:
-    """Whether both are one and the same folder, neither lying under a later mount."""
-    try:
-        return Path(one).samefile(other)
-    except OSError:
-        return False
+def open_to_all(paths: Iterable[str], *, below: bool) -> bool:
+    """Whether somebody who owns nothing can read them; without `below` every folder on the way counts."""
+    found = [Path(path) for path in paths if Path(path).exists()]
+    parts = found if below else [part for place in found for part in (place, *place.parents)]
+    return all(map(_open_to_all, parts))
+
+
+def _open_to_all(path: Path) -> bool:
+    mode = path.stat().st_mode
+    needed = 0o5 if path.is_dir() else 0o4
+    return mode & needed == needed

@@ -45,12 +45,12 @@ class PythonBox(ContainerBox):
         super().__init__(boxes)
         self._source, self._name = source, name
         self.lines = len(source.splitlines())
-        self._held = self._first
+        self._held = boxes.levels.level
         with contextlib.suppress(StartError):
             self._container = self._start(self._held)
 
     def _start(self, level: str) -> Container:
-        plan = partial(launch.plan, level, self._name, self._boxes.roots, self._boxes.share)
+        plan = partial(launch.plan, level, self._name, self._boxes.visible(), self._boxes.share)
         return Container(level, self._source, plan, self._boxes.seeds, _INSPECTION)
 
     def __enter__(self) -> PythonBox:
@@ -104,7 +104,10 @@ class PythonBox(ContainerBox):
         replies = self._ended(done, limits, printed, len(calls))
         text = text if done.stage == wire.CALLING else b""
         if self._boxes.share.short:
-            replies = [reply._replace(detail=self._with_threads(reply.detail)) for reply in replies]
+            replies = [
+                each._replace(detail=self._with_threads(each.detail)) if each.detail else each
+                for each in replies
+            ]
         return CallsResult(tuple(replies), done.usage, done.imported, text)
 
     def _ended(self, done: Done, limits: Limits, printed: int, count: int) -> list[Reply]:

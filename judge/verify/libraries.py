@@ -25,7 +25,7 @@ from judge.run.result import Behaviour
 from judge.run.settings import Settings
 from judge.sandbox import Boxes
 from judge.sandbox.boundary import IMPORTING
-from judge.sandbox.roots import package_folders
+from judge.sandbox.visible import package_folders
 from judge.verify.model import Progress
 
 _LIMITS = GroupLimits(cpu_seconds=120, wall_seconds=600, memory_mb=1024)  # some are large, some slow

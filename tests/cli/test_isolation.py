@@ -12,7 +12,7 @@ from sampling import nightly
 
 from judge.judging.containment import keep_level, kept_level
 from judge.sandbox import LEVELS, available, levels_here
-from judge.sandbox.roots import find_roots
+from judge.sandbox.visible import visible
 
 pytestmark = pytest.mark.slow
 
@@ -147,8 +147,8 @@ def pack_among_modules(tmp_path, monkeypatch):
 
 
 def test_doctor_names_what_a_level_fails_to_hide(judge, pack_among_modules, monkeypatch):
-    found = find_roots()._replace(hidden=())
-    monkeypatch.setattr("judge.sandbox.roots.find_roots", lambda _hide: found)
+    found = visible()._replace(hidden=())
+    monkeypatch.setattr("judge.sandbox.visible.visible", lambda *_arguments, **_options: found)
     weak = [
         level for level in json.loads(judge("doctor", "--json").out)["levels"] if level["name"] in OFFERED
     ]

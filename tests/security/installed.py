@@ -1,22 +1,22 @@
 """Runs in a Python that has the judge installed: a submission looks for the reference solution to `count`.
 
 `installed.py LEVEL [FIELD…]` writes one JSON object: by which paths the submission could read it or list its
-folder, or the judge's refusal. LEVEL may be `best`. FIELDs of the container's roots are emptied before, as a
-fault of ours might leave them.
+folder, or the judge's refusal. LEVEL may be `best`. FIELDs of what is visible are emptied before, as a fault
+of ours might leave them.
 """
 
 from __future__ import annotations
 
 import json
 import sys
-from collections.abc import Iterable
 from pathlib import Path
+from typing import Any
 
 import judge
 from judge.errors import JudgeError
-from judge.sandbox import Boxes, roots
+from judge.sandbox import Boxes, visible
 from judge.sandbox.boundary import Limits
-from judge.sandbox.roots import Roots, find_roots
+from judge.sandbox.visible import Visible
 
 LIMITS = Limits(cpu_seconds=5.0, wall_seconds=20.0, memory_bytes=256 << 20, output_bytes=1 << 20)
 SOURCE = Path(__file__).parent / "submissions" / "look_for_solution.py"
@@ -42,10 +42,12 @@ def _tried(level: str | None) -> dict[str, object]:
 
 
 def main(level: str, forgotten: list[str]) -> None:
-    def forgetful(hide: Iterable[Path]) -> Roots:
-        return find_roots(hide)._replace(**dict.fromkeys(forgotten, ()))
+    whole = visible.visible
 
-    roots.find_roots = forgetful
+    def forgetful(*arguments: Any, **options: Any) -> Visible:
+        return whole(*arguments, **options)._replace(**dict.fromkeys(forgotten, ()))
+
+    visible.visible = forgetful  # type: ignore[assignment]
     print(json.dumps(_tried(None if level == "best" else level)))
 
 

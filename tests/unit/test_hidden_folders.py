@@ -16,7 +16,7 @@ import pytest
 from sandboxed import require
 
 from judge.errors import JudgeError
-from judge.sandbox import concealed, levels_here, open_box, places, roots
+from judge.sandbox import levels_here, open_box, places, visible
 from judge.sandbox.boundary import Limits, Stop
 from judge.sandbox.inside import unseen
 
@@ -126,6 +126,30 @@ def test_no_name_leads_to_a_hidden_folder(monkeypatch, tmp_path, level, make):
     assert all(unseen.shows(str(path)) for path in site.looks), "it can be read outside by each name"
 
 
+@pytest.mark.parametrize("level", ["full", "strong"])
+@pytest.mark.parametrize(("machine", "also"), [("x86_64-linux-gnu", ["app/env"]), ("lib", [])])
+def test_no_other_python_shows_among_libraries(monkeypatch, tmp_path, level, machine, also):
+    require(level)
+    site, folder = _site(tmp_path / "site-packages"), tmp_path / "libraries"
+    (folder / machine).mkdir(parents=True)
+    looks = [path for name in ("python3.1", *also) for path in _seen(_site(folder / name / "site-packages"))]
+    monkeypatch.setattr(visible, "_LIBRARIES", (*visible._LIBRARIES, str(folder)))
+    monkeypatch.setattr(sys, "path", [*sys.path, str(site)])
+    assert str(folder / machine) in visible.visible().readable()
+    assert _looked(Site([], [], looks), level) == ["42"]
+
+
+def test_of_another_python_that_has_a_tool_the_rest_is_hidden(monkeypatch, tmp_path):
+    tool, site = tmp_path / "python3.1" / "tool", tmp_path / "python3.1" / "site-packages"
+    _site(site)
+    tool.touch()
+    monkeypatch.setattr(visible, "_LIBRARIES", (*visible._LIBRARIES, str(tmp_path)))
+    assert str(site) in visible.visible(more=[str(tool)], modules=False).hidden
+    (site / "judge" / "sandbox").mkdir(parents=True)
+    (site / "judge" / "sandbox" / "boundary.py").touch()
+    assert str(site / "judge") in visible.visible(more=[str(site / "pack")], modules=False).hidden
+
+
 def test_a_package_that_is_only_called_so_may_be_imported(monkeypatch, tmp_path):
     site = tmp_path / "site-packages"
     for name in unseen.NAMES:
@@ -144,7 +168,7 @@ def test_a_checkout_that_holds_the_environment_in_use_is_hidden_by_its_parts(mon
     site = _site(checkout / ".venv" / "site-packages")
     (checkout / "solutions").symlink_to(".")  # no way down: it must not be followed for ever
     monkeypatch.setattr(sys, "path", [*sys.path, str(tmp_path / "dist-packages"), str(site)])
-    found = roots.find_roots()
+    found = visible.visible()
     assert str(checkout) not in found.hidden
     assert str(checkout / "problems") in found.hidden
     assert _looked(Site([], [], [checkout / "problems" / "one" / "problem.toml"]), "strong") == ["42"]
@@ -155,7 +179,7 @@ def test_a_folder_above_what_is_shown_hides_nothing_of_it(monkeypatch, tmp_path)
     (tmp_path / "answers.txt").write_text("secret")
     monkeypatch.setattr(sys, "path", [*sys.path, str(site)])
     for level in AVAILABLE - {"limits"}:
-        assert _looked(Site([], [tmp_path], [tmp_path / "answers.txt"]), level) == ["42"]
+        assert _looked(Site([], [tmp_path, Path("/")], [tmp_path / "answers.txt"]), level) == ["42"]
 
 
 @pytest.mark.parametrize("level", ["full", "strong"])
@@ -174,7 +198,7 @@ def test_another_mount_of_a_hidden_folder_is_hidden(tmp_path, level):
     ]
     script = f"""
 import json, sys
-sys.path[:0] = {[str(Path(roots.__file__).parents[2]), str(site), str(other)]!r}
+sys.path[:0] = {[str(Path(visible.__file__).parents[2]), str(site), str(other)]!r}
 from pathlib import Path
 from judge.sandbox import open_box
 from judge.sandbox.boundary import Limits
@@ -204,7 +228,7 @@ def test_a_judge_in_an_archive_that_shows_runs_nothing(monkeypatch, tmp_path, le
     archive = _site(tmp_path / "site-packages") / "judge.pyz"
     archive.write_bytes(b"PK")
     monkeypatch.setattr(sys, "path", [*sys.path, str(archive.parent)])
-    monkeypatch.setattr(concealed, "__file__", f"{archive}/judge/sandbox/concealed.py")
+    monkeypatch.setattr(visible, "__file__", f"{archive}/judge/sandbox/visible.py")
     refused = pytest.raises(JudgeError, match=f"would let a submission read {archive}")
     with refused, open_box(b"", "f.py", level=level):
         pass
@@ -216,7 +240,8 @@ def test_what_was_compiled_of_it_is_hidden(monkeypatch, tmp_path):
     compiled.mkdir(parents=True)
     monkeypatch.setattr(sys, "path", [*sys.path, str(site)])
     monkeypatch.setattr(sys, "pycache_prefix", str(site / "compiled"))
-    assert {str(site / "pack"), str(compiled)} <= set(roots.find_roots([site / "pack"]).hidden)
+    hidden = visible.visible([site / "pack"]).hidden
+    assert all(places.within(str(path), hidden) for path in (site / "pack", compiled))
 
 
 def test_mounts_are_read_with_spaces_in_their_names(monkeypatch, tmp_path):
@@ -228,6 +253,13 @@ def test_mounts_are_read_with_spaces_in_their_names(monkeypatch, tmp_path):
     assert places.mounts() == [places.Mount("8:1", "/", "/"), places.Mount("8:1", "/a b", "/c\\d")]
     monkeypatch.setattr(places, "_MOUNTS", tmp_path / "none")
     assert places.mounts() == []
+
+
+def test_a_mount_below_a_hidden_folder_is_not_taken_for_another_of_it():
+    """The environment in use may lie there."""
+    table = [places.Mount("8:1", "/", "/"), places.Mount("8:1", "/env", "/data/site-packages")]
+    assert set(places.elsewhere("/data", table)) == {"/env"}
+    assert set(places.elsewhere("/env/pack", table)) == {"/data/site-packages/pack"}
 
 
 @pytest.mark.parametrize("place", ["os.listdir", "os.scandir", "judge.sandbox.places._MOUNTS"])
@@ -242,4 +274,4 @@ def test_what_cannot_be_read_for_a_moment_is_not_taken_for_nothing(monkeypatch, 
 
     monkeypatch.setattr(place, Short())
     with pytest.raises(OSError, match="Too many open files"):
-        roots.find_roots()
+        visible.visible()

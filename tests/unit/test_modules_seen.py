@@ -11,9 +11,8 @@ from native import ran
 
 from judge.sandbox import Boxes, levels_here
 from judge.sandbox.boundary import Limits, Stop
-from judge.sandbox.concealed import SITE_NAMES
-from judge.sandbox.imports import ALLOWED
-from judge.sandbox.roots import find_roots
+from judge.sandbox.inside.source import ALLOWED
+from judge.sandbox.visible import SITE_NAMES, visible
 
 LEVELS = [level.name for level in levels_here() if level.available and level.name != "limits"]
 LIMITS = Limits(5.0, 20.0, 512 << 20, 1 << 20)
@@ -36,9 +35,7 @@ IMPORTS = b"import msgspec\nprint(msgspec.__name__, sum(map(int, input().split()
 
 
 def sites():
-    return [
-        entry for entry in find_roots().searched if Path(entry).name in SITE_NAMES and Path(entry).is_dir()
-    ]
+    return [entry for entry in visible().searched if Path(entry).name in SITE_NAMES and Path(entry).is_dir()]
 
 
 @pytest.mark.slow

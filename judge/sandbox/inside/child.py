@@ -20,7 +20,6 @@ from gc import freeze
 from types import CodeType, ModuleType
 
 from judge.sandbox.encode import IMPORTING, encode, found, place_in
-from judge.sandbox.imports import to_import
 from judge.sandbox.inside import source, wire
 
 TYPE_CHECKING = False
@@ -79,7 +78,7 @@ def look_at(text: bytes, name: str, region: wire.Region, stop: int) -> NoReturn:
         region.memory[start : start + len(line)] = line
         region.words[wire.USED] = start + len(line)
         if not found["fault"]:
-            region.write_note(wire.COMPILED, " ".join(to_import(found["modules"])))
+            region.write_note(wire.COMPILED, " ".join(source.to_import(found["modules"])))
     os._exit(0)
 
 

@@ -46,7 +46,7 @@ class Confinement:
             os.chmod(config["home"], 0o555)  # noqa: PTH101 - nothing else would keep files out of it
         if config["uid"] is not None:
             passed_on = config.get("passes_on", False)  # to a compiler that lies in a private home
-            _become(config["uid"], config["reads_all"], linux, passed_on=passed_on)
+            _become(config["uid"], config["reads_all"], passed_on=passed_on)
         die_with(config["parent"])
         linux.prctl(linux.PR_SET_NO_NEW_PRIVS, 1)
         linux.prctl(linux.PR_SET_CHILD_SUBREAPER, 1)  # what a child leaves behind comes to us, to be ended
@@ -137,7 +137,7 @@ def _limit(which: int, value: int) -> None:
             raise
 
 
-def _become(uid: int, reads_all: bool, linux: Any, *, passed_on: bool) -> None:
+def _become(uid: int, reads_all: bool, *, passed_on: bool) -> None:
     """Become a user that owns nothing here; `reads_all` keeps the right to pass folders closed to others.
 
     That right is needed where the interpreter lies in a private home; landlock still says for which files.

@@ -15,6 +15,7 @@ import _signal as signal  # type: ignore[import-not-found]
 import marshal
 import os
 import stat
+from itertools import islice
 
 from judge.sandbox.inside import child, server, wire
 
@@ -24,8 +25,6 @@ if TYPE_CHECKING:
     from types import CodeType
     from typing import Any, NoReturn
 
-    from judge.sandbox.inside.confine import Confinement
-
 _DEFAULTS = (signal.SIGINT, signal.SIGPIPE, signal.SIGUSR1, signal.SIGXFSZ, signal.SIGCHLD)
 _AS_IT_IS = os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC
 _AT_ONCE = 1 << 20
@@ -33,18 +32,6 @@ _AT_ONCE = 1 << 20
 
 class ExecServer(server.Server):
     """A server whose children become other programs."""
-
-    def __init__(
-        self,
-        line: wire.Channel,
-        region: wire.Region,
-        confinement: Confinement,
-        config: dict[str, Any],
-        source: bytes,
-    ) -> None:
-        super().__init__(line, region, confinement, config, source)
-        for folder in config["folders"]:
-            os.makedirs(folder, exist_ok=True)  # noqa: PTH103 - pathlib takes longer to import
 
     def _run(self, job: wire.Request, code: CodeType | None) -> bytes:
         return self._collect(job) if job.kind == wire.COLLECT else super()._run(job, code)
@@ -74,7 +61,7 @@ class ExecServer(server.Server):
         try:
             answer: Any = [
                 (os.path.relpath(path, folder), _copied(path, job.descriptors[1], most))
-                for path in _first(_files(folder), count)
+                for path in islice(_files(folder), count + 1)  # one over it tells that there are too many
             ]
             if sum(size for _, size in answer) > most or len(answer) > count:
                 answer = "what was compiled is larger than allowed"
@@ -99,14 +86,6 @@ def _files(folder: str) -> Iterator[str]:
             path = os.path.join(base, name)  # noqa: PTH118 - pathlib takes longer to import
             if stat.S_ISREG(os.lstat(path).st_mode):
                 yield path
-
-
-def _first(paths: Iterator[str], count: int) -> Iterator[str]:
-    """No more than one over the count, which tells that there are too many."""
-    for place, path in enumerate(paths):
-        if place > count:
-            return
-        yield path
 
 
 def _copied(path: str, into: int, most: int) -> int:

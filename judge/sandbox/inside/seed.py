@@ -100,6 +100,8 @@ def _serve(given: list[int], seed: int, kind: type[Server]) -> NoReturn:
         config["source"] = sealed(source)
         os.environ.update(config["environment"])
         confinement = Confinement(config)
+        for folder in config.get("folders", ()):
+            os.makedirs(folder, exist_ok=True)  # noqa: PTH103 - pathlib takes longer to import
         _look_around(region, line, config["unseen"])
     except (OSError, ValueError, LookupError, MemoryError) as error:
         region.write_fault(error)

@@ -11,6 +11,7 @@ import sys
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Iterable
     from types import TracebackType
     from typing import Any
 
@@ -21,6 +22,25 @@ _NAME_OF: Any = type.__dict__["__name__"].__get__  # whatever a class of its own
 TRACEBACK: Any = BaseException.__dict__["__traceback__"]
 _HOLDING_STATEMENTS = ("body", "orelse", "finalbody", "handlers", "cases")
 _OWN_SCOPE = (_ast.Lambda, _ast.ListComp, _ast.SetComp, _ast.DictComp, _ast.GeneratorExp)
+
+# What a fork server imports before its children need it, when the source names it: what only defines things
+# at import, for what a fork server has imported, it has run. The time is the judge's, not the submission's.
+# Any other module of the interpreter can be imported too, at its own cost.
+_STANDARD = """
+    __future__ abc argparse array ast atexit bisect builtins cProfile cmath codecs collections contextlib
+    contextvars copy copyreg csv dataclasses datetime decimal dis doctest enum errno faulthandler fractions
+    functools gc getopt graphlib hashlib heapq importlib inspect io itertools json keyword logging math
+    numbers operator os pathlib pickle platform pprint profile queue random re reprlib resource secrets signal
+    statistics string struct sys tempfile textwrap threading time timeit traceback types typing unicodedata
+    unittest uuid warnings weakref zlib
+"""
+_INSTALLED = "gmpy2 mpmath networkx numpy scipy shapely sortedcontainers sympy typing_extensions"
+_SUBMODULES = """
+    collections.abc os.path numpy.linalg numpy.random numpy.polynomial numpy.typing scipy.linalg
+    scipy.optimize scipy.spatial sympy.geometry
+"""
+
+ALLOWED = frozenset((_STANDARD + _INSTALLED + _SUBMODULES).split())
 
 
 def inspect(source: bytes, name: str) -> dict[str, Any]:
@@ -136,6 +156,12 @@ def _imported(tree: Any) -> set[str]:
         for field in _HOLDING_STATEMENTS:  # an expression holds none
             waiting += getattr(node, field, ())
     return modules
+
+
+def to_import(named: Iterable[str]) -> list[str]:
+    """What to import ahead for a source that names these; an unlisted submodule counts as its top level."""
+    chosen = (name if name in ALLOWED else name.partition(".")[0] for name in named)
+    return [name for name in dict.fromkeys(chosen) if name in ALLOWED]
 
 
 def _children(node: Any) -> list[Any]:

@@ -173,7 +173,7 @@ class Region:
         else:  # as far as it says that it wrote
             used = min(max(self.words[USED], PAYLOAD_AT), REGION_BYTES)
             self.memory[:used] = bytes(used)
-        self.memory[PAYLOAD_AT : PAYLOAD_AT + len(payload)] = payload
+        self.lay(payload)
         self.words[USED] = replies_at(len(payload))
 
     def lay(self, arguments: bytes) -> None:
