@@ -23,14 +23,14 @@ from judge.judging.options import RunOptions
 from judge.judging.session import Session
 from judge.problem import Problem
 from judge.problem.load import load_problem
-from judge.report.published_result import Judged
+from judge.report.published_result import RunReport
 from judge.report.screen import Notes, note
 from judge.report.wait import Advance, Live, progress
 from judge.report.words import shown_name
 from judge.run.result import Result, judge_fault
 
 
-def with_standing(found: Judged, common: Common) -> Judged:
+def with_standing(found: RunReport, common: Common) -> RunReport:
     """An accepted result with what it took the person, where the history can say that."""
     if found.result.solved:
         from judge.cli.home import standing
@@ -53,7 +53,7 @@ class Wish(Struct, frozen=True):
 
 def judged(
     problem: Problem, submissions: Sequence[SubmissionFile], wish: Wish
-) -> Generator[Judged, None, None]:
+) -> Generator[RunReport, None, None]:
     """Judge them; each result is in the history before it is handed out, so that none is shown and then lost.
 
     Close it, so that what was started for the rest ends. Raises JudgeError.
@@ -67,7 +67,7 @@ def judged_by(
     submissions: Sequence[SubmissionFile],
     wish: Wish,
     on_verdict: Callable[[Result], None] | None = None,
-) -> Generator[Judged, None, None]:
+) -> Generator[RunReport, None, None]:
     """As `judged`, by a session that is open; `on_verdict` hears of a failure before it is explained, in
     place of who looks at the terminal.
     """
@@ -98,7 +98,7 @@ def judged_by(
         keeps = keeps and _kept(result, submission, wish.db)
         said.say(result.notes)
         done += 1
-        yield Judged(result, submission.source, session.data)
+        yield RunReport(result, submission.source, session.data)
 
 
 def _judge(

@@ -87,7 +87,7 @@ Teach and set
 """
 
 
-class Entry(NamedTuple):
+class Command(NamedTuple):
     """A command: its module, its page of the manual, its sentence, and examples, one a line."""
 
     module: str
@@ -96,17 +96,17 @@ class Entry(NamedTuple):
     examples: list[str]
 
 
-HEADINGS: dict[str, dict[str, Entry]] = {}
+HEADINGS: dict[str, dict[str, Command]] = {}
 for _line in _TABLE.strip().splitlines():
     match len(_line) - len(_line.lstrip()):
         case 0:
             _rows = HEADINGS[_line] = {}
         case 2:
             _name, _module, _topic, _sentence = _line.split(maxsplit=3)
-            _rows[_name] = Entry(_module, _topic, _sentence, [])
+            _rows[_name] = Command(_module, _topic, _sentence, [])
         case _:
             _rows[_name].examples.append(_line.strip())
-COMMANDS: Mapping[str, Entry] = {name: entry for rows in HEADINGS.values() for name, entry in rows.items()}
+COMMANDS: Mapping[str, Command] = {name: entry for rows in HEADINGS.values() for name, entry in rows.items()}
 
 # words that people try -> the command that they mean, where no name is near
 LIKE: Mapping[str, str] = {

@@ -31,14 +31,14 @@ from judge.judging.options import RunOptions
 from judge.languages import language_of
 from judge.practice.progress import solved
 from judge.practice.stub import make_stub, usual_name, write_stub
-from judge.practice.syllabus import Course, read_course
+from judge.practice.syllabus import Syllabus, read_course
 from judge.problem.find import typed
 from judge.report import watch as texts
 from judge.report.parts import faint, good, warning
 from judge.report.picture import has_room, statement
 from judge.report.practise import BESIDE, model
 from judge.report.published_practise import HintShown
-from judge.report.published_result import Judged
+from judge.report.published_result import RunReport
 from judge.report.result import begun, magnified, paged, told_of, verdict_line
 from judge.report.screen import Screen, drawn, out
 from judge.report.tell import shown_failure
@@ -91,7 +91,7 @@ class _Loop:
         self._file = WatchedFile(kata, Wish(options, db=common.db))
         self._stub = make_stub(kata.problem, language_of(kata.path), typed(kata.problem)).encode()
         self._since: float | None = None  # when judging began, while it goes on
-        self._found: Judged | None = None
+        self._found: RunReport | None = None
         self._why = ""  # there is no result
         self._notes = ""  # that came with either
         self._shown: str | Text | HintShown = ""  # the key of a view, or what it says; "" for the result
@@ -188,7 +188,7 @@ class _Loop:
             texts.redraw(screen, drawn(Group(begun(result, self._kata.name), ""), screen), Text())
         signal.setitimer(signal.ITIMER_REAL, _LOOK)
 
-    def _course(self) -> Course:
+    def _course(self) -> Syllabus:
         with history_at(self._common.db, reading=True) as history:
             return read_course(solved(history.runs()), self._common.problems)
 

@@ -18,7 +18,7 @@ from judge.errors import JudgeError, UsageError
 from judge.judging.session import Session
 from judge.problem import Verdict
 from judge.problem.load import load_problem, own_files
-from judge.report.published_result import Judged
+from judge.report.published_result import RunReport
 from judge.run.result import Result
 
 _PAUSE = 0.05  # seconds in which a file that is written on would change
@@ -76,7 +76,7 @@ class WatchedFile:
         before, self._seen = self._seen, settled(self._kata.path)
         return self._seen != before
 
-    def judge(self, on_verdict: Callable[[Result], None] | None = None) -> Judged | str:
+    def judge(self, on_verdict: Callable[[Result], None] | None = None) -> RunReport | str:
         """Judge the file as it is now, as `judge run` does; a sentence where that cannot be done.
 
         `on_verdict` hears of a failure before it is explained.
@@ -100,7 +100,7 @@ class WatchedFile:
         except JudgeError as fault:
             return str(fault)
 
-    def _judged(self, submission: SubmissionFile, on_verdict: Callable[[Result], None] | None) -> Judged:
+    def _judged(self, submission: SubmissionFile, on_verdict: Callable[[Result], None] | None) -> RunReport:
         """Judge it; whatever is raised, and a verdict that says nothing of it, ends what was kept.
 
         So does a change of the problem, at which a setter may be at work.

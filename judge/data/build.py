@@ -45,7 +45,7 @@ _CONTENT = 100  # attempts after which it may have the answer of the case before
 _FORM = 2  # of marshal: every version of Python writes it alike, bit by bit
 
 
-class Made(NamedTuple):
+class Built(NamedTuple):
     """A valid case with its exact answer: which attempt at it this was, and the choices of a small one."""
 
     case: Case
@@ -62,7 +62,7 @@ def build(
     within: Within | None = None,
 ) -> list[GroupData]:
     """Every group's data. Raises ProblemError, also where a worked example contradicts `solve`."""
-    examples: list[Made] = []
+    examples: list[Built] = []
     for each in problem.examples:
         with within(EXAMPLES, len(examples) + 1, each.case) if within else nullcontext():
             examples.append(_solved_example(problem, module, each))
@@ -78,9 +78,9 @@ def build(
     return built
 
 
-def draw_cases(problem: Problem, module: Module, group: Group, within: Within | None = None) -> list[Made]:
+def draw_cases(problem: Problem, module: Module, group: Group, within: Within | None = None) -> list[Built]:
     """The cases of one group, no two of them equal: 1 and 1.0 are one case. Raises ProblemError."""
-    made: list[Made] = []
+    made: list[Built] = []
     taken: set[Case] = set()
     what = f"group {group.name!r}: its draw fails"
     with blaming(problem, what, group.line):
@@ -95,10 +95,10 @@ def new_case(
     module: Module,
     group: Group,
     pick: Callable[[int], Pick],
-    before: Sequence[Made] = (),
+    before: Sequence[Built] = (),
     taken: Container[Case] = (),
     within: Within | None = None,
-) -> Made:
+) -> Built:
     """A case of a group after those `before`, valid and not `taken`; `pick` has the choices of each attempt.
 
     Raises ProblemError where none of the attempts makes a case.
@@ -136,7 +136,7 @@ def new_case(
         elif last is not None and exact == last.exact and attempt < _CONTENT:
             vain["with the answer of the case before"] += 1
         else:
-            return Made(case, exact, attempt, () if group.size else tuple(draw.choices))
+            return Built(case, exact, attempt, () if group.size else tuple(draw.choices))
     reason, times = vain.most_common(1)[0]
     what = (
         f"group {group.name!r}: its draw gives no case {len(before) + 1} of {group.count} in {_ATTEMPTS} "
@@ -164,7 +164,7 @@ def _pick(group: Group, number: int, attempt: int) -> Pick:
     return seeded(f"{group.seed}/{group.name}/{number}/{attempt}")
 
 
-def _aimed(problem: Problem, group: Group, made: Sequence[Made]) -> GroupData:
+def _aimed(problem: Problem, group: Group, made: Sequence[Built]) -> GroupData:
     return GroupData(
         group,
         [each.case for each in made],
@@ -190,7 +190,7 @@ def _check_size(problem: Problem, data: GroupData) -> None:
         raise problem.fault(what, remedy, data.group.line)
 
 
-def _solved_example(problem: Problem, module: Module, example: Example) -> Made:
+def _solved_example(problem: Problem, module: Module, example: Example) -> Built:
     """The worked example, which shows a right answer. Raises ProblemError."""
     file = "statement.md" if problem.entry else "problem.py"
     tolerance = problem.groups[0].tolerance  # that of the examples, where there is a group of them
@@ -200,13 +200,13 @@ def _solved_example(problem: Problem, module: Module, example: Example) -> Made:
         what, remedy = f"the example is invalid: {fault}", "correct the example"
         raise problem.fault(what, remedy, example.line, file) from None
     if not problem.entry:  # its answer is no setter's
-        return Made(example.case, exact)
+        return Built(example.case, exact)
     target = target_of(problem, exact, tolerance)
     outcome = check.check(problem.answer, _as_json(example.wanted), target, lambda: (exact, tolerance))
     if isinstance(outcome, check.Rejection):
         what = f"the example contradicts solve: {outcome.message}"
         raise problem.fault(what, "correct the example's answer, or solve", example.line, "statement.md")
-    return Made(example.case, exact)
+    return Built(example.case, exact)
 
 
 def _as_json(value: Any) -> Any:
@@ -303,7 +303,7 @@ class Fresh(Struct, frozen=True):
                 yield self._drawn(group, quick(f"{self.seed}/{number}/{group.name}"))
 
     def _drawn(self, group: Group, pick: Pick) -> GroupData:
-        made: list[Made] = []
+        made: list[Built] = []
         what = f"group {group.name!r}: the problem's own code fails on a fresh case"
         with blaming(self.problem, what, group.line):
             for _ in range(FRESH):

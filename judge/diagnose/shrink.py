@@ -28,7 +28,7 @@ from judge.data.model import GroupData, ProblemData
 from judge.diagnose.candidates import candidates, items_of, measure, sized, usual_group
 from judge.diagnose.replay import LONGEST, encode
 from judge.diagnose.simplify import rounded, simplified
-from judge.diagnose.trial import LIMITED, FailingCase, Outcome, SearchBudget, Trial, answer_class
+from judge.diagnose.trial import LIMITED, FailingCase, SearchBudget, Trial, TrialOutcome, answer_class
 from judge.problem import Case, Group, Problem, Verdict
 from judge.problem.model import EXAMPLES
 from judge.run.reference import Reference
@@ -95,7 +95,7 @@ def shrink(
         first = trial.alone(case, group_data.group) if verdict in LIMITED else None
     if verdict not in LIMITED:
         asked = [trial.ask(case, group_data.group) for _ in range(2)]  # twice: it may answer at random
-        if verdict is Verdict.WA and any(answer.outcome is Outcome.PASSES for answer in asked):
+        if verdict is Verdict.WA and any(answer.outcome is TrialOutcome.PASSES for answer in asked):
             return replace(failure, input=problem.named(case), message=_PASSING)
         first = asked[0].failing if asked[1].failing else None
     if first is None:

@@ -108,7 +108,7 @@ class FailingCase(Struct, frozen=True):
         return self.measure < other.measure
 
 
-class Outcome(Enum):
+class TrialOutcome(Enum):
     """What a trial says of a case."""
 
     FAILS = "fails"
@@ -116,15 +116,15 @@ class Outcome(Enum):
     UNDECIDED = "undecided"
 
 
-class Answer(NamedTuple):
+class TrialAnswer(NamedTuple):
     """The outcome of a trial, and the case where it fails; of one that is undecided, how else it ended."""
 
-    outcome: Outcome
+    outcome: TrialOutcome
     failing: FailingCase | None = None
     ended: Verdict = Verdict.AC
 
 
-_RIGHT = Answer(Outcome.PASSES)
+_RIGHT = TrialAnswer(TrialOutcome.PASSES)
 
 
 class Trial(Struct):
@@ -174,14 +174,14 @@ class Trial(Struct):
             self._alone[key] = next(iter(self._failing([case], group)), None)
         return self._alone[key]
 
-    def ask(self, case: Case, group: Group) -> Answer:
+    def ask(self, case: Case, group: Group) -> TrialAnswer:
         """What the case comes to when it is called by itself, now and under the problem's own limits.
 
         What an answer takes here, every process may take from now on: it may be the import, or a first call
         that builds a table. Once that is known, a call that never ends is waited for a second; what is shown
         says how long.
         """
-        (answer,) = self._run(self.box, [case], group, whole=True) or [Answer(Outcome.UNDECIDED)]
+        (answer,) = self._run(self.box, [case], group, whole=True) or [TrialAnswer(TrialOutcome.UNDECIDED)]
         if answer.ended not in LIMITED:
             cpu, waiting = self._used.cpu_seconds, self._used.slept_seconds
             waiting *= waiting > _SLOW * _WAITING
@@ -290,7 +290,7 @@ class Trial(Struct):
 
     def _run(
         self, box: Box, cases: Sequence[Case], group: Group, *, whole: bool = False
-    ) -> list[Answer] | None:
+    ) -> list[TrialAnswer] | None:
         """What came of each of the cases that were reached.
 
         None in place of all where a run of several cases broke down, and it is not known at which.
@@ -310,7 +310,7 @@ class Trial(Struct):
         reached = zip(cases, replies.replies, strict=False)
         return [self._judged(case, group, reply, printed) for case, reply in reached]
 
-    def _judged(self, case: Case, group: Group, reply: Reply, printed: str) -> Answer:
+    def _judged(self, case: Case, group: Group, reply: Reply, printed: str) -> TrialAnswer:
         given = reply.answer
         if reply.stop is not Stop.ANSWERED:
             return self._stopped(case, group, VERDICTS[reply.stop], reply.detail, NO_ANSWER, printed)
@@ -328,15 +328,15 @@ class Trial(Struct):
 
     def _stopped(
         self, case: Case, group: Group, verdict: Verdict, detail: str, got: str, printed: str
-    ) -> Answer:
+    ) -> TrialAnswer:
         told = {Verdict.RTE: (detail.partition(":")[0],), Verdict.WA: (_NOT_A_LINE,)}.get(verdict, ())
         wanted = self.runner.wanted(self._answer(case, group)[1])
         return self._wrong(FailingCase(case, group, verdict, wanted, got, detail, told, printed=printed))
 
-    def _wrong(self, found: FailingCase) -> Answer:
+    def _wrong(self, found: FailingCase) -> TrialAnswer:
         if found.verdict is self.verdict and self._class in (None, found.failure_class):
-            return Answer(Outcome.FAILS, found, found.verdict)
-        return Answer(Outcome.UNDECIDED, None, found.verdict)
+            return TrialAnswer(TrialOutcome.FAILS, found, found.verdict)
+        return TrialAnswer(TrialOutcome.UNDECIDED, None, found.verdict)
 
 
 def _key(case: Case, group: Group) -> tuple[str, str]:

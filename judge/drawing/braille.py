@@ -32,7 +32,7 @@ _ARROWS = "→↗↑↖←↙↓↘"
 Cell = tuple[str, Role | None]
 
 
-class Piece(NamedTuple):
+class Span(NamedTuple):
     """A run of characters of one role; None for words beside the drawing."""
 
     text: str
@@ -41,7 +41,7 @@ class Piece(NamedTuple):
 
 def to_braille(
     picture: Picture, rows: int = ROWS, columns: int = COLUMNS, *, answered: bool = True
-) -> list[list[Piece]]:
+) -> list[list[Span]]:
     """At most so many rows and columns, or `LEAST_ROWS` and `LEAST_COLUMNS` where that is more.
 
     The legend says whether the scale is true, and what the marks are that are drawn; a picture that is not
@@ -57,8 +57,8 @@ def to_braille(
     raster = _raster(panels, rows, titled)
     while _wide(raster, len(panels)) > columns:
         raster = Raster(raster.high - 1, raster.wide - 2)
-    legend: list[list[Piece]] = []
-    drawn: list[list[Piece]] = []
+    legend: list[list[Span]] = []
+    drawn: list[list[Span]] = []
     for _ in range(_AWAY):  # a legend of several rows makes the drawing lower
         grids = [grid(panel, raster, _MARGIN) for panel in panels]
         legend = _legend(picture, panels, grids, columns, titled=titled) if answered else []
@@ -71,7 +71,7 @@ def to_braille(
         gap = raster.wide + 2 * _MARGIN - 1
         *left, last = panels
         title = "".join(_heading(panel.title, gap - 1).ljust(gap) for panel in left)
-        drawn.insert(0, [Piece(title + _heading(last.title, columns - len(title)))])
+        drawn.insert(0, [Span(title + _heading(last.title, columns - len(title)))])
     return [trimmed(row) for row in (*drawn, *legend)]
 
 
@@ -92,7 +92,7 @@ def _side(mark: Mark) -> int:
     return 0 if mark.towards is None or abs(x) >= abs(y) else 1 if y > 0 else -1
 
 
-def _joined(grids: Sequence[dict[int, list[Cell]]], raster: Raster) -> list[list[Piece]]:
+def _joined(grids: Sequence[dict[int, list[Cell]]], raster: Raster) -> list[list[Span]]:
     """The panels beside each other, which share a column of their margins."""
     inked = [level for each in grids for level in each if any(letter != " " for letter, _ in each[level])]
     blank: list[Cell] = [(" ", None)] * (raster.wide + 2 * _MARGIN)
@@ -117,25 +117,25 @@ def _legend(
     columns: int,
     *,
     titled: bool,
-) -> list[list[Piece]]:
+) -> list[list[Span]]:
     """What the letters of answers stand for, of those that are drawn, and how far away what is outside is."""
     drawn = {cell for each in grids for row in each.values() for cell in row}
     letters = zip((*LETTERS.items(), (None, "*")), (*picture.keys, "both"), strict=True)
-    found = [Piece("true scale")] if picture.scaled and not titled else []
+    found = [Span("true scale")] if picture.scaled and not titled else []
     found += [
-        Piece(f"{letter} {key}", role)
+        Span(f"{letter} {key}", role)
         for (role, letter), key in letters
         if (letter, role or Role.WANTED) in drawn
     ]
     for mark in (mark for panel in panels for mark in panel.marks if mark.away):
         sign = LETTERS.get(mark.role, mark.sign)
-        found.append(Piece(f"{sign}{_arrow(mark)} {mark.away} away", mark.role))
-    rows: list[list[Piece]] = [[]]
+        found.append(Span(f"{sign}{_arrow(mark)} {mark.away} away", mark.role))
+    rows: list[list[Span]] = [[]]
     for piece in dict.fromkeys(found):
         used = sum(len(each.text) for each in rows[-1])
         if used and used + len(piece.text) + 2 > columns:
             rows.append([])
-        rows[-1] += [Piece("  "), piece] if rows[-1] else [piece]
+        rows[-1] += [Span("  "), piece] if rows[-1] else [piece]
     return rows if found else []
 
 
@@ -260,14 +260,14 @@ def _dots(stroke: Stroke, raster: Raster) -> Iterator[tuple[int, int]]:
                 yield raster.cell(x1 + (x2 - x1) * i / steps, y1 + (y2 - y1) * i / steps)
 
 
-def pieces(cells: list[Cell]) -> list[Piece]:
+def pieces(cells: list[Cell]) -> list[Span]:
     """A row of characters, neighbours of one role together."""
     runs = groupby(cells, key=lambda cell: cell[1])
-    return [Piece("".join(letter for letter, _ in run), role) for role, run in runs]
+    return [Span("".join(letter for letter, _ in run), role) for role, run in runs]
 
 
-def trimmed(row: list[Piece]) -> list[Piece]:
+def trimmed(row: list[Span]) -> list[Span]:
     """A row without spaces at its end."""
     while row and not row[-1].text.rstrip(" "):
         row = row[:-1]
-    return [*row[:-1], Piece(row[-1].text.rstrip(" "), row[-1].role)] if row else []
+    return [*row[:-1], Span(row[-1].text.rstrip(" "), row[-1].role)] if row else []

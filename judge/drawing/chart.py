@@ -12,7 +12,7 @@ from itertools import count, pairwise
 from math import ceil, floor, log10
 from typing import NamedTuple
 
-from judge.drawing.braille import COLUMNS, LEAST_ROWS, LETTERS, ROWS, Piece, Raster, grid, pieces, trimmed
+from judge.drawing.braille import COLUMNS, LEAST_ROWS, LETTERS, ROWS, Raster, Span, grid, pieces, trimmed
 from judge.drawing.shapes import Dot, Mark, Panel, Role, Stroke
 
 _MOST_TICKS = 6
@@ -81,7 +81,7 @@ def _scales(chart: Chart) -> tuple[_Scale, _Scale]:
     return _Scale(chart.x, x), _Scale(chart.y, y)
 
 
-def chart_braille(chart: Chart, rows: int = ROWS, columns: int = COLUMNS) -> list[list[Piece]]:
+def chart_braille(chart: Chart, rows: int = ROWS, columns: int = COLUMNS) -> list[list[Span]]:
     """Rows for a terminal, at most `rows` or `LEAST_ROWS`, of at most so many columns or `COLUMNS`."""
     across, up = _scales(chart)
     high = min(max(rows, LEAST_ROWS), ROWS) - 2
@@ -95,7 +95,7 @@ def chart_braille(chart: Chart, rows: int = ROWS, columns: int = COLUMNS) -> lis
         strokes += [Stroke(pair, series.role) for pair in pairwise(dots)]
         marks += [Mark(dot, series.role, series.name) for dot in dots]
     cells = grid(Panel("", tuple(strokes), tuple(marks), ()), raster)
-    drawn = [[Piece(f"{levels.get(at, ''):>{left - 1}} "), *pieces(row)] for at, row in cells.items()]
+    drawn = [[Span(f"{levels.get(at, ''):>{left - 1}} "), *pieces(row)] for at, row in cells.items()]
     foot = " " * columns
     for share, said in across.ticks():
         at = min(left + round(share * (raster.wide - 1)), columns - len(said))
@@ -103,6 +103,6 @@ def chart_braille(chart: Chart, rows: int = ROWS, columns: int = COLUMNS) -> lis
             foot = foot[:at] + said + foot[at + len(said) :]
     letters = [LETTERS.get(series.role, series.name[:1]) for series in chart.series]
     named = zip(letters, chart.series, strict=True)
-    legend = [Piece(f"{letter} {series.name}  ", series.role) for letter, series in named]
-    legend.append(Piece(f"{chart.y.label} over {chart.x.label}"))
-    return [trimmed(row) for row in (*drawn, [Piece(foot)], legend)]
+    legend = [Span(f"{letter} {series.name}  ", series.role) for letter, series in named]
+    legend.append(Span(f"{chart.y.label} over {chart.x.label}"))
+    return [trimmed(row) for row in (*drawn, [Span(foot)], legend)]

@@ -18,6 +18,6 @@ from judge.geometry.crowd import Crowd
 from judge.geometry.line import Line
 from judge.geometry.pair import Lie, Pair
 from judge.geometry.quadratic import Quadratic, Sphere
-from judge.geometry.sure import Root, Sure, Words
+from judge.geometry.sure import DecisionWords, Root, Sure
 
-__all__ = ["Crowd", "Lie", "Line", "Pair", "Quadratic", "Root", "Sphere", "Sure", "Words", "whole"]
+__all__ = ["Crowd", "DecisionWords", "Lie", "Line", "Pair", "Quadratic", "Root", "Sphere", "Sure", "whole"]

@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 from judge.exact.surd import integers, make
 from judge.geometry.quadratic import Number, Quadratic, on_circle
-from judge.geometry.sure import BITS, Sure, Words
+from judge.geometry.sure import BITS, DecisionWords, Sure
 from judge.problem.declare import InvalidCase
 from judge.values.answers import Real
 
@@ -22,7 +22,7 @@ Point = tuple[Number, Number]
 Circle = tuple[Number, Number, Number]
 
 UNION, INTERSECTION, DIFFERENCE = -1, -2, -3
-PLACES = Words(
+PLACES = DecisionWords(
     "Two places on the ray are almost the same",
     "They must be exactly the same, or at least 1e-7·e apart.",
     ("two hits are apart", "two hits are at exactly the same place", "two hits are apart"),

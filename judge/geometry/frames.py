@@ -6,18 +6,18 @@ from collections.abc import Sequence
 from fractions import Fraction
 
 from judge.exact.surd import integers
-from judge.geometry.sure import Sure, Words
+from judge.geometry.sure import DecisionWords, Sure
 from judge.problem.declare import InvalidCase
 
 Number = int | float
 Point = tuple[Number, Number]
 
-FIRST = Words(
+FIRST = DecisionWords(
     "In the first frame the line is almost a tangent",
     "d must differ from r by at least 1e-7·e there.",
     ("d is below r", "d is r exactly", "d is above r"),
 )
-THRESHOLD = Words(
+THRESHOLD = DecisionWords(
     "The distance almost equals a threshold",
     "It must equal it exactly, or differ from it by at least 1e-7·e.",
     ("d is below a threshold", "d is a threshold exactly", "d is above a threshold"),

@@ -14,7 +14,7 @@ from typing import NamedTuple
 from judge.exact.signs import root_sign, two_root_sign
 from judge.exact.surd import integers, make
 from judge.geometry.quadratic import Number, Quadratic
-from judge.geometry.sure import Sides, Sure, Words
+from judge.geometry.sure import DecisionWords, Sides, Sure
 from judge.problem.declare import InvalidCase
 from judge.values.answers import Real
 
@@ -25,12 +25,12 @@ LEAST_WALL = 10_000  # a wall is a point, or at least size/LEAST_WALL long
 LEAST_SINE = 10_000  # of way and wall the sine is 0, or at least 1/LEAST_SINE
 
 
-def _words(almost: str, length: str, wanted: str, sides: Sides) -> Words:
+def _words(almost: str, length: str, wanted: str, sides: Sides) -> DecisionWords:
     must = f"{length} must equal {wanted} exactly, or differ from it by at least 1e-7·e."
-    return Words(almost, must, sides)
+    return DecisionWords(almost, must, sides)
 
 
-def _at(almost: str, length: str, wanted: str, who: str) -> tuple[Words, Words]:
+def _at(almost: str, length: str, wanted: str, who: str) -> tuple[DecisionWords, DecisionWords]:
     """The words of whether discs, or a disc and the wall, touch at t = 0, and at t = 1."""
     start, end = (
         _words(

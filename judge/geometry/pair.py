@@ -12,18 +12,18 @@ from fractions import Fraction
 
 from judge.exact.surd import Surd, integers
 from judge.geometry.quadratic import Number, Vector
-from judge.geometry.sure import Sure, Words
+from judge.geometry.sure import DecisionWords, Sure
 from judge.values.answers import Real
 
 SHARE = 1000  # of e, that lengths which answers are divided by have at least
 
 _AWAY = "They must touch exactly, or stay at least 1e-7·e away from touching."
-OUTER = Words(
+OUTER = DecisionWords(
     "The circles almost touch from outside",
     _AWAY,
     ("the circles overlap", "the circles touch exactly from outside", "the circles are apart"),
 )
-INNER = Words(
+INNER = DecisionWords(
     "The circles almost touch, one inside the other",
     _AWAY,
     (
@@ -32,7 +32,7 @@ INNER = Words(
         "one circle reaches out of the other",
     ),
 )
-SAME = Words(
+SAME = DecisionWords(
     "The circles are almost the same",
     "Their radii must be equal, or at least 1e-7·e apart.",
     ("r1 is less than r2", "the circles are exactly the same", "r1 is more than r2"),

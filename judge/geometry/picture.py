@@ -24,8 +24,8 @@ from judge.geometry.frame import Frame
 from judge.geometry.sure import short
 from judge.geometry.view import (
     Contact,
+    NamedPoint,
     Place,
-    Spot,
     View,
     Way,
     cross,
@@ -192,7 +192,7 @@ def _marks(view: View, frame: Frame, *, beyond: bool) -> tuple[Mark, ...]:
     return _merged(found)
 
 
-def _leaving(view: View, frame: Frame, spot: Spot) -> tuple[Dot, Dot]:
+def _leaving(view: View, frame: Frame, spot: NamedPoint) -> tuple[Dot, Dot]:
     """Where a point outside stands, and towards where: at the end of what is seen of its own line, if any."""
     for way in view.ways:
         if spot.at in (way.start, way.at(1)):

@@ -15,14 +15,14 @@ _CORNER = on_circle("A corner")
 LEAST_EDGE = 1_000_000_000  # an edge is at least size/LEAST_EDGE long
 
 
-class Edge(Quadratic):
+class EdgeLine(Quadratic):
     """A circle and the line of an edge, which runs from t = 0 to t = 1."""
 
     touch = EDGE
     ends = _CORNER, _CORNER
 
 
-def edges(cx: Number, cy: Number, r: Number, V: Sequence[Point]) -> list[Edge]:
+def edges(cx: Number, cy: Number, r: Number, V: Sequence[Point]) -> list[EdgeLine]:
     """Edge i runs from V[i] to the next corner, the last one to V[0].
 
     e is the largest of r and all |V[i] − C|∞. Raises InvalidCase where an edge is shorter than 1e-9·e;
@@ -33,7 +33,9 @@ def edges(cx: Number, cy: Number, r: Number, V: Sequence[Point]) -> list[Edge]:
     sure = Sure(max(radius, *(abs(number) for corner in seen for number in corner)))
     found = []
     for start, end in zip(seen, [*seen[1:], seen[0]], strict=True):
-        edge = Edge(start, (end[0] - start[0], end[1] - start[1]), radius, sure, centre=(x, y), shift=shift)
+        edge = EdgeLine(
+            start, (end[0] - start[0], end[1] - start[1]), radius, sure, centre=(x, y), shift=shift
+        )
         sure.least(edge.a, LEAST_EDGE, "An edge", zero=False)
         found.append(edge)
     return found

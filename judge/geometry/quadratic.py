@@ -14,7 +14,7 @@ from math import isqrt
 
 from judge.exact.signs import root_sign
 from judge.exact.surd import integers, make
-from judge.geometry.sure import Sure, Words
+from judge.geometry.sure import DecisionWords, Sure
 from judge.values.answers import Real
 
 Number = int | float
@@ -23,21 +23,21 @@ Vector = tuple[Real, ...]
 LEAST_RADIUS = 10_000  # a radius that answers are divided by is 0, or at least size/LEAST_RADIUS
 
 
-def on_circle(point: str, figure: str = "the circle") -> Words:
+def on_circle(point: str, figure: str = "the circle") -> DecisionWords:
     """The words of whether that point is on the figure."""
     own = (
         f"{point[0].lower()}{point[1:]}" if " " in point else point
     )  # within a sentence: "a corner", but "A"
     sides = f"{own} is inside {figure}", f"{own} is exactly on {figure}", f"{own} is outside {figure}"
-    return Words(
+    return DecisionWords(
         f"{point} is almost on {figure}", "It must be exactly on it, or stay at least 1e-7·e away.", sides
     )
 
 
-def tangent(line: str, of: str = "the circle") -> Words:
+def tangent(line: str, of: str = "the circle") -> DecisionWords:
     """The words of whether that line touches."""
     told = line[0].lower() + line[1:]
-    return Words(
+    return DecisionWords(
         f"{line} is almost a tangent",
         "It must touch exactly, or stay at least 1e-7·e away.",
         (f"{told} cuts {of}", f"{told} touches {of} exactly", f"{told} misses {of}"),

@@ -14,7 +14,7 @@ from enum import Enum
 from judge.exact.signs import root_sign
 from judge.geometry.crowd import Circle, Crowd, Hit, Point
 from judge.geometry.quadratic import LEAST_RADIUS, Quadratic, on_circle, tangent
-from judge.geometry.sure import Root, Sure, Words
+from judge.geometry.sure import DecisionWords, Root, Sure
 
 GRAZE = 1_000_000  # L is at least size/GRAZE off the tangent at P
 
@@ -35,7 +35,7 @@ _ORIGIN, _LIGHT, _HIT = (
     on_circle("P", "another circle"),
 )
 _RAY, _WAY = tangent("The ray's line", "a circle"), tangent("The line from P to L", "a circle")
-LEVEL = Words(
+LEVEL = DecisionWords(
     "L is almost on the tangent at P",
     "It must be at least 1e-6·e away.",
     ("L is behind the tangent at P", "L is exactly on the tangent at P", "L is before the tangent at P"),

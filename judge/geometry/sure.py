@@ -22,7 +22,7 @@ _UNIT = 2 * BITS
 Sides = tuple[str, str, str]  # of a length below 0, 0, and above 0
 
 
-class Words(NamedTuple):
+class DecisionWords(NamedTuple):
     """What is said of a decision: where its length is neither 0 nor clear, and what it came to."""
 
     almost: str  # without its full stop: "The line is almost a tangent"
@@ -77,7 +77,7 @@ class Sure:
         per: int | Fraction = 1,
         share: int = CLEAR,
         zero: bool = True,
-        what: Words,
+        what: DecisionWords,
     ) -> int:
         """The sign of x = p + q·√d + u·√v, where |x|/√per is the length: 0, or at least size/share.
 
@@ -92,7 +92,9 @@ class Sure:
         self._clear(found * max(length, 0) * bottom, size, share, what)
         return found
 
-    def distance(self, square: int, radius: int, per: int = 1, *, zero: bool = True, what: Words) -> int:
+    def distance(
+        self, square: int, radius: int, per: int = 1, *, zero: bool = True, what: DecisionWords
+    ) -> int:
         """The sign of the length √(square/per) − radius: 0, or clear; square, radius >= 0 and per > 0.
 
         With δ = square − radius²·per the length is δ/(√(square·per) + radius·per).
@@ -104,7 +106,7 @@ class Sure:
         self._clear(gap << BITS, self.size * reach, CLEAR, what)
         return 1 if gap > 0 else -1
 
-    def nested(self, square: Root, radius: int, per: Root, *, zero: bool = True, what: Words) -> int:
+    def nested(self, square: Root, radius: int, per: Root, *, zero: bool = True, what: DecisionWords) -> int:
         """`distance` for a square and a per in one root √d; two more roots certify its size."""
         whole = radius * radius
         p, q, d = square.p - whole * per.p, square.q - whole * per.q, square.d if square.q else per.d
@@ -127,13 +129,13 @@ class Sure:
             wanted = f"{'0, or ' if zero else ''}at least {short(1 / share)}·e"
             refuse(f"{what} is {part}·e. It must be {wanted}.")
 
-    def _exactly(self, zero: bool, what: Words) -> int:
+    def _exactly(self, zero: bool, what: DecisionWords) -> int:
         if not zero:
             raise InvalidCase(what.sentence(0.0))
         decided(what.name, 0.0)
         return 0
 
-    def _clear(self, length: int, size: int, share: int, what: Words) -> None:
+    def _clear(self, length: int, size: int, share: int, what: DecisionWords) -> None:
         """Record length/size as a decision; InvalidCase where it is less than 1/share."""
         gap = length / (size or 1)
         if abs(length) * share < size or not length:

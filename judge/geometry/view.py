@@ -15,9 +15,9 @@ from typing import Any
 from judge.drawing.shapes import Role
 from judge.exact.surd import Surd, integers
 from judge.geometry.quadratic import TANGENT
-from judge.geometry.sure import Words
+from judge.geometry.sure import DecisionWords
 from judge.values.answers import AnyOf, Real
-from judge.values.wire import Fault, exactly, number, word
+from judge.values.wire import Refusal, exactly, number, word
 
 Place = tuple[Decimal, Decimal]
 Plain = Any  # of an answer: None, a word, a Decimal, or a list of those
@@ -34,7 +34,7 @@ class Ring:
     y: Decimal
     r: Decimal
     role: Role = Role.SHAPE
-    decides: Words | None = TANGENT
+    decides: DecisionWords | None = TANGENT
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,13 +60,13 @@ class Way:
 
 
 @dataclass(frozen=True, slots=True)
-class Spot:
+class NamedPoint:
     """A point with its name; `decides` says what it is where it may be on a circle."""
 
     at: Place
     text: str
     role: Role = Role.CASE
-    decides: Words | None = None
+    decides: DecisionWords | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,7 +75,7 @@ class Contact:
 
     gap: Decimal
     at: Place
-    words: Words
+    words: DecisionWords
     along: Place | None = None  # of the line that touches there, and the circle's radius
     r: Decimal = Decimal(0)
 
@@ -86,7 +86,7 @@ class View:
 
     rings: list[Ring] = field(default_factory=list)
     ways: list[Way] = field(default_factory=list)
-    spots: list[Spot] = field(default_factory=list)
+    spots: list[NamedPoint] = field(default_factory=list)
     contacts: list[Contact] = field(default_factory=list)
     size: Decimal = Decimal(0)
     about: str = ""
@@ -97,9 +97,11 @@ class View:
         spans = [abs(p - q) for at in points for p, q in zip(at, middle, strict=True)]
         self.size = max([*lengths, *spans], default=Decimal(0))
 
-    def name(self, at: Place, text: str, role: Role = Role.CASE, decides: Words | None = None) -> None:
+    def name(
+        self, at: Place, text: str, role: Role = Role.CASE, decides: DecisionWords | None = None
+    ) -> None:
         """Add a point."""
-        self.spots.append(Spot(at, text, role, decides))
+        self.spots.append(NamedPoint(at, text, role, decides))
 
     def arrow(self, start: Place, tip: Place, role: Role, text: str = "") -> None:
         """Add a vector of an answer."""
@@ -211,7 +213,7 @@ def given(raw: Any, depth: int = _DEPTH) -> Plain:
     if said and said.isprintable():
         return said
     read = number(raw)
-    if isinstance(read, Fault):
+    if isinstance(read, Refusal):
         return None
     return decimal(exactly(read))
 

@@ -15,8 +15,8 @@ from judge.data.model import ProblemData
 from judge.data.pins import hash_of
 from judge.diagnose.candidates import items_of
 from judge.holes.cases import Solved
-from judge.holes.model import Judged
-from judge.holes.programs import GIVEN_UP, Base, Candidate, Crowd, original
+from judge.holes.model import KnownMutants
+from judge.holes.programs import GIVEN_UP, Base, Candidate, Candidates, original
 from judge.holes.rows import suppressed_after
 from judge.problem import Case, Group, Problem, Tolerance
 from judge.problem.declare import decisions
@@ -54,7 +54,12 @@ class Bench:
     """
 
     def __init__(
-        self, problem: Problem, sets: Sequence[ProblemData], crowd: Crowd, kept: Judged, progress: Progress
+        self,
+        problem: Problem,
+        sets: Sequence[ProblemData],
+        crowd: Candidates,
+        kept: KnownMutants,
+        progress: Progress,
     ) -> None:
         self.problem, self.crowd = problem, crowd
         self.module = sets[0].module

@@ -40,7 +40,7 @@ _GROWING = 48
 _SMALL = (2, 3, 5, 10, 20, 100, 1000)
 
 
-class Found(NamedTuple):
+class FoundCase(NamedTuple):
     """A case, valid or not, the way that it came by, and the changed row that drew it."""
 
     case: Case
@@ -60,7 +60,7 @@ class Solved(NamedTuple):
         return min(self.gaps.values(), default=math.inf)
 
 
-class Place(Struct):
+class StreamState(Struct):
     """Where a stream stands: turns and cases of each way, and cases that it found worth changing."""
 
     turns: dict[str, int] = {}
@@ -74,7 +74,7 @@ class Stream:
     ways: Sequence[str] = ("edge", "rows", "near", "changed", "plain", "scenes")
 
     def __init__(
-        self, data: ProblemData, solve: Callable[[Case], Solved | None], seed: int, place: Place
+        self, data: ProblemData, solve: Callable[[Case], Solved | None], seed: int, place: StreamState
     ) -> None:
         self._problem, self._module, self._solve = data.problem, data.module, solve
         self._seed, self.place = seed, place
@@ -99,7 +99,7 @@ class Stream:
     def _nearest(self) -> Sequence[Case]:
         return [*self._near, *self.place.near]
 
-    def turn(self) -> Iterator[Found]:
+    def turn(self) -> Iterator[FoundCase]:
         """The cases of the next turn, of the way that has tried the fewest."""
         place = self.place
         way = min(self.ways, key=lambda each: place.tried.get(each, 0))
@@ -107,7 +107,7 @@ class Stream:
         place.tried[way] = place.tried.get(way, 0) + 1
         for case, row in self._ways[way](Random(f"{self._seed}/{way}/{number}"), number):
             place.tried[way] += 1
-            yield Found(case, way, row)
+            yield FoundCase(case, way, row)
 
     def _plain(self, random: Random, _: int) -> Iterator[tuple[Case, str]]:
         for _ in range(_CASES):

@@ -24,9 +24,9 @@ from judge.diagnose.candidates import measure
 from judge.diagnose.simplify import fewer, steps
 from judge.errors import ProblemError, UsageError
 from judge.holes.bench import Bench
-from judge.holes.cases import Found, Place, Stream
-from judge.holes.model import Hole, Holes, Judged, Kept, Search
-from judge.holes.programs import SOURCE, Base, Candidate, Crowd, bases
+from judge.holes.cases import FoundCase, Stream, StreamState
+from judge.holes.model import Hole, Holes, HoleSearch, Kept, KnownMutants
+from judge.holes.programs import SOURCE, Base, Candidate, Candidates, bases
 from judge.problem import Case, Problem
 from judge.problem.solutions import MISTAKES
 from judge.problem.toml import TomlFile
@@ -46,7 +46,7 @@ _SHORTER = 120  # cases that are tried for a shorter one in a round
 _MOST_SHOWN = 64  # witnesses of which the fewest are chosen
 
 
-class Mark(Struct, frozen=True, forbid_unknown_fields=True):
+class SameRow(Struct, frozen=True, forbid_unknown_fields=True):
     """A row of same.toml: a change after which the program is right as well; … stands for anything."""
 
     file: str
@@ -63,14 +63,14 @@ class Mark(Struct, frozen=True, forbid_unknown_fields=True):
 
 
 class _Marks(Struct, frozen=True, forbid_unknown_fields=True):
-    same: tuple[Mark, ...] = ()
+    same: tuple[SameRow, ...] = ()
 
 
 def look_for_holes(
     problem: Problem,
     sets: Sequence[ProblemData],
     box_factory: BoxFactory,
-    search: Search,
+    search: HoleSearch,
     store: Store,
     progress: Progress | None = None,
 ) -> Holes:
@@ -91,7 +91,7 @@ def look_for_holes(
         return Holes(problem.id, faults=(fault,))
     name, key = kept_place("holes", problem, None)[0], code_key("holes")
     own = f"{name}-{search.seed}"
-    judged = store.read(name, key, Judged) or Judged()
+    judged = store.read(name, key, KnownMutants) or KnownMutants()
     kept = store.read(own, key, Kept) or Kept()
 
     def keep() -> str | None:
@@ -104,7 +104,7 @@ def look_for_holes(
             what = f"mutants need the isolation {' or '.join(LEVELS[:2])}, and here is {box.isolation}"
             raise UsageError(what, remedy="see 'judge doctor'")
         tell = progress or (lambda *_: None)
-        bench = Bench(problem, sets, Crowd(problem, box), judged, tell)
+        bench = Bench(problem, sets, Candidates(problem, box), judged, tell)
         return _Hunt(bench, sets[0], search, kept, tell, keep).holes(programs)
 
 
@@ -128,15 +128,15 @@ class _Hunt:
         self,
         bench: Bench,
         data: ProblemData,
-        search: Search,
+        search: HoleSearch,
         kept: Kept,
         progress: Progress,
         keep: Callable[[], str | None],
     ) -> None:
         self._bench, self._problem, self._data = bench, data.problem, data
         self._search, self._kept, self._progress = search, kept, progress
-        self._found: dict[str, Found] = {}
-        self._edge: dict[str, Found] = {}
+        self._found: dict[str, FoundCase] = {}
+        self._edge: dict[str, FoundCase] = {}
         self._faults: dict[str, Fault] = {}
         self._stopped = False
         self._keep = keep
@@ -209,11 +209,11 @@ class _Hunt:
     def _look(self, right: Sequence[Base], left: Mapping[str, Candidate]) -> None:
         """Try cases until the time is up, all are found to be wrong, or Ctrl-C is pressed."""
         kept, bench, search = self._kept, self._bench, self._search
-        place = Place(kept.turns, kept.tried, [ast.literal_eval(each) for each in kept.near])
+        place = StreamState(kept.turns, kept.tried, [ast.literal_eval(each) for each in kept.near])
         stream = Stream(self._data, bench.solved, search.seed, place)
         rows = [kept.witnesses[key] for key in left if key in kept.witnesses]
         begun = saved = monotonic()
-        self._ask(right, left, [Found(ast.literal_eval(case), way, row) for case, way, row in rows])
+        self._ask(right, left, [FoundCase(ast.literal_eval(case), way, row) for case, way, row in rows])
         last = kept.cases + search.cases
         try:
             while len(self._found) < len(left) and kept.cases < last and not bench.late:
@@ -222,7 +222,7 @@ class _Hunt:
                     saved = now
                     self._keep_place(place)
                 self._progress("looking for holes", int(now - begun), int(search.seconds) + 1)
-                batch: list[Found] = []
+                batch: list[FoundCase] = []
                 asked = len(left) - len(self._found)
                 for _ in range(_TURNS):
                     batch += (each for each in stream.turn() if bench.solved(each.case) is not None)
@@ -242,7 +242,7 @@ class _Hunt:
         self._keep_place(place)
 
     def _ask(
-        self, right: Sequence[Base], left: Mapping[str, Candidate], batch: Sequence[Found]
+        self, right: Sequence[Base], left: Mapping[str, Candidate], batch: Sequence[FoundCase]
     ) -> list[Case]:
         """Ask all that are not found wrong yet; the cases that show something new."""
         bench = self._bench
@@ -295,7 +295,7 @@ class _Hunt:
             left = {key: each for key, each in left.items() if key not in gone}
             yield self._entry(lead, found, short, len(gone) - 1)
 
-    def _entry(self, lead: Candidate, found: Found, case: Case, others: int) -> Hole:
+    def _entry(self, lead: Candidate, found: FoundCase, case: Case, others: int) -> Hole:
         solved = self._bench.solved(case)
         assert solved is not None  # it was valid before
         reply = next(self._bench.crowd.answers([(lead, [case])]))[0]
@@ -351,7 +351,7 @@ class _Hunt:
         pairs = zip(self._problem.parameters, case, strict=True)
         return ", ".join(parameters.literal(each.type, value) for each, value in pairs)
 
-    def _keep_place(self, place: Place) -> None:
+    def _keep_place(self, place: StreamState) -> None:
         found = self._edge | self._found
         self._kept.near = [repr(each) for each in place.near]
         self._kept.witnesses = {key: (repr(each.case), each.way, each.row) for key, each in found.items()}

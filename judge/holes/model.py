@@ -60,7 +60,7 @@ class Holes(Published, frozen=True):
         return ExitCode.FAULT if self.holes or self.faults else ExitCode.ACCEPTED
 
 
-class Judged(Struct):
+class KnownMutants(Struct):
     """What is known of a kata's mutants from run to run, whatever the seed."""
 
     killed: dict[str, list[str]] = {}  # by mutant: hashes of groups that reject it
@@ -77,7 +77,7 @@ class Kept(Struct):
     cases: int = 0
 
 
-class Search(Struct, frozen=True):
+class HoleSearch(Struct, frozen=True):
     """How to look: the seed of the cases, so long or at so many more of them, and at which program alone."""
 
     seed: int = 0

@@ -18,7 +18,7 @@ from judge.holes import inside
 from judge.holes.mutants import Mutant, mutants
 from judge.mistakes.family import Family
 from judge.problem import Case, Problem
-from judge.problem.solutions import Kind, read_solutions, tree_of
+from judge.problem.solutions import SolutionKind, read_solutions, tree_of
 from judge.sandbox.boundary import Box, Limits, Reply, Stop
 from judge.values.letters import texts_of
 from judge.values.types import atoms
@@ -107,7 +107,7 @@ def bases(problem: Problem, only: str = "") -> list[Base]:
     texts = tuple(_texts(problem)) if called else ()
     found = [
         Base(each.file, each.source.decode("utf-8-sig"), whole=called, texts=texts)
-        for each in read_solutions(problem, Kind.ACCEPTED).programs
+        for each in read_solutions(problem, SolutionKind.ACCEPTED).programs
         if each.language is None and only in ("", each.file)
     ]
     found = [each for each in found if _defines(each.source, problem.entry)]
@@ -177,7 +177,7 @@ def _imports(source: str) -> set[str]:
     return names | {node.module or "" for node in found if isinstance(node, ast.ImportFrom)}
 
 
-class Crowd:
+class Candidates:
     """Candidates in a box that was opened on `SOURCE`: what each answers to cases."""
 
     def __init__(self, problem: Problem, box: Box) -> None:

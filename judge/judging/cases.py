@@ -13,21 +13,21 @@ from judge.errors import UsageError
 from judge.judging.options import RunOptions
 from judge.judging.session import NAMED, Bars, Session
 from judge.languages import file_name
-from judge.mistakes.puzzles import Puzzle, usual_group
+from judge.mistakes.puzzles import WrongProgram, usual_group
 from judge.problem import Case, Group, Problem, Verdict
 from judge.problem.declare import InvalidCase, lenient
 from judge.problem.model import case_of
 from judge.problem.module import load_module
 from judge.problem.solutions import accepted_source
 from judge.run.entry import entry_error
-from judge.run.execute import Judged, judge_submission, opened
+from judge.run.execute import Judgement, judge_submission, opened
 from judge.run.group import group_limits
 from judge.run.printed import message_of, text_of
 from judge.run.replies import VERDICTS, Replies
 from judge.run.result import Failure, GroupResult, Result, short_answer
 from judge.run.runner import Runner
 from judge.run.stress import OnCases, Stressed, stress
-from judge.run.tried import Said, Tried
+from judge.run.tried import CaseResult, OneCase
 from judge.sandbox.boundary import Stop, Usage
 from judge.values import show, wire
 from judge.values.check import Rejection
@@ -37,7 +37,7 @@ _SHOWN = 400  # characters of an answer
 _NAME = file_name("program")  # what a wrong program is called in a message
 
 
-def try_case(problem: Problem, case: Case, group: str = "") -> Tried:
+def try_case(problem: Problem, case: Case, group: str = "") -> OneCase:
     """Prove and solve the case; the tolerance is the group's, or that of most where there is no such group.
 
     Raises:
@@ -53,10 +53,10 @@ def try_case(problem: Problem, case: Case, group: str = "") -> Tried:
         raise UsageError(f"Not a valid input: {what}", remedy=f"see judge show {problem.id}") from None
     judged_by = problem.group(group) or usual_group(problem)
     target = target_of(problem, exact, judged_by.tolerance)
-    return Tried(problem, case, judged_by, exact, target, module, broken=broken[0] if broken else "")
+    return OneCase(problem, case, judged_by, exact, target, module, broken=broken[0] if broken else "")
 
 
-def ask(session: Session, tried: Tried, source: bytes, name: str) -> Said:
+def ask(session: Session, tried: OneCase, source: bytes, name: str) -> CaseResult:
     """What a submission answers to the case, called alone in a container.
 
     Raises:
@@ -66,13 +66,15 @@ def ask(session: Session, tried: Tried, source: bytes, name: str) -> Said:
     with session.take(source, name) as box:
         runner = opened(box, tried.problem, source)
         if isinstance(runner, Failure):
-            return Said(name, Verdict.CE, "no answer", runner.message, box.isolation)
+            return CaseResult(name, Verdict.CE, "no answer", runner.message, box.isolation)
         replies = runner.ask(box, [tried.case], group_limits(tried.problem, tried.group, Usage()))
         verdict, got, message, given = _answer(runner, tried, replies)
         printed = text_of(replies.printed)
         if tried.problem.talks:
             printed = runner.explained(Failure("", input=tried.problem.named(tried.case))).shown
-        said = Said(name, verdict, got, message, box.isolation, runner.mode, short_answer(given), printed)
+        said = CaseResult(
+            name, verdict, got, message, box.isolation, runner.mode, short_answer(given), printed
+        )
         if verdict is Verdict.AC:
             return said
         failure = runner.explained(Failure(message_of(message, got, printed)))
@@ -84,7 +86,7 @@ def ask(session: Session, tried: Tried, source: bytes, name: str) -> Said:
         return replace(said, message=failure.message, hurdle=hurdle)
 
 
-def _answer(runner: Runner, tried: Tried, replies: Replies) -> tuple[Verdict, str, str, Raw]:
+def _answer(runner: Runner, tried: OneCase, replies: Replies) -> tuple[Verdict, str, str, Raw]:
     """The verdict on what came of one call, the answer in words, why it is rejected, the answer itself."""
     broken = replies.breakdown
     if broken is not None:
@@ -101,7 +103,7 @@ def _answer(runner: Runner, tried: Tried, replies: Replies) -> tuple[Verdict, st
     return Verdict.AC, wire.quoted(reply.answer)[1:-1][:_SHOWN], "", given
 
 
-def hack(session: Session, puzzle: Puzzle, tried: Tried) -> tuple[Said, str]:
+def hack(session: Session, puzzle: WrongProgram, tried: OneCase) -> tuple[CaseResult, str]:
     """What the puzzle's program answers to the case, and why that does not break it; "" where it does.
 
     Raises as `ask`.
@@ -117,7 +119,7 @@ def hack(session: Session, puzzle: Puzzle, tried: Tried) -> tuple[Said, str]:
     return said, ""
 
 
-def smallest(problem: Problem, puzzle: Puzzle, isolation: str | None, bars: Bars) -> Tried | None:
+def smallest(problem: Problem, puzzle: WrongProgram, isolation: str | None, bars: Bars) -> OneCase | None:
     """A smallest case that breaks the program, with what it says to it; None where none of its group does.
 
     Raises as `ask`.
@@ -166,7 +168,7 @@ def judge_fresh(
                 if options.diagnosed:
                     series = broken.series
                     failed = session.diagnosed(
-                        Judged(replace(result, failure=broken.failure), runner, {}),
+                        Judgement(replace(result, failure=broken.failure), runner, {}),
                         ProblemData(problem, (series,), loaded=module),
                         box,
                         lambda _group, _builder, number, _case: series.choices[number],

@@ -18,7 +18,7 @@ from threading import current_thread, main_thread
 from time import monotonic
 from types import FrameType
 
-from judge.judging.inprocess import Ended, Watch
+from judge.judging.inprocess import LimitPassed, Watch
 from judge.sandbox.boundary import Stop
 
 GRACE = 5.0  # seconds that a call may go on after its end, before its process is ended
@@ -101,7 +101,7 @@ class Clock(Watch):
 
     def _alarm(self, _signal: int, _frame: FrameType | None) -> None:
         if self._calling[0] and self.spent:
-            raise Ended(Stop.WALL, self.told)
+            raise LimitPassed(Stop.WALL, self.told)
 
     def _watched_from_beside(self) -> mmap:
         """What says to a process beside this one whether the routine is called."""

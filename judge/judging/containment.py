@@ -16,7 +16,7 @@ from judge.languages.boxes import AnyBoxes
 from judge.languages.signature import signature_of
 from judge.problem import Problem
 from judge.problem.find import problem_roots
-from judge.sandbox import LEVELS, Boxes, room
+from judge.sandbox import LEVELS, Containment, room
 from judge.version import __version__
 
 
@@ -25,7 +25,7 @@ def contained(problem: Problem, options: RunOptions, jobs: int = 1, had: str | N
     room.raise_descriptors()
     least = None if options.isolation else kept_level()
     share, hidden = room.measure().share(jobs), hidden_folders(problem)
-    boxes = Boxes(options.isolation, hidden, least=least, had=had, share=share)
+    boxes = Containment(options.isolation, hidden, least=least, had=had, share=share)
     signature = signature_of(problem)
     return AnyBoxes(boxes, None if options.program and signature.is_run else signature)
 

@@ -37,7 +37,7 @@ _HERE = str(Path(__file__).parent)
 _SHOWN = 10_000  # bytes of what it printed
 
 
-class Ended(BaseException):
+class LimitPassed(BaseException):
     """Raised in a submission that has used up its time, its memory or its room for output."""
 
     def __init__(self, stop: Stop, detail: str) -> None:
@@ -95,7 +95,7 @@ class InProcess:
         self._routine = routine
         self._watch = watch
         if routine is not None:
-            self.caught = Exception, SystemExit, Ended  # not what a test raises to be left out
+            self.caught = Exception, SystemExit, LimitPassed  # not what a test raises to be left out
 
     def __enter__(self) -> InProcess:
         return self
@@ -199,10 +199,10 @@ class InProcess:
     def _ended(self, fault: BaseException, where: str = "") -> Reply:
         """The end of a call that raised this."""
         if self._routine is not None:
-            if isinstance(fault, Ended):
+            if isinstance(fault, LimitPassed):
                 return Reply(fault.stop, None, f"{fault}{_place(fault)}")
             return Reply(Stop.EXCEPTION, None, described(fault, "") + _place(fault))
-        if not isinstance(fault, Ended):
+        if not isinstance(fault, LimitPassed):
             stop = Stop.MEMORY if isinstance(fault, MemoryError) else Stop.EXCEPTION
             return Reply(stop, None, described(fault, self._name) + where)
         line = own_line(fault.__traceback__, self._name) if fault.stop is Stop.CPU else 0
@@ -218,7 +218,7 @@ class _Printed(io.BytesIO):
 
     def write(self, data: Any) -> int:
         if self.tell() + len(data) > self._limit:
-            raise Ended(Stop.OUTPUT, f"printed more than {self._limit >> 20} MB")
+            raise LimitPassed(Stop.OUTPUT, f"printed more than {self._limit >> 20} MB")
         return super().write(data)
 
     def close(self) -> None:

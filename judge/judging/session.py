@@ -33,9 +33,9 @@ if TYPE_CHECKING:
     from judge.mistakes.namer import Namer
     from judge.repair.beside import Beside
     from judge.repair.search import Repair
-    from judge.run.execute import Judged
+    from judge.run.execute import Judgement
     from judge.run.runner import Runner
-    from judge.sandbox import Boxes
+    from judge.sandbox import Containment
 
 NAMED = (Verdict.WA, Verdict.RTE)  # the other verdicts do not come from wrong answers
 Bars = Callable[[str], AbstractContextManager[Progress | None]]  # opens a bar for work of that label
@@ -74,7 +74,7 @@ class Session(AbstractContextManager["Session"]):
 
         Without `boxes` there are containers. The `store` keeps the data, and what known mistakes answer.
         """
-        self._contained: Boxes | None = None
+        self._contained: Containment | None = None
         if boxes is None:
             from judge.judging.containment import contained  # not in a tab, which has no processes
 
@@ -210,7 +210,7 @@ class Session(AbstractContextManager["Session"]):
             return self.named(judged, source, box, on_verdict) if options.named else judged.result
 
     def diagnosed(
-        self, judged: Judged, data: ProblemData, box: Box, choices: Choices | None = None
+        self, judged: Judgement, data: ProblemData, box: Box, choices: Choices | None = None
     ) -> Result:
         """The result with the smallest case that breaks the submission in `box`, if there is one.
 
@@ -245,7 +245,7 @@ class Session(AbstractContextManager["Session"]):
         return result.noting(*box.checked(lambda built, limits: runner.ask(built, [case], limits)))
 
     def named(
-        self, judged: Judged, source: bytes, box: Box, on_verdict: Callable[[Result], None] | None = None
+        self, judged: Judgement, source: bytes, box: Box, on_verdict: Callable[[Result], None] | None = None
     ) -> Result:
         """The result with its pitfall where there is one; what goes wrong with that is only a note.
 
@@ -284,7 +284,7 @@ class Session(AbstractContextManager["Session"]):
             self._namer = Namer(self.data, self.options.seed, self.untimed, bar, store=self._store)
         return self._namer
 
-    def _repair(self, judged: Judged, box: Box, beside: Beside) -> Repair | None:
+    def _repair(self, judged: Judgement, box: Box, beside: Beside) -> Repair | None:
         """What makes it right; sought half as long where everything is one process."""
         from judge.repair.search import seek
 

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from judge.languages.find import Toolchain
     from judge.languages.signature import Signature
     from judge.sandbox.boundary import Box
-    from judge.sandbox.factory import Boxes
+    from judge.sandbox.factory import Containment
     from judge.sandbox.recipe import Recipe, Sources
 
 
@@ -23,12 +23,12 @@ class AnyBoxes:
     `signature` is that of the problem whose function a source may define; without it each is a program.
     """
 
-    def __init__(self, boxes: Boxes, signature: Signature | None = None) -> None:
+    def __init__(self, boxes: Containment, signature: Signature | None = None) -> None:
         self.boxes = boxes
         self._signature = signature
 
     def __call__(self, source: bytes, name: str) -> Box:
-        """A box for this source; `name` is its file's. Raises as `Boxes`."""
+        """A box for this source; `name` is its file's. Raises as `Containment`."""
         language = language_of(name)
         if language is None:
             return self.boxes(source, name)

@@ -73,7 +73,7 @@ def why_not(language: Language) -> str:
     return ""
 
 
-class Found(Struct, frozen=True):
+class Availability(Struct, frozen=True):
     """What this machine has of a language: its version, or what is missing and the command for that.
 
     `works` is None where it was not tried; where it fails, `why_not` says why and `remedy` what would help.
@@ -87,15 +87,15 @@ class Found(Struct, frozen=True):
     why_not: str = ""
 
 
-def found(language: Language) -> Found:
+def found(language: Language) -> Availability:
     """The same; what fails counts as missing."""
     lacking = missing(language)
     if lacking:
-        return Found(language.name, missing=" and ".join(lacking), remedy=remedy(language))
+        return Availability(language.name, missing=" and ".join(lacking), remedy=remedy(language))
     try:
-        return Found(language.name, version(language))
+        return Availability(language.name, version(language))
     except JudgeError as fault:
-        return Found(language.name, missing=fault.what, remedy=fault.remedy or "")
+        return Availability(language.name, missing=fault.what, remedy=fault.remedy or "")
 
 
 def version(language: Language) -> str:

@@ -6,10 +6,10 @@ from msgspec.structs import replace
 
 from judge.errors import JudgeError
 from judge.languages.boxes import recipe_of
-from judge.languages.find import Found, remedy, toolchain
+from judge.languages.find import Availability, remedy, toolchain
 from judge.languages.model import Language
 from judge.sandbox.boundary import Usage
-from judge.sandbox.factory import Boxes
+from judge.sandbox.factory import Containment
 from judge.sandbox.native import measured
 from judge.sandbox.recipe import Files
 
@@ -30,7 +30,7 @@ class _Nothing:
         return None
 
 
-def tried(language: Language, found: Found, boxes: Boxes) -> Found:
+def tried(language: Language, found: Availability, boxes: Containment) -> Availability:
     """What was found of a language, with whether its empty program compiles and runs in such boxes.
 
     What is not installed stays as it is.

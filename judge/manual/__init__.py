@@ -33,7 +33,7 @@ class Page(Published, frozen=True):
     text: str
 
 
-class Hit(Published, frozen=True):
+class SearchHit(Published, frozen=True):
     """Where words were found: the page, the section, and the line with most of them."""
 
     topic: str
@@ -61,17 +61,17 @@ def pages() -> list[Page]:
     return [page(name) for name in topics()]
 
 
-def search(words: Sequence[str]) -> list[Hit]:
+def search(words: Sequence[str]) -> list[SearchHit]:
     """The sections that contain all the words, ignoring case; those with all in the heading come first."""
     wanted = [word.casefold() for word in words]
-    titled, others = list[Hit](), list[Hit]()
+    titled, others = list[SearchHit](), list[SearchHit]()
     for each in pages():
         for heading, lines in _sections(each.text):
             head = f"{each.title} {heading}".casefold()
             body = "\n".join((head, *lines)).casefold()
             if all(word in body for word in wanted):
                 found = titled if all(word in head for word in wanted) else others
-                found.append(Hit(topic=each.topic, section=heading, line=_telling(lines, wanted)))
+                found.append(SearchHit(topic=each.topic, section=heading, line=_telling(lines, wanted)))
     return titled + others
 
 

@@ -42,7 +42,7 @@ EXAMPLE = "For example,"  # what begins so speaks of code, and may be otherwise 
 _KIND = "kind"  # the table of what is said of repairs
 
 
-class Words(Struct, frozen=True):
+class MistakeText(Struct, frozen=True):
     """One mistake: what is seen in the answers, an example in code, what to do instead, and how it shows."""
 
     seen: str = ""
@@ -67,7 +67,7 @@ class KindWords(Struct, frozen=True):
     names: tuple[str, ...] = ()
 
 
-Catalogue = Mapping[str, Words]
+Catalogue = Mapping[str, MistakeText]
 Kinds = Mapping[str, KindWords]
 
 
@@ -85,7 +85,7 @@ def read_kinds(problem: Problem) -> Kinds:
 def _usual() -> Catalogue:
     """The words that the judge has for any kata."""
     tables = parse_toml(read_text(Path(__file__).with_name(_USUAL)), _USUAL)
-    return msgspec.convert(tables, dict[str, Words])
+    return msgspec.convert(tables, dict[str, MistakeText])
 
 
 def _read(problem: Problem) -> tuple[Catalogue, Kinds]:
@@ -112,7 +112,7 @@ def _read(problem: Problem) -> tuple[Catalogue, Kinds]:
     return found, told
 
 
-def _words(name: str, table: Any, problem: str, where: str) -> Words:
+def _words(name: str, table: Any, problem: str, where: str) -> MistakeText:
     if not isinstance(table, dict):
         remedy = f"begin a table: [{name}]"
         raise ProblemError(f"{name} is not a table", where=where, remedy=remedy)
@@ -124,13 +124,13 @@ def _words(name: str, table: Any, problem: str, where: str) -> Words:
     other = {"example": ""} if "seen" in special else {}  # the example is one of what is seen
     merged = {**table, **other, **special}
     merged.pop("in", None)
-    unknown = set(merged) - set(Words.__struct_fields__)
+    unknown = set(merged) - set(MistakeText.__struct_fields__)
     if unknown:
         key = min(unknown)
-        remedy = meant(key, Words.__struct_fields__, "the keys are")
+        remedy = meant(key, MistakeText.__struct_fields__, "the keys are")
         raise ProblemError(f"unknown key {key!r} in [{name}]", where=where, remedy=remedy)
     try:
-        words = msgspec.convert(merged, Words)
+        words = msgspec.convert(merged, MistakeText)
     except msgspec.ValidationError as why:
         remedy = "the first three keys are texts, needs is a list, edits a table, the others true or false"
         raise ProblemError(f"in [{name}]: {why}", where=where, remedy=remedy) from None

@@ -27,7 +27,7 @@ from judge.values.outline import Outline, wrong_outline
 _PROTOCOL = 5
 
 
-class Program(Struct, frozen=True):
+class ComputedProgram(Struct, frozen=True):
     """A program whose answers are wanted; a trusted one is run here and now."""
 
     source: bytes
@@ -50,13 +50,13 @@ class Computer:
         self._problem = data.problem
         self._groups = [_Group(data, each) for each in data.groups if each.group.size is None]
 
-    def behaviour(self, program: Program) -> Behaviour:
+    def behaviour(self, program: ComputedProgram) -> Behaviour:
         """What the program answers wrongly. Raises ProblemError."""
         with localcontext(Context()):  # as in a container, whatever the caller's precision
             function = entry_of(self._problem, program)
             return {each.name: each.answers(function) for each in self._groups}
 
-    def answer(self, program: Program, case: Case, target: Target, exact: ExactOf) -> Outline | None:
+    def answer(self, program: ComputedProgram, case: Case, target: Target, exact: ExactOf) -> Outline | None:
         """The outline of its answer to a case of one's own, None of a right one. Raises ProblemError."""
         with localcontext(Context()):
             function = entry_of(self._problem, program)
@@ -123,12 +123,12 @@ class _Group:
         return wrong_outline(type_, raw, group.targets[index], exact)
 
 
-def computed(data: ProblemData, program: Program) -> Behaviour:
+def computed(data: ProblemData, program: ComputedProgram) -> Behaviour:
     """What one trusted program answers wrongly, as a `Computer` finds it. Raises ProblemError."""
     return Computer(data).behaviour(program)
 
 
-def entry_of(problem: Problem, program: Program) -> Callable[..., Any]:
+def entry_of(problem: Problem, program: ComputedProgram) -> Callable[..., Any]:
     """The entry function of a trusted program. Raises ProblemError where it has none."""
     space: dict[str, Any] = {"__name__": "mistakes"}
     try:

@@ -12,7 +12,7 @@ from functools import cached_property
 
 from msgspec import Struct
 
-from judge.mistakes.catalogue import EXAMPLE, Catalogue, Words, read_catalogue
+from judge.mistakes.catalogue import EXAMPLE, Catalogue, MistakeText, read_catalogue
 from judge.mistakes.routes import Change, Route, Routes, read_routes
 from judge.mistakes.transforms import HELPERS, KEPT_BETWEEN_CALLS, transforms
 from judge.problem import Problem
@@ -20,10 +20,10 @@ from judge.problem.solutions import MISTAKES
 from judge.problem.toml import read_text
 
 INNER = "right_way"  # what a route is called below a transform
-KEPT = Words(state=True, needs=("state",))  # where mistakes.toml says nothing of it
+KEPT = MistakeText(state=True, needs=("state",))  # where mistakes.toml says nothing of it
 
 
-class Choice(Struct, frozen=True):
+class Variant(Struct, frozen=True):
     """What is done otherwise: changes of one route and transforms, by their places; -1 is no transform."""
 
     route: int
@@ -32,7 +32,7 @@ class Choice(Struct, frozen=True):
     after: int = -1
 
 
-class Line(Struct, frozen=True):
+class SpoiledLine(Struct, frozen=True):
     """A line that a mistake spoils: what stands in a right program, and instead; one of them may be empty."""
 
     right: str
@@ -60,25 +60,25 @@ class Family:
         """The right ways, and those that are a mistake in themselves."""
         return self._routes.routes
 
-    def right_ways(self) -> Iterator[Choice]:
+    def right_ways(self) -> Iterator[Variant]:
         """What must be accepted: every right route, plain and with each of its styles."""
         for place, route in enumerate(self.routes):
             if not route.mistake:
-                yield Choice(place)
-                yield from (Choice(place, (i,)) for i, each in enumerate(route.changes) if not each.name)
+                yield Variant(place)
+                yield from (Variant(place, (i,)) for i, each in enumerate(route.changes) if not each.name)
 
-    def singles(self) -> Iterator[Choice]:
+    def singles(self) -> Iterator[Variant]:
         """Every mistake alone: on the plain route, and on routes that are one, in each of their styles."""
         for place, route in enumerate(self.routes):
             if route.mistake:
-                yield Choice(place)
+                yield Variant(place)
             for i, change in enumerate(route.changes):
                 if change.name or route.mistake:
-                    yield Choice(place, (i,))
+                    yield Variant(place, (i,))
         for i, each in enumerate(self._transforms):
-            yield Choice(0, after=i) if each.after else Choice(0, before=i)
+            yield Variant(0, after=i) if each.after else Variant(0, before=i)
 
-    def names(self, choice: Choice) -> tuple[str, ...]:
+    def names(self, choice: Variant) -> tuple[str, ...]:
         """The mistakes it makes, in the order of the program."""
         found = [self._transforms[choice.before].name] if choice.before >= 0 else []
         found += [self.routes[choice.route].mistake] if self.routes[choice.route].mistake else []
@@ -86,24 +86,24 @@ class Family:
         found += [self._transforms[choice.after].name] if choice.after >= 0 else []
         return tuple(dict.fromkeys(found))
 
-    def changes(self, choice: Choice) -> list[Change]:
+    def changes(self, choice: Variant) -> list[Change]:
         """What it changes in its route."""
         return [self.routes[choice.route].changes[place] for place in choice.changes]
 
     @staticmethod
-    def general(choice: Choice) -> bool:
+    def general(choice: Variant) -> bool:
         """Whether nothing of this problem's own file is changed, but input or answer as in any problem."""
         return not choice.changes and (choice.before >= 0 or choice.after >= 0)
 
-    def offered(self, choice: Choice) -> bool:
+    def offered(self, choice: Variant) -> bool:
         """Whether its name may be said, and no group need reject it: it comes from the types alone."""
         return any(self._transforms[i].offered for i in (choice.before, choice.after) if i >= 0)
 
-    def words(self, name: str) -> Words:
+    def words(self, name: str) -> MistakeText:
         """What mistakes.toml says of a mistake; nothing where it does not know it."""
-        return self.catalogue.get(name, KEPT if name == KEPT_BETWEEN_CALLS else Words())
+        return self.catalogue.get(name, KEPT if name == KEPT_BETWEEN_CALLS else MistakeText())
 
-    def told(self, choice: Choice) -> str:
+    def told(self, choice: Variant) -> str:
         """What is wrong and what to do instead, as it fits this very change."""
         texts = [change.text for change in self.changes(choice)]
         texts += [self._transforms[i].text for i in (choice.before, choice.after) if i >= 0]
@@ -111,7 +111,7 @@ class Family:
         words = self.words(self.names(choice)[0])
         return f"{words.seen} {own}" if own.startswith(EXAMPLE) else own or words.told
 
-    def place(self, choice: Choice) -> str:
+    def place(self, choice: Variant) -> str:
         """Where it stands, as `count/mistakes.py:12`, or what it does to input and answer."""
         for change in self.changes(choice):
             if change.name:
@@ -121,7 +121,7 @@ class Family:
                 return self._transforms[i].line
         return f"{self.where}, {self.routes[choice.route].name}"
 
-    def style_place(self, choice: Choice) -> str:
+    def style_place(self, choice: Variant) -> str:
         """Where a right way stands: the line of its style, or its route."""
         changes = self.changes(choice)
         return (
@@ -130,11 +130,11 @@ class Family:
             else f"{self.where}, {self.routes[choice.route].name}"
         )
 
-    def equal(self, choice: Choice) -> str:
+    def equal(self, choice: Variant) -> str:
         """The reason why no case can tell it from a right program; empty where one must."""
         return next((change.equal for change in self.changes(choice) if change.equal), "")
 
-    def lines(self, choice: Choice) -> tuple[Line, ...]:
+    def lines(self, choice: Variant) -> tuple[SpoiledLine, ...]:
         """The lines it spoils, if they are few enough to say something by themselves."""
         route = self.routes[choice.route]
         found = []
@@ -144,10 +144,10 @@ class Family:
                     line for line in route.lines[piece.start : piece.end] if not line.lstrip().startswith("#")
                 ]
                 if change.name and len(old) <= 1 >= len(piece.lines) - 1:
-                    found.append(Line("".join(old).strip(), "\n".join(piece.lines).strip()))
+                    found.append(SpoiledLine("".join(old).strip(), "\n".join(piece.lines).strip()))
         return tuple(found) if len(found) == 1 else ()
 
-    def program(self, choice: Choice) -> str:
+    def program(self, choice: Variant) -> str:
         """The text of a whole program that makes the choice."""
         route = self.routes[choice.route]
         source = route.source(self.changes(choice))
@@ -158,7 +158,7 @@ class Family:
             parts += [HELPERS, self._outer(choice)]
         return "\n\n\n".join(part for part in parts if part) + "\n"
 
-    def _outer(self, choice: Choice) -> str:
+    def _outer(self, choice: Variant) -> str:
         given = ", ".join(each.name for each in self.problem.parameters)
         rows = [f"def {self.problem.entry}({given}):"]
         if choice.before >= 0:
@@ -169,6 +169,6 @@ class Family:
         return "\n".join([*rows, "    return answer"])
 
     @cached_property
-    def named(self) -> tuple[tuple[Choice, str], ...]:
+    def named(self) -> tuple[tuple[Variant, str], ...]:
         """Every single choice with its mistake's name."""
         return tuple((choice, self.names(choice)[0]) for choice in self.singles())

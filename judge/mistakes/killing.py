@@ -15,8 +15,8 @@ from typing import Any
 
 from judge.data.build import target_of, validate
 from judge.errors import ProblemError
-from judge.mistakes.computed import Program, entry_of
-from judge.mistakes.puzzles import Puzzle, read_puzzles
+from judge.mistakes.computed import ComputedProgram, entry_of
+from judge.mistakes.puzzles import WrongProgram, read_puzzles
 from judge.problem import Case, Problem
 from judge.problem.declare import InvalidCase
 from judge.problem.model import tupled
@@ -84,7 +84,7 @@ class Jury:
         return not is_right(self._problem.answer, raw, target, partial(_pair, answer, tolerance))
 
     @cached_property
-    def _programs(self) -> Mapping[str, tuple[Puzzle, Any]]:
+    def _programs(self) -> Mapping[str, tuple[WrongProgram, Any]]:
         problem = self._problem
         puzzles = {each.mistake: each for each in read_puzzles(problem) if each.trusted and not each.special}
         for names in self._families.values():
@@ -94,7 +94,10 @@ class Jury:
                     raise ProblemError(what, remedy="take it out of the families")
         wanted = dict.fromkeys(name for names in self._families.values() for name in names)
         return {
-            name: (puzzles[name], entry_of(problem, Program(puzzles[name].source, name, trusted=True)))
+            name: (
+                puzzles[name],
+                entry_of(problem, ComputedProgram(puzzles[name].source, name, trusted=True)),
+            )
             for name in wanted
         }
 

@@ -20,7 +20,7 @@ from msgspec.structs import replace
 from judge.cache import DISK, Store, code_key
 from judge.data.load import kept_place
 from judge.data.model import GroupData, ProblemData
-from judge.mistakes.computed import Computer, Program
+from judge.mistakes.computed import ComputedProgram, Computer
 from judge.mistakes.likeness import CASES
 from judge.problem import Problem
 from judge.run.result import Answers, Behaviour
@@ -49,7 +49,7 @@ class KnownAnswers:
         return self._store.read(*self._place, _FORM) is not None
 
     def of(
-        self, programs: Sequence[Program], progress: Progress | None = None
+        self, programs: Sequence[ComputedProgram], progress: Progress | None = None
     ) -> tuple[list[Behaviour], str | None]:
         """The behaviour of each program, and a note for the person where they cannot be kept.
 
@@ -67,12 +67,12 @@ class KnownAnswers:
         return [first.setdefault(repr(kept[each.key]), kept[each.key]) for each in programs], note
 
     def _learnt(
-        self, missing: Mapping[str, Program], progress: Progress | None
+        self, missing: Mapping[str, ComputedProgram], progress: Progress | None
     ) -> Iterator[tuple[str, Behaviour]]:
         """Each program that was asked for, by its key, as soon as its behaviour is known."""
         data, settings = self._data, self._settings
 
-        def judge(program: Program) -> Behaviour:
+        def judge(program: ComputedProgram) -> Behaviour:
             from judge.run.execute import judge_submission
 
             return judge_submission(data, program.source, program.file, settings).behaviour

@@ -9,11 +9,11 @@ from collections.abc import Iterator, Sequence
 from msgspec import Struct
 
 from judge.errors import ProblemError
-from judge.mistakes.catalogue import EXAMPLE, Words, read_catalogue
-from judge.mistakes.computed import Program
-from judge.mistakes.family import Choice, Family, Line
+from judge.mistakes.catalogue import EXAMPLE, MistakeText, read_catalogue
+from judge.mistakes.computed import ComputedProgram
+from judge.mistakes.family import Family, SpoiledLine, Variant
 from judge.problem import Problem
-from judge.problem.solutions import Kind, Solution, read_solutions, usual_first
+from judge.problem.solutions import Solution, SolutionKind, read_solutions, usual_first
 from judge.run.result import Behaviour
 
 SHARED = "shared-by-all-objects"
@@ -31,10 +31,10 @@ class Maker(Struct, frozen=True):
     name: str
     file: str
     text: str
-    words: Words
-    program: Program
-    lines: tuple[Line, ...] = ()
-    choice: Choice | None = None
+    words: MistakeText
+    program: ComputedProgram
+    lines: tuple[SpoiledLine, ...] = ()
+    choice: Variant | None = None
     offered: bool = False
 
     @property
@@ -64,7 +64,7 @@ class Makers(Struct, frozen=True):
 
 def read_makers(problem: Problem) -> Makers:
     """What is known of a problem's mistakes. A file that cannot be read is a fault and no maker."""
-    solutions, faults = read_solutions(problem, Kind.WRONG)
+    solutions, faults = read_solutions(problem, SolutionKind.WRONG)
     programs = [each for each in solutions if each.language is None]  # the others would be compiled for it
     found: list[Maker] = []
     family = None
@@ -75,18 +75,18 @@ def read_makers(problem: Problem) -> Makers:
         catalogue, family, faults = {}, None, (*faults, fault)
     if family is not None:
         found += [_of_choice(family, choice, name) for choice, name in family.named]
-    found += [_of_file(each, catalogue.get(each.name, Words())) for each in usual_first(programs)]
+    found += [_of_file(each, catalogue.get(each.name, MistakeText())) for each in usual_first(programs)]
     if problem.methods and SHARED not in {each.name for each in found}:
-        found += _of_classes(problem, catalogue.get(SHARED, Words()))
+        found += _of_classes(problem, catalogue.get(SHARED, MistakeText()))
     return Makers(problem, tuple(found), faults, family)
 
 
-def _of_classes(problem: Problem, words: Words) -> Iterator[Maker]:
+def _of_classes(problem: Problem, words: MistakeText) -> Iterator[Maker]:
     """The right classes of which all objects share their state."""
-    for each in read_solutions(problem, Kind.ACCEPTED)[0]:
+    for each in read_solutions(problem, SolutionKind.ACCEPTED)[0]:
         source = shared(each.source, problem.entry) if each.language is None else None
         if source is not None:
-            program = Program(source.encode(), each.path.name)
+            program = ComputedProgram(source.encode(), each.path.name)
             yield Maker(SHARED, each.file, words.told, words, program, offered=True)
 
 
@@ -121,15 +121,15 @@ def _is_fresh(statement: ast.Assign, own: set[str]) -> bool:
     return plain and attributes and any(isinstance(each, _CHANGEABLE) for each in nodes)
 
 
-def _of_choice(family: Family, choice: Choice, name: str) -> Maker:
+def _of_choice(family: Family, choice: Variant, name: str) -> Maker:
     place = family.place(choice)
-    program = Program(family.program(choice).encode(), place, trusted=True)
+    program = ComputedProgram(family.program(choice).encode(), place, trusted=True)
     words, lines, offered = family.words(name), family.lines(choice), family.offered(choice)
     return Maker(name, place, family.told(choice), words, program, lines, choice, offered)
 
 
-def _of_file(solution: Solution, words: Words) -> Maker:
-    program = Program(solution.source, solution.path.name)
+def _of_file(solution: Solution, words: MistakeText) -> Maker:
+    program = ComputedProgram(solution.source, solution.path.name)
     return Maker(solution.name, solution.file, solution.advice or words.told, words, program)
 
 

@@ -14,7 +14,7 @@ from judge.cache import DISK, Store
 from judge.data.build import target_of
 from judge.data.model import ProblemData
 from judge.errors import told
-from judge.mistakes.catalogue import Words, read_kinds
+from judge.mistakes.catalogue import MistakeText, read_kinds
 from judge.mistakes.computed import Computer
 from judge.mistakes.forms import of_form
 from judge.mistakes.known import KnownAnswers, Progress
@@ -198,6 +198,6 @@ def _collecting_later() -> Iterator[None]:
         gc.enable()
 
 
-def _may_be(words: Words, has: frozenset[str], *, faulty: bool) -> bool:
+def _may_be(words: MistakeText, has: frozenset[str], *, faulty: bool) -> bool:
     """Whether the name may be said of a program that has this; of `faulty` forms only what is one."""
     return (not words.needs or bool(has.intersection(words.needs))) and (words.form or not faulty)

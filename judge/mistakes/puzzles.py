@@ -27,7 +27,7 @@ HACKED = 12  # programs of a kata that are asked
 _NEUTRAL = "inner"  # what a function is called whose own name would tell that it is right
 
 
-class Puzzle(Struct, frozen=True, dict=True):
+class WrongProgram(Struct, frozen=True, dict=True):
     """One wrong program. `number` counts from 1, the easiest first; `advice` says what is wrong.
 
     `group` is one that should catch the mistake: its tolerance holds. It is `special` where no group that
@@ -50,7 +50,7 @@ class Puzzle(Struct, frozen=True, dict=True):
         return as_written(self.known, self.entry).encode()
 
 
-def read_puzzles(problem: Problem, first: Collection[str] = ()) -> tuple[Puzzle, ...]:
+def read_puzzles(problem: Problem, first: Collection[str] = ()) -> tuple[WrongProgram, ...]:
     """The puzzles of a problem, the mistakes `first` and then the easiest; none where none are known.
 
     Raises ProblemError where the files that tell of its mistakes are broken.
@@ -61,7 +61,7 @@ def read_puzzles(problem: Problem, first: Collection[str] = ()) -> tuple[Puzzle,
     usual = usual_group(problem).tolerance
     small = [group for group in problem.groups if group.size is None]
     small.sort(key=lambda group: LEVELS.index(group.level.value) if group.level else 0)
-    found: list[Puzzle] = []
+    found: list[WrongProgram] = []
     names = dict.fromkeys(name for group in small for name in sorted(group.kills))
     for name in sorted(names, key=lambda name: name not in first):
         makers = [maker for maker in read.all if maker.name == name and _one_case_tells(read, maker)]
@@ -74,7 +74,9 @@ def read_puzzles(problem: Problem, first: Collection[str] = ()) -> tuple[Puzzle,
         group, trusted = (fitting or groups)[0], maker.program.trusted
         source, entry = maker.program.source.decode(), problem.entry if maker.choice else ""
         known = re.sub(rf"\b{INNER}\b", _NEUTRAL, source) if entry else source
-        found.append(Puzzle(len(found) + 1, name, known, entry, maker.text, group, not fitting, trusted))
+        found.append(
+            WrongProgram(len(found) + 1, name, known, entry, maker.text, group, not fitting, trusted)
+        )
     return tuple(found)
 
 
@@ -84,7 +86,7 @@ def usual_group(problem: Problem) -> Group:
     return next(group for group in problem.groups if group.tolerance == usual)
 
 
-def puzzle_called(puzzles: Sequence[Puzzle], word: str, problem: str) -> Puzzle:
+def puzzle_called(puzzles: Sequence[WrongProgram], word: str, problem: str) -> WrongProgram:
     """The puzzle of that number or mistake. Raises UsageError."""
     for puzzle in puzzles:
         if word in (str(puzzle.number), puzzle.mistake):

@@ -9,7 +9,7 @@ from msgspec import Struct
 from judge.errors import ProblemError
 from judge.mistakes.catalogue import read_catalogue
 from judge.problem import Problem
-from judge.problem.solutions import Kind, read_solutions, usual_first
+from judge.problem.solutions import SolutionKind, read_solutions, usual_first
 
 
 class Told(Struct, frozen=True):
@@ -25,7 +25,7 @@ def told_mistakes(problem: Problem) -> Mapping[str, Told]:
     A file that cannot be read is passed over: `judge verify` tells of it.
     """
     found: dict[str, Told] = {}
-    for each in usual_first(read_solutions(problem, Kind.WRONG).programs):
+    for each in usual_first(read_solutions(problem, SolutionKind.WRONG).programs):
         found.setdefault(each.name, Told(each.sentence, each.advice))
     try:
         catalogue = read_catalogue(problem)

@@ -21,7 +21,7 @@ from judge.packs.cases import Test
 from judge.packs.driver import as_program, defines, why_not_alone
 from judge.packs.metadata import memory
 from judge.problem import Problem, Verdict
-from judge.problem.solutions import Kind, read_solutions
+from judge.problem.solutions import SolutionKind, read_solutions
 from judge.run.formatted import FormatRunner
 from judge.run.program import ProgramRunner
 from judge.run.replies import VERDICTS, Replies
@@ -73,7 +73,7 @@ class _Candidate(Struct, frozen=True):
     """A program that may be held: its name in the package, its kind, and where it stands here."""
 
     name: str
-    kind: Kind
+    kind: SolutionKind
     file: str
     source: bytes
 
@@ -105,14 +105,14 @@ class Exporter:
 
         Raises JudgeError where nothing can be run.
         """
-        tried = [*self._tried(self._files(Kind.ACCEPTED), "accepted", PATIENCE)]
+        tried = [*self._tried(self._files(SolutionKind.ACCEPTED), "accepted", PATIENCE)]
         slowest = max((each.seconds for _, each in tried if each.verdict is Verdict.AC), default=0.0)
         seconds = max(1, ceil(SLOWEST * slowest))
         mistakes = list(self._mistakes())
         most = len(mistakes) if wrong is None else wrong
         for makers in mistakes[most:]:
             self._exclude(makers[0].file, "no more wrong programs are wanted")
-        tried += self._tried(self._files(Kind.SLOW), "slow", SURELY * seconds)
+        tried += self._tried(self._files(SolutionKind.SLOW), "slow", SURELY * seconds)
         tried += self._tried(mistakes[:most], "wrong", SURELY * seconds)
         included, sources = [], {}
         for candidate, trial in tried:
@@ -127,7 +127,7 @@ class Exporter:
     def _exclude(self, file: str, why: str) -> None:
         self._excluded.append(Excluded(file, why))
 
-    def _files(self, kind: Kind) -> list[list[_Candidate]]:
+    def _files(self, kind: SolutionKind) -> list[list[_Candidate]]:
         found = []
         for each in read_solutions(self._problem, kind).programs:
             if each.language:
@@ -144,14 +144,16 @@ class Exporter:
                 by_name.setdefault(maker.name, []).append(maker)
         for name, makers in by_name.items():
             sources = [each.program.source for each in makers[:_TRIES]]
-            candidates = [self._candidate(f"{name}{SUFFIX}", Kind.WRONG, name, each) for each in sources]
+            candidates = [
+                self._candidate(f"{name}{SUFFIX}", SolutionKind.WRONG, name, each) for each in sources
+            ]
             if usable := [each for each in candidates if each is not None]:
                 yield usable
 
-    def _candidate(self, name: str, kind: Kind, file: str, source: bytes) -> _Candidate | None:
+    def _candidate(self, name: str, kind: SolutionKind, file: str, source: bytes) -> _Candidate | None:
         """The program as a package has it; None where it cannot be one, which is noted."""
         problem, rule = self._problem, self._problem.time
-        reads_input = kind is Kind.ACCEPTED and rule is not None and name == rule.program
+        reads_input = kind is SolutionKind.ACCEPTED and rule is not None and name == rule.program
         try:
             text = source.decode()
             why = why_not_alone(text)
@@ -208,16 +210,16 @@ class Exporter:
         return Verdict.AC
 
 
-def _misfit(kind: Kind, trial: _Trial, seconds: int) -> str:
+def _misfit(kind: SolutionKind, trial: _Trial, seconds: int) -> str:
     """Why a program fits into no folder; empty where it does."""
     verdict = trial.verdict
     near = f"too near the package's time limit of {seconds} s: it takes {trial.seconds:.2f} s, and must take"
-    if kind is Kind.ACCEPTED:
+    if kind is SolutionKind.ACCEPTED:
         where = trial.test or "every file"
         no_longer = f"as a program it is no longer accepted: {verdict.value} on {where}"
         return "" if verdict is Verdict.AC else no_longer
     if verdict is Verdict.AC:
-        return "as a program it is accepted" if kind is Kind.WRONG else f"{near} {SURELY * seconds} s"
+        return "as a program it is accepted" if kind is SolutionKind.WRONG else f"{near} {SURELY * seconds} s"
     if verdict not in FOLDERS:
         return f"a package has no folder for {verdict.value}"
     if verdict is not Verdict.TLE and trial.seconds > seconds / 2:

@@ -21,7 +21,7 @@ _CARDS, _FEW = 10, 5  # that `judge quiz` asks; that take half as long
 _HACK, _KATA, _AGAIN = 10, 20, 5  # minutes
 
 
-class Step(Struct, frozen=True):
+class DrillStep(Struct, frozen=True):
     """A command, about how long it takes, and what it is: cards, a topic's wrong program or a kata.
 
     Of the cards so many are `new` and `due`. A kata has a `title`; `last` is when it was tried last.
@@ -52,7 +52,7 @@ class Evening:
         self._own = next(iter(mine.from_own()), None)
         self._near = near_sets(self._own.name if self._own else "")
 
-    def steps(self, hacks: Sequence[Hack]) -> Iterator[Step]:
+    def steps(self, hacks: Sequence[Hack]) -> Iterator[DrillStep]:
         """The commands in their order; `hacks` are the attempts at wrong programs."""
         close = {card.key for card in self._cards if not {*self._near}.isdisjoint(card.sets)}
         weak = [each for each in self._topics if not close.isdisjoint(each.weak)]
@@ -63,18 +63,18 @@ class Evening:
             yield from self._hack(hacks)
         yield from self._kata()
         for review in self._mine.due(self._now).due[:1]:
-            yield Step(f"judge start {review.name} --reset", _AGAIN, last=review.last)
+            yield DrillStep(f"judge start {review.name} --reset", _AGAIN, last=review.last)
 
-    def _quiz(self, topic: Topic | None) -> Step:
+    def _quiz(self, topic: Topic | None) -> DrillStep:
         """The cards of a topic, or any, of which so many are asked."""
         own = [card for card in self._cards if topic is None or topic.name in card.topics]
         weak = [each.weak for each in ([topic] if topic else self._topics)]
         asked = next_cards(own, self._known, self._now, _CARDS, near=self._near, weak=weak)[:_CARDS]
         due = len({review.name for review in self._known}.intersection(card.key for card in asked))
         minutes, name = _FEW if len(asked) <= _FEW else _CARDS, topic.name if topic else ""
-        return Step(f"judge quiz {name}".rstrip(), minutes, name, new=len(asked) - due, due=due)
+        return DrillStep(f"judge quiz {name}".rstrip(), minutes, name, new=len(asked) - due, due=due)
 
-    def _hack(self, hacks: Sequence[Hack]) -> Iterator[Step]:
+    def _hack(self, hacks: Sequence[Hack]) -> Iterator[DrillStep]:
         """The first wrong program about an open topic that is not broken, in the own set or one beside it."""
         sets = [each for each in self._mine.sets if each.name in self._near]
         katas = [kata for each in sets for kata in self._mine.counted(each)]
@@ -87,10 +87,10 @@ class Evening:
                 about = (each for each in puzzles if self._drilled.get(each.mistake) == topic.name)
                 for each in about:
                     if states[each.mistake] is HackState.OPEN:
-                        yield Step(f"judge hack {kata.id} {each.number}", _HACK, topic.name)
+                        yield DrillStep(f"judge hack {kata.id} {each.number}", _HACK, topic.name)
                         return
 
-    def _kata(self) -> Iterator[Step]:
+    def _kata(self) -> Iterator[DrillStep]:
         """The first unsolved kata of the own set that shows an open skill; else the next one."""
         wanted = {skill for each in self._topics for skill in each.open}
         mine = self._mine
@@ -99,6 +99,6 @@ class Evening:
         shows = (each for each in unsolved if not wanted.isdisjoint(map(_NAME, each.skills)))
         for kata in [*shows, *unsolved][:1]:
             runs = mine.own.get(kata.id, ())
-            yield Step(
+            yield DrillStep(
                 f"judge start {kata.id}", _KATA, title=kata.title, last=runs[-1].when if runs else None
             )

@@ -29,7 +29,7 @@ from msgspec import Struct
 
 from judge.errors import StoreError
 from judge.practice.events import Answer, Hack, Outcome, Run
-from judge.practice.syllabus import Checklist, Row, Skill
+from judge.practice.syllabus import Checklist, ChecklistRow, Skill
 from judge.problem import Problem
 from judge.problem.model import KataLevel, Listed
 
@@ -67,7 +67,7 @@ class SkillProgress(Struct, frozen=True):
     needs: tuple[Need, ...]
 
 
-class Kind(Enum):
+class EvidenceKind(Enum):
     """What ticks a question; the value is its name in JSON."""
 
     KATA = "kata"
@@ -82,14 +82,14 @@ class Evidence(Struct, frozen=True):
     `drill` are the words of the command that practises it.
     """
 
-    kind: Kind
+    kind: EvidenceKind
     name: str
     drill: str
     since: datetime | None = None
     lost: bool = False
 
 
-class Question(Struct, frozen=True):
+class ChecklistQuestion(Struct, frozen=True):
     """A question of the checklist: its id (`row`), the title of its section, and what may tick it (`by`).
 
     `since` says since when it has been ticked; only what is here is in `by`.
@@ -184,7 +184,7 @@ def questions(
     cards: Iterable[Card] = (),
     answers: Sequence[Answer] = (),
     hacks: Iterable[Hack] = (),
-) -> list[Question]:
+) -> list[ChecklistQuestion]:
     """The questions by section, after `done`, the problems solved, and `skilled`, how all skills stand.
 
     Answers and attempts at wrong programs are oldest first.
@@ -196,22 +196,22 @@ def questions(
     last = {answer.card: answer for answer in answers}
     won = broken(hacks)
 
-    def evidence(row: Row) -> Iterator[Evidence]:
+    def evidence(row: ChecklistRow) -> Iterator[Evidence]:
         for kata in row.katas:
             if kata in here:
-                yield Evidence(Kind.KATA, kata, f"judge start {kata}", done.get(kata))
+                yield Evidence(EvidenceKind.KATA, kata, f"judge start {kata}", done.get(kata))
         for skill in (by_name[name] for name in row.skills if name in by_name):
             needs = sorted(skill.needs, key=lambda need: need.since is not None and not need.failing)
             drill, lost = f"judge start {needs[0].problem}", skill.state is State.LOST
-            yield Evidence(Kind.SKILL, skill.name, drill, skill.since, lost)
+            yield Evidence(EvidenceKind.SKILL, skill.name, drill, skill.since, lost)
         quiz = " ".join(("judge quiz", *checklist.topics(row.skills)[:1]))
         for key in (card.key for card in there if row.id in card.rows):
             lost = key in known and not last[key].known
-            yield Evidence(Kind.CARD, key, quiz, known.get(key), lost)
+            yield Evidence(EvidenceKind.CARD, key, quiz, known.get(key), lost)
         for name in row.broken:
             kata, mistake = name.split("/")
             if name in won or kata in here:
-                yield Evidence(Kind.BROKEN, name, f"judge hack {kata} {mistake}", won.get(name))
+                yield Evidence(EvidenceKind.BROKEN, name, f"judge hack {kata} {mistake}", won.get(name))
 
     found = []
     for part in checklist.sections:
@@ -219,17 +219,17 @@ def questions(
             by = tuple(evidence(row))
             since = _ticked(by)
             state = State.SHOWN if since else State.LOST if any(each.lost for each in by) else State.OPEN
-            found.append(Question(row.id, part.title, row.ask, state, since, by))
+            found.append(ChecklistQuestion(row.id, part.title, row.ask, state, since, by))
     return found
 
 
 def _ticked(by: Iterable[Evidence]) -> datetime | None:
     """Since when: all of one kind tick it, or one mistake that was broken."""
     dates: list[datetime] = []
-    for kind in Kind:
+    for kind in EvidenceKind:
         own = [None if each.lost else each.since for each in by if each.kind is kind]
         there = [date for date in own if date]
-        if kind is Kind.BROKEN:
+        if kind is EvidenceKind.BROKEN:
             dates += there
         elif there and len(there) == len(own):
             dates.append(max(there))

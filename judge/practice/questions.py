@@ -44,7 +44,7 @@ _OPTIONS = 4  # groups to choose from
 _Bars = Callable[[str], AbstractContextManager[Progress | None]]
 
 
-class Reply(Struct, frozen=True):
+class CardReply(Struct, frozen=True):
     """What an answer comes to; `given` is the answer as it was understood.
 
     Where it is wrong in a way that has a name, `mistake` is that, and `why` says what is wrong with it.
@@ -75,7 +75,7 @@ class Question(Struct, frozen=True):
     card: Card
     expects: str
     answer: str
-    check: Callable[[str], Reply] | None = None
+    check: Callable[[str], CardReply] | None = None
     given: tuple[str, ...] = ()
     options: tuple[tuple[str, str], ...] = ()
     program: str = ""
@@ -84,7 +84,7 @@ class Question(Struct, frozen=True):
     why: str = ""
 
 
-class Sources:
+class LazyProblems:
     """Problems are read, and their code is run, when a question asks for them; each once.
 
     `bars` opens a bar for work of that label.
@@ -103,7 +103,7 @@ class Sources:
             return load_data(self.problem(name), progress=progress)
 
 
-def ask(card: Card, sources: Sources, turn: str) -> Question:
+def ask(card: Card, sources: LazyProblems, turn: str) -> Question:
     """The card as a question; what is left to chance depends on the seed and on the `turn`.
 
     Raises:
@@ -113,8 +113,8 @@ def ask(card: Card, sources: Sources, turn: str) -> Question:
     draw = Draw(seeded(f"quiz/{sources.seed}/{card.key}/{turn}"))
     match card.content:
         case Choice() as content:
-            replies = [(content.right, Reply(True, ""))]
-            replies += [(each.text, Reply(False, "", each.mistake, each.why)) for each in content.wrong]
+            replies = [(content.right, CardReply(True, ""))]
+            replies += [(each.text, CardReply(False, "", each.mistake, each.why)) for each in content.wrong]
             return _options(card, replies, draw, content.right, card.back)
         case Number() as content:
             answer = f"{content.answer} {content.unit}".rstrip()
@@ -135,13 +135,13 @@ def _refuse(card: Card, what: str, remedy: str) -> NoReturn:
 
 
 def _options(
-    card: Card, replies: Sequence[tuple[str, Reply]], draw: Draw, answer: str, why: str, program: str = ""
+    card: Card, replies: Sequence[tuple[str, CardReply]], draw: Draw, answer: str, why: str, program: str = ""
 ) -> Question:
     """A choice between texts, each with what it comes to; the first is right."""
-    found: dict[str, tuple[str, Reply]] = dict(zip(cards.LETTERS, _shuffled(replies, draw), strict=False))
+    found: dict[str, tuple[str, CardReply]] = dict(zip(cards.LETTERS, _shuffled(replies, draw), strict=False))
     (right,) = (letter for letter, each in found.items() if each is replies[0])
 
-    def check(typed: str) -> Reply:
+    def check(typed: str) -> CardReply:
         letter = cards.option(typed, list(found))
         return replace(found[letter][1], given=letter)
 
@@ -159,21 +159,21 @@ def _shuffled(parts: Sequence[Any], draw: Draw) -> list[Any]:
     return found
 
 
-def _exactly(wanted: str, read: Callable[[str], str], typed: str) -> Reply:
+def _exactly(wanted: str, read: Callable[[str], str], typed: str) -> CardReply:
     given = read(typed)
-    return Reply(given == wanted, given)
+    return CardReply(given == wanted, given)
 
 
-def _nearly(content: Number, typed: str) -> Reply:
+def _nearly(content: Number, typed: str) -> CardReply:
     typed = typed.strip().removesuffix(content.unit)
     found, wanted = cards.number(typed), cards.number(content.answer)
-    return Reply(abs(found - wanted) <= Fraction(content.within) * abs(wanted), typed.strip())
+    return CardReply(abs(found - wanted) <= Fraction(content.within) * abs(wanted), typed.strip())
 
 
 # -- figures -----------------------------------------------------------------------------------------------
 
 
-def _count(card: Card, content: Count, sources: Sources, draw: Draw) -> Question:
+def _count(card: Card, content: Count, sources: LazyProblems, draw: Draw) -> Question:
     from judge.data.build import new_case
 
     problem, module = sources.problem(content.problem), sources.module(content.problem)
@@ -215,7 +215,7 @@ def _groups(card: Card, content: Count, problem: Problem) -> list[Group]:
     return [each for name, each in able.items() if name in (content.groups or able)]
 
 
-def _drawn(card: Card, content: Drawn, sources: Sources, draw: Draw) -> Question:
+def _drawn(card: Card, content: Drawn, sources: LazyProblems, draw: Draw) -> Question:
     problem, module = sources.problem(content.problem), sources.module(content.problem)
     make = module.hooks.puzzle
     with blaming(problem, f"card {card.key}: the figure cannot be made"):
@@ -235,9 +235,9 @@ def _drawn(card: Card, content: Drawn, sources: Sources, draw: Draw) -> Question
 # -- wrong programs ----------------------------------------------------------------------------------------
 
 
-def _spot(card: Card, content: Spot, sources: Sources, draw: Draw) -> Question:
+def _spot(card: Card, content: Spot, sources: LazyProblems, draw: Draw) -> Question:
     """A known wrong program: of the groups to choose from one rejects it, and the others accept it."""
-    from judge.mistakes.computed import Program, computed
+    from judge.mistakes.computed import ComputedProgram, computed
     from judge.mistakes.puzzles import read_puzzles
     from judge.problem.solutions import MISTAKES
 
@@ -253,16 +253,16 @@ def _spot(card: Card, content: Spot, sources: Sources, draw: Draw) -> Question:
         puzzle = draw.choice(puzzles)
         if not _readable(puzzle.source):
             continue
-        does = computed(data, Program(puzzle.source, puzzle.mistake, trusted=True))
+        does = computed(data, ComputedProgram(puzzle.source, puzzle.mistake, trusted=True))
         asked = [group for group in problem.groups if group.name in does]
         breaking = [each for each in asked if puzzle.mistake in each.kills and does[each.name].wrong]
         passing = [each for each in asked if not does[each.name].wrong]
         if breaking and passing:
             right = draw.choice(breaking)
-            replies = [(f"{right.name}: {right.about}", Reply(True, ""))]
+            replies = [(f"{right.name}: {right.about}", CardReply(True, ""))]
             for each in _shuffled(passing, draw)[: _OPTIONS - 1]:
                 why = f"It answers every case of {each.name} rightly."
-                replies.append((f"{each.name}: {each.about}", Reply(False, "", why=why)))
+                replies.append((f"{each.name}: {each.about}", CardReply(False, "", why=why)))
             answer, why = f"{right.name}: it is {puzzle.mistake}", f"{puzzle.advice} {card.back}".strip()
             return _options(card, replies, draw, answer, why, puzzle.source.decode())
     what = f"no program of {card.problem} is broken by some groups and not by others"

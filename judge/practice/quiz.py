@@ -12,7 +12,7 @@ from msgspec import Struct
 from judge.practice.cards import Card, read_decks
 from judge.practice.progress import State, skills
 from judge.practice.review import Learner, Review, card_reviews
-from judge.practice.syllabus import SETS, Checklist, Course, read_checklist
+from judge.practice.syllabus import SETS, Checklist, Syllabus, read_checklist
 from judge.problem import Problem, Verdict
 from judge.problem.find import problem_folders
 from judge.run.result import Result
@@ -153,7 +153,7 @@ def plan(wanted: Sequence[Card], count: int, weak: Sequence[Collection[str]]) ->
     )
 
 
-def usual_kata(name: str, course: Course) -> Problem:
+def usual_kata(name: str, course: Syllabus) -> Problem:
     """The first unsolved kata of that set, or of the person's own; else of the next one; or any."""
     katas = [kata for part in course.from_own(name) for kata in course.counted(part)] or [*course.problems]
     return next((each for each in katas if each.id not in course.solved), katas[0])

@@ -23,7 +23,7 @@ from msgspec import Struct
 from judge.errors import ProblemError
 from judge.practice.events import Answer, Event, Help, Rating, Run
 from judge.practice.progress import Tried, levels_passed, solved, tried
-from judge.practice.syllabus import Course, sound_sets
+from judge.practice.syllabus import Syllabus, sound_sets
 from judge.problem import Problem, Verdict
 from judge.problem.find import problem_folders, sound_problems
 from judge.published import Published
@@ -145,7 +145,7 @@ class Due(Published, frozen=True):
         return sum(card.is_due(self.time) for card in self.cards)
 
 
-class Learner(Course, frozen=True):
+class Learner(Syllabus, frozen=True):
     """What a person did: all runs, those that say something of them by problem, help, and answers to cards.
 
     `solved` says since when a kata is; `extra` are the folders that were looked in first, and `faults` are

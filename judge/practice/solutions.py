@@ -11,7 +11,7 @@ from msgspec import Struct
 from judge.errors import ProblemError, UsageError, meant
 from judge.languages import NAME, SUFFIX
 from judge.problem import Problem
-from judge.problem.solutions import Kind, Solution, parted, read_solutions, tree_of
+from judge.problem.solutions import Solution, SolutionKind, parted, read_solutions, tree_of
 from judge.run.result import Taken
 
 
@@ -49,7 +49,7 @@ def approaches(problem: Problem) -> list[Approach]:
     Raises:
         ProblemError: there is none, or none that can be read.
     """
-    programs, faults = read_solutions(problem, Kind.ACCEPTED)
+    programs, faults = read_solutions(problem, SolutionKind.ACCEPTED)
     timed = (problem.time.function or problem.time.program) if problem.time else None
 
     def rank(solution: Solution) -> tuple[int, str, bool]:
@@ -63,7 +63,7 @@ def approaches(problem: Problem) -> list[Approach]:
     for fault in faults:
         raise fault
     what = "there is no accepted solution" + f" that defines {problem.entry}" * bool(problem.entry)
-    folder = problem.solutions / Kind.ACCEPTED.value
+    folder = problem.solutions / SolutionKind.ACCEPTED.value
     raise ProblemError(what, where=f"{problem.solutions.name}/{folder.name}", remedy=f"add one to {folder}")
 
 

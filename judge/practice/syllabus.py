@@ -86,7 +86,7 @@ class Section(Table, frozen=True):
     sets: tuple[str, ...] = ()
 
 
-class Row(Table, frozen=True):
+class ChecklistRow(Table, frozen=True):
     """One question, and what ticks it; `broken` names mistakes, as "count/no-clamp"."""
 
     id: str
@@ -102,7 +102,7 @@ class Checklist(Table, frozen=True):
 
     skills: tuple[Skill, ...] = ()
     sections: tuple[Section, ...] = ()
-    rows: tuple[Row, ...] = ()
+    rows: tuple[ChecklistRow, ...] = ()
 
     def drilled(self) -> dict[str, str]:
         """The topic of each mistake that is broken by a question of that topic alone."""
@@ -219,7 +219,7 @@ def toml_files(folder: str, order: Sequence[str], extra: Sequence[Path]) -> dict
     return {name: found[name] for name in (*filter(found.get, order), *sorted(found.keys() - set(order)))}
 
 
-class Course(Struct, frozen=True):
+class Syllabus(Struct, frozen=True):
     """All katas and their sets, and those katas that a person has solved."""
 
     problems: Sequence[Problem]
@@ -265,11 +265,11 @@ class Course(Struct, frozen=True):
         return None
 
 
-def read_course(solved: Collection[str], extra: Sequence[Path] = ()) -> Course:
+def read_course(solved: Collection[str], extra: Sequence[Path] = ()) -> Syllabus:
     """What can be read, with what is solved of it; `extra` are folders to look in first."""
     problems, _ = sound_problems(extra)
     sets, _ = sound_sets(problems, extra)
-    return Course(problems, sets, {each.id for each in problems if each.id in solved})
+    return Syllabus(problems, sets, {each.id for each in problems if each.id in solved})
 
 
 # -- skills and questions ----------------------------------------------------------------------------------
@@ -281,7 +281,7 @@ def read_checklist(extra: Sequence[Path] = ()) -> Checklist:
 
     skills: dict[str, Skill] = {}
     sections: dict[str, Section] = {}
-    rows: dict[str, Row] = {}
+    rows: dict[str, ChecklistRow] = {}
     paths = [root / name for root in problem_roots(extra) for name in ("skills.toml", "checklist.toml")]
     for file in (TomlFile(path) for path in paths if path.is_file()):
         table = file.read(Checklist)
@@ -302,7 +302,7 @@ def read_checklist(extra: Sequence[Path] = ()) -> Checklist:
     return Checklist(tuple(skills.values()), tuple(sections.values()), tuple(rows.values()))
 
 
-def find_row(name: str, rows: Iterable[Row]) -> Row:
+def find_row(name: str, rows: Iterable[ChecklistRow]) -> ChecklistRow:
     """The row of that id, in any case. Raises UsageError where there is none."""
     known = {row.id.upper(): row for row in rows}
     if found := known.get(name.upper()):

@@ -40,7 +40,7 @@ _LIBRARY = re.compile(r"(@?[\w./-]+) (\d\S*): ")
 _SENTENCE_END = r"(?<=[.!?])\s+(?=[A-Z`\d])"
 
 
-class Kind(Enum):
+class SolutionKind(Enum):
     """The folders, and so the verdict that is wanted of what is in them; of a library none is."""
 
     ACCEPTED = "accepted"
@@ -50,9 +50,9 @@ class Kind(Enum):
 
     def allows(self, verdict: Verdict) -> bool:
         """Whether a program of this folder may get that verdict."""
-        if self is Kind.WRONG:
+        if self is SolutionKind.WRONG:
             return verdict not in (Verdict.AC, Verdict.CE, Verdict.JE)
-        return verdict is (Verdict.AC if self is Kind.ACCEPTED else Verdict.TLE)
+        return verdict is (Verdict.AC if self is SolutionKind.ACCEPTED else Verdict.TLE)
 
     @property
     def wanted(self) -> str:
@@ -66,7 +66,7 @@ class Solution(Struct, frozen=True):
     `language` is None for Python's.
     """
 
-    kind: Kind
+    kind: SolutionKind
     path: Path
     source: bytes
     name: str
@@ -101,7 +101,7 @@ class Solutions(NamedTuple):
     faults: tuple[ProblemError, ...]
 
 
-def read_solutions(problem: Problem, *kinds: Kind) -> Solutions:
+def read_solutions(problem: Problem, *kinds: SolutionKind) -> Solutions:
     """The programs of these kinds; of all that get a verdict where none is given.
 
     What is hidden is passed over. A file that cannot be read, or is in no language known here, is a fault and
@@ -109,7 +109,7 @@ def read_solutions(problem: Problem, *kinds: Kind) -> Solutions:
     """
     programs: list[Solution] = []
     faults: list[ProblemError] = []
-    for kind in kinds or (Kind.ACCEPTED, Kind.WRONG, Kind.SLOW):
+    for kind in kinds or (SolutionKind.ACCEPTED, SolutionKind.WRONG, SolutionKind.SLOW):
         for path in _visible(problem.solutions / kind.value, faults):
             try:
                 programs.append(found := _read(kind, path))
@@ -117,12 +117,14 @@ def read_solutions(problem: Problem, *kinds: Kind) -> Solutions:
                 faults.append(fault)
                 continue
             if not found.name:
-                remedy = f"begin it with the name of its {'mistake' if kind is Kind.WRONG else 'idea'}"
+                remedy = (
+                    f"begin it with the name of its {'mistake' if kind is SolutionKind.WRONG else 'idea'}"
+                )
                 what = "it has no docstring" if found.language is None else "no comment begins it"
                 faults.append(_fault(path, what, remedy))
     # What lies beside their folders and looks as if somebody thought that it was judged.
     for path in () if kinds else _visible(problem.solutions, faults):
-        judged = path.name in (*(kind.value for kind in Kind), MISTAKES)
+        judged = path.name in (*(kind.value for kind in SolutionKind), MISTAKES)
         if not judged and (path.is_dir() or is_program(path)):
             faults.append(_fault(path, "nobody judges this", "move it to accepted, wrong or slow", 2))
     return Solutions(tuple(programs), tuple(faults))
@@ -137,7 +139,7 @@ def usual_first(programs: Iterable[Solution]) -> list[Solution]:
 def accepted_source(problem: Problem, file: str) -> bytes | None:
     """The bytes of one accepted program; None where it is not there, as in a pack without solutions."""
     try:
-        return read_ordinary(problem.solutions / Kind.ACCEPTED.value / file)
+        return read_ordinary(problem.solutions / SolutionKind.ACCEPTED.value / file)
     except OSError:  # `judge verify` tells of it
         return None
 
@@ -150,7 +152,11 @@ def requirement(path: Path) -> str:
     Its docstring begins with the package, its version, a colon and what is called.
     """
     try:
-        found = _LIBRARY.match(_read(Kind.LIBRARY, path).name) if path.parent.name == "libraries" else None
+        found = (
+            _LIBRARY.match(_read(SolutionKind.LIBRARY, path).name)
+            if path.parent.name == "libraries"
+            else None
+        )
     except ProblemError:
         return ""
     return ("==" if path.suffix == SUFFIX else "@").join(found.groups()) if found else ""
@@ -171,7 +177,7 @@ def _visible(folder: Path, faults: list[ProblemError]) -> list[Path]:
         return []
 
 
-def _read(kind: Kind, path: Path) -> Solution:
+def _read(kind: SolutionKind, path: Path) -> Solution:
     language = language_of(path)
     if language is None and path.suffix != SUFFIX:
         remedy = f"end its name as a language does ({SUFFIX}) if it is one, or move it elsewhere"

@@ -10,7 +10,7 @@ import ast
 import copy
 
 from judge.repair.expressions import UNWRAPPED, WIDTHS, Expressions, Facts, called
-from judge.repair.trees import Edit, Place, Slot, expression, is_small, literal, places
+from judge.repair.trees import Edit, NodePlace, Slot, expression, is_small, literal, places
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -37,7 +37,7 @@ def listed(tree: ast.AST, facts: Facts) -> list[Edit]:
 
 
 class _Edits(Expressions):
-    def __init__(self, everything: list[Place], facts: Facts) -> None:
+    def __init__(self, everything: list[NodePlace], facts: Facts) -> None:
         super().__init__(facts)
         self._all = everything
         self._slots = {id(node): slot for slot, node, _ in everything}
@@ -58,7 +58,7 @@ class _Edits(Expressions):
 
     # -- statements ------------------------------------------------------------------------------------
 
-    def _statement(self, place: Place) -> None:
+    def _statement(self, place: NodePlace) -> None:
         slot, node, inside = place
         own = getattr(inside, "name", "") == self.facts.entry
         if isinstance(node, ast.FunctionDef) and node.name == self.facts.entry:
@@ -166,7 +166,7 @@ class _Edits(Expressions):
 
     def _all_of_one_kind(self) -> None:
         """Every call of one function left out at once, and every number of a shorter kind."""
-        calls: dict[str, list[Place]] = {}
+        calls: dict[str, list[NodePlace]] = {}
         for each in self._all:
             name = called(each.node)
             if name in ("round", "int", "float", "abs", "floor", "sorted") and each.node.args:

@@ -10,7 +10,7 @@ import ast
 import copy
 from typing import NamedTuple
 
-from judge.repair.trees import SMALL, Edit, Place, Slot, expression, is_small, literal
+from judge.repair.trees import SMALL, Edit, NodePlace, Slot, expression, is_small, literal
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -96,7 +96,7 @@ class Expressions:
         """Whether the name stands for that kind of value in the function."""
         return self.facts.kinds.get((getattr(inside, "lineno", 0), node.id)) == kind
 
-    def of_expression(self, place: Place) -> None:
+    def of_expression(self, place: NodePlace) -> None:
         """Collect what may be changed at an expression."""
         node = place.node
         if isinstance(node, ast.Compare):
@@ -121,7 +121,7 @@ class Expressions:
             self._part(place)
         self._value(place)
 
-    def _compare(self, place: Place) -> None:
+    def _compare(self, place: NodePlace) -> None:
         slot, node, _ = place
         for at, operator in enumerate(node.ops):
             for kind, table in (("compare-equal", SWAPPED), ("compare-turned", TURNED)):
@@ -160,7 +160,7 @@ class Expressions:
         for text in ("True", "False"):
             self.put("condition", slot, node, text)
 
-    def _logic(self, place: Place) -> None:
+    def _logic(self, place: NodePlace) -> None:
         slot, node, _ = place
         for at in range(len(node.values)):
             rest = node.values[:at] + node.values[at + 1 :]
@@ -192,7 +192,7 @@ class Expressions:
         ]
         self.add("compare-equal", node, "ends", (slot, ast.BoolOp(node.op, swapped)))
 
-    def _operation(self, place: Place) -> None:
+    def _operation(self, place: NodePlace) -> None:
         slot, node, inside = place
         sides = (node.left, node.right)
         for other in _OTHERS.get(type(node.op), ()):
@@ -216,7 +216,7 @@ class Expressions:
             return not self.stands_for(inside, node, "number")
         return isinstance(node, ast.List | ast.Tuple | ast.ListComp | ast.Constant) and literal(node) is None
 
-    def _call(self, place: Place) -> None:
+    def _call(self, place: NodePlace) -> None:
         slot, node, _ = place
         name, args = called(node), node.args
         if name in UNWRAPPED:
@@ -254,7 +254,7 @@ class Expressions:
                 other = [*args[:at], args[at + 1], args[at], *args[at + 2 :]]
                 self.add("arguments", node, f"{at}", (slot, ast.Call(node.func, other, node.keywords)))
 
-    def _constant(self, place: Place) -> None:
+    def _constant(self, place: NodePlace) -> None:
         slot, node, _ = place
         value = node.value
         if value is None or type(value) is bool:
@@ -266,7 +266,7 @@ class Expressions:
             for near in sorted({-value, value * 2, value / 2} - {value}):
                 self.put("constant", slot, node, repr(near))
 
-    def _name(self, place: Place) -> None:
+    def _name(self, place: NodePlace) -> None:
         slot, node, inside = place
         if inside is None or (isinstance(slot.parent, ast.Call) and slot.field != "args"):
             return
@@ -289,7 +289,7 @@ class Expressions:
             self._names[id(inside)] = sorted(own)
         return self._names[id(inside)]
 
-    def _part(self, place: Place) -> None:
+    def _part(self, place: NodePlace) -> None:
         slot, node, inside = place
         part = node.slice
         if isinstance(part, ast.Slice):
@@ -308,7 +308,7 @@ class Expressions:
                 for by in "+-":
                     self.put("bound", slot, node, f"(x) {by} 1", x=value)
 
-    def _row(self, place: Place) -> None:
+    def _row(self, place: NodePlace) -> None:
         slot, node, _ = place
         row, items = isinstance(node, ast.List), node.elts
         if len(items) == 2:
@@ -320,7 +320,7 @@ class Expressions:
         if row and len(items) == 1:
             self.add("form", node, "", (slot, items[0]))
 
-    def _value(self, place: Place) -> None:
+    def _value(self, place: NodePlace) -> None:
         """A value that is compared, returned, stored or divided."""
         slot, node, _ = place
         parent = slot.parent

@@ -19,7 +19,7 @@ from judge.repair.cases import Cases
 from judge.repair.changed import Changed
 from judge.repair.child import Child, LostError, Table
 from judge.repair.edits import KINDS
-from judge.run.execute import Judged
+from judge.run.execute import Judgement
 from judge.run.result import Behaviour
 from judge.run.runner import Runner
 from judge.sandbox.boundary import Box
@@ -99,7 +99,7 @@ class _Candidate(NamedTuple):
     after: tuple[str, ...]
 
 
-class Search:
+class RepairSearch:
     """One program; `share` of the usual budget is spent."""
 
     def __init__(self, cases: Cases, child: Child, share: float = 1.0) -> None:
@@ -282,7 +282,9 @@ class Search:
                 yield then._replace(steps=(*state.steps, step), wrong=left)
 
 
-def seek(data: ProblemData, judged: Judged, box: Box, beside: Beside, *, share: float = 1.0) -> Repair | None:
+def seek(
+    data: ProblemData, judged: Judgement, box: Box, beside: Beside, *, share: float = 1.0
+) -> Repair | None:
     """What makes the submission in `box` right; None where nothing is found, or it cannot be called.
 
     It is changed in the box beside; without a source in Python, or with a library in it, only question 1 is
@@ -294,7 +296,9 @@ def seek(data: ProblemData, judged: Judged, box: Box, beside: Beside, *, share: 
     found = otherwise(data, judged.behaviour, runner, box)
     if runner.calls and beside.text is not None and found.cases.wrong:
         with suppress(LostError):
-            found = Search(found.cases, Child(beside.box, beside.text, found.cases), share).repair(found.ways)
+            found = RepairSearch(found.cases, Child(beside.box, beside.text, found.cases), share).repair(
+                found.ways
+            )
     return found if found.whole or found.part or found.ways else None
 
 

@@ -64,7 +64,7 @@ def undo(before: Sequence[tuple[Slot, Any]]) -> None:
         slot.put(node)
 
 
-class Place(NamedTuple):
+class NodePlace(NamedTuple):
     """A node, its slot, and the function that it is in."""
 
     slot: Slot
@@ -72,7 +72,7 @@ class Place(NamedTuple):
     inside: Any
 
 
-def places(tree: ast.AST) -> Iterator[Place]:
+def places(tree: ast.AST) -> Iterator[NodePlace]:
     """Every statement and expression of the program's own."""
     waiting: list[tuple[ast.AST, Any]] = [(tree, None)]
     while waiting:
@@ -85,7 +85,7 @@ def places(tree: ast.AST) -> Iterator[Place]:
             for at, each in enumerate(value if several else (value,)):
                 if isinstance(each, ast.AST):
                     if not isinstance(each, _PARTS) and not hasattr(each, "added"):
-                        yield Place(Slot(node, field, at if several else -1), each, inner)
+                        yield NodePlace(Slot(node, field, at if several else -1), each, inner)
                     waiting.append((each, inner))
 
 

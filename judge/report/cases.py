@@ -35,8 +35,8 @@ from judge.report.picture import case_picture, has_room, made, picture_rows
 from judge.report.published_cases import CaseTried, HackTurn, PageWritten
 from judge.report.screen import Screen, drawn
 from judge.report.words import arguments, counted, shown_name
-from judge.run.result import Failure, Obstacle
-from judge.run.tried import Tried
+from judge.run.result import EntryKind, Failure
+from judge.run.tried import OneCase
 from judge.values import show
 from judge.values.answers import Target
 from judge.values.atoms import RealType, Type
@@ -66,7 +66,7 @@ def page_written(found: PageWritten, _screen: Screen) -> RenderableType:
 
 
 def _fitted(
-    tried: Tried, above: RenderableType | None, below: RenderableType | None, screen: Screen
+    tried: OneCase, above: RenderableType | None, below: RenderableType | None, screen: Screen
 ) -> RenderableType:
     """The case between what is above and below it, with its picture; on a low screen less is said of it."""
     found = made(partial(picture_of, tried), "the case")
@@ -82,7 +82,7 @@ def _fitted(
     return fit[0] if fit else laid
 
 
-def _facts(tried: Tried, why: str, brief: bool) -> Iterator[tuple[Cell, Cell]]:
+def _facts(tried: OneCase, why: str, brief: bool) -> Iterator[tuple[Cell, Cell]]:
     """What is known of the case; `why` is what it turns on, and `brief` leaves out its other forms."""
     problem, said = tried.problem, tried.said
     if tried.case:
@@ -108,7 +108,7 @@ def _facts(tried: Tried, why: str, brief: bool) -> Iterator[tuple[Cell, Cell]]:
     if not problem.talks:
         yield "got", (bad if tried.failed else text)(said.got)
     if said.hurdle is not None:
-        line = said.hurdle.line if said.hurdle.kind in (Obstacle.ARITY, Obstacle.MODULE) else 0
+        line = said.hurdle.line if said.hurdle.kind in (EntryKind.ARITY, EntryKind.MODULE) else 0
         why = entry_text(said.hurdle, problem, said.submission, said.verdict, said.message)
         yield "why", f"{f'line {line}: ' if line else ''}{why}"
     elif said.message or why:
@@ -149,7 +149,7 @@ def _plain(exact: Any) -> str:
     return str(exact)
 
 
-def picture_of(tried: Tried) -> Picture | None:
+def picture_of(tried: OneCase) -> Picture | None:
     """The case drawn with its answer and, where that is rejected, the file's; None where nothing can be."""
     got, given = (tried.failed.got, tried.failed.given) if tried.failed else (None, None)
     values = tried.problem.named(tried.case)

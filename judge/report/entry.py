@@ -11,7 +11,7 @@ from judge.errors import one_slip
 from judge.languages import file_name, spelt
 from judge.problem import Problem, Verdict
 from judge.problem.solutions import install_command, requirement
-from judge.run.result import EntryError, Obstacle
+from judge.run.result import EntryError, EntryKind
 from judge.sandbox.boundary import IMPORTING
 
 _ONE_FILE = "a submission is one file"
@@ -34,39 +34,39 @@ def entry_text(error: EntryError, problem: Problem, submission: str, verdict: Ve
     line = f" (line {error.line})" if error.line else ""
     library = requirement(Path(submission))
     match error.kind:
-        case Obstacle.STUB:
+        case EntryKind.STUB:
             what = f"the body of {spelt(entry, submission)}" if entry else "the program"
             return f"Write {what}{line}, then save."
-        case Obstacle.NO_CLASS:
+        case EntryKind.NO_CLASS:
             return f"{entry} is a function{line}; the kata asks for a class with {error.name}."
-        case Obstacle.NO_ENTRY if problem.methods:
+        case EntryKind.NO_ENTRY if problem.methods:
             return f"The kata asks for a class, and a program cannot be asked: write class {entry}."
-        case Obstacle.ARITY:
+        case EntryKind.ARITY:
             return f"{entry} takes {error.takes} arguments and is called with {count}: {call}"
-        case Obstacle.MODULE if library:
+        case EntryKind.MODULE if library:
             return f"{library.partition('==')[0]} is not installed: {install_command(library)}"
-        case Obstacle.MODULE:
+        case EntryKind.MODULE:
             return _missing_module(submission, error.name)
-        case Obstacle.IMPORT:
+        case EntryKind.IMPORT:
             ended = message.removesuffix(IMPORTING)
             if library:
                 return f"{ended} ends the import. It calls {library}: {install_command(library)}"
             more = ", or use 'judge run --mode program'" if ended.startswith("EOFError") else ""
             return f"{ended} ends the import; put what only you need below if __name__ == '__main__':{more}"
-        case Obstacle.NESTED if error.name:
+        case EntryKind.NESTED if error.name:
             text = f"Is {error.name} in {error.within}{line} meant? "
             text += f"Rename it {entry} and move it to the left margin."
-        case Obstacle.NESTED:
+        case EntryKind.NESTED:
             text = f"{entry} stands in {error.within}{line}: move it out, to the left margin"
-        case Obstacle.TEXT | Obstacle.COMMENT:
+        case EntryKind.TEXT | EntryKind.COMMENT:
             text = f"{entry} stands in a {error.kind.value}{line}: it is never defined"
-        case Obstacle.MISNAMED if odd := next((letter for letter in error.name if letter > "~"), ""):
+        case EntryKind.MISNAMED if odd := next((letter for letter in error.name if letter > "~"), ""):
             text = f"{error.name}{line} has {odd!r} (U+{ord(odd):04X}). Type it anew: {entry}"
-        case Obstacle.MISNAMED:
+        case EntryKind.MISNAMED:
             text = f"There is no {entry}; is {error.name}{line} meant? Rename it: {definition}"
-        case Obstacle.EMPTY:
+        case EntryKind.EMPTY:
             return "The file holds no program."
-        case Obstacle.NO_ENTRY:
+        case EntryKind.NO_ENTRY:
             text = f"There is no {entry}: write def {call}, which returns the answer"
             text += "; a print at the top level answers nothing." if error.name else "."
             if verdict is not Verdict.WA:

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from rich.text import Text
 
     from judge.problem.module import Module
-    from judge.report.published_result import Judged
+    from judge.report.published_result import RunReport
 
 INDENT = 4  # columns beside a drawing at most
 _COLOURS: dict[Role | None, str] = {
@@ -86,7 +86,7 @@ def made(make: Callable[[], Picture | Chart | None], what: str) -> Picture | Cha
         return None
 
 
-def result_picture(found: Judged) -> Picture | Chart | None:
+def result_picture(found: RunReport) -> Picture | Chart | None:
     """The smallest case found that fails, or else the first one; None where there is nothing to draw.
 
     Where no small case failed and the time has grown with n, how it has is drawn instead.

@@ -11,7 +11,7 @@ from rich.text import Text
 
 from judge.errors import JudgeError, StoreError
 from judge.practice.events import Rating, Run
-from judge.practice.progress import Evidence, Kind, Question, SkillProgress, State
+from judge.practice.progress import ChecklistQuestion, Evidence, EvidenceKind, SkillProgress, State
 from judge.practice.review import Due, Review
 from judge.practice.stub import usual_name
 from judge.problem.find import find_problem
@@ -38,8 +38,8 @@ from judge.report.parts import (
     verdict_style,
     warning,
 )
-from judge.report.published_result import Judged
-from judge.report.result import judged
+from judge.report.published_result import RunReport
+from judge.report.result import run_report
 from judge.report.screen import Screen
 from judge.report.words import counted, day, due_words, moment, shown_name, times
 
@@ -125,7 +125,7 @@ def _failing(skill: SkillProgress) -> str:
     return ", ".join(f"{need.problem} {group}" for need in skill.needs for group in need.failing)
 
 
-def _ticked(rows: Sequence[Question | SkillProgress]) -> str:
+def _ticked(rows: Sequence[ChecklistQuestion | SkillProgress]) -> str:
     return f"{sum(each.state is State.SHOWN for each in rows)} of {len(rows)}"
 
 
@@ -142,7 +142,7 @@ def question_shown(found: published.QuestionShown, _screen: Screen) -> Renderabl
 
 def _evidence(each: Evidence) -> tuple[Cell, ...]:
     state = State.LOST if each.lost else State.SHOWN if each.since else State.OPEN
-    kind = "mistake found" if each.kind is Kind.BROKEN else each.kind.value
+    kind = "mistake found" if each.kind is EvidenceKind.BROKEN else each.kind.value
     return faint(kind), _MARKS[state], faint(day(each.since)), each.name
 
 
@@ -230,7 +230,7 @@ def run_row(run: published.RunRow, screen: Screen) -> RenderableType:
         result = result.typed(find_problem(result.problem))
     return blocks(
         head(f"run {run.run}", faint(moment(run.time))),
-        judged(Judged(result, whole=True, commands=False), screen),
+        run_report(RunReport(result, whole=True, commands=False), screen),
         commands([(f"judge history {run.run} --restore", "write its source again")]),
     )
 

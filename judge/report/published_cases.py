@@ -10,12 +10,12 @@ from msgspec import Struct
 from judge.data.parse import line_of
 from judge.diagnose.replay import encode
 from judge.errors import ExitCode
-from judge.mistakes.puzzles import Puzzle
+from judge.mistakes.puzzles import WrongProgram
 from judge.practice.events import Hack
 from judge.practice.progress import HackState, hack_states
 from judge.problem import Problem
 from judge.published import Published
-from judge.run.tried import Said, Tried
+from judge.run.tried import CaseResult, OneCase
 from judge.values import show
 
 
@@ -40,7 +40,7 @@ class CaseLine(Published, frozen=True, kw_only=True):
     schema: int = 2
     problem: str
     case: CaseRow
-    said: Said | None
+    said: CaseResult | None
     broken: str
 
 
@@ -67,13 +67,13 @@ class HackLine(Published, frozen=True, kw_only=True):
     advice: str | None
     source: str
     case: CaseRow | None
-    said: Said | None
+    said: CaseResult | None
 
 
 class CaseTried(Struct, frozen=True):
     """A case, its answer, and what a file said to it."""
 
-    tried: Tried
+    tried: OneCase
 
     @property
     def exit_code(self) -> ExitCode:
@@ -95,12 +95,12 @@ class HackTurn(Struct, frozen=True, dict=True):
     """
 
     problem: Problem
-    puzzles: tuple[Puzzle, ...]
+    puzzles: tuple[WrongProgram, ...]
     hacks: tuple[Hack, ...]
-    puzzle: Puzzle
+    puzzle: WrongProgram
     outcome: str
     why: str = ""
-    tried: Tried | None = None
+    tried: OneCase | None = None
     goes_on: bool = False
     more: int = 0
 
@@ -115,7 +115,7 @@ class HackTurn(Struct, frozen=True, dict=True):
         return [*self.states.values()].count(HackState.BROKEN)
 
     @property
-    def following(self) -> Puzzle | None:
+    def following(self) -> WrongProgram | None:
         """The first that is open, or else that was given up; None where all are broken."""
         order = (HackState.OPEN, HackState.GIVEN_UP)
         found = (each for state in order for each in self.puzzles if self.states[each.mistake] is state)
@@ -148,7 +148,7 @@ class HackTurn(Struct, frozen=True, dict=True):
         return (line,)
 
 
-def _row(tried: Tried) -> CaseRow:
+def _row(tried: OneCase) -> CaseRow:
     problem = tried.problem
     return CaseRow(
         encode(problem, tried.group, tried.case),

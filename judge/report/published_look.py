@@ -14,7 +14,7 @@ from judge.published import Published
 from judge.report.views import copied
 
 if TYPE_CHECKING:
-    from judge.manual import Hit, Page
+    from judge.manual import Page, SearchHit
     from judge.practice.events import Started
     from judge.practice.review import Due, Learner
     from judge.problem import Group, Problem
@@ -151,7 +151,7 @@ class Mentions(Struct, frozen=True):
     """Where the manual has the words; 1 where nowhere, as grep has it."""
 
     words: str
-    published: Sequence[Hit]
+    published: Sequence[SearchHit]
     near: str = ""  # the topic or command that was most likely meant
 
     @property

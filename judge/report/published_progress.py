@@ -7,7 +7,7 @@ from datetime import datetime
 from msgspec import Struct
 
 from judge.practice.events import Run
-from judge.practice.progress import Question, SkillProgress
+from judge.practice.progress import ChecklistQuestion, SkillProgress
 from judge.practice.review import Due
 from judge.problem import Problem, Verdict
 from judge.published import Published
@@ -36,7 +36,7 @@ class ProgressShown(Published, frozen=True, kw_only=True):
     sets: tuple[SetShare, ...]
     skills: tuple[SkillProgress, ...]
     mistakes: dict[str, int]
-    rows: tuple[Question, ...]
+    rows: tuple[ChecklistQuestion, ...]
     next: str | None
 
 
@@ -51,7 +51,7 @@ class ProgressPage(Struct, frozen=True):
 class QuestionShown(Published, frozen=True):
     """One question, and all that may tick it."""
 
-    question: Question
+    question: ChecklistQuestion
 
 
 class RunRow(Published, frozen=True):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from datetime import datetime
 
-from judge.practice.drill import Step
+from judge.practice.drill import DrillStep
 from judge.practice.events import Answer
 from judge.practice.quiz import Practise, Topic
 from judge.problem import Verdict
@@ -48,4 +48,4 @@ class Drill(Published, frozen=True):
     time: datetime
     minutes: int
     topics: tuple[Topic, ...]
-    steps: tuple[Step, ...]
+    steps: tuple[DrillStep, ...]

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from judge.report.published_look import Standing
 
 
-class Judged(Struct, frozen=True):
+class RunReport(Struct, frozen=True):
     """One result with all that its screen shows; it is explained and drawn from `source` and `data`.
 
     `quiet` shows the verdict alone; one of `several` is a line, with its kata where these are of more than

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from msgspec import Struct
 
-from judge.languages.find import Found
+from judge.languages.find import Availability
 from judge.published import Published
 from judge.sandbox.available import Level
 
@@ -32,7 +32,7 @@ class Doctor(Published, frozen=True):
 
     isolation: str | None
     levels: tuple[Level, ...]
-    languages: tuple[Found, ...]
+    languages: tuple[Availability, ...]
     judge: str
     python: str
     system: str

@@ -9,9 +9,9 @@ from rich.console import Group, RenderableType
 from rich.text import Text
 
 from judge.drawing import Picture
-from judge.practice.drill import Step
+from judge.practice.drill import DrillStep
 from judge.practice.events import Rating
-from judge.practice.questions import Question, Reply
+from judge.practice.questions import CardReply, Question
 from judge.practice.quiz import Practise, Topic
 from judge.report.parts import (
     BAD,
@@ -74,7 +74,7 @@ def prompt(asks: str, screen: Screen) -> str:
     return drawn(indented(faint(asks.rstrip())), screen).removesuffix("\n") + " "
 
 
-def reply(asked: Question, found: Reply | None, rating: Rating, screen: Screen) -> RenderableType:
+def reply(asked: Question, found: CardReply | None, rating: Rating, screen: Screen) -> RenderableType:
     """Whether the answer was right, the right one, why, a figure; `found` is None where none was given."""
     if asked.check is None:
         return Group(indented(faint(f"noted: {rating.name.lower()}")), Text())
@@ -174,7 +174,7 @@ def _topic(each: Topic) -> tuple[Cell, ...]:
     return each.name.capitalize(), share, f"open: {', '.join([*named, *more])}" if named else good("known")
 
 
-def _step(each: Step, now: datetime) -> str:
+def _step(each: DrillStep, now: datetime) -> str:
     """What the command is about."""
     if each.new or each.due:
         new = [counted(each.new, "new card")] if each.new else []

@@ -34,9 +34,9 @@ from judge.report.parts import (
     under,
     verdict_style,
 )
-from judge.report.published_result import Judged, Several
+from judge.report.published_result import RunReport, Several
 from judge.report.screen import Screen
-from judge.report.tell import Told, looking, place_of, tell
+from judge.report.tell import Summary, looking, place_of, tell
 from judge.report.words import counted, printable, shown_name, times
 from judge.run.result import GroupResult, Result
 
@@ -73,7 +73,7 @@ _CUTS = (
 )
 
 
-def judged(found: Judged, screen: Screen) -> RenderableType:
+def run_report(found: RunReport, screen: Screen) -> RenderableType:
     """The screen of one result, or its line."""
     if found.several and not found.whole:
         return _line(found.result, told_of(found), kata=found.several > 1)
@@ -82,13 +82,13 @@ def judged(found: Judged, screen: Screen) -> RenderableType:
     return screenful(found, screen, None if found.whole else min(screen.height - 1, _ROWS))
 
 
-def told_of(found: Judged, why: str = "") -> Told:
+def told_of(found: RunReport, why: str = "") -> Summary:
     """The result in words; `why` is what the failing case turns on."""
     problem = found.data.problem if found.data else None
     return tell(problem, found.result, found.source, why, whole=found.whole)
 
 
-def _explained(found: Judged, screen: Screen) -> tuple[Told, Drawing | None]:
+def _explained(found: RunReport, screen: Screen) -> tuple[Summary, Drawing | None]:
     """The result in words, and what draws it: None where there is nothing to draw, or no room."""
     result = found.result
     if result.hurdle or (result.failure is None and result.time.growth is None):
@@ -101,7 +101,7 @@ def _explained(found: Judged, screen: Screen) -> tuple[Told, Drawing | None]:
 
 
 def screenful(
-    found: Judged, screen: Screen, rows: int | None, cuts: Sequence[_Cut] = _CUTS
+    found: RunReport, screen: Screen, rows: int | None, cuts: Sequence[_Cut] = _CUTS
 ) -> RenderableType:
     """One result in at most so many rows, if that can be; all there is where they are None."""
     (told, drawing), width = _explained(found, screen), screen.width
@@ -116,7 +116,7 @@ def screenful(
     return first_that_fits(laid, screen, rows)
 
 
-def paged(found: Judged, screen: Screen, rows: int) -> RenderableType:
+def paged(found: RunReport, screen: Screen, rows: int) -> RenderableType:
     """One result in so many rows if little has to be left out for that; else nearly all of it."""
     return screenful(found, screen, rows, _PAGED)
 
@@ -128,7 +128,7 @@ def begun(result: Result, name: str) -> RenderableType:
     return blocks(top, indented(text(looking(result))))
 
 
-def verdict_line(told: Told, name: str = "") -> Text:
+def verdict_line(told: Summary, name: str = "") -> Text:
     """The verdict, and what all of it comes to; with the `name` of the file where nothing else is shown."""
     if not name:
         return joined(label(told.verdict), f"  {told.last}")
@@ -137,7 +137,7 @@ def verdict_line(told: Told, name: str = "") -> Text:
 
 
 def _parts(
-    found: Judged, told: Told, drawing: Drawing | None, cut: _Cut, width: int | None
+    found: RunReport, told: Summary, drawing: Drawing | None, cut: _Cut, width: int | None
 ) -> Iterator[RenderableType]:
     if told.happened:
         source = [indented(text(each), 4) for each in told.source]
@@ -165,14 +165,14 @@ def _parts(
         yield indented(commands(told.commands))
 
 
-def magnified(found: Judged, screen: Screen, rows: int) -> RenderableType | None:
+def magnified(found: RunReport, screen: Screen, rows: int) -> RenderableType | None:
     """The failing case, and its picture as large as so many rows allow; None where there is none to draw."""
     told, drawing = _explained(found, screen)
     cut = _Cut(picture=max(_LEAST, rows), values=2)
     return _case(told, drawing, cut, screen.width) if drawing else None
 
 
-def _case(told: Told, drawing: Drawing | None, cut: _Cut, width: int | None) -> RenderableType:
+def _case(told: Summary, drawing: Drawing | None, cut: _Cut, width: int | None) -> RenderableType:
     """The failing case, and its picture where one is to be drawn."""
     wide = 2 + max((len(name) for name, _ in told.facts), default=0)
     below = [indented(_Arguments(told.input, cut.values), 2 + wide)] if told.input else []
@@ -233,7 +233,7 @@ def _row(group: GroupResult) -> tuple[Cell, ...]:
     )
 
 
-def _line(found: Result, told: Told, *, kata: bool = False) -> Text:
+def _line(found: Result, told: Summary, *, kata: bool = False) -> Text:
     """One of several submissions on a line, which is written as soon as it is judged."""
     ratio = f"{times(found.time.ratio.median)} ×" if found.time.ratio else ""
     first = ""  # where it failed first, or why nothing could be run
@@ -260,7 +260,7 @@ def several(found: Several, _screen: Screen) -> Text:
     return (good if accepted == every else bad)(said)
 
 
-def _accepted(found: Judged, width: int | None) -> RenderableType:
+def _accepted(found: RunReport, width: int | None) -> RenderableType:
     """What follows an accepted result: what it took, how to go on, and how many katas are solved."""
     standing, keyed = found.standing, bool(found.key)
     go_on = "n" if keyed else "judge start"

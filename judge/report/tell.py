@@ -15,7 +15,7 @@ from judge.problem.find import typed
 from judge.problem.model import FIRST, Mode
 from judge.report.entry import entry_text
 from judge.report.words import argument, counted, seconds, shown_name, times
-from judge.run.result import Failure, GroupResult, Growth, LevelResult, Obstacle, Pitfall, Result
+from judge.run.result import EntryKind, Failure, GroupResult, Growth, LevelResult, Pitfall, Result
 from judge.run.unreadable import other_order, why_ended
 
 _PLACE = re.compile(r" \(line (\d{1,9})\)")
@@ -28,7 +28,7 @@ _LIKELY = 0.9  # the score from which on a mistake is very likely
 _MOST_FAILS = 3  # groups that are named
 
 
-class Told(Struct, frozen=True, kw_only=True):
+class Summary(Struct, frozen=True, kw_only=True):
     """A result in words.
 
     `meaning` is the verdict's, `how` says that it was run as a program, `stars` are the levels passed.
@@ -75,7 +75,7 @@ class Told(Struct, frozen=True, kw_only=True):
 
 def tell(
     problem: Problem | None, result: Result, source: bytes = b"", why: str = "", *, whole: bool = False
-) -> Told:
+) -> Summary:
     """What the result says, as far as that can be said without the problem where there is none.
 
     A wrong answer of which nothing more is known says `why`, what its case turns on. The time of an accepted
@@ -84,12 +84,12 @@ def tell(
     hurdle, pitfall = result.hurdle, result.pitfall
     shown = None if hurdle else shown_failure(result)
     failing = [] if hurdle else _failing(result)
-    stub = hurdle is not None and hurdle.kind is Obstacle.STUB
+    stub = hurdle is not None and hurdle.kind is EntryKind.STUB
     talks = problem is not None and problem.talks
     values = shown.input if shown and shown.input and (talks or not shown.shown) else {}
     text = source.decode("utf-8", "replace")
     order = other_order(problem, text) if problem is not None and failing else ""
-    return Told(
+    return Summary(
         verdict=result.verdict,
         meaning="Not written yet" if stub else result.verdict.meaning.capitalize(),
         how="run as a program" if result.mode is Mode.PROGRAM and result.groups else "",

@@ -17,7 +17,7 @@ from rich.console import Group, RenderableType
 from rich.text import Text
 
 from judge.drawing.braille import LEAST_ROWS, ROWS
-from judge.practice.syllabus import Course
+from judge.practice.syllabus import Syllabus
 from judge.problem import Problem
 from judge.report.parts import beside, facts, faint, first_that_fits, joined, prose, solved_bar, strong, text
 from judge.report.picture import drawing, example_picture
@@ -47,7 +47,7 @@ _PAGE_KEYS = {"space": "more", "b": "back", "Enter": "result", "n": "next", "q":
 _LAST_THIRD = 2 / 3  # of a page, in which it may end at an empty row
 
 
-def place(problem: Problem, course: Course, screen: Screen) -> Group:
+def place(problem: Problem, course: Syllabus, screen: Screen) -> Group:
     """The kata's title, where it stands in its set, and how many are solved."""
     said = ""
     if found := course.set_of(problem.id):

@@ -10,7 +10,7 @@ import re
 
 from judge.errors import nearest
 from judge.problem import Problem, Verdict
-from judge.run.result import EntryError, Obstacle, Result
+from judge.run.result import EntryError, EntryKind, Result
 from judge.run.runner import Runner
 from judge.sandbox.boundary import IMPORTING, Defined, Inspection
 
@@ -30,12 +30,12 @@ def entry_error(result: Result, runner: Runner, inspection: Inspection, source: 
     line = int(place[1]) if place else 0
     in_python = problem.methods and not runner.language  # where a function of that name is no class
     if called and entry is not None and entry.empty and not in_python:
-        return EntryError(Obstacle.STUB, entry.line)
+        return EntryError(EntryKind.STUB, entry.line)
     if message.startswith(f"NotImplementedError: {problem.entry or problem.id} is still to be written"):
-        return EntryError(Obstacle.STUB, line)
+        return EntryError(EntryKind.STUB, line)
     if called and problem.methods:
         if entry is not None and in_python:
-            return EntryError(Obstacle.NO_CLASS, entry.line, _methods(problem))
+            return EntryError(EntryKind.NO_CLASS, entry.line, _methods(problem))
         if not inspection.defines(problem.entry):
             return missing_entry(problem, inspection, source)
     # What such a one printed is right by chance; in another language its compiler would not have taken it.
@@ -45,12 +45,12 @@ def entry_error(result: Result, runner: Runner, inspection: Inspection, source: 
     if ran or runner.language or result.verdict is not Verdict.RTE:
         return missing
     if called and entry is not None and not problem.methods and not entry.takes(len(problem.parameters)):
-        return EntryError(Obstacle.ARITY, entry.line, takes=_takes(entry))
+        return EntryError(EntryKind.ARITY, entry.line, takes=_takes(entry))
     if called and not message.endswith(IMPORTING):
         return None
     if absent := _NO_MODULE.match(message):
-        return EntryError(Obstacle.MODULE, line, absent[1])
-    return EntryError(Obstacle.IMPORT, line) if called else missing
+        return EntryError(EntryKind.MODULE, line, absent[1])
+    return EntryError(EntryKind.IMPORT, line) if called else missing
 
 
 def missing_entry(problem: Problem, inspection: Inspection, source: bytes) -> EntryError | None:
@@ -63,21 +63,21 @@ def missing_entry(problem: Problem, inspection: Inspection, source: bytes) -> En
     # In what reads its input a variable of a name like the entry's means nothing.
     close = nearest(entry, functions if reads else names)
     if close:
-        return EntryError(Obstacle.MISNAMED, names[close], close)
+        return EntryError(EntryKind.MISNAMED, names[close], close)
     if reads:
         return None
     if found := inner.get(entry) or inner.get(nearest(entry, inner) or ""):
         name = "" if found.name == entry else found.name
-        return EntryError(Obstacle.NESTED, found.line, name, within=found.within)
+        return EntryError(EntryKind.NESTED, found.line, name, within=found.within)
     lines = source.splitlines()
     called = re.compile(rb"\bdef[ \t]+%s[ \t]*\(" % re.escape(entry.encode()))
     for number, line in enumerate(lines, 1):
         if written := called.search(line):  # the tree knows of none
             noted = b"#" in line[: written.start()]
-            return EntryError(Obstacle.COMMENT if noted else Obstacle.TEXT, number)
+            return EntryError(EntryKind.COMMENT if noted else EntryKind.TEXT, number)
     if not any(line.strip() and not line.lstrip().startswith(b"#") for line in lines):
-        return EntryError(Obstacle.EMPTY)
-    return EntryError(Obstacle.NO_ENTRY, name="print" if b"print" in source else "")
+        return EntryError(EntryKind.EMPTY)
+    return EntryError(EntryKind.NO_ENTRY, name="print" if b"print" in source else "")
 
 
 def _methods(problem: Problem) -> str:

@@ -29,7 +29,7 @@ _LONG_WAIT_SECONDS = 2.0
 _WAITED = "Waited: another judge of yours was timing"  # without the seconds, so that it is said once
 
 
-class Judged(NamedTuple):
+class Judgement(NamedTuple):
     """A result, how the submission was run (None for one that does not compile), and what it answered."""
 
     result: Result
@@ -46,7 +46,7 @@ def judge_submission(
     box: Box | None = None,
     groups: Collection[str] | None = None,
     on_progress: Progress | None = None,
-) -> Judged:
+) -> Judgement:
     """Judge one submission on a problem's data.
 
     Args:
@@ -71,7 +71,7 @@ def judge_submission(
     chosen = [group for group in data.groups if groups is None or group.group.name in groups]
     runner = opened(box, problem, source, program=settings.program)
     if isinstance(runner, Failure):
-        return Judged(uncompiled(problem, name, runner, box), None, {})
+        return Judgement(uncompiled(problem, name, runner, box), None, {})
     runs = [GroupRun(data, group, runner) for group in chosen]
     judging = _Judging(runs, runner, on_progress, Budget(problem))
     # Those of the rule of growth are timed when they are judged; another language is raced with many passes.
@@ -89,7 +89,7 @@ def judge_submission(
     notes = [_WAITED] if waited >= _LONG_WAIT_SECONDS else []
     if result.verdict is not Verdict.AC:
         notes += box.inspect().warnings
-    return Judged(result.noting(*notes), runner, {run.group.name: run.answers for run in runs})
+    return Judgement(result.noting(*notes), runner, {run.group.name: run.answers for run in runs})
 
 
 def opened(box: Box, problem: Problem, source: bytes, *, program: bool = False) -> Runner | Failure:

@@ -17,8 +17,8 @@ from judge.problem import TimeRule
 from judge.run.budget import Budget
 from judge.run.function import FunctionRunner
 from judge.run.group import GroupRun
-from judge.run.laps import Lap, course, more_passes, passes_for
-from judge.run.measure import Duel, exactly
+from judge.run.laps import Repeat, course, more_passes, passes_for
+from judge.run.measure import Race, exactly
 from judge.run.program import ProgramRunner
 from judge.run.reference import Reference
 from judge.run.replies import Replies
@@ -35,7 +35,7 @@ _PATIENCE = 4.0  # times the CPU time, by the clock
 _READING = 2.0  # times Python's limit, for a program that is held to a function, which reads nothing
 
 
-class Rival(NamedTuple):
+class Opponent(NamedTuple):
     """Whom it is raced against, and how; `limit` is in the rival's time."""
 
     box: Box
@@ -44,7 +44,7 @@ class Rival(NamedTuple):
     limit: float
 
 
-def rival_of(runner: Runner, rule: TimeRule, reference: Reference, limit: float) -> Rival | None:
+def rival_of(runner: Runner, rule: TimeRule, reference: Reference, limit: float) -> Opponent | None:
     """The reference for a submission in another language; None where there is none in Python either.
 
     `limit` is that of the groups, as a multiple of a reference's time.
@@ -63,24 +63,26 @@ def rival_of(runner: Runner, rule: TimeRule, reference: Reference, limit: float)
             raise JudgeError(f"the reference solution in {language.name} does not compile: {fault.message}")
         used: Runner = FunctionRunner(runner.problem, language.name)
         if box.inspect().defines(runner.problem.entry):
-            return Rival(box, used, Against(language.name), limit)
+            return Opponent(box, used, Against(language.name), limit)
     return _pythons(runner, rule, reference, limit * language.factor, language.name)
 
 
-def _pythons(runner: Runner, rule: TimeRule, reference: Reference, limit: float, name: str) -> Rival | None:
+def _pythons(
+    runner: Runner, rule: TimeRule, reference: Reference, limit: float, name: str
+) -> Opponent | None:
     what = "reference" if runner.calls else "reference program"
     against = Against(PYTHON, f"no {what} in {name}: held to Python's")
     box = None if runner.calls else reference.open(rule.program)
     if box is not None:
-        return Rival(box, ProgramRunner(runner.problem), against, limit)
+        return Opponent(box, ProgramRunner(runner.problem), against, limit)
     box = reference.open(rule.function)
     if box is None:
         return None
     generous = limit if runner.calls else limit * _READING
-    return Rival(box, FunctionRunner(runner.problem), against, generous)
+    return Opponent(box, FunctionRunner(runner.problem), against, generous)
 
 
-class LongDuel(Duel):
+class LongRace(Race):
     """A submission and its rival on the cases of some groups, turn by turn, in as many passes as it takes.
 
     A learner's program that ends badly on several passes, of which nobody told it, has single ones from then
@@ -88,7 +90,7 @@ class LongDuel(Duel):
     """
 
     def __init__(
-        self, runner: Runner, runs: Sequence[GroupRun], submission: Box, rival: Rival, budget: Budget
+        self, runner: Runner, runs: Sequence[GroupRun], submission: Box, rival: Opponent, budget: Budget
     ) -> None:
         super().__init__(runner, runs, submission, rival.box, rival.limit, budget)
         self.against, self._whose = rival.against, rival.against.language
@@ -178,7 +180,7 @@ class LongDuel(Duel):
         own = self._start if self._same else self._mine.start
         return max(0.0, lap.usage.cpu_seconds - own)
 
-    def _all_as_once(self, lap: Lap) -> bool:
+    def _all_as_once(self, lap: Repeat) -> bool:
         return all(exactly(each) == self._accepted for each in lap.answers)
 
     def _plainly(self) -> float | None:

@@ -88,7 +88,7 @@ def _shares(replies: Replies, batch: Sequence[_Progress]) -> list[Replies]:
     return shares
 
 
-class Piece(NamedTuple):
+class TimedPart(NamedTuple):
     """What was run of a group, and what it used without the import; `cut` where it was stopped early."""
 
     cases: Sequence[Case]
@@ -98,7 +98,7 @@ class Piece(NamedTuple):
 
 def run_timed(
     runner: Runner, box: Box, group: GroupRun, budget: Budget, first: float | None = None
-) -> Iterator[Piece]:
+) -> Iterator[TimedPart]:
     """As `run_groups` for one group, piece by piece: all cases, or the first one and then the others.
 
     The first one may take so many CPU seconds at first; if it is cut, nothing is recorded of it, and it is
@@ -119,7 +119,7 @@ def run_timed(
         most = inf
         # The limits hold for an import too; one that was cut tells nothing of the calls.
         called = not (cut and runner.calls) or replies.imported != Usage()
-        yield Piece(cases, replies.usage if called else Usage(), cut)
+        yield TimedPart(cases, replies.usage if called else Usage(), cut)
 
 
 class _Progress:

@@ -15,13 +15,13 @@ from msgspec.structs import replace
 from judge.problem import Case, Verdict
 from judge.run.budget import Budget
 from judge.run.group import GroupRun
-from judge.run.groups import Piece, run_timed
-from judge.run.growth import LEAST_SECONDS, SHORT_SECONDS, Course, grow, is_steep, steep_seconds
+from judge.run.groups import TimedPart, run_timed
+from judge.run.growth import LEAST_SECONDS, SHORT_SECONDS, GrowthSample, grow, is_steep, steep_seconds
 from judge.run.measure import limits_of, theirs_on, time_limit
 from judge.run.races import Timed, too_slow
 from judge.run.reference import Reference
 from judge.run.runner import Runner
-from judge.run.timing import Decision, Pair, decide, is_sure
+from judge.run.timing import Decision, TurnPair, decide, is_sure
 from judge.sandbox.boundary import Box, Usage
 
 
@@ -62,7 +62,7 @@ class _Growing:
         self._rival = reference.open(runner.reference(rule)) if rule else None
         self._budget = budget
         self._smaller: GroupRun | None = None  # the last one that was accepted
-        self._pairs: list[tuple[Pair, int]] = []  # its turns, and of how many cases
+        self._pairs: list[tuple[TurnPair, int]] = []  # its turns, and of how many cases
         self.timed: Timed | None = None
 
     def judge(self, run: GroupRun) -> None:
@@ -80,7 +80,7 @@ class _Growing:
             if not piece.cut:
                 own, theirs = own + piece.usage.cpu_seconds, theirs + used
         if self._rival is not None and run.reached == len(run.cases) and theirs.cpu_seconds:
-            pair, limit = Pair(own, theirs.cpu_seconds), time_limit(run.problem, [run])
+            pair, limit = TurnPair(own, theirs.cpu_seconds), time_limit(run.problem, [run])
             run.first = pair, theirs
             self._smaller, self._pairs = run, [(pair, len(run.cases))]
             if is_sure(pair, limit):
@@ -98,7 +98,7 @@ class _Growing:
         worst, _ = max(self._pairs, key=_ratio)
         return steep_seconds(sizes, worst, theirs.cpu_seconds, problem.growth.slope)
 
-    def _is_steep(self, run: GroupRun, piece: Piece, used: Usage) -> bool:
+    def _is_steep(self, run: GroupRun, piece: TimedPart, used: Usage) -> bool:
         """Whether the submission is too steep by what it took here; then the group says so."""
         problem, smaller = self._runner.problem, self._smaller
         cases, own = piece.cases, piece.usage.cpu_seconds
@@ -122,9 +122,9 @@ class _Growing:
         if not is_steep(sizes, [pair for pair, _ in self._pairs], own, theirs, slope):
             return False
         worst, count = max(self._pairs, key=_ratio)
-        turns = (smaller, count, worst, True), (run, len(cases), Pair(own, max(theirs)), not piece.cut)
+        turns = (smaller, count, worst, True), (run, len(cases), TurnPair(own, max(theirs)), not piece.cut)
         courses = [
-            Course(each.group.name, size, _none, _none, cases=count, ended=ended, first=first)
+            GrowthSample(each.group.name, size, _none, _none, cases=count, ended=ended, first=first)
             for size, (each, count, first, ended) in zip(sizes, turns, strict=True)
         ]
         if piece.cut:
@@ -143,19 +143,19 @@ class _Growing:
             self._pairs.append((pair, len(few)))
         return pair is not None
 
-    def _pair(self, run: GroupRun, cases: Sequence[Case]) -> Pair | None:
+    def _pair(self, run: GroupRun, cases: Sequence[Case]) -> TurnPair | None:
         """One more turn each; None where the submission's does not end well."""
         within = self._budget.within(limits_of(run.problem, [run]))
         again = self._budget.booked(self._runner.ask(self._submission, cases, within))
         theirs = self._theirs(run, cases)
-        return None if again.trouble else Pair(again.usage.cpu_seconds, theirs.cpu_seconds)
+        return None if again.trouble else TurnPair(again.usage.cpu_seconds, theirs.cpu_seconds)
 
     def _theirs(self, run: GroupRun, cases: Sequence[Case]) -> Usage:
         assert self._rival is not None
         return theirs_on(self._runner, self._rival, cases, limits_of(run.problem, [run]))
 
 
-def _ratio(turn: tuple[Pair, int]) -> float:
+def _ratio(turn: tuple[TurnPair, int]) -> float:
     return turn[0].ratio
 
 

@@ -19,7 +19,7 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from judge.run.result import Growth, GrowthPoint
-from judge.run.timing import MOST_PAIRS, Decision, Pair, Run, decide, is_clear, quantile, turn
+from judge.run.timing import MOST_PAIRS, Decision, Run, TurnPair, decide, is_clear, quantile, turn
 
 LEAST_SECONDS = 0.01  # of the reference, for a group to count
 ROUNDS = 2  # that it takes to be too steep, and of short turns to be accepted
@@ -32,7 +32,7 @@ _MORE = 1.3  # times what would be clearly too steep by the turns so far: the ne
 _SHORTEST = 1e-4  # seconds: what takes less cannot be told from nothing
 
 
-class Course(Struct, frozen=True):
+class GrowthSample(Struct, frozen=True):
     """One group to be run on: its size n, a turn each, and its limit as a multiple of the reference's time.
 
     `cases` is how many cases of that size a turn runs, `first` the pair of when it was judged, if known.
@@ -47,7 +47,7 @@ class Course(Struct, frozen=True):
     limit: float | None = None
     cases: int = 1
     ended: bool = True
-    first: Pair | None = None
+    first: TurnPair | None = None
 
 
 class Grown(Struct, frozen=True):
@@ -59,7 +59,7 @@ class Grown(Struct, frozen=True):
 
 
 def grow(
-    courses: Sequence[Course],
+    courses: Sequence[GrowthSample],
     slope: float,
     goes_on: Callable[[], bool] = lambda: True,
     *,
@@ -94,7 +94,9 @@ def grow(
     return Grown(growth, too_steep, decisions)
 
 
-def _unclear(courses: Sequence[Course], pairs: dict[str, list[Pair]], slope: float) -> list[Course]:
+def _unclear(
+    courses: Sequence[GrowthSample], pairs: dict[str, list[TurnPair]], slope: float
+) -> list[GrowthSample]:
     """The courses of which more pairs are needed."""
     counting = _counting(courses, pairs)
     grey = False
@@ -112,12 +114,12 @@ def _unclear(courses: Sequence[Course], pairs: dict[str, list[Pair]], slope: flo
     ]
 
 
-def _is_hasty(pairs: Sequence[Pair]) -> bool:
+def _is_hasty(pairs: Sequence[TurnPair]) -> bool:
     return len(pairs) < ROUNDS and _least(pairs).reference < QUICK_SECONDS
 
 
 def is_steep(
-    sizes: tuple[int, int], pairs: Sequence[Pair], own: float, theirs: Sequence[float], slope: float
+    sizes: tuple[int, int], pairs: Sequence[TurnPair], own: float, theirs: Sequence[float], slope: float
 ) -> bool:
     """Whether a submission is clearly too steep by its `own` least time, not short, on the larger size.
 
@@ -130,7 +132,7 @@ def is_steep(
     return exponent([*zip(sizes, ratios, strict=True)]) > slope + GREY
 
 
-def steep_seconds(sizes: tuple[int, int], pair: Pair, theirs: float, slope: float) -> float:
+def steep_seconds(sizes: tuple[int, int], pair: TurnPair, theirs: float, slope: float) -> float:
     """The CPU time on the larger size that is enough to be clearly too steep, and some more.
 
     `pair` is that of the smaller size, `theirs` the reference's time on the larger one.
@@ -141,12 +143,14 @@ def steep_seconds(sizes: tuple[int, int], pair: Pair, theirs: float, slope: floa
     return max(_LEAST_CUT, _MORE * pair.ratio * theirs * steeper)
 
 
-def _counting(courses: Sequence[Course], pairs: dict[str, list[Pair]]) -> list[Course]:
+def _counting(courses: Sequence[GrowthSample], pairs: dict[str, list[TurnPair]]) -> list[GrowthSample]:
     """Those that take the reference long enough."""
     return [each for each in courses if _least(pairs[each.name]).reference >= LEAST_SECONDS]
 
 
-def _judged(counting: Sequence[Course], pairs: dict[str, list[Pair]], slope: float) -> tuple[Growth, bool]:
+def _judged(
+    counting: Sequence[GrowthSample], pairs: dict[str, list[TurnPair]], slope: float
+) -> tuple[Growth, bool]:
     courses, by_medians, by_least = _steepest(counting, pairs)
     too_steep = by_medians > slope and by_least > slope
     many = max(len(pairs[each.name]) for each in courses)
@@ -163,14 +167,14 @@ def _judged(counting: Sequence[Course], pairs: dict[str, list[Pair]], slope: flo
     return growth, too_steep
 
 
-def _point(course: Course, least: Pair) -> GrowthPoint:
+def _point(course: GrowthSample, least: TurnPair) -> GrowthPoint:
     mine, theirs = least.submission / course.cases, least.reference / course.cases
     return GrowthPoint(course.name, course.size, mine, theirs, course.ended)
 
 
 def _steepest(
-    counting: Sequence[Course], pairs: dict[str, list[Pair]]
-) -> tuple[Sequence[Course], float, float]:
+    counting: Sequence[GrowthSample], pairs: dict[str, list[TurnPair]]
+) -> tuple[Sequence[GrowthSample], float, float]:
     """All courses, or those that ended where these grow faster; by how much their exponent exceeds."""
     ended = [each for each in counting if each.ended]
     every = (counting, *_slopes(counting, pairs))
@@ -179,7 +183,7 @@ def _steepest(
     return max(every, (ended, *_slopes(ended, pairs)), key=lambda fit: fit[1])
 
 
-def _slopes(courses: Sequence[Course], pairs: dict[str, list[Pair]]) -> tuple[float, float]:
+def _slopes(courses: Sequence[GrowthSample], pairs: dict[str, list[TurnPair]]) -> tuple[float, float]:
     """By how much the exponent exceeds the reference's: by the median pairs, and by the least times."""
     medians = [
         (each.size, quantile(sorted(pair.ratio for pair in pairs[each.name]), 0.5)) for each in courses
@@ -188,9 +192,9 @@ def _slopes(courses: Sequence[Course], pairs: dict[str, list[Pair]]) -> tuple[fl
     return exponent(medians), exponent(least)
 
 
-def _least(pairs: Sequence[Pair]) -> Pair:
+def _least(pairs: Sequence[TurnPair]) -> TurnPair:
     """The least time of each."""
-    return Pair(min(pair.submission for pair in pairs), min(pair.reference for pair in pairs))
+    return TurnPair(min(pair.submission for pair in pairs), min(pair.reference for pair in pairs))
 
 
 def exponent(points: Sequence[tuple[int, float]]) -> float:

@@ -23,7 +23,7 @@ _MORE_OUTPUT = 256  # bytes for each answer of each pass, or twice what the firs
 _MOST_OUTPUT = 256 << 20  # bytes beyond what a single pass may write
 
 
-class Lap(NamedTuple):
+class Repeat(NamedTuple):
     """One process on so many passes over the cases; `usage` has the language's start in it.
 
     `answers` are the replies of one pass for each way in which it was answered: one where all passes answered
@@ -36,10 +36,10 @@ class Lap(NamedTuple):
     trouble: str = ""
 
 
-class Course(Protocol):
+class Repeated(Protocol):
     """One source on its cases."""
 
-    def run(self, passes: int, limits: Limits) -> Lap:
+    def run(self, passes: int, limits: Limits) -> Repeat:
         """Run it on so many passes over the cases; 0 for its start alone."""
         ...
 
@@ -60,7 +60,7 @@ class _Whole(Protocol):
     def run_whole(self, stdin: bytes, limits: Limits) -> ProgramResult: ...
 
 
-def course(runner: Runner, box: Box, cases: Sequence[Case]) -> Course:
+def course(runner: Runner, box: Box, cases: Sequence[Case]) -> Repeated:
     """The source in `box` on these cases."""
     repeats = runner.language and (runner.calls or not runner.problem.formatted)
     return _Foreign(runner, box, cases) if repeats else _Python(runner, box, cases)
@@ -81,15 +81,15 @@ class _Python:
     def start(self) -> float:
         return 0.0
 
-    def run(self, passes: int, limits: Limits) -> Lap:
+    def run(self, passes: int, limits: Limits) -> Repeat:
         if not passes:
-            return Lap(Usage(), 0)
+            return Repeat(Usage(), 0)
         size = len(str([reply.answer for reply in self._once])) if passes > 1 else 0
         longer = _longer(limits, self._cases, passes, size)
         replies = self._runner.ask(self._box, list(self._cases) * passes, longer)
         once = replies._replace(replies=replies.replies[: len(self._cases)])
         self._once = once.replies
-        return Lap(replies.usage, passes, (once,), replies.trouble)
+        return Repeat(replies.usage, passes, (once,), replies.trouble)
 
 
 class _Foreign:
@@ -115,24 +115,24 @@ class _Foreign:
     def start(self) -> float:
         return self._box.idle.cpu_seconds
 
-    def run(self, passes: int, limits: Limits) -> Lap:
+    def run(self, passes: int, limits: Limits) -> Repeat:
         head = b"" if self._runner.calls else b"%d\n" % (len(self._cases) * passes)
         longer = _longer(limits, self._cases, passes, self._size)
         done = self._box.run_whole(head + self._body * passes, longer)
         if done.stop is not Stop.ANSWERED:
-            return Lap(done.usage, passes, trouble=done.detail or done.stop.value)
+            return Repeat(done.usage, passes, trouble=done.detail or done.stop.value)
         if not passes:
-            return Lap(done.usage, 0)
+            return Repeat(done.usage, 0)
         self._size = len(done.stdout) // passes
         once = done.stdout[: self._size]
         count = len(self._cases)
         if once.count(b"\n") == count and done.stdout == once * passes:  # as nearly always
-            return Lap(done.usage, passes, (self._read(once),))
+            return Repeat(done.usage, passes, (self._read(once),))
         lines = done.stdout.splitlines(keepends=True)
         if len(lines) != count * passes:
-            return Lap(done.usage, passes, trouble="it answered no more")
+            return Repeat(done.usage, passes, trouble="it answered no more")
         blocks = dict.fromkeys(b"".join(lines[at : at + count]) for at in range(0, len(lines), count))
-        return Lap(done.usage, passes, tuple(map(self._read, blocks)))
+        return Repeat(done.usage, passes, tuple(map(self._read, blocks)))
 
     def _read(self, block: bytes) -> Replies:
         if self._runner.calls:

@@ -23,7 +23,7 @@ _LONG_IMPORT_SECONDS = 3.0  # of CPU time in the imports of all its turns, the s
 _AGAIN = "when it was run again to be timed"
 
 
-class Duel:
+class Race:
     """A submission and the reference on the cases of some groups, turn by turn.
 
     A turn is some calls, or one program. What a module does when it is imported is the same for all

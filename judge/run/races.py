@@ -14,7 +14,7 @@ from msgspec.structs import replace
 from judge.problem import Problem, Verdict
 from judge.run.budget import Budget
 from judge.run.group import GroupRun
-from judge.run.measure import Duel, limits_of, time_limit
+from judge.run.measure import Race, limits_of, time_limit
 from judge.run.reference import Reference
 from judge.run.result import Growth
 from judge.run.runner import Runner
@@ -87,7 +87,7 @@ def race_all(
 
 def duel_of(
     runner: Runner, runs: Sequence[GroupRun], submission: Box, reference: Reference, budget: Budget
-) -> Duel | None:
+) -> Race | None:
     """The two that take turns on the cases of these groups; None where there is nobody to race against.
 
     Raises:
@@ -99,12 +99,12 @@ def duel_of(
         return None
     limit = time_limit(problem, runs)
     if runner.language:
-        from judge.run.foreign import LongDuel, rival_of  # most submissions are in Python
+        from judge.run.foreign import LongRace, rival_of  # most submissions are in Python
 
         rival = rival_of(runner, problem.time, reference, limit)
-        return None if rival is None else LongDuel(runner, runs, submission, rival, budget)
+        return None if rival is None else LongRace(runner, runs, submission, rival, budget)
     box = reference.open(runner.reference(problem.time))
-    return None if box is None else Duel(runner, runs, submission, box, limit, budget)
+    return None if box is None else Race(runner, runs, submission, box, limit, budget)
 
 
 def measure(
@@ -154,7 +154,7 @@ def _grown(
     reference: Reference,
     budget: Budget,
 ) -> tuple[Grown, Against | None]:
-    from judge.run.growth import Course, Grown, grow  # few problems have a rule of growth
+    from judge.run.growth import Grown, GrowthSample, grow  # few problems have a rule of growth
 
     rule = runner.problem.growth
     duels = [duel_of(runner, [run], submission, reference, budget) for run in growing]
@@ -168,7 +168,7 @@ def _grown(
         if used is not None:
             each.theirs_took.append(used)
         courses.append(
-            Course(
+            GrowthSample(
                 run.group.name,
                 run.group.size or 1,
                 each.mine if ended else partial(_at_least, run, each.cases),

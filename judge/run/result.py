@@ -234,7 +234,7 @@ class Pitfall(Struct, frozen=True):
         return " + ".join(self.names)
 
 
-class Obstacle(Enum):
+class EntryKind(Enum):
     """Why a submission can answer nothing at all, whatever the case."""
 
     STUB = "stub"  # the entry function is still to be written
@@ -257,7 +257,7 @@ class EntryError(Struct, frozen=True):
     many arguments it takes, `within` what a function stands in: "class Solution", "function main".
     """
 
-    kind: Obstacle
+    kind: EntryKind
     line: int = 0
     name: str = ""
     takes: str = ""

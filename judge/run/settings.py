@@ -9,7 +9,7 @@ from msgspec import Struct, field
 from judge.run.alone import MeasureLock
 from judge.run.reference import Reference
 from judge.sandbox.boundary import BoxFactory
-from judge.sandbox.factory import Boxes
+from judge.sandbox.factory import Containment
 
 Progress = Callable[[int, int], None]  # cases done, cases in all
 
@@ -22,7 +22,7 @@ class Settings(Struct, frozen=True):
     `program` is run as one even where it defines the problem's function.
     """
 
-    box_factory: BoxFactory = field(default_factory=Boxes)
+    box_factory: BoxFactory = field(default_factory=Containment)
     measured: bool = True
     lock: MeasureLock = field(default_factory=MeasureLock)
     reference: Reference | None = None

@@ -10,7 +10,7 @@ from judge.errors import printable
 from judge.problem import Case, Problem
 from judge.problem.declare import Format
 from judge.problem.module import blaming
-from judge.sandbox.boundary import Line, ProgramResult, Reply, Stop
+from judge.sandbox.boundary import Conversation, ProgramResult, Reply, Stop
 
 _LINES = 20  # of a dialogue that are shown, the last ones
 _COLUMNS = 200
@@ -31,7 +31,7 @@ class Wrong(Exception):  # noqa: N818 - of the program, not of the talk
 class Program:
     """The program that `talk` talks with."""
 
-    def __init__(self, line: Line) -> None:
+    def __init__(self, line: Conversation) -> None:
         self.said: deque[str] = deque(maxlen=_LINES + 1)
         self.waited = self.longest = 0.0  # seconds, for the program: in all, and for one line
         self.ended = False  # whether its end was heard
@@ -74,7 +74,7 @@ class Talk:
         self._problem, self._own, self._case = problem, own, case
         self._program: Program | None = None
 
-    def __call__(self, line: Line) -> bool:
+    def __call__(self, line: Conversation) -> bool:
         """Hold it; whether the program may go on to its own end."""
         talk, self._program = self._own.talk, Program(line)
         assert talk is not None

@@ -28,7 +28,7 @@ _MOST_CASES = 400
 _CPU_SECONDS, _WALL_SECONDS, _OUTPUT_BYTES = 60.0, 300.0, 64 << 20
 
 
-class Program(Struct, frozen=True):
+class TimedProgram(Struct, frozen=True):
     """A program to measure: the name of its file and its source.
 
     `missing` says why its language cannot be run here, `warms` that it is compiled while it runs.
@@ -42,7 +42,7 @@ class Program(Struct, frozen=True):
 
 def measure(
     data: ProblemData,
-    programs: Sequence[Program],
+    programs: Sequence[TimedProgram],
     open_box: BoxFactory,
     rounds: int,
     tell: Callable[[int, int], None] | None = None,
@@ -83,7 +83,7 @@ def measure(
 class _Slope:
     """One program, and how many passes are long enough; raises JudgeError where it does not end well."""
 
-    def __init__(self, problem: Problem, program: Program, box: Box, cases: Sequence[Case]) -> None:
+    def __init__(self, problem: Problem, program: TimedProgram, box: Box, cases: Sequence[Case]) -> None:
         runner = opened(box, problem, program.source)
         if isinstance(runner, Failure):
             raise JudgeError(f"does not compile: {runner.message}")

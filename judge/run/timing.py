@@ -61,7 +61,7 @@ class Decision(Struct, frozen=True):
     limit: float = 0.0
 
 
-class Pair(Struct, frozen=True):
+class TurnPair(Struct, frozen=True):
     """One turn each, in CPU seconds."""
 
     submission: float
@@ -88,7 +88,7 @@ def race(
     notice. `goes_on` is asked after each pair whether there may be another.
     A `cautious` race is one of long turns in another language: see `decide`.
     """
-    pairs: list[Pair] = []
+    pairs: list[TurnPair] = []
     start = time.monotonic()
     while len(pairs) < MOST_PAIRS:
         pair = turn(submission, reference, swapped=len(pairs) % 2 == 1)
@@ -112,12 +112,12 @@ def race(
     return decide(pairs, limit, cautious=cautious)
 
 
-def is_sure(pair: Pair, limit: float) -> bool:
+def is_sure(pair: TurnPair, limit: float) -> bool:
     """Whether a single pair says that a submission is too slow: a long turn, a ratio far above the limit."""
     return pair.submission >= _SURE_SECONDS and pair.ratio > CLEARLY_ABOVE * limit
 
 
-def decide(pairs: list[Pair], limit: float, *, cautious: bool = False) -> Decision:
+def decide(pairs: list[TurnPair], limit: float, *, cautious: bool = False) -> Decision:
     """The ratio of the pairs, and whether it exceeds the limit.
 
     Where the decision is `cautious`, quartiles that lie wider apart than what is clearly above and clearly
@@ -137,7 +137,7 @@ def decide(pairs: list[Pair], limit: float, *, cautious: bool = False) -> Decisi
     return Decision(ratio, too_slow, borderline=too_slow or max(least, ratio.median) > CLEARLY_BELOW * limit)
 
 
-def summary(pairs: list[Pair]) -> Ratio:
+def summary(pairs: list[TurnPair]) -> Ratio:
     """The median paired ratio with its quartiles, and whether it deserves belief."""
     ratios = sorted(pair.ratio for pair in pairs)
     low, median, high = (quantile(ratios, part) for part in (0.25, 0.5, 0.75))
@@ -176,18 +176,18 @@ def quantile(ordered: list[float], part: float) -> float:
     return ordered[below] + (place - below) * (ordered[above] - ordered[below])
 
 
-def is_clear(pairs: list[Pair], limit: float) -> bool:
+def is_clear(pairs: list[TurnPair], limit: float) -> bool:
     """Whether every pair is clearly below the limit, or every one clearly above it."""
     ratios = [pair.ratio for pair in pairs]
     return max(ratios) <= CLEARLY_BELOW * limit or min(ratios) > CLEARLY_ABOVE * limit
 
 
-def _one_will_do(pair: Pair, limit: float) -> bool:
+def _one_will_do(pair: TurnPair, limit: float) -> bool:
     """Whether a single pair says enough: far below the limit, and of turns that are not short."""
     return pair.ratio <= _FAR_BELOW * limit and min(pair.submission, pair.reference) >= _LONG_SECONDS
 
 
-def turn(submission: Run, reference: Run, *, swapped: bool) -> Pair | None:
+def turn(submission: Run, reference: Run, *, swapped: bool) -> TurnPair | None:
     """One run each; who goes first changes, so that a drift favours nobody."""
     if swapped:
         theirs, mine = reference(), submission()
@@ -195,4 +195,4 @@ def turn(submission: Run, reference: Run, *, swapped: bool) -> Pair | None:
         mine, theirs = submission(), reference()
     if mine is None or not theirs:
         return None
-    return Pair(mine, theirs)
+    return TurnPair(mine, theirs)

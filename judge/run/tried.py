@@ -17,7 +17,7 @@ from judge.values.answers import Exact, Target
 _GAP = re.compile(r"(.*) \(gap (.*)\)\..*")  # as judge.geometry.sure writes it
 
 
-class Said(Struct, frozen=True):
+class CaseResult(Struct, frozen=True):
     """What a submission answered: its answer in words, and why it is rejected if it is.
 
     `given` is the answer itself in its JSON form, where it is short. `mode` is None where nothing could be
@@ -35,7 +35,7 @@ class Said(Struct, frozen=True):
     hurdle: EntryError | None = None
 
 
-class Tried(Struct, frozen=True):
+class OneCase(Struct, frozen=True):
     """A case with its exact answer, and what a submission said to it, if one was asked.
 
     `group` is the test group whose tolerance holds, `broken` says which promise the case breaks.
@@ -47,7 +47,7 @@ class Tried(Struct, frozen=True):
     exact: Exact
     target: Target
     module: Module
-    said: Said | None = None
+    said: CaseResult | None = None
     broken: str = ""
 
     @property
@@ -63,6 +63,6 @@ class Tried(Struct, frozen=True):
         return show.wanted(self.problem.answer, self.target)
 
     @property
-    def failed(self) -> Said | None:
+    def failed(self) -> CaseResult | None:
         """What was said, where that is not accepted."""
         return self.said if self.said and self.said.verdict is not Verdict.AC else None

@@ -19,7 +19,7 @@ from judge.sandbox.boundary import (
     Stop,
     Usage,
 )
-from judge.sandbox.factory import Boxes
+from judge.sandbox.factory import Containment
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -30,8 +30,8 @@ __all__ = [
     "LEVELS",
     "Box",
     "BoxFactory",
-    "Boxes",
     "CallsResult",
+    "Containment",
     "Defined",
     "Inspection",
     "Limits",
@@ -48,7 +48,7 @@ __all__ = [
 def open_box(source: bytes, name: str, *, level: str | None = None, hide: Iterable[Path] = ()) -> Box:
     """A box for one submission, at the best isolation level or at the one demanded; use it in a `with`.
 
-    Who opens several had better use `Boxes`.
+    Who opens several had better use `Containment`.
 
     Args:
         source: the submission's bytes, as they are in its file.
@@ -56,7 +56,7 @@ def open_box(source: bytes, name: str, *, level: str | None = None, hide: Iterab
         level: "full", "strong" or "limits"; UsageError if that cannot be had here.
         hide: more folders that must not be seen inside, if they lie among the interpreter's own.
     """
-    return Boxes(level, hide)(source, name)
+    return Containment(level, hide)(source, name)
 
 
 def levels_here(hide: Iterable[Path] = ()) -> tuple[Level, ...]:

@@ -10,7 +10,7 @@ from pathlib import Path
 from judge.errors import JudgeError, ShortageError
 from judge.sandbox import places, visible
 from judge.sandbox.boundary import LEVELS, Limits, Stop
-from judge.sandbox.factory import Boxes
+from judge.sandbox.factory import Containment
 
 MEANING = {
     "full": "bubblewrap's namespaces, landlock, a system call filter and resource limits",
@@ -78,7 +78,7 @@ def levels_here(hide: Iterable[Path] = ()) -> tuple[Level, ...]:
 
 def _try(name: str, hide: Iterable[Path], wanted: bytes) -> Level:
     try:
-        with Boxes(name, hide)(_LOOK if name == LEVELS[-1] else _LOOK + _DEEDS, "look.py") as box:
+        with Containment(name, hide)(_LOOK if name == LEVELS[-1] else _LOOK + _DEEDS, "look.py") as box:
             looked = box.run_program(wanted, _LOOKING)
     except JudgeError as error:
         lasting = not isinstance(error, ShortageError)

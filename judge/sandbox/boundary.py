@@ -162,7 +162,7 @@ class ProgramResult(NamedTuple):
     usage: Usage
 
 
-class Line(Protocol):
+class Conversation(Protocol):
     """What a program is talked with, line by line, while it runs."""
 
     def say(self, data: bytes) -> None:
@@ -174,7 +174,7 @@ class Line(Protocol):
         ...
 
 
-Talk = Callable[[Line], bool]  # whether the program may go on to its own end, or else is ended there
+Talk = Callable[[Conversation], bool]  # whether the program may go on to its own end, or else is ended there
 
 
 class Box(Protocol):

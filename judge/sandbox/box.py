@@ -17,12 +17,12 @@ from typing import TYPE_CHECKING
 from judge.errors import LIMIT_ON_TASKS, NO_THREAD, JudgeError, ShortageError, shortage_of
 from judge.sandbox import outcome, room, shared
 from judge.sandbox.boundary import Inspection, Limits, ProgramResult, Stop, Talk, Usage
-from judge.sandbox.container import Container, Done, Lost
+from judge.sandbox.container import ChildEnd, Container, Lost
 from judge.sandbox.dialogue import Dialogue
 from judge.sandbox.inside import wire
 
 if TYPE_CHECKING:
-    from judge.sandbox.factory import Boxes
+    from judge.sandbox.factory import Containment
 
 BUSY = "judge it again, with a smaller -j if the machine is busy"
 _PATIENCE = 5.0  # seconds, with a talk whose program is gone
@@ -38,7 +38,7 @@ class ContainerBox(ABC):
     stderr_bytes = 4096  # of its end
     lines = 0  # of the source, where a process says in which it stood
 
-    def __init__(self, boxes: Boxes) -> None:
+    def __init__(self, boxes: Containment) -> None:
         """`boxes` says at which level it is held, and what it may have."""
         self._boxes = boxes
         self._held = ""
@@ -94,7 +94,7 @@ class ContainerBox(ABC):
         detail = "" if stop is Stop.ANSWERED else detail
         return ProgramResult(stop, out, err, self._with_threads(detail), done.usage)
 
-    def _talked(self, talk: Talk, stderr: int, limits: Limits) -> tuple[Done, int, bytes]:
+    def _talked(self, talk: Talk, stderr: int, limits: Limits) -> tuple[ChildEnd, int, bytes]:
         """Run the program while it is talked with: how much it wrote, and what nobody has heard."""
         self._dialogue = dialogue = Dialogue(talk, limits.output_bytes)
         try:
@@ -115,11 +115,11 @@ class ContainerBox(ABC):
         """Make ready for runs; the source's fault, or nothing."""
 
     @abstractmethod
-    def _run(self, stdio: Sequence[int], limits: Limits) -> Done:
+    def _run(self, stdio: Sequence[int], limits: Limits) -> ChildEnd:
         """Run the program. Raises Lost."""
 
     @abstractmethod
-    def _said(self, done: Done, stderr: bytes) -> tuple[tuple[int, str], str]:
+    def _said(self, done: ChildEnd, stderr: bytes) -> tuple[tuple[int, str], str]:
         """What a program says of its end: a note, and words."""
 
     # -- the container
@@ -155,7 +155,7 @@ class ContainerBox(ABC):
 
     def _ask(
         self, kind: bytes, stdio: Sequence[int], payload: bytes, limits: Limits, memory: int, what: str
-    ) -> Done:
+    ) -> ChildEnd:
         """One request; whatever goes wrong on this side of it, Ctrl-C included, ends the container.
 
         `memory` is what the process may have in all; `what` is said where trusted code has failed.
@@ -196,7 +196,7 @@ class ContainerBox(ABC):
     # -- how it ended
 
     def _overrun(
-        self, done: Done, limits: Limits, printed: int, note: tuple[int, str]
+        self, done: ChildEnd, limits: Limits, printed: int, note: tuple[int, str]
     ) -> tuple[Stop, str] | None:
         said = int(self._here().region.words[wire.STOOD_AT])
         return outcome.overrun(

@@ -19,7 +19,7 @@ from judge.errors import ShortageError, shortage_of
 from judge.sandbox import outcome, room, shared
 from judge.sandbox.boundary import Limits, SourceFault
 from judge.sandbox.box import BUSY
-from judge.sandbox.container import Container, Done, Lost
+from judge.sandbox.container import ChildEnd, Container, Lost
 from judge.sandbox.inside import wire
 from judge.sandbox.launch import PLAIN, RESULT, SCRATCH, Workplace
 from judge.sandbox.recipe import Files, Recipe, Sources, filled
@@ -144,7 +144,7 @@ def compiled(
     return _collected(container, places["out"])._replace(cpu_seconds=used, warnings=warnings)
 
 
-def _asked(container: Container, kind: bytes, stdio: Sequence[int], payload: bytes) -> Done:
+def _asked(container: Container, kind: bytes, stdio: Sequence[int], payload: bytes) -> ChildEnd:
     try:
         return container.ask(kind, stdio, payload, LIMITS, LIMITS.memory_bytes)
     except Lost:
@@ -184,7 +184,7 @@ def _warned(said: str, sources: Sources, warning: str) -> tuple[str, ...]:
     return tuple(f"the compiler warns: {lines[line]} (line {line})" for line in lines)[:_WARNINGS]
 
 
-def _fault(done: Done, said: str, sources: Sources, complaint: str) -> SourceFault | None:
+def _fault(done: ChildEnd, said: str, sources: Sources, complaint: str) -> SourceFault | None:
     """Why a step failed, for a person; None where it did not. Raises ShortageError."""
     if not done.status:
         return None

@@ -19,7 +19,7 @@ from judge.errors import JudgeError, shortage_of
 from judge.sandbox import levels, seeds, shared
 from judge.sandbox.boundary import Limits, Usage
 from judge.sandbox.inside import wire
-from judge.sandbox.launch import Plan
+from judge.sandbox.launch import LaunchPlan
 from judge.sandbox.levels import StartError
 from judge.sandbox.seeds import Seed, Seeds
 from judge.sandbox.temporary import TemporaryFolder
@@ -28,7 +28,7 @@ START_SECONDS = 20.0  # a loaded machine, a cold disk
 SLOW_TRIES = 2  # each takes as long as that
 GRACE_SECONDS = 5.0  # beyond a request's own wall limit
 
-Planned = Callable[[Callable[[], str]], Plan]  # by what makes an empty folder
+Planned = Callable[[Callable[[], str]], LaunchPlan]  # by what makes an empty folder
 
 
 class Lost(Exception):  # noqa: N818 - it never reaches a person
@@ -44,7 +44,7 @@ class Lost(Exception):  # noqa: N818 - it never reaches a person
         self.wall_ns = wall_ns
 
 
-class Done(NamedTuple):
+class ChildEnd(NamedTuple):
     """A child's end as the fork server measured it."""
 
     status: int  # as wait4 gives it
@@ -153,7 +153,7 @@ class Container:
         limits: Limits,
         memory: int,
         begun: Callable[[], None] | None = None,
-    ) -> Done:
+    ) -> ChildEnd:
         """One request and its answer. Raises Lost and StartError; ShortageError before anything foreign runs.
 
         `memory` is the bytes that the process may have in all, more than the limit of the submission. `begun`
@@ -185,14 +185,14 @@ class Container:
         frame = wire.REQUEST.pack(kind, *times, memory, limits.output_bytes, payload, self._stop)
         self._line.send(frame, stdio)
 
-    def answer(self, limits: Limits) -> Done:
+    def answer(self, limits: Limits) -> ChildEnd:
         """What comes of the request. Raises as `ask`."""
         began = time.monotonic_ns()
         answer = self._receive(2 * limits.wall_seconds + GRACE_SECONDS)  # an import has a limit of its own
         if answer.startswith(wire.LACKING):
             raise shortage_of(wire.LACK.unpack_from(answer)[1], "the submission could not be run")
         if answer.startswith(wire.ENDED):
-            return Done(*wire.DONE.unpack_from(answer)[1:])
+            return ChildEnd(*wire.DONE.unpack_from(answer)[1:])
         data = self.replies()
         self.close()
         raise Lost(data, time.monotonic_ns() - began)

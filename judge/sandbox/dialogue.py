@@ -19,7 +19,7 @@ _AT_ONCE = 1 << 16
 _AT_END = 100  # times that somebody may talk to a program that is gone
 
 
-class Ended(BaseException):
+class DialogueEnded(BaseException):
     """Raised in a talk that has nobody to go on with; no Exception, so that none takes it for its own."""
 
 
@@ -79,7 +79,7 @@ class Dialogue:
                 self._to = -1
                 while self._writes:
                     self._wait()
-        except Ended:
+        except DialogueEnded:
             goes_on = False
         except BaseException as fault:  # raised again where the run was asked for
             self.fault, goes_on = fault, False
@@ -130,11 +130,11 @@ class Dialogue:
             self.printed += len(data)
             self._writes = bool(data)
             if self.printed > self._most:
-                raise Ended
+                raise DialogueEnded
         elif not ready and self._gone:
             self._writes = self._reads = False
 
     def _at_end(self) -> None:
         self._left -= 1
         if self._left < 0:
-            raise Ended
+            raise DialogueEnded

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from judge.sandbox.visible import Visible
 
 
-class Boxes:
+class Containment:
     """A `BoxFactory` at the best isolation level there is, or at the one demanded; see `Levels`."""
 
     def __init__(
@@ -55,7 +55,7 @@ class Boxes:
 
         return Seeds()
 
-    def kept(self) -> Boxes:
+    def kept(self) -> Containment:
         """These, where what a box was started from is there for the next one, until `close`."""
         self.seeds.keep = True
         return self

@@ -76,7 +76,7 @@ class Workplace(NamedTuple):
         return self.scratch if name == SCRATCH else dict(self.shown)[name]
 
 
-class Plan(NamedTuple):
+class LaunchPlan(NamedTuple):
     """How to start the seed of a fork server; `config` is what the server is told besides its source.
 
     `hidden` is what must not be visible, and where nothing of ours may be, for the region: nothing that
@@ -106,7 +106,7 @@ def plan(
     share: Share,
     make_home: Callable[[], str],
     place: Workplace | None = None,
-) -> Plan:
+) -> LaunchPlan:
     """The plan for `level`; the descriptors of the bundle and of the channel are its command's last words.
 
     `place` is there for what is no Python; that has a home, an empty folder of this machine, at `full` one
@@ -145,9 +145,9 @@ def plan(
         if level != "full" and uid is not None:
             os.chown(home, uid, uid)
     if level != "full":
-        return Plan(tuple(python), ENVIRONMENT, config, hidden)
+        return LaunchPlan(tuple(python), ENVIRONMENT, config, hidden)
     command = [*_bubblewrap(visible, uid, config["reads_all"], place), "--", *python]
-    return Plan(tuple(command), {"PATH": os.environ.get("PATH", os.defpath)}, config, hidden)
+    return LaunchPlan(tuple(command), {"PATH": os.environ.get("PATH", os.defpath)}, config, hidden)
 
 
 def _settle(place: Workplace, level: str, visible: Visible, config: dict[str, Any]) -> None:

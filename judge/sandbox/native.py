@@ -32,11 +32,11 @@ from judge.sandbox.boundary import (
 )
 from judge.sandbox.box import BUSY, ContainerBox
 from judge.sandbox.compile import LIMITS, PROCESSES, compiled, place_of
-from judge.sandbox.container import Container, Done, Lost
-from judge.sandbox.factory import Boxes
+from judge.sandbox.container import ChildEnd, Container, Lost
+from judge.sandbox.factory import Containment
 from judge.sandbox.inside import wire
 from judge.sandbox.launch import Workplace
-from judge.sandbox.recipe import Files, Recipe, Sources, Store, filled, written
+from judge.sandbox.recipe import ArtifactStore, Files, Recipe, Sources, filled, written
 from judge.sandbox.temporary import TemporaryFolder
 
 _BOX = "/box"
@@ -55,7 +55,9 @@ class NativeBox(ContainerBox):
 
     stderr_bytes = 32 << 10  # what says why comes before a hundred frames of the stack
 
-    def __init__(self, order: Callable[[], Order], boxes: Boxes, store: Store, *, idle: bool = True) -> None:
+    def __init__(
+        self, order: Callable[[], Order], boxes: Containment, store: ArtifactStore, *, idle: bool = True
+    ) -> None:
         """`order` is asked on entering: it raises JudgeError where a tool is missing.
 
         Without `idle` nothing is taken off for the language.
@@ -183,12 +185,12 @@ class NativeBox(ContainerBox):
         fault = self.inspect().fault
         return fault.message if fault else ""
 
-    def _said(self, done: Done, stderr: bytes) -> tuple[tuple[int, str], str]:
+    def _said(self, done: ChildEnd, stderr: bytes) -> tuple[tuple[int, str], str]:
         sign = self._recipe.out_of_memory
         short = done.status and not os.WIFSTOPPED(done.status) and sign and sign.encode() in stderr
         return (wire.NO_MEMORY if short else wire.NO_NOTE, ""), last_words(stderr)
 
-    def _run(self, stdio: Sequence[int], limits: Limits) -> Done:
+    def _run(self, stdio: Sequence[int], limits: Limits) -> ChildEnd:
         recipe, memory, idle = self._recipe, limits.memory_bytes, self.idle
         self._settle()
         self._here()
@@ -296,7 +298,7 @@ class NativeBox(ContainerBox):
         return found, kept_form
 
 
-def measured(recipe: Recipe, boxes: Boxes, store: Store) -> Usage:
+def measured(recipe: Recipe, boxes: Containment, store: ArtifactStore) -> Usage:
     """What a program costs that does nothing. Raises JudgeError where it fails."""
     name, source = recipe.empty
     limits = Limits(cpu_seconds=10.0, wall_seconds=30.0, memory_bytes=256 << 20, output_bytes=1 << 20)

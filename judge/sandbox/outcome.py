@@ -17,7 +17,7 @@ from itertools import repeat
 from typing import Any
 
 from judge.sandbox.boundary import Limits, Reply, Stop, Usage
-from judge.sandbox.container import Done
+from judge.sandbox.container import ChildEnd
 from judge.sandbox.inside import wire
 
 DETAIL_LENGTH = 1000
@@ -35,13 +35,13 @@ _CRASHES = (
 )
 
 
-def is_from_outside(done: Done) -> bool:
+def is_from_outside(done: ChildEnd) -> bool:
     """Whether a signal has ended it that is no crash of its own: in trusted code, no fault of a source."""
     return os.WIFSIGNALED(done.status) and os.WTERMSIG(done.status) not in _CRASHES
 
 
 def overrun(
-    done: Done,
+    done: ChildEnd,
     limits: Limits,
     printed: int,
     note: tuple[int, str],
@@ -78,7 +78,7 @@ def overrun(
     return (Stop.OUTPUT, text) if kind == wire.TOO_MUCH else None
 
 
-def end_of(done: Done, note: tuple[int, str], words: str | None = None) -> tuple[Stop, str]:
+def end_of(done: ChildEnd, note: tuple[int, str], words: str | None = None) -> tuple[Stop, str]:
     """How a process that kept its limits ended; `words` are the last of one that is no Python."""
     kind, text = note
     more = f": {words}" if words else ""

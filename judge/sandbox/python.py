@@ -21,12 +21,12 @@ from judge.sandbox.boundary import (
 )
 from judge.sandbox.box import BUSY, LOST, ContainerBox
 from judge.sandbox.calls import packed
-from judge.sandbox.container import Container, Done, Lost
+from judge.sandbox.container import ChildEnd, Container, Lost
 from judge.sandbox.inside import wire
 from judge.sandbox.levels import StartError
 
 if TYPE_CHECKING:
-    from judge.sandbox.factory import Boxes
+    from judge.sandbox.factory import Containment
 
 PRINTED_BYTES = 4 << 10  # of what a function prints that are kept
 _INSPECTION = Limits(cpu_seconds=10.0, wall_seconds=30.0, memory_bytes=1 << 30, output_bytes=1 << 22)
@@ -40,7 +40,7 @@ class PythonBox(ContainerBox):
     awaited on entering, so that a judge may do other things meanwhile.
     """
 
-    def __init__(self, boxes: Boxes, source: bytes, name: str) -> None:
+    def __init__(self, boxes: Containment, source: bytes, name: str) -> None:
         """Start a container ahead; what goes wrong with that shows when it is asked for."""
         super().__init__(boxes)
         self._source, self._name = source, name
@@ -69,7 +69,7 @@ class PythonBox(ContainerBox):
             return Inspection(SourceFault(f"the compiler did not survive it: {text}"))
         return Inspection.read(outcome.parse_inspection(replies))
 
-    def _opened(self) -> Done:
+    def _opened(self) -> ChildEnd:
         """How a container's look at the source ended, where nothing foreign has run: what is lost or killed
         then, the machine has lost.
         """
@@ -110,7 +110,7 @@ class PythonBox(ContainerBox):
             ]
         return CallsResult(tuple(replies), done.usage, done.imported, text)
 
-    def _ended(self, done: Done, limits: Limits, printed: int, count: int) -> list[Reply]:
+    def _ended(self, done: ChildEnd, limits: Limits, printed: int, count: int) -> list[Reply]:
         """The replies of a child that is gone; the last says how it ended if it did not answer all."""
         note = self._note()
         replies, kept_form = outcome.parse_replies(self._here().replies(), count)
@@ -133,10 +133,10 @@ class PythonBox(ContainerBox):
         # of a limit that the calls passed together, the last one hears
         return [*replies[: count - 1], Reply(stop, detail=detail)]
 
-    def _run(self, stdio: Sequence[int], limits: Limits) -> Done:
+    def _run(self, stdio: Sequence[int], limits: Limits) -> ChildEnd:
         return self._request(wire.PROGRAM, stdio, b"", limits)
 
-    def _said(self, done: Done, stderr: bytes) -> tuple[tuple[int, str], str]:  # noqa: ARG002
+    def _said(self, done: ChildEnd, stderr: bytes) -> tuple[tuple[int, str], str]:  # noqa: ARG002
         return self._note(), ""
 
     def _prepare(self) -> str:
@@ -148,7 +148,7 @@ class PythonBox(ContainerBox):
             self._opened()
         return ""
 
-    def _request(self, kind: bytes, stdio: Sequence[int], payload: bytes, limits: Limits) -> Done:
+    def _request(self, kind: bytes, stdio: Sequence[int], payload: bytes, limits: Limits) -> ChildEnd:
         memory = 2 * limits.memory_bytes + _ADDRESS_SPACE
         return self._ask(kind, stdio, payload, limits, memory, _FAILED)
 

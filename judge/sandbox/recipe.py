@@ -68,7 +68,7 @@ class Sources(NamedTuple):
         return self.files[0][0]
 
 
-class Store(Protocol):
+class ArtifactStore(Protocol):
     """Where artifacts and what was measured are kept; whatever cannot be kept is made again."""
 
     def artifact(self, key: str) -> Files | None:

@@ -18,7 +18,7 @@ from typing import Any
 
 from judge.sandbox import bundle, levels, shared
 from judge.sandbox.inside import wire
-from judge.sandbox.launch import Plan
+from judge.sandbox.launch import LaunchPlan
 
 END_SECONDS = 1.0
 GONE = BrokenPipeError, ConnectionResetError
@@ -73,7 +73,7 @@ _STARTER = _Starter()
 class Seed:
     """An interpreter that has the judge's modules of the inside, and forks a server for each container."""
 
-    def __init__(self, plan: Plan) -> None:
+    def __init__(self, plan: LaunchPlan) -> None:
         """Start it. Raises StartError, OSError and RuntimeError."""
         self.plan = plan
         self.users = 0
@@ -133,7 +133,7 @@ class Seeds:
         self._lock = threading.Lock()
         self._seeds: list[Seed] = []
 
-    def take(self, plan: Plan) -> Seed:
+    def take(self, plan: LaunchPlan) -> Seed:
         """One for a container of that plan. Raises as `Seed`."""
         with self._lock:
             for seed in self._seeds:

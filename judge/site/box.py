@@ -12,7 +12,7 @@ from collections.abc import Callable
 from time import perf_counter
 from types import CodeType
 
-from judge.judging.inprocess import Ended, InProcess, Watch
+from judge.judging.inprocess import InProcess, LimitPassed, Watch
 from judge.sandbox.boundary import Limits, Stop
 
 SPARE_SECONDS = 2.0  # beyond a limit, or twice it: Python is slower in a tab, and slower when it is watched
@@ -82,9 +82,9 @@ class TabWatch(Watch):
         """Raise Ended where it is time to."""
         if perf_counter() > self._end:
             self._late = True  # from now on at each turn, should the submission catch this one
-            raise Ended(Stop.CPU, f"used more than {self._seconds:g} s of CPU time")
+            raise LimitPassed(Stop.CPU, f"used more than {self._seconds:g} s of CPU time")
         if self._memory() - self._before > self.limits.memory_bytes:
-            raise Ended(Stop.MEMORY, f"used more than {self.limits.memory_bytes >> 20} MB")
+            raise LimitPassed(Stop.MEMORY, f"used more than {self.limits.memory_bytes >> 20} MB")
 
 
 class TabBox(InProcess):

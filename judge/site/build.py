@@ -36,7 +36,7 @@ from judge.errors import JudgeError, UsageError
 from judge.files import replace_file
 from judge.mistakes.namer import Namer
 from judge.practice.cards import NONE, Card, Count, Drawn, Number, read_decks
-from judge.practice.questions import Question, Sources, ask
+from judge.practice.questions import LazyProblems, Question, ask
 from judge.practice.stub import make_stub
 from judge.practice.syllabus import USUAL, PracticeSet, read_checklist, read_pack, sound_sets
 from judge.problem import Problem
@@ -320,7 +320,7 @@ def _write_worker(out: Path, pieces: str) -> None:
 
 def _cards(problems: Sequence[Problem], folders: Sequence[Path]) -> list[dict[str, Any]]:
     """The cards of all sets whose problems are here."""
-    sources = Sources(folders, _SEED, lambda _label: nullcontext())
+    sources = LazyProblems(folders, _SEED, lambda _label: nullcontext())
     names: set[str] = {"", *(problem.id for problem in problems)}
     found = []
     for card in read_decks(folders)[0]:

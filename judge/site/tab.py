@@ -41,7 +41,7 @@ NAME = "yours.py"
 _START = re.compile(r'<script type="application/json" id="start">(.*?)</script>', re.DOTALL)
 
 
-class Page(Protocol):
+class Listener(Protocol):
     """What the worker hears of the work."""
 
     def alive(self) -> None:
@@ -77,7 +77,7 @@ class Shipped:
 class Tab:
     """The katas that were opened. `page` hears of the work; `folder` holds the katas."""
 
-    def __init__(self, page: Page, folder: str = "/katas") -> None:
+    def __init__(self, page: Listener, folder: str = "/katas") -> None:
         self._page, self._folder = page, Path(folder)
         self._katas: dict[str, _Kata] = {}
 
@@ -96,7 +96,7 @@ class Tab:
 
 
 class _Kata:
-    def __init__(self, folder: Path, name: str, page: Page) -> None:
+    def __init__(self, folder: Path, name: str, page: Listener) -> None:
         boxes = partial(TabBox, memory=page.memory, alive=page.alive)
         problem = load_problem(folder / "problems" / name)
         self._page = page

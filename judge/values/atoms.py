@@ -269,7 +269,7 @@ class NumberType(Atom):
         """An int of any size; where a float may be, a float, a Fraction or a Written too."""
         given, name = wire.number(raw), place.name()
         meant = name or (noun if self.measured else self.noun)
-        if isinstance(given, wire.Fault):
+        if isinstance(given, wire.Refusal):
             raise Unreadable(given.where(f"{meant} is expected"))
         if isinstance(given, int) or float in self.kinds:
             return given

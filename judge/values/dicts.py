@@ -23,7 +23,7 @@ class Entries(tuple[Any, ...]):
         return repr(dict(self))
 
 
-class Entry(NamedTuple):
+class DictPart(NamedTuple):
     """What a part of a dict is called in messages."""
 
     name: str

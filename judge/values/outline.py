@@ -28,7 +28,7 @@ from judge.values.letters import TextType
 from judge.values.reading import read, read_line
 from judge.values.show import best
 from judge.values.types import TupleType, atoms, lasting
-from judge.values.wire import Fault, Raw, Unreadable, items, near, number, word
+from judge.values.wire import Raw, Refusal, Unreadable, items, near, number, word
 
 Outline = tuple[str, tuple[float, ...]]
 
@@ -100,7 +100,7 @@ def _misread(type_: Type, raw: Raw) -> Outline:
     if found is not None:
         return _shape(found, texts=any(atom.annotation == "str" for atom in atoms(type_)))
     given = number(raw)
-    if isinstance(given, Fault):
+    if isinstance(given, Refusal):
         return _wrong_type(raw)
     form = "number" if type_.measured else "count" if isinstance(given, int) else "type float"
     return form, (near(given),)
@@ -111,10 +111,10 @@ def _shape(found: Sequence[Raw], *, texts: bool) -> Outline:
         for inner in items(each) or ():
             if texts and word(inner) is not None:  # which it may hold
                 continue
-            if isinstance(number(inner), Fault) and items(inner) is None:
+            if isinstance(number(inner), Refusal) and items(inner) is None:
                 return _wrong_type(inner)
     given = [number(item) for item in found[:4]]
-    return f"shape {len(found)}", tuple(near(each) for each in given if not isinstance(each, Fault))
+    return f"shape {len(found)}", tuple(near(each) for each in given if not isinstance(each, Refusal))
 
 
 def _wrong_type(raw: Any) -> Outline:

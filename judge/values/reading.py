@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from judge.values.answers import NO_WORDS, Words
 from judge.values.atoms import ROOT, Atom, IntType, Place, Type, Value
-from judge.values.dicts import DictType, Entries, Entry
+from judge.values.dicts import DictPart, DictType, Entries
 from judge.values.letters import TextType
 from judge.values.show import is_one_item, shown
 from judge.values.types import Composite, ListType, OptionalType, TupleType, lasting
@@ -45,7 +45,7 @@ def _entries(type_: DictType, found: Sequence[Raw], place: Place, *, bounded: bo
     """The entries, in the order of their keys."""
     read_ones: dict[Value, Value] = {}
     for at, (sent, raw) in enumerate(found):
-        key = read(type_.key, sent, Place(place, at, Entry("a key")), bounded=bounded)
+        key = read(type_.key, sent, Place(place, at, DictPart("a key")), bounded=bounded)
         if key in read_ones:
             raise Unreadable(f"{place.prefix()}the key {type_.key.shown(key)} is there twice")
         read_ones[key] = read(type_.value, raw, entry(type_, key, place, at), bounded=bounded)
@@ -54,7 +54,7 @@ def _entries(type_: DictType, found: Sequence[Raw], place: Place, *, bounded: bo
 
 def entry(type_: DictType, key: Value, place: Place, at: int) -> Place:
     """The place of what stands at that key; `at` is where its pair is."""
-    return Place(Place(place, at, Entry(f"entry {type_.key.shown(key)}")), 1)
+    return Place(Place(place, at, DictPart(f"entry {type_.key.shown(key)}")), 1)
 
 
 def _no_parts(type_: Composite, raw: Raw, found: Sequence[Raw] | None, place: Place) -> str:

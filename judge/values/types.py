@@ -15,7 +15,7 @@ MANY_LENGTHS = 1000  # of a list without a bound
 _Kind = type[tuple[Any, ...]] | type[list[Any]]
 
 
-class Made(Type):
+class CompositeType(Type):
     """A type that is made of others."""
 
     def _made(self, *parts: Type) -> None:
@@ -28,7 +28,7 @@ class Made(Type):
             setattr(self, name, all(getattr(part, name) for part in parts))
 
 
-class OptionalType(Made):
+class OptionalType(CompositeType):
     """`T?`: None, or what `inner` says."""
 
     optional = True
@@ -56,7 +56,7 @@ class OptionalType(Made):
         return quick
 
 
-class Composite(Made):
+class Composite(CompositeType):
     """A type of several parts: those of a tuple are `made_of` one type each, those of a list all of the one.
 
     How many parts a value has is asked of `wrong_count`.

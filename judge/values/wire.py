@@ -1,7 +1,7 @@
 """Numbers, words and texts out of hostile JSON and lines of text, believing nothing.
 
 JSON is as `judge.sandbox.encode` writes it. A number comes out as an int, a float, a Fraction or a `Written`
-decimal; whatever else was sent, forged or absurd, comes out as a `Fault` that says why it is no number.
+decimal; whatever else was sent, forged or absurd, comes out as a `Refusal` that says why it is no number.
 
     {"word": "enter"}              a str, a word or a text
     {"array": ["d", "00…"]}        numbers of one type: its code in Python's `array`, and their bytes
@@ -52,7 +52,7 @@ class Unreadable(Exception):  # noqa: N818 - it never reaches a person but as it
     """An answer of the wrong form; its text says why."""
 
 
-class Fault(Struct, frozen=True):
+class Refusal(Struct, frozen=True):
     """Something that is not what was meant: what it is, for a person, and what to do about it.
 
     `type` is the name of its Python type where that is no plain one.
@@ -88,25 +88,25 @@ def in_order(low: int, high: int) -> None:
 # -- JSON --------------------------------------------------------------------------------------------------
 
 
-def decimal(text: str) -> Written | Fault:
+def decimal(text: str) -> Written | Refusal:
     """A plain ASCII decimal, such as `+1`, `1.`, `.5` or `1E+05`, or why it is none."""
     if len(text) > MOST_DIGITS:
-        return Fault(f"a number of {len(text)} characters", f"write at most {MOST_DIGITS}")
+        return Refusal(f"a number of {len(text)} characters", f"write at most {MOST_DIGITS}")
     match = _DECIMAL.fullmatch(text)
     if match is None:
         why = (why for begun, why in _NO_DECIMALS.items() if re.match(begun, text, re.IGNORECASE | re.DOTALL))
-        return Fault(quoted(text), next(why))
+        return Refusal(quoted(text), next(why))
     power = match[1]
     if power and abs(int(power)) > MOST_EXPONENT:
-        return Fault(quoted(text), f"its exponent is beyond ±{MOST_EXPONENT}")
+        return Refusal(quoted(text), f"its exponent is beyond ±{MOST_EXPONENT}")
     return Written(text, float(text))
 
 
-def number(raw: Raw) -> Given | Fault:
+def number(raw: Raw) -> Given | Refusal:
     """The number that `raw` stands for, or why it stands for none."""
     kind = type(raw)
     if kind is float:
-        return raw if raw - raw == 0.0 else Fault(repr(raw), "it is not a finite number")
+        return raw if raw - raw == 0.0 else Refusal(repr(raw), "it is not a finite number")
     if kind is int or kind is Written or kind is Fraction:
         return raw  # type: ignore[no-any-return]
     if kind is dict and len(raw) == 1:
@@ -164,36 +164,36 @@ def numbers(raw: Raw) -> array[Any] | None:
     return found
 
 
-def fault(raw: Raw) -> Fault:
+def fault(raw: Raw) -> Refusal:
     """What a wrong `raw` is, in words, and the remedy for the mistakes people make."""
     kind = type(raw)
     text = raw if kind is str else word(raw)
     if raw is None or kind in (int, float, Written):
-        return Fault(show(raw))
+        return Refusal(show(raw))
     if kind in (list, tuple):
-        return Fault("a list")
+        return Refusal("a list")
     if kind is bool:
         return _typed("bool", repr(raw))
     if entries(raw) is not None:
-        return Fault("a dict", "", "dict")
+        return Refusal("a dict", "", "dict")
     if text is not None:
         return _typed("str", show(raw))
     if items(raw) is not None:
-        return Fault("an array" if "array" in raw else f"the tuple {show(raw)}")
+        return Refusal("an array" if "array" in raw else f"the tuple {show(raw)}")
     if kind is dict and set(raw) == {"type", "text"} and set(map(type, raw.values())) == {str}:
         return _typed(_clean(raw["type"]), _clean(raw["text"]))
-    return Fault("something that is not an answer")
+    return Refusal("something that is not an answer")
 
 
-def _typed(name: str, text: str) -> Fault:
+def _typed(name: str, text: str) -> Refusal:
     if text.startswith("a text of"):  # that is too long to be sent
-        return Fault(f"{text},", "", name)
+        return Refusal(f"{text},", "", name)
     if text.startswith("a subclass"):
-        return Fault(f"{name}, {text},", "return a plain one", name)
+        return Refusal(f"{name}, {text},", "return a plain one", name)
     if name == "float":
-        return Fault(text, "it is not a finite number", name)
+        return Refusal(text, "it is not a finite number", name)
     unnamed = f"a {name}" if name in (*ITERATORS.split(), *SETS) else f"a value of type {name}"
-    return Fault(f"the {name} {text}" if text else unnamed, "", name)
+    return Refusal(f"the {name} {text}" if text else unnamed, "", name)
 
 
 def _clean(text: str) -> str:
@@ -239,7 +239,7 @@ def show(raw: Raw, depth: int = 3) -> str:
     if raw is None or kind is float or kind is bool:
         return repr(raw)
     read = number(raw)
-    if isinstance(read, Fault):
+    if isinstance(read, Refusal):
         return read.text.rstrip(",")
     if isinstance(read, Written):
         return _clean(read.text)
@@ -319,6 +319,6 @@ class Tokens:
     def number(self, meant: str) -> Written:
         """Take a decimal."""
         read = decimal(self.next())
-        if isinstance(read, Fault):
+        if isinstance(read, Refusal):
             raise Unreadable(f"{read.text} where {meant} is expected: {read.remedy}")
         return read

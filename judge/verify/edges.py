@@ -20,14 +20,14 @@ from judge.values.letters import texts_of
 NEARLY = 1e-5  # of the size: a decision that is less than this and not exact
 
 
-class Edge(Struct, frozen=True):
+class EdgeCoverage(Struct, frozen=True):
     """How many cases reach an edge of what may come."""
 
     what: str
     cases: int
 
 
-def edges_of(data: ProblemData) -> list[Edge]:
+def edges_of(data: ProblemData) -> list[EdgeCoverage]:
     """The edges of the signature and those of the decisions of `solve`; 0 where no case has one."""
     cases = [case for group in data.groups if group.group.size is None for case in group.cases]
     decided: dict[str, Counter[str]] = {}
@@ -41,30 +41,30 @@ def edges_of(data: ProblemData) -> list[Edge]:
             decided.setdefault(what, Counter())[how] += 1
     rows = list(_of_signature(data.problem.parameters, cases))
     for what, counts in sorted(decided.items()):
-        rows += [Edge(f"{what}: {how}", counts[how]) for how in ("exactly", "nearly", "clear")]
+        rows += [EdgeCoverage(f"{what}: {how}", counts[how]) for how in ("exactly", "nearly", "clear")]
     return rows
 
 
-def _of_signature(parameters: Sequence[Parameter], cases: Sequence[Case]) -> Iterator[Edge]:
+def _of_signature(parameters: Sequence[Parameter], cases: Sequence[Case]) -> Iterator[EdgeCoverage]:
     """Two parameters can be equal if they hold as many numbers."""
     for at, each in enumerate(parameters):
         if texts_of(each.type):
-            yield Edge(f"{each.name} is empty", sum(not case[at] for case in cases))
+            yield EdgeCoverage(f"{each.name} is empty", sum(not case[at] for case in cases))
         else:
-            yield Edge(f"{each.name} is 0", sum(not any(_numbers(case[at])) for case in cases))
+            yield EdgeCoverage(f"{each.name} is 0", sum(not any(_numbers(case[at])) for case in cases))
     for (at, x), (other, y) in combinations(enumerate(parameters), 2):
         if x.type.width == y.type.width:
-            yield Edge(f"{x.name} = {y.name}", sum(case[at] == case[other] for case in cases))
+            yield EdgeCoverage(f"{x.name} = {y.name}", sum(case[at] == case[other] for case in cases))
     if any(each.type.measured for each in parameters):
         kinds = [set(map(type, _numbers(case))) for case in cases]
         ints, floats = kinds.count({int}), kinds.count({float})
-        yield Edge("all ints", ints)
-        yield Edge("all floats", floats)
-        yield Edge("ints and floats", len(cases) - ints - floats)
+        yield EdgeCoverage("all ints", ints)
+        yield EdgeCoverage("all floats", floats)
+        yield EdgeCoverage("ints and floats", len(cases) - ints - floats)
         sizes = [max(map(abs, _numbers(case)), default=0) for case in cases]
-        yield Edge("all below 1e-6", sum(size < 1e-6 for size in sizes))
-        yield Edge("up to 1e6", sum(1e-6 <= size <= 1e6 for size in sizes))
-        yield Edge("some above 1e6", sum(size > 1e6 for size in sizes))
+        yield EdgeCoverage("all below 1e-6", sum(size < 1e-6 for size in sizes))
+        yield EdgeCoverage("up to 1e6", sum(1e-6 <= size <= 1e6 for size in sizes))
+        yield EdgeCoverage("some above 1e6", sum(size > 1e6 for size in sizes))
 
 
 def _numbers(value: Any) -> Iterator[Any]:

@@ -15,7 +15,7 @@ from judge.problem.declare import Format
 from judge.problem.formats import input_of, output_of
 from judge.run.formatted import FormatRunner
 from judge.run.talk import Talk
-from judge.sandbox.dialogue import Ended
+from judge.sandbox.dialogue import DialogueEnded
 from judge.values.check import Rejection
 from judge.verify.model import Fault, fault_of
 
@@ -34,7 +34,7 @@ class _Odd:
     def say(self, _data: bytes) -> None:
         self._left -= 1
         if self._left < 0:
-            raise Ended
+            raise DialogueEnded
 
     def hear(self) -> bytes:
         self.say(b"")
@@ -83,7 +83,7 @@ def _odd_talks(data: ProblemData, own: Format) -> Iterator[Fault]:
     for text in _ODD:
         for case in data.module.examples:
             try:
-                with suppress(Ended):
+                with suppress(DialogueEnded):
                     Talk(data.problem, own, case)(_Odd(text))
             except ProblemError as error:
                 what = f"{error.what}, where the program prints {text!r}"

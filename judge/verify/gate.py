@@ -31,12 +31,12 @@ from judge.languages.signature import signature_of
 from judge.problem import Problem, Verdict
 from judge.problem.find import typed
 from judge.problem.model import chosen_groups
-from judge.problem.solutions import Kind, Solution, read_solutions
+from judge.problem.solutions import Solution, SolutionKind, read_solutions
 from judge.problem.toml import key_place
-from judge.run.execute import Judged, judge_submission
+from judge.run.execute import Judgement, judge_submission
 from judge.run.reference import check_needs
 from judge.run.settings import Settings
-from judge.sandbox import Boxes
+from judge.sandbox import Containment
 from judge.verify.edges import edges_of
 from judge.verify.formats import format_faults, odd_outputs
 from judge.verify.mistakes import ChoicesReport, verify_choices
@@ -67,7 +67,7 @@ class _Tried(NamedTuple):
 
     solution: Solution
     report: SolutionReport
-    judged: Judged | None
+    judged: Judgement | None
     rejecting: Mapping[str, int]
 
 
@@ -75,7 +75,7 @@ def verify_problem(
     problem: Problem,
     options: Options = Options(),  # noqa: B008 - frozen
     progress: Progress | None = None,
-    boxes: Boxes | None = None,
+    boxes: Containment | None = None,
     within: Within | None = None,
 ) -> Verified:
     """Check everything, the solutions in these boxes, where there are some; cases are solved `within` that.
@@ -97,7 +97,7 @@ def verify_problem(
         ]
     except ProblemError as error:
         return Verified(problem.id, (fault_of(error, problem.id),))
-    factory = AnyBoxes(boxes or Boxes(), signature_of(problem))
+    factory = AnyBoxes(boxes or Containment(), signature_of(problem))
     some = bool(options.groups)
     found = ChoicesReport()
     if not options.solution:
@@ -177,7 +177,7 @@ def _tried(solution: Solution, data: ProblemData, settings: Settings) -> _Tried:
     verdict = judged.result.verdict
     failed = tuple(group.name for group in judged.result.groups if group.verdict is not Verdict.AC)
     row = replace(row, verdict=verdict, ok=solution.kind.allows(verdict), failed=failed)
-    behaviour = judged.behaviour if solution.kind is Kind.WRONG else {}
+    behaviour = judged.behaviour if solution.kind is SolutionKind.WRONG else {}
     return _Tried(solution, row, judged, {name: len(each.wrong) for name, each in behaviour.items()})
 
 
@@ -216,8 +216,8 @@ def _check_pins(
 
 
 def _none_accepted(problem: Problem, solutions: Sequence[Solution]) -> Iterator[Fault]:
-    if not any(each.kind is Kind.ACCEPTED for each in solutions):
-        folder = problem.solutions / Kind.ACCEPTED.value
+    if not any(each.kind is SolutionKind.ACCEPTED for each in solutions):
+        folder = problem.solutions / SolutionKind.ACCEPTED.value
         where = f"{problem.solutions.name}/{folder.name}"
         yield Fault("there is no accepted solution", where, f"add one to {folder}")
 
@@ -236,7 +236,7 @@ def _time_faults(problem: Problem, solutions: Sequence[Solution]) -> Iterator[Fa
     rule = problem.time
     if rule is None:
         return
-    accepted = [each.path.name for each in solutions if each.kind is Kind.ACCEPTED]
+    accepted = [each.path.name for each in solutions if each.kind is SolutionKind.ACCEPTED]
     named: dict[tuple[str, ...], str | None] = {("function",): rule.function, ("program",): rule.program}
     named |= {("references", key): name for key, name in rule.references.items()}
     for path, name in named.items():
@@ -265,7 +265,11 @@ def _wrong_verdicts(
         if not (partial and row.verdict is Verdict.AC):
             yield _verdict_fault(problem, solution, judged)
         return
-    if solution.language or solution.kind is Kind.SLOW or (partial and solution.kind is Kind.WRONG):
+    if (
+        solution.language
+        or solution.kind is SolutionKind.SLOW
+        or (partial and solution.kind is SolutionKind.WRONG)
+    ):
         return
     untimed = replace(settings, measured=False)
     for seed, data in enumerate(others, start=1):
@@ -274,7 +278,7 @@ def _wrong_verdicts(
             yield _verdict_fault(problem, solution, judged, f" with --seed {seed}")
 
 
-def _verdict_fault(problem: Problem, solution: Solution, judged: Judged, seed: str = "") -> Fault:
+def _verdict_fault(problem: Problem, solution: Solution, judged: Judgement, seed: str = "") -> Fault:
     result = judged.result
     why = f" ({result.failure.message})" if result.failure else ""
     return Fault(
@@ -296,7 +300,7 @@ def _misnamed(problem: Problem, solutions: Sequence[Solution]) -> Iterator[Fault
     """The wrong programs whose file is not called as the mistake that they make."""
     for each in solutions:
         stem, name = each.path.stem, each.name
-        if each.kind is Kind.WRONG and name and stem != name and not stem.startswith(f"{name}-"):
+        if each.kind is SolutionKind.WRONG and name and stem != name and not stem.startswith(f"{name}-"):
             what = f"its docstring names the mistake {name!r}, its file {stem!r}"
             remedy = f"call it {file_name(name)}, or {file_name(f'{name}-…')}"
             yield Fault(what, f"{problem.solutions.name}/{each.file}", remedy)

@@ -19,11 +19,11 @@ from judge.languages.boxes import AnyBoxes
 from judge.languages.signature import signature_of
 from judge.problem import Problem, Verdict
 from judge.problem.model import GroupLimits
-from judge.problem.solutions import Kind, Solution, install_command, read_solutions, requirement
+from judge.problem.solutions import Solution, SolutionKind, install_command, read_solutions, requirement
 from judge.run.execute import judge_submission
 from judge.run.result import Behaviour
 from judge.run.settings import Settings
-from judge.sandbox import Boxes
+from judge.sandbox import Containment
 from judge.sandbox.boundary import IMPORTING
 from judge.sandbox.visible import package_folders
 from judge.verify.model import Progress
@@ -31,9 +31,11 @@ from judge.verify.model import Progress
 _LIMITS = GroupLimits(cpu_seconds=120, wall_seconds=600, memory_mb=1024)  # some are large, some slow
 
 
-def measure_libraries(problem: Problem, data: ProblemData, boxes: Boxes, progress: Progress) -> LibraryTable:
+def measure_libraries(
+    problem: Problem, data: ProblemData, boxes: Containment, progress: Progress
+) -> LibraryTable:
     """Judge the adapters whose packages are installed, and keep what comes of it. Raises ProblemError."""
-    adapters, faults = read_solutions(problem, Kind.LIBRARY)
+    adapters, faults = read_solutions(problem, SolutionKind.LIBRARY)
     for fault in faults:
         raise fault
     rows, missing = read_libraries(problem), []
@@ -71,7 +73,7 @@ def installed_version(package: str, *, javascript: bool = False) -> str:
     return next((each.version for each in found), "")
 
 
-def measured(adapter: Solution, data: ProblemData, boxes: Boxes) -> LibraryRow:
+def measured(adapter: Solution, data: ProblemData, boxes: Containment) -> LibraryRow:
     """What it answers to every case; nothing is timed. Raises UsageError where its import ends."""
     problem = replace(data.problem, limits=_LIMITS)
     data = ProblemData(problem, data.groups, loaded=data.loaded)

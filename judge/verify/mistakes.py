@@ -21,7 +21,7 @@ from judge.data.model import ProblemData
 from judge.data.pins import Kills
 from judge.errors import ProblemError
 from judge.mistakes.catalogue import EXAMPLE, FILE
-from judge.mistakes.computed import Computer, Program
+from judge.mistakes.computed import ComputedProgram, Computer
 from judge.mistakes.family import Family
 from judge.mistakes.makers import Maker, read_makers
 from judge.problem import Problem
@@ -156,7 +156,7 @@ def _on_big_cases(maker: Maker, data: ProblemData, box_factory: BoxFactory) -> B
 def _wrong_right_ways(family: Family, computer: Computer) -> Iterator[Fault]:
     for choice in family.right_ways():
         where = family.style_place(choice)
-        does = computer.behaviour(Program(family.program(choice).encode(), where, trusted=True))
+        does = computer.behaviour(ComputedProgram(family.program(choice).encode(), where, trusted=True))
         failed = [name for name, answers in does.items() if answers.wrong]
         if failed:
             yield Fault(

@@ -9,7 +9,7 @@ from msgspec import Struct
 from judge.errors import ExitCode, JudgeError
 from judge.problem import Verdict
 from judge.published import Published
-from judge.verify.edges import Edge
+from judge.verify.edges import EdgeCoverage
 
 ENOUGH = 5  # cases of one group that should reject a wrong program: fewer may be chance
 
@@ -70,7 +70,7 @@ class Verified(Published, frozen=True):
     pins: str = ""
     solutions: tuple[SolutionReport, ...] = ()
     mistakes: tuple[MistakeReport, ...] = ()
-    edges: tuple[Edge, ...] = ()
+    edges: tuple[EdgeCoverage, ...] = ()
 
     @property
     def exit_code(self) -> ExitCode:

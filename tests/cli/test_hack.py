@@ -14,7 +14,7 @@ from sampling import daily
 from terminals import on_a_terminal
 
 from judge.data.load import load_data
-from judge.mistakes.computed import Computer, Program
+from judge.mistakes.computed import ComputedProgram, Computer
 from judge.mistakes.killing import Jury
 from judge.mistakes.puzzles import HACKED, read_puzzles
 from judge.practice.events import Hack, Outcome
@@ -37,8 +37,8 @@ def test_what_is_shown_is_the_wrong_program(name):
     computer = Computer(load_data(problem))
     for puzzle in read_puzzles(problem, read_checklist().drilled())[:HACKED]:
         if puzzle.trusted:
-            known = computer.behaviour(Program(puzzle.known.encode(), "known", trusted=True))
-            shown = computer.behaviour(Program(puzzle.source, "shown", trusted=True))
+            known = computer.behaviour(ComputedProgram(puzzle.known.encode(), "known", trusted=True))
+            shown = computer.behaviour(ComputedProgram(puzzle.source, "shown", trusted=True))
             assert shown == known, puzzle.mistake
             assert any(each.wrong for each in shown.values()), puzzle.mistake
 

@@ -18,7 +18,7 @@ from judge.practice import begin
 from judge.practice.events import Help
 from judge.practice.history import History
 from judge.problem.find import find_problem
-from judge.problem.solutions import Kind, read_solutions
+from judge.problem.solutions import SolutionKind, read_solutions
 
 pytestmark = pytest.mark.slow
 
@@ -116,7 +116,7 @@ def test_a_kata_is_whole_and_sound_at_once(judge, tmp_path):
     ]
 
     problem = find_problem("my-own", [tmp_path / "pack" / "problems"])
-    for kind, status in ((Kind.ACCEPTED, 0), (Kind.WRONG, 1)):
+    for kind, status in ((SolutionKind.ACCEPTED, 0), (SolutionKind.WRONG, 1)):
         (program,) = read_solutions(problem, kind).programs
         ended = judge("run", "--problems", "pack/problems", "my-own", program.path, "--json")
         assert ended.status == status

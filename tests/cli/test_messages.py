@@ -13,7 +13,7 @@ from cli_support import FLOOR, PACK
 from judge.packs.programs import _misfit, _Trial
 from judge.problem import Verdict
 from judge.problem.find import find_problem, problem_folders
-from judge.problem.solutions import Kind
+from judge.problem.solutions import SolutionKind
 
 NO_JSON = "A case is not JSON. Write: 0, 0, 5, (-6, 3), (-5, 3)"
 CASES = [
@@ -154,7 +154,7 @@ def test_a_package_of_javascript_is_told(judge, submit, folder, said):
 
 
 def test_a_slow_program_that_is_too_fast_is_left_out_with_its_margin():
-    told = _misfit(Kind.SLOW, _Trial(Verdict.AC, None, 2.61), 1)
+    told = _misfit(SolutionKind.SLOW, _Trial(Verdict.AC, None, 2.61), 1)
     assert told == "too near the package's time limit of 1 s: it takes 2.61 s, and must take 6 s"
 
 

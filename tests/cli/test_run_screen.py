@@ -15,7 +15,7 @@ from sampling import nightly
 from terminals import on_a_terminal
 
 from judge.problem import Verdict
-from judge.report.published_result import Judged
+from judge.report.published_result import RunReport
 from judge.report.result import screenful
 from judge.report.screen import Screen, drawn
 from judge.run.result import Failure, GroupResult, Pitfall, Result, earned
@@ -96,7 +96,7 @@ def big(digits, advice=""):
 
 def screen_of(found, width):
     screen = Screen(io.StringIO(), False, width)
-    return drawn(screenful(Judged(found), screen, 23), screen)
+    return drawn(screenful(RunReport(found), screen, 23), screen)
 
 
 @pytest.mark.parametrize("digits", [1, 200, 4000])

@@ -12,9 +12,9 @@ from sampling import daily
 
 from judge.data.load import load_data
 from judge.holes.hunt import look_for_holes
-from judge.holes.model import Search
+from judge.holes.model import HoleSearch
 from judge.problem.load import load_problem
-from judge.sandbox import Boxes, levels_here
+from judge.sandbox import Containment, levels_here
 
 PROBLEMS = Path(__file__).parents[2] / "problems"
 NAMES = sorted(path.parent.name for path in PROBLEMS.glob("*/problem.toml"))
@@ -43,7 +43,7 @@ class _Nothing:
 @pytest.mark.parametrize("name", daily(NAMES, BY_DAY))
 def test_no_hole_is_found_in_a_short_search(name):
     problem = load_problem(PROBLEMS / name)
-    search = Search(seed=1, seconds=1e9, cases=CASES)
-    found = look_for_holes(problem, [load_data(problem)], Boxes(), search, _Nothing())
+    search = HoleSearch(seed=1, seconds=1e9, cases=CASES)
+    found = look_for_holes(problem, [load_data(problem)], Containment(), search, _Nothing())
     assert [f"{hole.file}:{hole.line} {hole.becomes} at {hole.case}" for hole in found.holes] == []
     assert found.faults == ()

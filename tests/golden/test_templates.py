@@ -13,9 +13,9 @@ from judge.judging.inprocess import InProcess
 from judge.practice.begin import KINDS
 from judge.problem import Verdict
 from judge.problem.load import load_problem
-from judge.problem.solutions import Kind, read_solutions
+from judge.problem.solutions import SolutionKind, read_solutions
 from judge.run import Settings, judge_submission
-from judge.sandbox import Boxes, levels_here
+from judge.sandbox import Containment, levels_here
 from judge.verify.gate import Options, verify_problem
 
 PROBLEMS = Path(judge.__file__).parent / "manual" / "katas" / "problems"
@@ -46,10 +46,10 @@ def test_their_programs_are_right_at_every_level_and_in_the_process_of_a_tab(lev
         if problem.growth:  # whose large cases take long
             continue
         data = load_data(problem)
-        for each in read_solutions(problem, Kind.ACCEPTED).programs:
+        for each in read_solutions(problem, SolutionKind.ACCEPTED).programs:
             if each.language:
                 continue
-            boxes = [Boxes(level), *([InProcess] if level == "limits" and not problem.talks else [])]
+            boxes = [Containment(level), *([InProcess] if level == "limits" and not problem.talks else [])]
             for factory in boxes:
                 settings = Settings(factory, measured=False)
                 found = judge_submission(data, each.source, each.path.name, settings).result

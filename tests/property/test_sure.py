@@ -10,12 +10,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from judge.geometry import Root, Sure, Words
+from judge.geometry import DecisionWords, Root, Sure
 from judge.geometry.sure import CLEAR
 from judge.problem.declare import InvalidCase, decisions
 
 SIDES = "it is below 0", "it is 0", "it is above 0"
-WORDS = Words("The length is almost 0", "It must be 0, or at least 1e-7·e.", SIDES)
+WORDS = DecisionWords("The length is almost 0", "It must be 0, or at least 1e-7·e.", SIDES)
 TINY = Decimal(10) ** -250  # a number of these sizes that is nearer to 0 is 0
 SPARE = Decimal(2) ** -38  # by how much more than the threshold a length may be and yet be refused
 

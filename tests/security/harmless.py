@@ -14,7 +14,7 @@ from attacks import ATTACKS
 from driver import bare
 
 import judge.sandbox
-from judge.sandbox import Boxes
+from judge.sandbox import Containment
 from judge.sandbox.boundary import Stop
 
 PACKS = [Path(judge.sandbox.__file__).parent]
@@ -35,7 +35,7 @@ def main(level: str) -> None:
                 row = {"name": attack.name, "works": worked, "how": found["output"][-300:]}
                 print(json.dumps(row), flush=True)
     else:
-        for each in attacked(Boxes(level), PACKS):
+        for each in attacked(Containment(level), PACKS):
             print(json.dumps({"name": each.name, "held": each.held, "how": each.how}), flush=True)
 
 

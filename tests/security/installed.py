@@ -14,7 +14,7 @@ from typing import Any
 
 import judge
 from judge.errors import JudgeError
-from judge.sandbox import Boxes, visible
+from judge.sandbox import Containment, visible
 from judge.sandbox.boundary import Limits
 from judge.sandbox.visible import Visible
 
@@ -31,7 +31,7 @@ def _told() -> list[str]:
 
 def _tried(level: str | None) -> dict[str, object]:
     try:
-        with Boxes(level)(SOURCE.read_bytes(), SOURCE.name) as box:
+        with Containment(level)(SOURCE.read_bytes(), SOURCE.name) as box:
             result = box.run_program(json.dumps(_told()).encode(), LIMITS)
             held = box.isolation
     except JudgeError as error:

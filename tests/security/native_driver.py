@@ -20,7 +20,7 @@ from typing import Any
 from driver import aimed, targets
 
 from judge.errors import JudgeError
-from judge.sandbox import Boxes
+from judge.sandbox import Containment
 from judge.sandbox.boundary import Limits
 from judge.sandbox.native import NativeBox
 from judge.sandbox.recipe import Recipe, Sources
@@ -49,7 +49,7 @@ def contained(recipe: Recipe, source: str, level: str) -> dict[str, Any]:
     file = recipe.empty[0]
     order = recipe, Sources(((file, source.encode()),), file)
     try:
-        with NativeBox(lambda: order, Boxes(level), NoStore(), idle=False) as box:
+        with NativeBox(lambda: order, Containment(level), NoStore(), idle=False) as box:
             fault = box.inspect().fault
             if fault:
                 return {"fault": fault.message}

@@ -18,7 +18,7 @@ from processes import below
 from table import READ_MEMORY, SCRIPTS, tried
 from without import leave_out
 
-from judge.sandbox import Boxes, container, shared
+from judge.sandbox import Containment, container, shared
 from judge.sandbox.inside import wire
 
 KEY = 0x6A_0000 + os.getpid() % 60_000
@@ -95,7 +95,7 @@ SOURCES = {
 }
 
 
-def ran(boxes: Boxes, source: str, target: dict[str, object]) -> str:
+def ran(boxes: Containment, source: str, target: dict[str, object]) -> str:
     with boxes(source.encode(), "deed.py") as box:
         return box.run_program(json.dumps(target).encode(), driver.PATIENT).stdout.decode(errors="replace")
 
@@ -117,7 +117,7 @@ OF_THE_JUDGE = {"a home of its own": one_home, "a memory of its own": one_memory
 
 
 def main(level: str) -> None:
-    boxes = Boxes(level).kept()
+    boxes = Containment(level).kept()
     inside = range(2, 40) if level == "full" else ()  # 1 is its own seed
     os.environ["JUDGE_TEST_SECRET"] = "1"
     for name in AFTER:

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from judge.sandbox import Boxes, Limits, Stop, levels_here
+from judge.sandbox import Containment, Limits, Stop, levels_here
 
 LIMITS = Limits(cpu_seconds=5.0, wall_seconds=20.0, memory_bytes=256 << 20, output_bytes=1 << 20)
 DEEDS = {  # an expression, and what it comes to
@@ -42,7 +42,7 @@ def test_a_right_program_is_right_at_every_level(level):
     if not Path("/usr/share/zoneinfo").is_dir():
         pytest.skip("no time zones here")
     source = SOURCE.replace("DEEDS", ", ".join(f"lambda: {deed}" for deed in DEEDS))
-    with Boxes(level)(source.encode(), "right.py") as box:
+    with Containment(level)(source.encode(), "right.py") as box:
         replies = box.call("answer", [(place,) for place in range(len(DEEDS))], LIMITS).replies
     came = dict(zip(DEEDS, ((reply.stop, reply.answer or reply.detail) for reply in replies), strict=True))
     assert came == {deed: (Stop.ANSWERED, wanted or "") for deed, wanted in DEEDS.items()}

@@ -8,7 +8,7 @@ import pytest
 from attackers import LEVELS
 
 from judge.sandbox import Limits, Stop, open_box
-from judge.sandbox.boundary import Line, ProgramResult
+from judge.sandbox.boundary import Conversation, ProgramResult
 
 pytestmark = [
     pytest.mark.skipif(sys.platform != "linux", reason="the pipes of others are as the system has them"),
@@ -26,7 +26,7 @@ def _heard(
     """What came of a program, and all that was heard of it; the box runs it again."""
     lines = []
 
-    def talk(line: Line) -> bool:
+    def talk(line: Conversation) -> bool:
         line.say(said)
         while data := line.hear():
             lines.append(data)
@@ -119,10 +119,10 @@ os.write(1, b'1\\n')
 def test_one_that_is_stopped_costs_the_next_nothing(level: str) -> None:
     """A stop that comes too late is nobody's, however often it comes."""
 
-    def unheard(_line: Line) -> bool:
+    def unheard(_line: Conversation) -> bool:
         return False
 
-    def answered(line: Line) -> bool:
+    def answered(line: Conversation) -> bool:
         line.say(b"41\n")
         return line.hear() == b"42\n"
 
@@ -134,7 +134,7 @@ def test_one_that_is_stopped_costs_the_next_nothing(level: str) -> None:
 
 
 def test_what_a_talk_raises_is_raised_and_the_program_ended(level: str) -> None:
-    def broken(line: Line) -> bool:
+    def broken(line: Conversation) -> bool:
         raise KeyError("broken")
 
     with open_box(b"while True: pass", "mine.py", level=level) as box:

@@ -11,7 +11,7 @@ from judge.languages import find
 from judge.languages.boxes import AnyBoxes
 from judge.languages.model import language_called
 from judge.languages.signature import Signature
-from judge.sandbox import Boxes, Limits, Stop
+from judge.sandbox import Containment, Limits, Stop
 from judge.values.grammar import parse
 
 LIMITS = Limits(cpu_seconds=5.0, wall_seconds=20.0, memory_bytes=256 << 20, output_bytes=1 << 20)
@@ -36,7 +36,7 @@ def need(name: str) -> None:
 def box_of(name: str, source: str, *, level: str | None = None, signature: Signature | None = None) -> Any:
     """A box for a source, its language by the file's name."""
     need(name.rpartition(".")[2])
-    return AnyBoxes(Boxes(level), signature)(source.encode(), name)
+    return AnyBoxes(Containment(level), signature)(source.encode(), name)
 
 
 def fault_of(name: str, source: str, **more: Any) -> Any:

@@ -22,7 +22,7 @@ from judge.problem import Verdict
 from judge.problem.load import load_problem
 from judge.problem.types import parsed_type
 from judge.run import Settings, judge_submission
-from judge.sandbox import Boxes, Stop
+from judge.sandbox import Containment, Stop
 from judge.values.grammar import parse
 
 pytestmark = pytest.mark.slow
@@ -54,7 +54,7 @@ def changed(name, old, new):
 def judged(name, source, level=None):
     need(name.rpartition(".")[2])
     problem = load_problem(KATA)
-    factory = AnyBoxes(Boxes(level), signature_of(problem))
+    factory = AnyBoxes(Containment(level), signature_of(problem))
     settings = Settings(box_factory=factory, measured=False)
     return judge_submission(load_data(problem, store=None), source.encode(), name, settings).result
 

@@ -22,7 +22,7 @@ from judge.practice.cards import (
     option,
     sequence,
 )
-from judge.practice.questions import Sources, ask
+from judge.practice.questions import LazyProblems, ask
 
 NUMBERS = re.compile(r"-?\d+")
 
@@ -39,7 +39,7 @@ def _own_pack_and_cache(built):
 
 @pytest.fixture(scope="module")
 def sources():
-    return Sources((), 5, lambda _label: nullcontext())
+    return LazyProblems((), 5, lambda _label: nullcontext())
 
 
 def card(form, **keys):

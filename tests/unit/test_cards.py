@@ -11,7 +11,7 @@ from jsonschema import Draft202012Validator
 from judge.errors import ProblemError, UsageError
 from judge.mistakes.puzzles import read_puzzles
 from judge.practice.cards import cards_of, read_decks
-from judge.practice.progress import Kind, questions, skills
+from judge.practice.progress import EvidenceKind, questions, skills
 from judge.practice.syllabus import read_checklist
 from judge.problem.find import find_problem, sound_problems
 from judge.schema import schema_of_file
@@ -130,7 +130,7 @@ def test_every_row_can_be_drilled_by_a_card_and_names_only_what_is_here(rows):
     found = questions(problems, {}, skills(problems, {}, checklist.skills), checklist, cards)
     assert [progress.row for progress in found] == [row.id for row in rows]
     for progress in found:
-        assert Kind.CARD in [each.kind for each in progress.by], progress.row
+        assert EvidenceKind.CARD in [each.kind for each in progress.by], progress.row
         assert progress.drills, progress.row
         assert any(drill.startswith("judge quiz") for drill in progress.drills), progress.row
 

@@ -10,7 +10,7 @@ from judging import make_data
 
 from judge.data.load import load_data
 from judge.mistakes import computed as module
-from judge.mistakes.computed import Computer, Program, computed
+from judge.mistakes.computed import ComputedProgram, Computer, computed
 from judge.problem.load import load_problem
 from judge.values.outline import wrong_outline
 
@@ -18,7 +18,7 @@ GROWTH = Path(__file__).parents[1] / "fixtures" / "growth" / "problems"
 
 
 def program(body):
-    return Program(f"def answer(n, P):\n    {body}\n".encode(), "here", trusted=True)
+    return ComputedProgram(f"def answer(n, P):\n    {body}\n".encode(), "here", trusted=True)
 
 
 @pytest.fixture(autouse=True)
@@ -54,7 +54,7 @@ def test_answers_of_other_types_are_others():
     told = []
     for body in bodies:
         source = f"from fractions import Fraction\ndef answer(n, P):\n    return {body}\n"
-        wrong = computer.behaviour(Program(source.encode(), "here"))["one"].wrong
+        wrong = computer.behaviour(ComputedProgram(source.encode(), "here"))["one"].wrong
         told.append({form for form, _ in wrong.values()})
     assert told == [
         {"count"}, {"type float"}, {"type float"}, {"type bool"}, {"type float"}, {"count"},
@@ -67,15 +67,15 @@ def test_a_program_that_changes_its_lists_changes_no_other_ones():
     spoils = b"def inversions(numbers):\n    numbers.clear()\n    return []\n"
     keeps = b"def inversions(numbers):\n    return 10**9 + len(numbers)\n"
     computer = Computer(data)
-    alone = Computer(data).behaviour(Program(keeps, "keeps"))
-    computer.behaviour(Program(spoils, "spoils"))
-    assert computer.behaviour(Program(keeps, "keeps")) == alone
+    alone = Computer(data).behaviour(ComputedProgram(keeps, "keeps"))
+    computer.behaviour(ComputedProgram(spoils, "spoils"))
+    assert computer.behaviour(ComputedProgram(keeps, "keeps")) == alone
     assert all(values[0] > 10**9 for _, values in alone["few"].wrong.values())
 
 
 def test_a_callers_precision_changes_no_answer():
     source = b"from decimal import Decimal\n\n\ndef answer(n, P):\n    return int(Decimal(10**9 + n) / 7)\n"
-    program, data = Program(source, "sevenths"), make_data("one")
+    program, data = ComputedProgram(source, "sevenths"), make_data("one")
     (group,) = data.groups
     alone = Computer(data).behaviour(program)
     with localcontext(Context(prec=3)):

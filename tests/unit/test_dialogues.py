@@ -19,7 +19,7 @@ from judge.problem.load import load_problem
 from judge.report.tell import tell
 from judge.run import Settings, judge_submission
 from judge.run.formatted import FormatRunner
-from judge.sandbox import Boxes, Limits, Stop
+from judge.sandbox import Containment, Limits, Stop
 from judge.site.build import _listed
 from judge.testing import judge_problem
 from judge.verify.gate import Options, verify_problem
@@ -126,7 +126,7 @@ def change(file, old, new):
 
 def judged(folder, source, name="mine.py", level=None):
     data = load_data(load_problem(folder), store=None)
-    boxes = Boxes(level) if level else Boxes()
+    boxes = Containment(level) if level else Containment()
     settings = Settings(measured=False, box_factory=AnyBoxes(boxes, None))
     return judge_submission(data, source.encode(), name, settings).result
 
@@ -213,7 +213,7 @@ def test_what_talk_takes_is_not_counted_for_the_program(kata):
 def test_a_group_that_has_no_time_left_blames_no_talk(kata):
     """The talk needs a moment to see that its program is gone."""
     runner, limits = FormatRunner(load_problem(kata)), Limits(1.0, 1e-4, 256 << 20, 1 << 20)
-    with Boxes()(RIGHT.encode(), "mine.py") as box:
+    with Containment()(RIGHT.encode(), "mine.py") as box:
         for _ in range(10):
             assert runner.ask(box, [(6, 5)], limits).stop is Stop.WALL
 

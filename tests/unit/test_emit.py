@@ -93,7 +93,7 @@ SHOWN = {
     "practise": "Begun HintShown SolutionShown",
     "progress": "ProgressPage QuestionShown Restored RunList RunRow RunsCompared",
     "quiz": "Interviewed Quizzed",
-    "result": "Judged Several",
+    "result": "RunReport Several",
     "setter": "Doctor Exported FilesWritten NewKata Verified VerifySummary",
 }
 

@@ -16,7 +16,7 @@ import numpy as np
 import pytest
 
 from judge.sandbox.encode import MOST_CHARACTERS, MOST_ITEMS, MOST_TEXT, encode
-from judge.values.wire import LONGEST_TEXT, Fault, Written, exactly, fault, number, numbers
+from judge.values.wire import LONGEST_TEXT, Refusal, Written, exactly, fault, number, numbers
 
 
 def through(value):
@@ -234,4 +234,4 @@ def test_numbers_come_back_exactly_and_decimals_or_they_are_refused(value):
     assert isinstance(read, Written)
     assert exactly(read) == fractions.Fraction(-1, 80)
     for text in ("NaN", "Infinity", "1e999999", "-1e-999999"):
-        assert isinstance(number(through(decimal.Decimal(text))), Fault)
+        assert isinstance(number(through(decimal.Decimal(text))), Refusal)

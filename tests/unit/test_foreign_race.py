@@ -21,7 +21,7 @@ from judge.run.program import ProgramRunner
 from judge.run.races import measure
 from judge.run.reference import Reference, check_needs
 from judge.run.replies import Replies
-from judge.run.timing import Pair, decide
+from judge.run.timing import TurnPair, decide
 from judge.sandbox.boundary import Inspection, ProgramResult, Reply, SourceFault, Stop, Usage
 
 START = 0.05
@@ -266,7 +266,7 @@ def test_passes_are_enough_and_nothing_short_is_divided_by():
     ],
 )
 def test_a_cautious_decision(ratios, too_slow, borderline):
-    decision = decide([Pair(0.1 * ratio, 0.1) for ratio in ratios], LIMIT, cautious=True)
+    decision = decide([TurnPair(0.1 * ratio, 0.1) for ratio in ratios], LIMIT, cautious=True)
     assert (decision.too_slow, decision.borderline) == (too_slow, borderline)
 
 

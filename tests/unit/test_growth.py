@@ -13,10 +13,10 @@ from judge.run.budget import Budget
 from judge.run.function import FunctionRunner
 from judge.run.group import GroupRun
 from judge.run.groups import run_timed
-from judge.run.growth import Course, exponent, grow, is_steep, steep_seconds
-from judge.run.measure import Duel
+from judge.run.growth import GrowthSample, exponent, grow, is_steep, steep_seconds
+from judge.run.measure import Race
 from judge.run.replies import Replies
-from judge.run.timing import MOST_PAIRS, Pair
+from judge.run.timing import MOST_PAIRS, TurnPair
 from judge.sandbox.boundary import Reply, Stop, Usage
 
 SLOPE = 0.4
@@ -36,7 +36,7 @@ def course(size, mine, theirs, limit=None, cases=1, log=None):
 
         return turn
 
-    return Course(f"n-{size}", size, run("mine", mine), run("theirs", theirs), limit, cases)
+    return GrowthSample(f"n-{size}", size, run("mine", mine), run("theirs", theirs), limit, cases)
 
 
 def law(power, factor=1.0, theirs=1.2, log=None):
@@ -126,7 +126,7 @@ def test_time_that_was_used_up_counts():
 def test_a_group_that_did_not_end_never_makes_the_growth_flatter():
     """It was stopped at 4 s, whatever it would have taken; the two that ended tell what it grows like."""
     courses = [course(500, 0.02, 0.02), course(2_000, 0.02 * 4**2, 0.02 * 4)]
-    cut = Course("n-8000", 8_000, lambda: 0.4, lambda: 0.02 * 16, None, 1, ended=False)
+    cut = GrowthSample("n-8000", 8_000, lambda: 0.4, lambda: 0.02 * 16, None, 1, ended=False)
     grown = grow([*courses, cut], SLOPE)
     assert (grown.too_steep, grown.growth.groups) == (True, ("n-500", "n-2000"))
     assert str(grown.growth) == "it grows like n^2.0, the reference like n^1.0"
@@ -135,7 +135,7 @@ def test_a_group_that_did_not_end_never_makes_the_growth_flatter():
         ("n-2000", True),
         ("n-8000", False),
     ]
-    late = Course("n-8000", 8_000, lambda: 40.0, lambda: 0.02 * 16, None, 1, ended=False)
+    late = GrowthSample("n-8000", 8_000, lambda: 40.0, lambda: 0.02 * 16, None, 1, ended=False)
     assert grow([*courses, late], SLOPE).growth.groups == ("n-500", "n-2000", "n-8000")
     assert str(grow([*courses, late], SLOPE).growth).startswith("it grows at least like n^2.7, ")
     assert grow([courses[0], late], SLOPE).growth.groups == ("n-500", "n-8000")
@@ -158,7 +158,7 @@ def test_the_rounds_are_interleaved_and_who_goes_first_changes():
 def test_turns_in_which_a_group_was_judged_are_not_run_again():
     log = []
     courses = law(1.2, factor=20.0, theirs=1.2, log=log)
-    judged = [replace(each, first=Pair(each.submission() / 20, each.reference())) for each in courses]
+    judged = [replace(each, first=TurnPair(each.submission() / 20, each.reference())) for each in courses]
     log.clear()
     grown = grow(judged, SLOPE)
     assert {size for _, size in log} == set(SIZES[:2])
@@ -168,13 +168,13 @@ def test_turns_in_which_a_group_was_judged_are_not_run_again():
 @pytest.mark.parametrize(
     ("pairs", "own", "theirs", "steep"),
     [
-        ([Pair(0.2, 0.2)], 0.8 * 4**0.6, [0.8], True),
-        ([Pair(0.2, 0.2)], 0.8 * 4**0.5, [0.8], False),  # near the limit
-        ([Pair(0.2, 0.2), Pair(0.3, 0.2)], 0.8 * 4**0.6, [0.8], False),  # busy at the smaller size
-        ([Pair(0.2, 0.2)], 0.8 * 4**0.6, [0.8, 1.2], False),  # … and at the larger
-        ([Pair(0.001, 0.009)], 9.0, [0.08], False),  # too short for the reference
-        ([Pair(0.001, 0.02)], 9.0, [0.009], False),
-        ([Pair(0.001, 0.02)], 0.19, [0.08], False),  # … and for the submission
+        ([TurnPair(0.2, 0.2)], 0.8 * 4**0.6, [0.8], True),
+        ([TurnPair(0.2, 0.2)], 0.8 * 4**0.5, [0.8], False),  # near the limit
+        ([TurnPair(0.2, 0.2), TurnPair(0.3, 0.2)], 0.8 * 4**0.6, [0.8], False),  # busy at the smaller size
+        ([TurnPair(0.2, 0.2)], 0.8 * 4**0.6, [0.8, 1.2], False),  # … and at the larger
+        ([TurnPair(0.001, 0.009)], 9.0, [0.08], False),  # too short for the reference
+        ([TurnPair(0.001, 0.02)], 9.0, [0.009], False),
+        ([TurnPair(0.001, 0.02)], 0.19, [0.08], False),  # … and for the submission
     ],
 )
 def test_what_is_clearly_too_steep_by_one_turn(pairs, own, theirs, steep):
@@ -182,11 +182,11 @@ def test_what_is_clearly_too_steep_by_one_turn(pairs, own, theirs, steep):
 
 
 def test_what_is_cut_is_too_steep_although_the_next_turns_differ():
-    pair = Pair(0.9, 0.1)
+    pair = TurnPair(0.9, 0.1)
     most = steep_seconds((2_000, 8_000), pair, 0.14, SLOPE)
-    assert is_steep((2_000, 8_000), [pair, Pair(1.0, 0.1)], most, [0.14, 0.16], SLOPE)
-    assert steep_seconds((2_000, 8_000), Pair(0.01, 0.1), 0.14, SLOPE) >= 1.0  # no haste
-    assert steep_seconds((2_000, 8_000), Pair(0.9, 0.009), 0.14, SLOPE) == math.inf  # nobody can say
+    assert is_steep((2_000, 8_000), [pair, TurnPair(1.0, 0.1)], most, [0.14, 0.16], SLOPE)
+    assert steep_seconds((2_000, 8_000), TurnPair(0.01, 0.1), 0.14, SLOPE) >= 1.0  # no haste
+    assert steep_seconds((2_000, 8_000), TurnPair(0.9, 0.009), 0.14, SLOPE) == math.inf  # nobody can say
 
 
 class Scripted(FunctionRunner):
@@ -228,7 +228,7 @@ def test_a_long_import_may_take_as_long_when_the_group_is_raced():
     runner, limits = Scripted(data.problem, importing=3.0, calling=0.1), []
     run = GroupRun(data, data.groups[0], runner)
     assert [each.cut for each in run_timed(runner, limits, run, Budget(data.problem))] == [False]
-    duel = Duel(runner, [run], limits, None, 1.0, Budget(data.problem))
+    duel = Race(runner, [run], limits, None, 1.0, Budget(data.problem))
     assert duel.mine() == 0.1
     assert limits[1][1] < 9.0
 

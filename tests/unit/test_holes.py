@@ -14,10 +14,10 @@ import pytest
 from judge.data.load import load_data
 from judge.holes.hunt import look_for_holes
 from judge.holes.inside import changed, ladders
-from judge.holes.model import Search
+from judge.holes.model import HoleSearch
 from judge.holes.mutants import mutants
 from judge.problem.load import load_problem
-from judge.sandbox import Boxes, levels_here
+from judge.sandbox import Containment, levels_here
 
 HELD = any(each.available for each in levels_here() if each.name != "limits")
 
@@ -114,8 +114,8 @@ def with_groups(pack: Path, more: str) -> Path:
 
 def looked(pack, store=None, **how):
     problem = load_problem(pack / "problems" / "divides")
-    search = Search(**{"cases": 1500, "seconds": 1e9, **how})
-    return look_for_holes(problem, [load_data(problem, store=None)], Boxes(), search, store or Memory())
+    search = HoleSearch(**{"cases": 1500, "seconds": 1e9, **how})
+    return look_for_holes(problem, [load_data(problem, store=None)], Containment(), search, store or Memory())
 
 
 def changes(found):
@@ -227,15 +227,15 @@ class TestSearch:
     def test_only_mutants_whose_group_has_changed_are_judged_again(self, pack, monkeypatch):
         store = Memory()
         before = looked(pack, store)
-        from judge.holes.programs import Crowd
+        from judge.holes.programs import Candidates
 
-        asked, plainly = [], Crowd.differing
+        asked, plainly = [], Candidates.differing
 
         def differing(self, some, cases):
             asked.extend(some)
             return plainly(self, some, cases)
 
-        monkeypatch.setattr(Crowd, "differing", differing)
+        monkeypatch.setattr(Candidates, "differing", differing)
         after = looked(with_groups(pack, ZERO), store, cases=0)
         assert after.rejected > before.rejected
         assert 0 < len({each.key for each in asked}) <= before.accepted
@@ -424,7 +424,7 @@ def test_a_hole_is_found_where_groups_are_missing(kata, kept, change, tmp_path, 
     )
     problem = load_problem(folder)
     assert [each.name for each in problem.groups] == ["examples", *kept]
-    search = Search(cases=4000, seconds=1e9)
-    found = look_for_holes(problem, [load_data(problem, store=None)], Boxes(), search, Memory())
+    search = HoleSearch(cases=4000, seconds=1e9)
+    found = look_for_holes(problem, [load_data(problem, store=None)], Containment(), search, Memory())
     assert found.faults == ()
     assert any(change in hole.becomes for hole in found.holes)

@@ -18,7 +18,7 @@ from sandboxed import LIMITS, children, require
 
 from judge import sandbox
 from judge.errors import JudgeError, ShortageError, UsageError
-from judge.sandbox import Boxes, bundle, container, launch, levels, levels_here, open_box
+from judge.sandbox import Containment, bundle, container, launch, levels, levels_here, open_box
 from judge.sandbox.inside.again import PAUSES
 from judge.sandbox.levels import Levels, StartError
 
@@ -85,7 +85,7 @@ def test_a_box_may_be_closed_while_it_boots():
 def test_a_passing_refusal_is_tried_again_and_the_level_stays(script, tmp_path, monkeypatch):
     require("full")
     starts = pretend(tmp_path, monkeypatch, once(tmp_path, script))
-    boxes = Boxes()
+    boxes = Containment()
     with boxes(b"def f(n): return n", "f.py") as box:
         assert box.isolation == "full"
         assert box.call("f", [(1,)], LIMITS).replies[0].answer == 1
@@ -99,7 +99,7 @@ def test_a_passing_refusal_that_stays_costs_the_submission_and_not_the_level(
 ):
     starts = pretend(tmp_path, monkeypatch, script)
     before = children()
-    boxes = Boxes(level)
+    boxes = Containment(level)
     with pytest.raises(ShortageError, match="no container could be started: ") as caught:
         boxes(b"", "f.py").__enter__()
     assert caught.value.remedy
@@ -112,7 +112,7 @@ def test_a_passing_refusal_that_stays_costs_the_submission_and_not_the_level(
 def test_a_lasting_refusal_leads_to_the_next_level_and_is_not_tried_again(tmp_path, monkeypatch):
     require("strong")
     starts = pretend(tmp_path, monkeypatch, f"sleep 0.2; {LASTING}")
-    boxes = Boxes()
+    boxes = Containment()
     with boxes(b"def f(n): return n", "f.py") as box:
         assert box.isolation == "strong"
         for _ in range(2):
@@ -123,13 +123,13 @@ def test_a_lasting_refusal_leads_to_the_next_level_and_is_not_tried_again(tmp_pa
     assert count(starts) == 1
     assert boxes.levels.refused == {"full": "bwrap: No permissions to create new namespace"}
     with pytest.raises(UsageError, match="No permissions"):
-        Boxes("full")(b"", "f.py").__enter__()
+        Containment("full")(b"", "f.py").__enter__()
 
 
 @pytest.mark.parametrize("script", [LASTING, PASSING[0]])
 def test_a_level_that_was_had_is_demanded_from_then_on(script, tmp_path, monkeypatch):
     require("full")
-    boxes = Boxes()
+    boxes = Containment()
     with boxes(b"", "f.py") as box:
         assert box.isolation == "full"
     with monkeypatch.context() as patch:
@@ -143,7 +143,7 @@ def test_a_level_that_was_had_is_demanded_from_then_on(script, tmp_path, monkeyp
 
 def test_a_box_that_loses_its_container_is_held_as_before(tmp_path, monkeypatch):
     require("full")
-    with Boxes()(b"import os\ndef f(n): os._exit(0)", "f.py") as box:
+    with Containment()(b"import os\ndef f(n): os._exit(0)", "f.py") as box:
         box._drop()
         pretend(tmp_path, monkeypatch, LASTING)
         with pytest.raises(JudgeError, match="isolation full was had and is now refused: bwrap: No perm"):
@@ -162,9 +162,9 @@ def test_resource_limits_alone_are_taken_only_where_there_is_no_sandbox(tmp_path
     with monkeypatch.context() as patch:
         patch.setattr(container.Container, "await_ready", refuse)
         with pytest.raises(JudgeError, match="no container can be started: landlock says no"):
-            Boxes()(b"", "f.py").__enter__()
+            Containment()(b"", "f.py").__enter__()
     monkeypatch.setattr(levels, "missing", lambda level: "" if level == "limits" else "this is no Linux")
-    boxes = Boxes()
+    boxes = Containment()
     with boxes(b"", "f.py") as box:
         assert box.isolation == "limits"
     assert set(boxes.levels.refused) == {"full", "strong"}
@@ -191,12 +191,12 @@ def test_what_the_judge_itself_is_short_of_is_tried_again_and_named(place, code,
     monkeypatch.setattr(f"judge.sandbox.{place}", scarce)
     before, descriptors = children(), len(list(Path("/proc/self/fd").iterdir()))
     most = 3
-    with Boxes()(b"def f(n): return n", "f.py") as box:
+    with Containment()(b"def f(n): return n", "f.py") as box:
         assert box.call("f", [(1,)], LIMITS).replies[0].answer == 1
     assert len(failed) == most
     most = 100
     with pytest.raises(ShortageError, match=r"no container could be started: .*(-j|limit)"):
-        Boxes()(b"", "f.py").__enter__()
+        Containment()(b"", "f.py").__enter__()
     assert len(failed) < most
     assert children() == before
     assert len(list(Path("/proc/self/fd").iterdir())) == descriptors
@@ -246,7 +246,7 @@ def test_a_server_that_cannot_confine_itself_sends_the_errno(fault, kind, monkey
     require("strong")
     start = "        confinement = Confinement(config)"
     with changed(monkeypatch, ".seed", start, f"        raise {fault}\n{start}"), pytest.raises(kind):
-        Boxes("strong")(b"", "f.py").__enter__()
+        Containment("strong")(b"", "f.py").__enter__()
 
 
 @contextlib.contextmanager
@@ -354,7 +354,7 @@ def test_where_no_proc_may_be_mounted_the_machines_own_is_taken(tmp_path, monkey
     refused = 'echo "bwrap: Can\'t mount proc on /newroot/proc: Operation not permitted" >&2; exit 1'
     monkeypatch.setattr(launch, "_proc", ["--proc"])
     starts = pretend(tmp_path, monkeypatch, f'case "$*" in *--proc*) {refused};; esac; exec {REAL} "$@"')
-    with Boxes("full")(b"def f(n):\n    return n\n", "f.py") as box:
+    with Containment("full")(b"def f(n):\n    return n\n", "f.py") as box:
         assert box.call("f", [(1,)], LIMITS).replies[0].answer == 1
         assert box.isolation == "full"
     assert count(starts) == 2

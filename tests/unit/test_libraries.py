@@ -17,8 +17,8 @@ from judge.manual import page
 from judge.problem import Verdict
 from judge.problem.find import find_problem
 from judge.problem.load import load_problem
-from judge.problem.solutions import Kind, read_solutions, requirement
-from judge.sandbox import Boxes
+from judge.problem.solutions import SolutionKind, read_solutions, requirement
+from judge.sandbox import Containment
 from judge.verify.gate import fresh_data, verify_problem
 from judge.verify.libraries import installed_version, measure_libraries, measured
 
@@ -54,7 +54,7 @@ def kata(tmp_path, monkeypatch):
 
 
 def table_of(kata):
-    return measure_libraries(kata, fresh_data(kata), Boxes(), lambda *_: None)
+    return measure_libraries(kata, fresh_data(kata), Containment(), lambda *_: None)
 
 
 def run_of(kata, adapter: str) -> str:
@@ -168,6 +168,8 @@ def test_what_was_measured_still_holds(path):
     if installed_version(library) != version:
         pytest.skip(f"{library}=={version} is not installed")
     kata = find_problem(path.parts[-3], ())
-    (adapter,) = [each for each in read_solutions(kata, Kind.LIBRARY).programs if each.path.stem == path.stem]
+    (adapter,) = [
+        each for each in read_solutions(kata, SolutionKind.LIBRARY).programs if each.path.stem == path.stem
+    ]
     kept = next(each for each in library_table(kata).libraries if each.library == library)
-    assert measured(adapter, fresh_data(kata), Boxes()) == kept
+    assert measured(adapter, fresh_data(kata), Containment()) == kept

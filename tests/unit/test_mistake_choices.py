@@ -11,7 +11,7 @@ import pytest
 from judge import RunOptions, Session
 from judge.data.load import load_data
 from judge.problem.find import find_problem
-from judge.sandbox import Boxes
+from judge.sandbox import Containment
 from judge.verify.gate import Options, verify_problem
 from judge.verify.mistakes import verify_choices
 
@@ -56,7 +56,7 @@ def pack(tmp_path):
 
 
 def verified(problem):
-    return verify_choices(problem, [load_data(problem)], Boxes(), lambda *_: None)
+    return verify_choices(problem, [load_data(problem)], Containment(), lambda *_: None)
 
 
 def own_faults(found):

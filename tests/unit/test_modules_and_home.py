@@ -10,7 +10,7 @@ from sandboxed import LIMITS, require, run
 
 from judge.errors import UsageError
 from judge.languages.boxes import AnyBoxes
-from judge.sandbox import Boxes
+from judge.sandbox import Containment
 
 LEVELS = ["full", "strong"]
 IMPORT = "import neighbour, sys\nprint(neighbour.VALUE, neighbour.__file__)"
@@ -54,7 +54,7 @@ def test_javascript_requires_from_a_node_modules_that_is_named(packages, tmp_pat
     (modules / "near").mkdir(parents=True)
     (modules / "near" / "index.js").write_text("exports.value = 42;\n")
     monkeypatch.setenv("JUDGE_PACKAGES", os.pathsep.join([str(packages), str(modules)]))
-    with AnyBoxes(Boxes(level))(b"process.stdout.write(`${require('near').value}`)", "a.js") as box:
+    with AnyBoxes(Containment(level))(b"process.stdout.write(`${require('near').value}`)", "a.js") as box:
         ended = box.run_program(b"", LIMITS)
     assert ended.stdout == b"42", ended
 

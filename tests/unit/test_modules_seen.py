@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from native import ran
 
-from judge.sandbox import Boxes, levels_here
+from judge.sandbox import Containment, levels_here
 from judge.sandbox.boundary import Limits, Stop
 from judge.sandbox.inside.source import ALLOWED
 from judge.sandbox.visible import SITE_NAMES, visible
@@ -48,7 +48,7 @@ def test_a_compiled_program_lists_none(level):
 @pytest.mark.slow
 @pytest.mark.parametrize("level", LEVELS)
 def test_a_python_program_has_them(level):
-    with Boxes(level)(IMPORTS, "main.py") as box:
+    with Containment(level)(IMPORTS, "main.py") as box:
         run = box.run_program(b"1 2\n", LIMITS)
     assert run.stdout == b"msgspec 3\n", run
 

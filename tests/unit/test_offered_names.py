@@ -12,7 +12,7 @@ from judge.data.load import load_data
 from judge.mistakes.makers import read_makers, shared
 from judge.problem import Verdict
 from judge.problem.load import load_problem
-from judge.sandbox import Boxes
+from judge.sandbox import Containment
 from judge.verify.gate import Options, verify_problem
 from judge.verify.mistakes import verify_choices
 
@@ -71,7 +71,7 @@ def test_no_group_need_reject_them(ordered):
     """Every answer is sorted: no case tells `sorted-answer` from a right program."""
     offered = {each.name for each in read_makers(ordered).all if each.offered}
     assert offered == {"sorted-answer", "each-once", "last-item-lost", "cut-after-n"}
-    found = verify_choices(ordered, [load_data(ordered, store=None)], Boxes(), lambda *_: None)
+    found = verify_choices(ordered, [load_data(ordered, store=None)], Containment(), lambda *_: None)
     assert found.faults == ()
     assert "first-part-lost" in found.kills["some"]
     assert not offered & {name for names in found.kills.values() for name in names}

@@ -16,7 +16,7 @@ from judge.practice.stub import make_stub
 from judge.problem import Verdict
 from judge.problem.load import load_problem
 from judge.run import Settings, judge_submission
-from judge.sandbox import Boxes
+from judge.sandbox import Containment
 from judge.verify.gate import Options, verify_problem
 from tests.unit.native import need
 
@@ -64,7 +64,7 @@ def change(file, old, new):
 
 def judged(folder, source, name="mine.py"):
     data = load_data(load_problem(folder), store=None)
-    settings = Settings(measured=False, box_factory=AnyBoxes(Boxes(), None))
+    settings = Settings(measured=False, box_factory=AnyBoxes(Containment(), None))
     return judge_submission(data, source.encode(), name, settings).result
 
 

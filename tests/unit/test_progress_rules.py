@@ -20,7 +20,7 @@ from judge.practice.history import run_of
 from judge.practice.progress import State, levels_passed, questions, skills, solved, tried
 from judge.practice.quiz import near_sets, next_cards, next_due, plan, topics, usual_kata
 from judge.practice.review import LADDER, Learner, card_reviews, reviews
-from judge.practice.syllabus import Checklist, Row, Section, find_set, read_checklist, sound_sets
+from judge.practice.syllabus import Checklist, ChecklistRow, Section, find_set, read_checklist, sound_sets
 from judge.problem.find import find_problem, sound_problems
 from judge.problem.load import load_problem
 from judge.problem.model import KataLevel
@@ -198,24 +198,24 @@ def question(row, *results, **shown):
 
 
 def test_a_question_is_ticked_by_all_of_its_katas_that_are_here():
-    row = Row("J1", "s", "?", katas=("count", "segment", "later"))
+    row = ChecklistRow("J1", "s", "?", katas=("count", "segment", "later"))
     assert question(row, past_result("count")).state is State.OPEN
     ticked = question(row, past_result("count"), past_result("segment"))
     assert (ticked.state, ticked.since) == (State.SHOWN, days(1))
     assert ticked.drills == ("judge start count", "judge start segment")
-    assert question(Row("J1", "s", "?", katas=("later",))).by == ()
+    assert question(ChecklistRow("J1", "s", "?", katas=("later",))).by == ()
 
 
 def test_or_by_all_of_its_skills_and_a_lost_one_is_lost():
     other = next(each for each in find_problem("segment").skills if not {*each.groups} & {*GROUPS})
-    row = Row("J1", "s", "?", skills=(CLAMP, other.name))
+    row = ChecklistRow("J1", "s", "?", skills=(CLAMP, other.name))
     assert question(row, ALL).state is State.OPEN
     assert question(row, ALL, past_result(passed=other.groups)).since == days(1)
     assert question(row, ALL, past_result(passed=other.groups), FAILED).state is State.LOST
 
 
 def test_or_by_all_of_its_cards_if_they_were_known_when_they_were_last_answered():
-    row = Row("J1", "s", "?")
+    row = ChecklistRow("J1", "s", "?")
     cards = (
         card("a", "J1"),
         card("b", "J1", "J2"),
@@ -232,7 +232,7 @@ def test_or_by_all_of_its_cards_if_they_were_known_when_they_were_last_answered(
 
 
 def test_or_by_one_mistake_that_was_broken():
-    row = Row("J1", "s", "?", broken=("count/a", "count/b", "later/c"))
+    row = ChecklistRow("J1", "s", "?", broken=("count/a", "count/b", "later/c"))
     assert [each.name for each in question(row).by] == ["count/a", "count/b"]
     ticked = question(row, hacks=[Hack("count", "b", "0 0 1", Outcome.WON, when=days(1))])
     assert (ticked.state, ticked.since) == (State.SHOWN, days(1))
@@ -447,7 +447,7 @@ def test_an_evening_of_whom_nothing_is_open(learner_of):
 
 
 def test_a_pack_without_topics_has_an_evening_too(learner_of):
-    plain = Checklist(rows=(Row("A", "s", "?"),))
+    plain = Checklist(rows=(ChecklistRow("A", "s", "?"),))
     cards = [card("one"), card("two")]
     assert evening(learner_of("junior"), cards, plain)[0].command == "judge quiz"
     assert evening(learner_of("junior"), cards, plain)[0].new == 2

@@ -22,7 +22,7 @@ from judge.repair.search import seek
 from judge.run.execute import judge_submission
 from judge.run.result import Answers
 from judge.run.settings import Settings
-from judge.sandbox import Boxes
+from judge.sandbox import Containment
 from judge.sandbox.boundary import CallsResult, Reply, Stop, Usage
 
 pytestmark = pytest.mark.slow
@@ -186,7 +186,7 @@ HOSTILE = {
 @pytest.mark.parametrize("what", HOSTILE)
 def test_a_hostile_program_is_repaired_all_the_same(kata, what):
     text = SEGMENT.replace("    slack =", HOSTILE[what] + "    slack =").replace("1e-10", "1e-5")
-    _, told = repair(kata("segment"), text, Boxes())
+    _, told = repair(kata("segment"), text, Containment())
     assert [kind for kind, _ in told] == ["tolerance-smaller"]
 
 
@@ -200,9 +200,9 @@ def test_a_hostile_program_is_repaired_all_the_same(kata, what):
 )
 def test_a_child_that_dies_or_floods_is_no_repair(kata, body):
     text = body + "\n" + SEGMENT.replace("1e-10", "1e-5")
-    with Boxes()(SEGMENT.replace("1e-10", "1e-5").encode(), "a.py") as box:
+    with Containment()(SEGMENT.replace("1e-10", "1e-5").encode(), "a.py") as box:
         found = judged(kata("segment"), SEGMENT, box)
-        with Beside(Boxes(), text.encode(), python=True) as beside:
+        with Beside(Containment(), text.encode(), python=True) as beside:
             made = seek(kata("segment"), found, box, beside)
     assert made is None or not made.whole
 
@@ -366,11 +366,11 @@ def test_the_memory_of_the_child_holds_no_right_answer(kata):
     data = kata("segment")
     cases, hidden = secrets(data)
     text = LOOKING.replace("HALVES", repr([number / 2 for number in hidden]))
-    with Boxes()(SOURCE.replace(b"MOST_TURNS = 20_000", b"MOST_TURNS = 10**9"), NAME) as box:
+    with Containment()(SOURCE.replace(b"MOST_TURNS = 20_000", b"MOST_TURNS = 10**9"), NAME) as box:
         pairs = Child(box, text, cases).answers((), [0, 1])
     assert [len(raw) for _, raw in pairs] == [6] * 2
     cases.sizes[0] = (hidden[0], 1.0)  # it would find one
-    with Boxes()(SOURCE.replace(b"MOST_TURNS = 20_000", b"MOST_TURNS = 10**9"), NAME) as box:
+    with Containment()(SOURCE.replace(b"MOST_TURNS = 20_000", b"MOST_TURNS = 10**9"), NAME) as box:
         pairs = Child(box, text, cases).answers((), [0, 1])
     assert [len(raw) for _, raw in pairs] == [7] * 2
 
@@ -382,7 +382,10 @@ def test_what_lies_in_a_library_is_not_changed(kata):
     assert data.module
     for first, whole in (("import statistics", True), ("import yaml", False)):
         changed = f"{first}\n{text}".encode()
-        with Boxes()(text.encode(), "a.py") as box, Beside(Boxes(), changed, python=True) as beside:
+        with (
+            Containment()(text.encode(), "a.py") as box,
+            Beside(Containment(), changed, python=True) as beside,
+        ):
             assert ("library" in beside.features()) is not whole
             made = seek(data, judged(data, text, box), box, beside)
         assert bool(made and made.whole) is whole
@@ -393,9 +396,12 @@ def test_the_judge_parses_no_submission(kata):
     text = SEGMENT.replace("1e-10 * size", "1e-9")
     data = kata("segment")
     assert data.module
-    with Boxes()(text.encode(), "a.py") as box:
+    with Containment()(text.encode(), "a.py") as box:
         found = judged(data, text, box)
-        with Beside(Boxes(), text.encode(), python=True) as beside, pytest.MonkeyPatch.context() as patch:
+        with (
+            Beside(Containment(), text.encode(), python=True) as beside,
+            pytest.MonkeyPatch.context() as patch,
+        ):
             for name in ("parse", "walk", "literal_eval"):
                 patch.setattr(ast, name, refused)
             patch.setattr(builtins, "compile", refused)
@@ -418,7 +424,7 @@ def test_the_judge_parses_no_submission(kata):
     ],
 )
 def test_what_a_text_has_is_asked_in_the_box(source, found):
-    with Beside(Boxes(), source, python=True) as beside:
+    with Beside(Containment(), source, python=True) as beside:
         assert beside.features() == found
 
 

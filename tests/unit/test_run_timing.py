@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from judge.run.timing import MOST_PAIRS, Pair, busy, decide, disturbed, race, summary
+from judge.run.timing import MOST_PAIRS, TurnPair, busy, decide, disturbed, race, summary
 from judge.sandbox import Usage
 
 LIMIT = 10.0
@@ -61,11 +61,11 @@ def test_one_short_turn_does_not_settle_what_is_too_slow():
 
 
 def test_near_the_limit_both_the_least_times_and_the_median_must_exceed_it():
-    slow_median = [Pair(0.099, 0.01), *[Pair(0.12, 0.01)] * 8]
+    slow_median = [TurnPair(0.099, 0.01), *[TurnPair(0.12, 0.01)] * 8]
     assert not decide(slow_median, LIMIT).too_slow  # one quick run shows that it can
-    slow_least = [*[Pair(0.098, 0.01)] * 8, Pair(0.2, 0.0097)]
+    slow_least = [*[TurnPair(0.098, 0.01)] * 8, TurnPair(0.2, 0.0097)]
     assert not decide(slow_least, LIMIT).too_slow  # the median pair is within
-    assert decide([Pair(0.105, 0.01)] * 9, LIMIT).too_slow
+    assert decide([TurnPair(0.105, 0.01)] * 9, LIMIT).too_slow
 
 
 def test_the_two_take_turns_at_going_first():
@@ -89,17 +89,17 @@ def test_a_run_that_does_not_end_well_leaves_no_ratio():
 
 
 def test_what_makes_a_ratio_unreliable():
-    assert summary([Pair(0.02, 0.01)] * 3).unreliable == ""
-    assert summary([Pair(0.0002, 0.0001)] * 3).unreliable == "too short"
-    wide = [Pair(0.01 * factor, 0.01) for factor in (1, 1, 2, 3, 3)]
+    assert summary([TurnPair(0.02, 0.01)] * 3).unreliable == ""
+    assert summary([TurnPair(0.0002, 0.0001)] * 3).unreliable == "too short"
+    wide = [TurnPair(0.01 * factor, 0.01) for factor in (1, 1, 2, 3, 3)]
     assert summary(wide).unreliable == "too noisy"
 
 
 def test_the_summary_is_the_median_with_quartiles():
-    ratio = summary([Pair(0.01 * factor, 0.01) for factor in (3.0, 2.8, 3.2, 2.9, 3.1)])
+    ratio = summary([TurnPair(0.01 * factor, 0.01) for factor in (3.0, 2.8, 3.2, 2.9, 3.1)])
     assert (ratio.low, ratio.median, ratio.high) == pytest.approx((2.9, 3, 3.1))
     assert (ratio.pairs, ratio.unreliable, ratio.busy) == (5, "", "")
-    short = summary([Pair(0.0001, 0.0001)])
+    short = summary([TurnPair(0.0001, 0.0001)])
     assert short.unreliable == "too short"
 
 
@@ -114,7 +114,7 @@ def test_a_machine_is_busy_where_the_reference_waits_for_a_processor():
 
 
 def test_what_disturbed_a_race_is_told_and_changes_no_verdict():
-    slow = decide([Pair(0.3, 0.01)] * 3, LIMIT)
+    slow = decide([TurnPair(0.3, 0.01)] * 3, LIMIT)
     told = disturbed(disturbed(slow, busy([Usage(0.1, 0.4)])), "beside another judge")
     assert told.ratio.busy == "beside another judge, busy machine, 75% waiting"
     assert (told.too_slow, told.ratio.median) == (slow.too_slow, slow.ratio.median)

@@ -15,7 +15,7 @@ from sandboxed import LIMITS, call, children, limits, require, run
 import judge
 from judge.errors import JudgeError, ShortageError
 from judge.sandbox import LEVELS, Reply, Stop, levels, open_box, outcome
-from judge.sandbox.container import Container, Done, Lost
+from judge.sandbox.container import ChildEnd, Container, Lost
 from judge.sandbox.inside import wire
 from judge.sandbox.outcome import end_of, overrun, parse_replies
 from judge.values.wire import number
@@ -271,7 +271,7 @@ TIGHT = limits(cpu_seconds=1.0, memory_bytes=1 << 20, output_bytes=100)
 
 
 def done(status=0, reason=wire.NOT_KILLED, cpu=0.0, peak=0):
-    return Done(status, reason, round(cpu * 1e9), 0, peak, 1)
+    return ChildEnd(status, reason, round(cpu * 1e9), 0, peak, 1)
 
 
 @pytest.mark.parametrize(

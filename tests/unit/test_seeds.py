@@ -9,7 +9,7 @@ import sys
 import pytest
 from sandboxed import LIMITS, children, require
 
-from judge.sandbox import LEVELS, Boxes, seeds
+from judge.sandbox import LEVELS, Containment, seeds
 
 pytestmark = [pytest.mark.slow, pytest.mark.skipif(sys.platform != "linux", reason="it kills by number")]
 
@@ -38,7 +38,7 @@ def starts(monkeypatch):
 def test_one_after_the_other_they_have_one_seed(level, starts):
     require(level)
     starts.clear()
-    before, boxes = children(), Boxes(level).kept()
+    before, boxes = children(), Containment(level).kept()
     for number in range(3):
         with boxes(source(number), "f.py") as box:
             assert answer(box)[:2] == [1, number]
@@ -51,7 +51,7 @@ def test_one_after_the_other_they_have_one_seed(level, starts):
 def test_beside_each_other_they_share_no_namespaces_and_no_home(level, count, starts):
     require(level)
     starts.clear()
-    before, boxes = children(), Boxes(level)
+    before, boxes = children(), Containment(level)
     with boxes(source(1), "f.py") as one, boxes(source(2), "g.py") as other:
         homes = {str(answer(box)[2]) for box in (one, other)}
     assert len(starts) == count
@@ -63,7 +63,7 @@ def test_beside_each_other_they_share_no_namespaces_and_no_home(level, count, st
 def test_one_that_does_not_end_is_killed_and_the_other_goes_on(level, monkeypatch):
     require(level)
     monkeypatch.setattr(seeds, "END_SECONDS", 0.05)
-    boxes = Boxes(level).kept()
+    boxes = Containment(level).kept()
     with boxes(source(1), "f.py") as other:
         with boxes(source(2), "g.py") as box:
             assert answer(box)[1] == 2
@@ -76,7 +76,7 @@ def test_one_that_does_not_end_is_killed_and_the_other_goes_on(level, monkeypatc
 def test_a_seed_that_was_killed_costs_nobody_a_verdict(level, starts):
     require(level)
     starts.clear()
-    boxes, before = Boxes(level).kept(), children()
+    boxes, before = Containment(level).kept(), children()
     with boxes(source(1), "f.py") as box:
         assert answer(box)[1] == 1
     for pid in children() - before:

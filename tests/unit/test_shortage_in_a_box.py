@@ -13,7 +13,7 @@ from native import box_of
 from sandboxed import LIMITS, children, require
 
 from judge.errors import JudgeError, ShortageError, shortage, told
-from judge.sandbox import Boxes, Stop, open_box, room
+from judge.sandbox import Containment, Stop, open_box, room
 from judge.sandbox import compile as compile_
 from judge.sandbox import python as python_
 from judge.sandbox.inside import wire
@@ -166,7 +166,7 @@ def test_a_compiled_program_that_ends_what_watches_it_is_no_shortage():
 @pytest.mark.parametrize("each", [room.THREADS, 70])
 def test_no_word_of_a_submission_is_believed_about_the_machine(each):
     source = b"def f(n): raise RuntimeError(\"can't start new thread\")\nif __name__ == '__main__': f(1)"
-    with Boxes(share=room.Share(each=each))(source, "f.py") as box:
+    with Containment(share=room.Share(each=each))(source, "f.py") as box:
         (reply,) = box.call("f", [(1,)], LIMITS).replies
         run = box.run_program(b"", LIMITS)
     assert (reply.stop, run.stop) == (Stop.EXCEPTION, Stop.EXCEPTION)

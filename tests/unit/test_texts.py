@@ -17,11 +17,11 @@ from judge.diagnose.candidates import measure
 from judge.diagnose.replay import decode, encode
 from judge.errors import ProblemError, UsageError
 from judge.holes.hunt import look_for_holes
-from judge.holes.model import Search
+from judge.holes.model import HoleSearch
 from judge.problem.load import load_problem
 from judge.problem.module import load_module
 from judge.run.result import short_answer
-from judge.sandbox import Boxes, levels_here
+from judge.sandbox import Containment, levels_here
 from judge.sandbox.encode import encode as sent
 from judge.values import check, parameters
 from judge.values.answers import AnyOf, Judged, Real, Tolerance
@@ -455,7 +455,7 @@ def test_a_planted_hole_in_texts_is_found(tmp_path, monkeypatch):
     statement.write_text(statement.read_text("utf-8").replace("([]{})", "([])"))
     problem = load_problem(folder)
     data = load_data(problem, store=None)
-    found = look_for_holes(problem, [data], Boxes(), Search(seconds=1e9, cases=20_000), DISK)
+    found = look_for_holes(problem, [data], Containment(), HoleSearch(seconds=1e9, cases=20_000), DISK)
     assert any("{" in hole.case and hole.kind == "text" for hole in found.holes)
 
 

@@ -34,7 +34,7 @@ from judge.problem.module import load_module
 from judge.report import published_cases as published
 from judge.report.screen import Notes, is_terminal, note
 from judge.report.tell import shown_failure
-from judge.run.tried import Tried
+from judge.run.tried import OneCase
 
 _PAGE = Path("judge-try.html")
 _PAGE_MARK = b'name="generator" content="judge try"'
@@ -96,7 +96,7 @@ def _is_id(word: str, common: Common) -> bool:
     return False
 
 
-def _meant(words: list[str], common: Common) -> tuple[Problem, Tried | None, str | None]:
+def _meant(words: list[str], common: Common) -> tuple[Problem, OneCase | None, str | None]:
     """The kata, its case, None where none is named and none has failed, and the file."""
     is_file = words and (is_program(words[-1]) or words[-1].startswith(("/", "./", "../")))
     file = words.pop() if is_file else None
@@ -123,7 +123,7 @@ def _meant(words: list[str], common: Common) -> tuple[Problem, Tried | None, str
 
 def _last_failed(
     problem: Problem | None, file: str | None, common: Common
-) -> tuple[Problem, Tried | None, str | None]:
+) -> tuple[Problem, OneCase | None, str | None]:
     """The case on which a file of that kata failed last; without a kata, one of this folder."""
     with history_at(common.db, reading=True) as history:
         runs = history.runs(problem.id if problem else None)
@@ -139,7 +139,7 @@ def _last_failed(
     return problem, try_case(problem, case_of(failure.input), failure.group or ""), file
 
 
-def _answered(tried: Tried, file: str, common: Common) -> Tried:
+def _answered(tried: OneCase, file: str, common: Common) -> OneCase:
     """The case with what the file says to it."""
     submission = read_submissions([file])[0]
     with Session(tried.problem, RunOptions(isolation=common.isolation)) as session:
@@ -148,7 +148,7 @@ def _answered(tried: Tried, file: str, common: Common) -> Tried:
     return replace(tried, said=said)
 
 
-def _page(problem: Problem, tried: Tried | None) -> str:
+def _page(problem: Problem, tried: OneCase | None) -> str:
     explore = load_module(problem).hooks.explore
     page = explore(problem, problem.named(tried.case) if tried else None) if explore else None
     if page is None:
@@ -253,7 +253,7 @@ def _given_up(turn: published.HackTurn, common: Common) -> published.HackTurn:
 
 
 def _kept(
-    turn: published.HackTurn, outcome: Outcome, why: str, tried: Tried | None, common: Common
+    turn: published.HackTurn, outcome: Outcome, why: str, tried: OneCase | None, common: Common
 ) -> published.HackTurn:
     """The turn after an attempt, which is kept in the history."""
     case = line_of(turn.problem, tried.case) if tried else ""

@@ -16,7 +16,7 @@ from judge.languages.find import found as found_of
 from judge.languages.model import languages
 from judge.report.published_setter import Doctor
 from judge.report.screen import note
-from judge.sandbox import Boxes, levels_here
+from judge.sandbox import Containment, levels_here
 from judge.version import __version__
 
 
@@ -42,7 +42,7 @@ def doctor(ask: DoctorAsk, common: Common) -> Doctor:
     if ask.languages and best:
         from judge.languages.smoke import tried
 
-        boxes = Boxes(best, hidden)
+        boxes = Containment(best, hidden)
         programs = [tried(*each, boxes) for each in zip(languages(), programs, strict=True)]
     lasting = next((level for level in found if level.available or not level.lasting), None)
     if lasting is not None and lasting.available:  # no better one was only short of something just now

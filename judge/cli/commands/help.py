@@ -14,7 +14,7 @@ from judge import manual
 from judge.cli.options import Common, Option, command, opt
 from judge.cli.table import COMMANDS
 from judge.errors import UsageError, nearest
-from judge.manual import Hit, Page
+from judge.manual import Page, SearchHit
 from judge.report.published_look import Document, Mentions, Topics
 from judge.schema import files, schema_of, schema_of_file
 
@@ -27,7 +27,7 @@ class HelpAsk(Struct, frozen=True):
     schema: str | None = opt("--schema COMMAND", "The JSON Schema of what it writes with --json.")
 
 
-@command("help", Page, Hit, ask=HelpAsk)
+@command("help", Page, SearchHit, ask=HelpAsk)
 @click.argument("words", metavar="[TOPIC|WORDS]...", nargs=-1)
 @click.pass_context
 def read(context: click.Context, words: tuple[str, ...], ask: HelpAsk, common: Common) -> Struct:

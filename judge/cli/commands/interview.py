@@ -31,7 +31,7 @@ from judge.practice.cards import Card, MistypedError, cards_of, option
 from judge.practice.drill import Evening
 from judge.practice.events import Answer, Hack, Rating
 from judge.practice.history import History
-from judge.practice.questions import Sources
+from judge.practice.questions import LazyProblems
 from judge.practice.questions import ask as asked_of
 from judge.practice.quiz import (
     Wanted,
@@ -130,7 +130,7 @@ class Round:
     """Cards that are asked in turn on one screen; `missed` are the questions that were not known well."""
 
     def __init__(self, history: History, common: Common) -> None:
-        self.sources = Sources(common.problems, secrets.randbits(32), progress)
+        self.sources = LazyProblems(common.problems, secrets.randbits(32), progress)
         self.screen = err() if common.json else out()
         self.answers: list[Answer] = []
         self.missed: list[str] = []
@@ -333,13 +333,13 @@ class _Interview(Round):
         return self._left(_LAST) > 0
 
     def _judge(self, watched: WatchedFile) -> None:
-        from judge.report.result import judged
+        from judge.report.result import run_report
 
         found = watched.judge()
         if isinstance(found, str):
             note(found)
             return
-        self.show(judged(replace(found, commands=False), self.screen))
+        self.show(run_report(replace(found, commands=False), self.screen))
         self.screen.write("\n")
         self._results.append(found.result)
 

@@ -215,13 +215,13 @@ def _measured(
     from judge.judging.session import Session
     from judge.languages.find import why_not
     from judge.report.wait import progress
-    from judge.run.times import Program, measure
+    from judge.run.times import TimedProgram, measure
 
     entries = []
     for name, source in programs:
         language = language_of(name)
         missing, warms = (why_not(language), language.factor > 1) if language else ("", False)
-        entries.append(Program(name, source, missing, warms))
+        entries.append(TimedProgram(name, source, missing, warms))
     with Session(problem, RunOptions(isolation=common.isolation, timed=False), bars=progress) as session:
         data = session.data
         with progress("measuring") as advance:

@@ -20,7 +20,7 @@ from judge.errors import UsageError, told
 from judge.judging.options import RunOptions
 from judge.problem import Problem
 from judge.problem.model import LEVELS, chosen_groups
-from judge.report.published_result import Judged, Several
+from judge.report.published_result import RunReport, Several
 from judge.report.screen import Notes, is_terminal, note
 from judge.report.wait import progress, stages
 from judge.run.result import Result, judge_fault
@@ -116,7 +116,7 @@ def run(words: tuple[str, ...], ask: RunAsk, common: Common) -> Iterator[Struct]
         raise pressed
 
 
-def _lines(judged: Judged, form: str) -> str:
+def _lines(judged: RunReport, form: str) -> str:
     """The result as another program reads it."""
     from judge.report.formats import annotation, editor_lines
 
@@ -127,7 +127,7 @@ def _lines(judged: Judged, form: str) -> str:
 
 def _judged(
     tasks: Tasks, unjudged: Sequence[Unjudged], ask: RunAsk, common: Common
-) -> Generator[Judged, None, None]:
+) -> Generator[RunReport, None, None]:
     """Every result in order, one kata after another; last what could not be read or has no kata.
 
     Of several katas, one that is broken costs its own submissions only. What ends the judging of a single one
@@ -154,17 +154,17 @@ def _judged(
             if isinstance(fault, UsageError | OSError) or (plain and len(tasks) == 1):
                 raise
             for each in left:
-                yield Judged(judge_fault(problem.id, each.name, told(fault)), each.source, several=several)
+                yield RunReport(judge_fault(problem.id, each.name, told(fault)), each.source, several=several)
             if len(tasks) == 1:
                 raise
         done += len(submissions)
     for entry in unjudged:
-        yield Judged(judge_fault(entry.problem, entry.name, entry.why), several=several)
+        yield RunReport(judge_fault(entry.problem, entry.name, entry.why), several=several)
 
 
 def _fresh(
     problem: Problem, submissions: list[SubmissionFile], ask: RunAsk, common: Common
-) -> Iterator[Judged]:
+) -> Iterator[RunReport]:
     """One submission on new cases for so long. Raises KeyboardInterrupt if that ended it and none failed."""
     import random
 
@@ -191,7 +191,7 @@ def _fresh(
     again = f"{stressed.cases:,} fresh cases in {stressed.seconds:.0f} s; the same again: --seed {seed}"
     Notes().say(result.notes)
     data, noted = ProblemData(problem, ()), result.noting(again)
-    yield Judged(noted, submission.source, data, quiet=ask.quiet, whole=ask.whole, fresh=again)
+    yield RunReport(noted, submission.source, data, quiet=ask.quiet, whole=ask.whole, fresh=again)
     if stressed.interrupted and result.failure is None:
         raise KeyboardInterrupt
 

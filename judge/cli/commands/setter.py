@@ -20,7 +20,7 @@ from judge.data.load import load_data
 from judge.errors import ProblemError, UsageError
 from judge.files import replace_file
 from judge.holes.hunt import look_for_holes
-from judge.holes.model import Holes, Search
+from judge.holes.model import Holes, HoleSearch
 from judge.judging.containment import contained, kept_level
 from judge.judging.options import RunOptions
 from judge.packs.cases import file_names, group_files
@@ -35,7 +35,7 @@ from judge.report.published_setter import FilesWritten, VerifySummary
 from judge.report.screen import note
 from judge.report.wait import Stage, progress, stages
 from judge.report.words import counted
-from judge.sandbox import Boxes
+from judge.sandbox import Containment
 from judge.verify.gate import Options, fresh_data, verify_problem
 from judge.verify.libraries import measure_libraries
 from judge.verify.model import Fault, Verified, fault_of
@@ -171,7 +171,7 @@ def _libraries(problem: Problem) -> LibraryTable:
     """The kata's libraries, measured."""
     with stages(problem.id) as advance:
         tell = advance or (lambda *_: None)
-        return measure_libraries(problem, fresh_data(problem, tell), Boxes(least=kept_level()), tell)
+        return measure_libraries(problem, fresh_data(problem, tell), Containment(least=kept_level()), tell)
 
 
 def _look(chosen: Sequence[str], ask: VerifyAsk, common: Common) -> Iterator[Struct]:
@@ -203,7 +203,9 @@ def _holes(ask: VerifyAsk, common: Common, name: str) -> Holes | Verified:
         problem = replace(problem, groups=groups)  # large cases are neither asked nor changed
         with stages(name) as advance:
             sets = [fresh_data(problem, advance, seed) for seed in (None, *range(1, ask.seeds))]
-            search = Search(ask.seed or 0, seconds_of(ask.lasting or _LOOK, "--for"), program=ask.solution)
+            search = HoleSearch(
+                ask.seed or 0, seconds_of(ask.lasting or _LOOK, "--for"), program=ask.solution
+            )
             boxes = contained(problem, RunOptions(isolation=common.isolation), ask.jobs)
             return look_for_holes(problem, sets, boxes, search, DISK, advance)
     except ProblemError as error:
@@ -232,7 +234,7 @@ def _verify(ask: VerifyAsk, folders: Sequence[Path], name: str) -> Verified:
                 if advance:
                     advance(what, done, total)
 
-            found = verify_problem(problem, options, tell, Boxes(least=kept_level()), solving.within)
+            found = verify_problem(problem, options, tell, Containment(least=kept_level()), solving.within)
     except ProblemError as error:
         return Verified(name, (fault_of(error, name),))
     except KeyboardInterrupt:
@@ -297,7 +299,7 @@ def _packages(problems: Sequence[Problem], ask: ExportAsk) -> Iterator[Exported]
     versions = tuple(Version) if ask.version == _BOTH else (Version(ask.version),)
     options = ExportOptions(ask.out, versions, ask.archives, ask.wrong)
     check_options(problems, options)
-    boxes, written, broken = Boxes(least=kept_level()), False, None
+    boxes, written, broken = Containment(least=kept_level()), False, None
     for each in problems:
         try:
             with stages(each.id) as advance:

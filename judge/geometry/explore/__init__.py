@@ -22,14 +22,14 @@ from judge.geometry.crowd import PLACES
 from judge.geometry.polygon import EDGE
 from judge.geometry.quadratic import TANGENT, on_circle, tangent
 from judge.geometry.shadow import LEVEL
-from judge.geometry.sure import CLEAR, Words
+from judge.geometry.sure import CLEAR, DecisionWords
 from judge.problem import Problem
 from judge.problem.declare import InvalidCase, decisions
 from judge.values import parameters
 
 _FOLDER = Path(__file__).parent
 _MOST = 600  # numbers that a page has fields for
-_WORDS: Mapping[str, Words] = {
+_WORDS: Mapping[str, DecisionWords] = {
     "line": TANGENT,
     "edge": EDGE,
     "on": on_circle("{point}", "{figure}"),
@@ -42,7 +42,7 @@ _WORDS: Mapping[str, Words] = {
     "first": frames.FIRST,
     "threshold": frames.THRESHOLD,
 }
-_OF: Mapping[str, Mapping[str, Words]] = {  # words of the same name
+_OF: Mapping[str, Mapping[str, DecisionWords]] = {  # words of the same name
     "balls": dict(zip(("start", "end", "touch"), (*motion.Discs.ends, motion.Discs.touch), strict=True)),
     "wall": dict(zip(("start", "end", "touch"), (*motion.Cap.ends, motion.Cap.touch), strict=True)),
 }

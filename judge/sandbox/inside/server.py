@@ -124,7 +124,7 @@ class Server:
             raise Lacking(fault.errno or 0) from None
         if pid == 0:
             self._be_child(job, code)
-        watch = Watch(job, began, self._cores)
+        watch = Clocks(job, began, self._cores)
         reason, status, usage = self._watch(pid, watch)
         wall = time.perf_counter_ns() - watch.began
         cpu = watch.at_end or _cpu_of(usage)
@@ -153,7 +153,7 @@ class Server:
             region.write_fault(error)
             os._exit(99)
 
-    def _watch(self, pid: int, watch: Watch) -> tuple[int, int, resource.struct_rusage]:
+    def _watch(self, pid: int, watch: Clocks) -> tuple[int, int, resource.struct_rusage]:
         """Watch the child until it is dead: the limit that killed it, its status, its usage."""
         while True:
             gone, status, usage = os.wait4(pid, os.WNOHANG | os.WUNTRACED)
@@ -173,7 +173,7 @@ class Server:
             else:
                 self._wait(pid, left)
 
-    def _limit(self, pid: int, watch: Watch) -> tuple[int, int]:
+    def _limit(self, pid: int, watch: Clocks) -> tuple[int, int]:
         """The limit that is passed, if one is, or else how many ns none can be."""
         return watch.limit(_cpu_clock(pid), time.perf_counter_ns())
 
@@ -198,7 +198,7 @@ class Server:
         while (left := until - time.perf_counter_ns()) > 0 and not enough():
             self._wait(pid, min(left, SHORTEST_WAIT_NS))
 
-    def _goes_on(self, pid: int, watch: Watch, status: int) -> bool:
+    def _goes_on(self, pid: int, watch: Clocks, status: int) -> bool:
         """Whether a child that has stopped itself has imported its module, and finds its arguments now."""
         job, region, clock = watch.job, self._region, _cpu_clock(pid)
         answered = region.words[wire.USED] != wire.replies_at(job.payload)  # before it was asked
@@ -242,7 +242,7 @@ class Server:
         os._exit(1)
 
 
-class Watch:
+class Clocks:
     """The clocks of one child: of its import, then of its calls; of anything else, from beginning to end."""
 
     __slots__ = ("at_end", "before", "began", "cores", "imported", "job", "stage", "waited")
