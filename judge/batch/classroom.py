@@ -81,7 +81,7 @@ class Classroom:
         shard, unread = options.shard, [each for each in found.unplaced if each.student]
         self._submissions = [each for each in found.submissions if shard is None or shard.holds(each)]
         self.students = {each.id: each for each in everyone(self._roster, [*found.submissions, *unread])}
-        self._called_late = [each for each in self._submissions if each.student in found.late]
+        self._called_late = found.late | {who for who, each in self.students.items() if each.late}
         self._unread = _unread(unread)
         self._environments: dict[str, Environment] | None = None  # any, until it is known
         self._katas = sorted({each.problem for each in self._submissions})
@@ -168,8 +168,11 @@ class Classroom:
         return self._smallest.of(rows, {each.file: each.source for each in self._submissions})
 
     def _cohort(self, katas: Sequence[str], rows: Sequence[KeptRow], **shown: Any) -> Cohort:
-        judged_late = self._submissions if self._options.due else self._called_late
-        late = {(each.student, each.file): self._days_late(each) for each in judged_late}
+        late = {
+            (each.student, each.file): self._days_late(each)
+            for each in self._submissions
+            if self._options.due or each.student in self._called_late
+        }
         return cohort_of(
             tuple(self.students.values()),
             katas,
@@ -186,7 +189,7 @@ class Classroom:
         if self._options.due is None:
             return None
         days = (each.at - self._options.due.timestamp()) / _DAY - self.students[each.student].extra_days
-        return max(0, ceil(days))
+        return max(0, ceil(days)) or (None if each.student in self._called_late else 0)
 
     @cached_property
     def problems(self) -> dict[str, Problem]:

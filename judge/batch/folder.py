@@ -150,8 +150,7 @@ class _Reader(Struct):
 
     def for_each(self, found: Submission) -> list[Submission]:
         """The same file for each student of the group that has submitted it."""
-        top = next(iter(PurePath(found.file).parts[self.outer :]), "")
-        group = dict.fromkeys(who for who, _ in self.owners.get(top, ()) if who)
+        group = dict.fromkeys(who for who, _ in self._group(PurePath(found.file)) if who)
         return [replace(found, student=who) for who in group] or [found]
 
     def submissions(self, path: str, why: str) -> Iterator[Submission]:
@@ -185,10 +184,14 @@ class _Reader(Struct):
             problem = problem or self._fitting(source, name)
         except (OSError, JudgeError) as fault:  # of a problem that is broken, or of this text, too
             why, source = _told(fault).removeprefix(f"{name}: "), b""
-        at = 0.0
+        at = next((owner.at for _, owner in self._group(PurePath(path))), 0.0)
         with suppress(OSError, ValueError):
-            at = (self.root / path).stat().st_mtime
+            at = at or (self.root / path).stat().st_mtime
         return Submission(student, problem, display_name(name), source or b"", why, at)
+
+    def _group(self, path: PurePath) -> list[tuple[str, Owner]]:
+        """The students whom a platform's name tells, and what else it tells."""
+        return self.owners.get((path.parts[self.outer :] or path.parts)[0], [])
 
     def _placed(self, path: PurePath, inner: str = "") -> tuple[str, str]:
         """The student and the problem that a path tells, either empty where it does not.
@@ -196,7 +199,7 @@ class _Reader(Struct):
         `inner` is the name of what lies in the file itself.
         """
         top, *rest = path.parts[self.outer :] or path.parts
-        who, owner = next(iter(self.owners.get(top, ())), ("", None))
+        who, owner = next(iter(self._group(path)), ("", None))
         named = id_of(_stem(inner or (owner.file if owner and owner.file and not rest else path.name)))
         problem = named if named in self.known else ""
         if owner or not rest:

@@ -16,6 +16,8 @@ import re
 import unicodedata
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
+from contextlib import suppress
+from datetime import datetime
 from itertools import pairwise
 
 from msgspec import Struct
@@ -27,8 +29,8 @@ _FORMS = (
     re.compile(r"(?P<name>.*)_(?P<key>\d+)_assign(?:submission|feedback)_[a-z]+(?:_|$)(?P<file>.*)"),
     re.compile(r"(?P<late>LATE_)?anon_(?P<key>[^_]+)_\d+_(?P<file>.+)"),
     re.compile(r"(?P<name>.*?)(?P<late>_LATE)?_(?P<key>\d+)_(?:\d+_|(?=(?:text|link)\.html$))(?P<file>.+)"),
-    re.compile(r"\d+-\d+ - (?P<name>.+?) - [^-]*\b\d{4}\b[^-]*?(?: - (?P<file>.+))?"),
-    re.compile(r"(?P<name>.+)_[^_\d]+_\d{4}(?:-\d\d){5}(?:_(?P<file>.+)|\.txt)"),
+    re.compile(r"\d+-\d+ - (?P<name>.+?) - (?P<at>[^-]*\b\d{4}\b[^-]*?)(?: - (?P<file>.+))?"),
+    re.compile(r"(?P<name>.+)_[^_\d]+_(?P<at>\d{4}(?:-\d\d){5})(?:_(?P<file>.+)|\.txt)"),
 )
 _SHARED = {"group", "groups", "section", "sections", "status", "note", "extra days"}  # columns of no one
 _MOST = 0.8  # of the names beside each other have the form
@@ -38,16 +40,21 @@ _AGAIN = re.compile(r"-\d+(?=\.[^.]+$)")  # of a second upload: count-1.py
 _FOLDER = re.compile(r"^(submission_\d+):\s*$", re.MULTILINE)
 _SUBMITTERS = re.compile(r"^( *):submitters:\s*$(.*?)(?=^\1:|\Z)", re.MULTILINE | re.DOTALL)
 _SUBMITTER = re.compile(r"^ *- ", re.MULTILINE)
+_CREATED = re.compile(r"^ {1,2}:created_at:\s*['\"]?([^'\"\n]+)", re.MULTILINE)
+_TIMES = ("%Y-%m-%d-%H-%M-%S", "%Y-%m-%d %H:%M:%S %z", "%b %d, %Y %I%M %p", "%d %b %Y %I%M %p")
 _KEY = re.compile(r"^ *:(\w+):\s*['\"]?(.*?)['\"]?\s*$", re.MULTILINE)
 
 
 class Owner(Struct, frozen=True):
-    """Whose a name is: the number or user name in it, the person's and the file's own name, if it is late."""
+    """Whose a name is: the number or user name in it, the person's and the file's own name, if it is late,
+    and the second of the epoch when it was submitted, 0 where the platform does not say.
+    """
 
     key: str
     name: str
     file: str = ""
     late: bool = False
+    at: float = 0.0
 
 
 def owners(names: Iterable[str]) -> dict[str, list[Owner]]:
@@ -62,7 +69,16 @@ def owners(names: Iterable[str]) -> dict[str, list[Owner]]:
 
 def _owner(parts: dict[str, str | None]) -> Owner:
     key, name, file = (parts.get(part) or "" for part in ("key", "name", "file"))
-    return Owner(key, name, _AGAIN.sub("", file), bool(parts.get("late")))
+    return Owner(key, name, _AGAIN.sub("", file), bool(parts.get("late")), _second(parts.get("at") or ""))
+
+
+def _second(said: str) -> float:
+    """The second of the epoch, by this machine's clock where no zone is said; 0 where it cannot be read."""
+    said = re.sub(r"(?<=[^\W\d_]{3})[^\W\d_]+|\.\d+", "", said.strip())  # of a month, of a second
+    for form in _TIMES:
+        with suppress(ValueError):
+            return datetime.strptime(re.sub(r"\b(?=\d{3} )", "0", said), form).timestamp()
+    return 0.0
 
 
 def submitters(metadata: str) -> dict[str, list[Owner]]:
@@ -72,8 +88,10 @@ def submitters(metadata: str) -> dict[str, list[Owner]]:
     for folder, section in zip(sections[::2], sections[1::2], strict=True):
         listed = _SUBMITTERS.search(section)
         members = [dict(_KEY.findall(each)) for each in _SUBMITTER.split(listed[2])[1:]] if listed else []
+        created = _CREATED.search(section)
+        at = _second(created[1]) if created else 0.0
         found[folder] = [
-            Owner(each.get("email") or each.get("sid", ""), each.get("name", "")) for each in members
+            Owner(each.get("email") or each.get("sid", ""), each.get("name", ""), at=at) for each in members
         ]
     return found
 

@@ -28,6 +28,7 @@ _LONGEST = 500  # characters of an id
 _SIGNS = ",;\t"
 _SEPARATOR = re.compile(r'"?sep=([,;\t])"?', re.IGNORECASE)  # a first line that Excel writes and reads
 _NO_STUDENT = re.compile(r"\s*(Points Possible|points-per-question|Manual Posting.*)$")  # rows of platforms
+_LATE = re.compile(r"\d.* late\b")  # in Moodle's Status, in English
 _WHOLE = ("name", "full name", "student")  # titles of columns with a person's whole name
 _PARTS = ("first name", "last name")
 _REMEDY = "save it as CSV in UTF-8, with the columns id, name, group"
@@ -83,6 +84,7 @@ def _student(columns: Sequence[str], row: Sequence[str], own: int) -> Student:
         cells=tuple(row),
         note=cells.get("note", ""),
         extra_days=extra,
+        late=bool(_LATE.search(cells.get("status", ""))),
     )
 
 

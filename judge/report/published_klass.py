@@ -31,7 +31,7 @@ class Student(Struct, frozen=True):
 
     `known` is whether that list holds them; where there is none, everybody is. `cells` are all of the list's
     own in its order, `note` is what it has to say on the student's page, `extra_days` what it grants beyond
-    the date that is due.
+    the date that is due, and `late` whether its Status says so.
     """
 
     id: str
@@ -41,6 +41,7 @@ class Student(Struct, frozen=True):
     cells: tuple[str, ...] = ()
     note: str = ""
     extra_days: float = 0.0
+    late: bool = False
 
 
 class Mark(Struct, frozen=True):

@@ -209,3 +209,16 @@ def test_days_late_weights_and_numbers_for_names(judge, submit):
     assert "Nothing was submitted." in pages["3.html"]
     assert "'middle=x' is not a weight" in judge("class", "homework", "--weight", "middle=x").err
     assert "--json has names" in judge("class", "homework", "--anonymous", "--json").err
+
+
+def test_a_platforms_late_stays_and_a_day_ends_at_its_last_second(judge, submit):
+    submit(MEAN, "homework/lovelaceada_LATE_101_555_middle.py")
+    submit(FLOOR, "homework/byronbob_102_556_middle.py")
+    submit(FLOOR, "homework/doecy_103_557_middle.py")
+    for name, when in (("lovelaceada_LATE_101_555", "10T12:00"), ("byronbob_102_556", "10T23:59:58")):
+        second = datetime.fromisoformat(f"2026-11-{when}").timestamp()
+        os.utime(f"homework/{name}_middle.py", (second, second))
+    ended = judge("class", "homework", "--due", "2026-11-10")
+    signs = {line.split()[0]: line.split()[2][-1] for line in ended.lines[1:4]}
+    assert [who for who, sign in signs.items() if sign == "l"] == ["doecy", "lovelaceada"]
+    assert "'' is not a time" in judge("class", "homework", "--due", "").err

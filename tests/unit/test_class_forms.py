@@ -12,6 +12,7 @@ from __future__ import annotations
 import io
 import json
 import zipfile
+from datetime import datetime
 from pathlib import Path
 
 import pytest
@@ -41,7 +42,8 @@ GRADESCOPE = (
 )
 METADATA = (
     "submission_77:\n  :submitters:\n  - :name: Ada Lovelace\n    :sid: '7001'\n    :email: ada@uni.example\n"
-    "submission_78:\n  :submitters:\n  - :name: Bob Brien\n  :created_at: 2026-11-20\n"
+    "submission_78:\n  :submitters:\n  - :name: Bob Brien\n"
+    "  :created_at: 2026-11-20 18:05:00.123456789 +02:00\n"
     "  :results:\n    tests:\n    - :name: A test\n...\n---\n"
     "submission_79:\n  :submitters:\n  - :name: Ada Lovelace\n    :sid: '7001'\n  - :name: ''\n"
     "    :email: b@uni.example\n  - :name: Cy Doe\n  :score: 1\n  :history:\n  - :name: 'Old\n'\n"
@@ -140,6 +142,34 @@ def test_whose_a_file_is(place, roster, names, whose):
 def test_late_is_shown_as_the_platform_tells_it(place):
     found = read(place, CANVAS, ["lovelaceada_LATE_101_555_middle.py", "degrdbo_102_556_middle.py"])
     assert found.late == {"101"}
+
+
+@pytest.mark.parametrize(
+    ("name", "second"),
+    [
+        ("HW 1_alove_attempt_2026-11-20-18-05-00_middle.py", "2026-11-20T18:05"),
+        ("9001-42 - Ada Lovelace - Nov 20, 2026 605 PM/middle.py", "2026-11-20T18:05"),
+        ("9001-42 - Ada Lovelace - 20 November 2026 112 AM/middle.py", "2026-11-20T01:12"),
+        ("submission_78/middle.py", "2026-11-20T18:05+02:00"),
+        ("9001-42 - Ada Lovelace - 20. Mai 2026 1805/middle.py", ""),
+        ("lovelaceada_101_555_middle.py", ""),
+    ],
+)
+def test_the_platforms_time_counts_where_it_says_one(place, name, second):
+    names = ["submission_metadata.yml"] if name.startswith("submission") else []
+    (found,) = read(place, "", [*names, name]).submissions
+    own = (place / name).stat().st_mtime
+    assert found.at == (datetime.fromisoformat(second).timestamp() if second else own)
+
+
+def test_moodles_status_says_who_is_late(place):
+    status = "Submitted for grading - 1 day 2 hours late - Graded"
+    read(
+        place,
+        MOODLE.replace("bob@uni.example,Submitted for grading", f"bob@uni.example,{status}"),
+        ["a/b.py"],
+    )
+    assert [each.late for each in read_students(place.with_name("list.csv")).students] == [False, True]
 
 
 def test_a_list_in_utf_16_whose_rows_of_a_platform_are_no_students(place):

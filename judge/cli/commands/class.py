@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from contextlib import AbstractContextManager, nullcontext
-from datetime import datetime
+from contextlib import AbstractContextManager, nullcontext, suppress
+from datetime import date, datetime, time
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -85,7 +85,7 @@ def judge_class(
         folders=common.problems,
         isolation=common.isolation,
         level=ask.level,
-        due=_time(ask.due) if ask.due else None,
+        due=None if ask.due is None else _time(ask.due),
         weights=dict(_weight(each, common) for each in ask.weight),
         shard=shard,
     )
@@ -131,7 +131,9 @@ def _shard(ask: ClassAsk) -> Shard | None:
 
 
 def _time(said: str) -> datetime:
-    """A time of this machine's clock. Raises UsageError."""
+    """A time of this machine's clock, of a day alone its last second. Raises UsageError."""
+    with suppress(ValueError):
+        return datetime.combine(date.fromisoformat(said), time(23, 59, 59))
     try:
         return datetime.fromisoformat(said)
     except ValueError:
