@@ -18,8 +18,10 @@ from __future__ import annotations
 import errno
 import os
 import unicodedata
+from collections import defaultdict
 from collections.abc import Collection, Iterator, Sequence
 from contextlib import suppress
+from itertools import chain
 from pathlib import Path, PurePath
 
 from msgspec import Struct
@@ -143,9 +145,13 @@ class _Reader(Struct):
             if not found and len(tops) == 1 and all(len(path.parts) > 1 for path in paths):
                 found = owners({path.parts[1] for path in paths})
                 self.outer = 1 if found else 0
+        keys = defaultdict[str, set[str]](set)
+        for each in chain(*found.values()):
+            keys[each.name].add(each.key)
         for name, group in found.items():
             self.owners[name] = [
-                (self.roster.owner(each) or display_name(each.name or each.key), each) for each in group
+                (self.roster.owner(each) or display_name(each.called(len(keys[each.name]))), each)
+                for each in group
             ]
 
     def for_each(self, found: Submission) -> list[Submission]:

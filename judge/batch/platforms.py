@@ -56,6 +56,10 @@ class Owner(Struct, frozen=True):
     late: bool = False
     at: float = 0.0
 
+    def called(self, people: int) -> str:
+        """What the person is called, where so many have the name."""
+        return f"{self.name} ({self.key})" if self.name and people > 1 else self.name or self.key
+
 
 def owners(names: Iterable[str]) -> dict[str, list[Owner]]:
     """Of names beside each other those that have the form of nearly all of them, each with its owner."""

@@ -129,6 +129,15 @@ def read(place, roster, names, encoding="utf-8"):
         (PLAIN, ["ada lovelace/middle.py", "Byron/middle.py"], ["Byron", "Lovelace"]),
         (PLAIN, ["alove/middle.py", "Byron, Ada/middle.py"], ["Byron", "Lovelace"]),
         ("", ["Ada Lovelace_4711_assignsubmission_file/middle.py"], ["Ada Lovelace"]),
+        (
+            "",
+            [
+                "Anna Schmidt_4715_assignsubmission_file/middle.py",
+                "Anna Schmidt_4716_assignsubmission_file/middle.py",
+                "Participant_4717_assignsubmission_file/middle.py",
+            ],
+            ["Anna Schmidt (4715)", "Anna Schmidt (4716)", "Participant"],
+        ),
         (PLAIN, ["ada/middle.py", "x_1_2_y/middle.py", "bob/middle.py"], ["ada", "bob", "x_1_2_y"]),
     ],
 )
