@@ -91,7 +91,7 @@ class Classroom:
         self._noted: set[str] = set()
         self._live = Live()
         if shard is None or shard.number == 1:
-            self._say(*_left_out(found.unplaced))
+            self._say(*_left_out(found.unplaced), *self._roster.unclear.values())
         if not found.submissions and not self._roster.students:
             remedy = "it holds STUDENT/KATA.py or KATA/STUDENT.py; see 'judge help class'"
             raise UsageError("nothing is submitted here", where=str(folder), remedy=remedy)

@@ -32,7 +32,9 @@ _FORMS = (
     re.compile(r"\d+-\d+ - (?P<name>.+?) - (?P<at>[^-]*\b\d{4}\b[^-]*?)(?: - (?P<file>.+))?"),
     re.compile(r"(?P<name>.+)_[^_\d]+_(?P<at>\d{4}(?:-\d\d){5})(?:_(?P<file>.+)|\.txt)"),
 )
-_SHARED = {"group", "groups", "section", "sections", "status", "note", "extra days"}  # columns of no one
+# Columns of no one, or of others.
+_SHARED = {"group", "groups", "section", "sections", "status", "note", "extra days"}
+_SHARED |= {"team", "teams", "partner", "partners"}
 _MOST = 0.8  # of the names beside each other have the form
 _LEAST = 3  # letters of a cell that may be a part of a name
 _AGAIN = re.compile(r"-\d+(?=\.[^.]+$)")  # of a second upload: count-1.py
@@ -101,12 +103,14 @@ def submitters(metadata: str) -> dict[str, list[Owner]]:
 
 
 class Roster:
-    """Who of a list is meant by a name; `titles` are the list's own."""
+    """Who of a list is meant by a name; `titles` are its own, `unclear` says which names fit several."""
 
     def __init__(self, students: Sequence[Student] = (), titles: Sequence[str] = ()) -> None:
         self.students, self.titles = tuple(students), tuple(titles)
         self._cells: defaultdict[str, set[str]] = defaultdict(set)
         self._names: defaultdict[str, set[str]] = defaultdict(set)
+        self._ids = {each.id: {each.id} for each in students}
+        self.unclear: dict[str, str] = {}
         tried = [at for at, title in enumerate(titles) if title.casefold() not in _SHARED]
         for each in students:
             cells = [each.cells[at].removeprefix("#") for at in tried if at < len(each.cells)]
@@ -120,7 +124,8 @@ class Roster:
         several do.
         """
         key = owner.key.casefold()
-        return _only(
+        return self._only(
+            owner.name,
             self._cells.get(key),
             self._ending(key),
             *map(self._names.get, _plain(owner.name)),
@@ -129,7 +134,16 @@ class Roster:
 
     def named(self, name: str) -> str:
         """The id of whom a folder or a file is called after; empty where that is nobody or several."""
-        return _only(self._cells.get(name.casefold()), *map(self._names.get, _plain(name)))
+        cells = self._ids.get(name), self._cells.get(name.casefold())
+        return self._only(name, *cells, *map(self._names.get, _plain(name)))
+
+    def _only(self, name: str, *groups: set[str] | None) -> str:
+        """Who is alone in the first group that is not empty; empty where there are several."""
+        first = next(filter(None, groups), set())
+        if len(first) > 1:
+            who = " and ".join(sorted(first))
+            self.unclear[name] = f"{name!r} fits {who}: write this name into a column 'id' of the list"
+        return next(iter(first)) if len(first) == 1 else ""
 
     def _ending(self, key: str) -> set[str]:
         """Who has a cell such as `Participant 4711`, or a mail address that begins so."""
@@ -146,12 +160,6 @@ class Roster:
             if len(cell) >= _LEAST and re.search(rf"(?:^|[_-]){re.escape(cell)}$|^{re.escape(cell)} ", folded)
         )
         return self._cells.get(max(parts, key=len, default=""), set())
-
-
-def _only(*groups: set[str] | None) -> str:
-    """Who is alone in the first group that is not empty; empty where there are several."""
-    first = next(filter(None, groups), set())
-    return next(iter(first)) if len(first) == 1 else ""
 
 
 def _names(cells: Iterable[str]) -> Iterator[str]:

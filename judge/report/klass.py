@@ -36,7 +36,7 @@ _MEANING = {
     _SEVERAL: "the best of several files",
     _BUSY: "timed while the machine was busy with other things",
     _LATE: "late",
-    _UNKNOWN: "not in the list of students",
+    _UNKNOWN: "not in the list of students, or fits several of it",
 }
 
 

@@ -222,3 +222,12 @@ def test_a_platforms_late_stays_and_a_day_ends_at_its_last_second(judge, submit)
     signs = {line.split()[0]: line.split()[2][-1] for line in ended.lines[1:4]}
     assert [who for who, sign in signs.items() if sign == "l"] == ["doecy", "lovelaceada"]
     assert "'' is not a time" in judge("class", "homework", "--due", "").err
+
+
+def test_a_name_that_fits_two_of_the_list_is_told(judge, submit):
+    submit(MEAN, "homework/ada/middle.py")
+    submit(MEAN, "homework/ADA/middle.py")
+    submit("name\nAda\nADA\n", "list.csv")
+    ended = judge("class", "homework", "--students", "list.csv")
+    assert [line.split()[0] for line in ended.lines[1:4]] == ["Ada", "ADA", "ada?"]
+    assert ended.err == "judge: 'ada' fits ADA and Ada: write this name into a column 'id' of the list\n"

@@ -193,6 +193,12 @@ def test_a_list_in_utf_16_whose_rows_of_a_platform_are_no_students(place):
     assert roster.students[0].cells == ("Lovelace, Ada", "101", "alove", "Section 1", "8.00")
 
 
+def test_who_stands_in_a_team_of_somebody_else_keeps_the_own_folder(place):
+    teams = "name,team,mentor\nAda,cy,\nCy,ben,Ada\nBen,ada,\n"
+    found = read(place, teams, ["Ada/middle.py", "ben/middle.py", "cy/middle.py"])
+    assert [each.student for each in found.submissions] == ["Ada", "Ben", "Cy"]
+
+
 def test_two_whom_a_name_fits_are_not_chosen_between(place):
     twins = "Name,Login\nAda Byron,ada1\nAda Byron,ada2\n"
     found = read(place, twins, ["Ada Byron/middle.py", "ada2/middle.py"])

@@ -124,7 +124,7 @@ def test_the_page_of_a_class():
     assert is_page(html.encode()[:2000], CLASS_MARK)
     text = " ".join(checked(html).text.split())
     assert "students 6" in text
-    assert "zoe not on the list" in text
+    assert "zoe not found on the list" in text
     assert "count, forgotten-abs: Bob\\x1b[31m" in text  # stuck
     assert "Nothing submitted <script>alert(1)</script>" in text
     assert "count: 4 of 6 submitted, 1 accepted" in text
