@@ -9,7 +9,7 @@ from contextlib import closing, suppress
 from datetime import datetime
 from functools import cached_property, partial
 from math import ceil
-from pathlib import Path, PurePath
+from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
@@ -23,7 +23,7 @@ from judge.batch.environment import environment_of, level_here
 from judge.batch.folder import read_class
 from judge.batch.model import Environment, KeptRow, Submission, Task, WorkerResult
 from judge.batch.plan import ClassPlan, Context, current, planned
-from judge.batch.platforms import Roster
+from judge.batch.platforms import Roster, own_name
 from judge.batch.roster import everyone, read_students
 from judge.batch.samples import SmallestCases, samples
 from judge.batch.shards import Shard
@@ -141,11 +141,11 @@ class Classroom:
         every = self._store.every()
         rows = current(self._submissions, every, self._environments)
         return self._cohort(
-            sorted({row.problem for row in rows.values()}),
+            self._katas,
             list(rows.values()),
             history=every,
             equal_files=tuple(equal_files(rows, self.problems)),
-            left=len(self._submissions) - len(rows),
+            left=[each for each in self._submissions if each not in rows],
         )
 
     def is_done(self, student: str) -> bool:
@@ -331,5 +331,5 @@ def _unread(unplaced: Sequence[Submission]) -> dict[str, tuple[str, ...]]:
     """What of each student is not judged, with the reason."""
     told: dict[str, tuple[str, ...]] = {}
     for each in unplaced:
-        told[each.student] = (*told.get(each.student, ()), f"{PurePath(each.file).name}: {each.why}")
+        told[each.student] = (*told.get(each.student, ()), f"{own_name(each.file)}: {each.why}")
     return told

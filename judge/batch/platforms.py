@@ -19,6 +19,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
 from datetime import datetime
 from itertools import pairwise
+from pathlib import PurePath
 
 from msgspec import Struct
 
@@ -71,6 +72,13 @@ def owners(names: Iterable[str]) -> dict[str, list[Owner]]:
         if found and len(found) >= _MOST * len(every):
             return found
     return {}
+
+
+def own_name(file: str) -> str:
+    """What a file is called by its student, without what a platform writes before it."""
+    name = PurePath(file).name
+    found = [match["file"] for form in _FORMS if (match := form.fullmatch(name))]
+    return found[0] or "attempt.txt" if found else name
 
 
 def _owner(parts: dict[str, str | None]) -> Owner:

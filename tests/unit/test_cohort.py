@@ -11,7 +11,7 @@ from msgspec.structs import replace
 from rich.cells import cell_len
 
 from judge.batch.cohort import cohort_of, counting
-from judge.batch.model import KeptRow, WorkerResult
+from judge.batch.model import KeptRow, Submission, WorkerResult
 from judge.errors import ExitCode
 from judge.problem.model import Verdict
 from judge.report.formats import cell
@@ -64,7 +64,9 @@ def test_the_best_counts_and_the_newest_of_equals():
     assert counting([accepted, *rows])["a", "p"] == accepted
     assert cohort_of((), ("p",), (accepted, *rows)).exit_code is ExitCode.ACCEPTED
     assert cohort_of((), ("p",), rows).exit_code is ExitCode.NOT_ACCEPTED
-    assert cohort_of((), ("p",), (accepted,), left=1).exit_code is ExitCode.NOT_ACCEPTED
+    assert (
+        cohort_of((), ("p",), (accepted,), left=[Submission("b", "p", "")]).exit_code is ExitCode.NOT_ACCEPTED
+    )
     assert cohort_of((), ("p",), rows[1:2]).exit_code is ExitCode.FAULT
     assert shown(cohort_of((), (), ())) == "0 of 0 accepted, 0 students, 0 katas\n"
 
@@ -108,6 +110,27 @@ def test_long_lists_are_folded_on_a_terminal_and_nobody_is_nothing():
     assert folded.count("\n") < 20 < whole.count("\n")
     assert "more" not in whole
     assert "s089" in whole
+
+
+def test_what_is_not_judged_yet_was_submitted():
+    left = [Submission("bob", "q", "bob/q.py"), Submission("ann", "q", "ann/q.py")]
+    students = [Student(each) for each in ("ann", "bob", "cid")]
+    cohort = cohort_of(students, ("p", "q"), [row("ann", "p")], left=left)
+    assert cohort.nothing_handed_in == ("cid",)
+    lines = shown(cohort).splitlines()
+    assert [line.split()[:3] for line in lines[1:4]] == [
+        ["ann", "AC", "90"],
+        ["bob", "–", "…"],
+        ["cid", "–", "–"],
+    ]
+    assert "… not judged yet" in lines
+    assert "q  2 of 3 submitted, 0 accepted" in lines
+
+
+def test_what_could_not_be_judged_was_submitted_and_says_why():
+    cohort = class_of(row("ann", "p", verdict=Verdict.JE), students=[Student("ann")], problems=("p",))
+    assert (cohort.nothing_handed_in, cohort.nothing_accepted) == ((), ("ann",))
+    assert read(gradebook(cohort))[1][-1] == "p.py: line 1: '(' was never closed"
 
 
 def read(content, delimiter=","):

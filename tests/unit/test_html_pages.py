@@ -16,6 +16,7 @@ from past_runs import START, keep, past_result
 from judge.batch.samples import samples
 from judge.practice.history import History
 from judge.problem.find import find_problem
+from judge.problem.model import Verdict
 from judge.report.html import is_page
 from judge.report.html.case import Cases
 from judge.report.html.klass import CLASS_MARK, FEEDBACK_MARK, ClassPages
@@ -160,6 +161,14 @@ def test_the_page_of_a_student_has_nothing_of_others():
         assert other not in pages["bob.html"]
     text = " ".join(Outline(pages["ann.html"]).text.split())
     assert "katas solved 1 of 2 points of 200 120" in text
+
+
+def test_what_could_not_be_judged_says_why_and_has_no_case():
+    rows = [row("ann", "count", verdict=Verdict.JE)]
+    html, pages = pages_of(class_of(*rows, students=[Student("ann")]), rows)
+    for page in (html, pages["ann.html"]):
+        assert "count.py: line 1: '(' was never closed" in checked(page).text
+        assert not re.findall("case-1|Nothing was submitted|Nothing submitted", page)
 
 
 def test_a_student_may_be_called_anything():

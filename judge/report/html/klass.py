@@ -15,6 +15,7 @@ from functools import cached_property
 from msgspec import Struct
 
 from judge.practice.syllabus import read_pack
+from judge.problem import Verdict
 from judge.report.html import page
 from judge.report.html.case import Case, Cases
 from judge.report.published_klass import EQUAL_CAUTION, Cohort
@@ -121,7 +122,7 @@ class ClassPages(Struct, frozen=True, dict=True):
     def _case(self, student: str, problem: str, anchor: str) -> Case | None:
         mark = self.cohort.mark(student, problem)
         result = self.results.get((problem, mark.file)) if mark else None
-        if mark is None or mark.accepted or result is None:
+        if mark is None or mark.accepted or mark.verdict is Verdict.JE or result is None:
             return None
         return self.cases.tell(problem, mark.verdict, mark.mistake, result, anchor)
 
