@@ -15,6 +15,7 @@ from typing import Any
 
 import msgspec
 from msgspec import Struct
+from msgspec.structs import replace
 
 from judge.batch.cluster import ClusterExecutor
 from judge.batch.cohort import cohort_of, counting
@@ -50,7 +51,8 @@ class ClassOptions(Struct, frozen=True):
     """Which of a class's files are judged, and how.
 
     `students` is the list of the class, `only` are ids of katas, `folders` folders of katas to look in first.
-    Only groups of the `level` run. Days late count from `due`; `weights` are those of katas.
+    Only groups of the `level` run. Days late count from `due`; `weights` are those of katas. No
+    note names anybody if it is `anonymous`.
     """
 
     students: Path | None = None
@@ -61,6 +63,7 @@ class ClassOptions(Struct, frozen=True):
     due: datetime | None = None
     weights: Mapping[str, float] = MappingProxyType({})
     shard: Shard | None = None
+    anonymous: bool = False
 
 
 class Classroom:
@@ -91,7 +94,9 @@ class Classroom:
         self._noted: set[str] = set()
         self._live = Live()
         if shard is None or shard.number == 1:
-            self._say(*_left_out(found.unplaced), *self._roster.unclear.values())
+            told = [each for each in found.unplaced if not (options.anonymous and each.student)]
+            hidden = [replace(each, file="a file") for each in told] if options.anonymous else told
+            self._say(*_left_out(hidden), *(() if options.anonymous else self._roster.unclear.values()))
         if not found.submissions and not self._roster.students:
             remedy = "it holds STUDENT/KATA.py or KATA/STUDENT.py; see 'judge help class'"
             raise UsageError("nothing is submitted here", where=str(folder), remedy=remedy)

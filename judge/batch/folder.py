@@ -228,7 +228,7 @@ class _Reader(Struct):
         source, real, found = read_below(self.root, path)
         whose = self._placed(PurePath(real))[0]
         if real != path and whose != student:
-            where = f"{whose}'s folder" if whose else "a file of nobody"
+            where = "another student's folder" if whose else "a file of nobody"
             raise RefusedError(errno.EXDEV, f"it is a link to {where}, {NOT_FOLLOWED}")
         if found.st_nlink > 1:
             owned = (self.root / real).parent.stat().st_uid == found.st_uid
@@ -245,9 +245,8 @@ class _Reader(Struct):
         for names in self.names.values():
             owners = {name.student for name in names if name.owned}
             for name in names:
-                other = next((each.file for each in names if each.student != name.student), None)
-                if other is not None and owners != {name.student}:
-                    refused[name.file] = f"it is the same file as {other} (a hard link); copy it"
+                if owners != {name.student} and any(each.student != name.student for each in names):
+                    refused[name.file] = "it is the same file as another student's (a hard link); copy it"
         return [
             replace(each, source=b"", why=refused[each.file]) if each.file in refused else each
             for each in submissions

@@ -6,6 +6,7 @@ and Python's `utf-8-sig` skip it.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from pathlib import PurePath
 from typing import Any
@@ -186,9 +187,9 @@ def anonymous(cohort: Cohort) -> tuple[Cohort, dict[str, str]]:
     """The class with numbers in place of names, and what each file is called then."""
     numbers = {each.id: str(at) for at, each in enumerate(cohort.students, 1)}
     files = {
-        mark.file: f"{numbers[who]}/{PurePath(mark.file).name}"
+        mark.file: f"{numbers[who]}/{kata}{PurePath(mark.file).suffix}"
         for who, marks in cohort.marks.items()
-        for mark in marks.values()
+        for kata, mark in marks.items()
     }
 
     def named(who: Sequence[str]) -> tuple[str, ...]:
@@ -220,7 +221,10 @@ def anonymous(cohort: Cohort) -> tuple[Cohort, dict[str, str]]:
         equal_files=alike(cohort.equal_files),
         titles=(),
         waiting={numbers[who]: katas for who, katas in cohort.waiting.items()},
-        unread={numbers[who]: told for who, told in cohort.unread.items()},
+        unread={
+            numbers[who]: tuple(re.sub(rf"^{re.escape(who)}\b", numbers[who], each) for each in told)
+            for who, told in cohort.unread.items()
+        },
     )
     return hidden, files
 

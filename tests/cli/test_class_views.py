@@ -231,3 +231,23 @@ def test_a_name_that_fits_two_of_the_list_is_told(judge, submit):
     ended = judge("class", "homework", "--students", "list.csv")
     assert [line.split()[0] for line in ended.lines[1:4]] == ["Ada", "ADA", "ada?"]
     assert ended.err == "judge: 'ada' fits ADA and Ada: write this name into a column 'id' of the list\n"
+
+
+def test_numbers_for_names_hide_file_names_too(judge, submit):
+    submit(FLOOR, "canvas/lovelaceada_101_555_middle.py")
+    submit("x", "canvas/lovelaceada_101_556_notes.pdf")
+    Path("canvas/byronbob_102_557_middle.py").symlink_to("lovelaceada_101_555_middle.py")
+    os.link("canvas/lovelaceada_101_555_middle.py", "canvas/doecy_103_558_middle.py")
+    submit(FLOOR, "katas/middle/ada.py")
+    submit("x", "katas/middle/ada.pdf")
+    submit("x", "katas/middle/bob/notes.doc")
+    submit("x", "katas/lovelace.doc")
+    for folder, told in (("canvas", "notes.pdf: not a program"), ("katas", "2: not a program")):
+        files = ("--html", f"{folder}.html", "--feedback", f"{folder}-pages")
+        ended = judge("class", folder, "--anonymous", *files)
+        pages = [Path(f"{folder}.html"), *sorted(Path(f"{folder}-pages").iterdir())]
+        assert len(pages) == 4
+        said = [page.read_text(encoding="utf-8") for page in pages]
+        for shown in (ended.out, ended.err, *said):
+            assert not re.findall("lovelace|byron|doecy|\\b(ada|bob|cy)\\b", shown, re.IGNORECASE)
+        assert told in ended.out

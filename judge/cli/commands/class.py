@@ -88,6 +88,7 @@ def judge_class(
         due=None if ask.due is None else _time(ask.due),
         weights=dict(_weight(each, common) for each in ask.weight),
         shard=shard,
+        anonymous=ask.anonymous,
     )
     csv = OutFile(ask.csv, "--csv", "a gradebook", is_gradebook)
     html = OutFile(ask.html, "--html", "a page of a class", partial(_is_page, "CLASS"))
