@@ -43,8 +43,8 @@ def cohort_of(
     own = {each: [counts[who, each] for who in order if (who, each) in counts] for each in problems}
     told, waiting = dict(unread), defaultdict[str, set[str]](set)
     for row in rows:
-        if row.result.verdict is Verdict.JE and row.result.failure:
-            why = f"{own_name(row.file)}: {row.result.failure.message}"
+        if row.result.verdict is Verdict.JE:
+            why = f"{own_name(row.file)}: {_message(row)}"
             told[row.student] = (*told.get(row.student, ()), why)
     for each in left:
         waiting[each.student].add(each.problem)
@@ -149,8 +149,13 @@ def _stuck(
 
 def _alike(what: str, rows: Sequence[KeptRow], named: bool = True) -> Alike:
     who, files = (row.student for row in rows), (row.file for row in rows)
-    return Alike(rows[0].problem, what, tuple(who), tuple(files), named)
+    reasons = {(each.advice if (each := row.result.pitfall) else _message(row)) for row in rows}
+    return Alike(rows[0].problem, what, tuple(who), tuple(files), named, len(reasons) == 1)
+
+
+def _message(row: KeptRow) -> str:
+    return row.result.failure.message if row.result.failure else ""
 
 
 def _most_first(found: Iterable[Alike]) -> list[Alike]:
-    return sorted(found, key=lambda each: (not each.named, -len(each.students), each.what))
+    return sorted(found, key=lambda each: (-len(each.students), not each.named, each.what))

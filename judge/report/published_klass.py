@@ -71,7 +71,8 @@ class Mark(Struct, frozen=True):
 class Alike(Struct, frozen=True):
     """Students whose `files` for a kata have something in common: `what`, in words.
 
-    Of failing files that is a mistake, or else (not `named`) what their verdict means.
+    Of failing files that is a mistake, or else (not `named`) what their verdict means; one reason holds for
+    each of them if it is `shared`.
     """
 
     problem: str
@@ -79,6 +80,7 @@ class Alike(Struct, frozen=True):
     students: tuple[str, ...]
     files: tuple[str, ...]
     named: bool = True
+    shared: bool = True
 
 
 class ProblemView(Struct, frozen=True):

@@ -171,6 +171,24 @@ def test_what_could_not_be_judged_says_why_and_has_no_case():
         assert not re.findall("case-1|Nothing was submitted|Nothing submitted", page)
 
 
+def test_the_reason_for_several_holds_for_each_and_the_most_frequent_is_first():
+    same = [row(who, "count", verdict=Verdict.CE) for who in ("ann", "bob", "cid")]
+    broken = row("dee", "count", verdict=Verdict.RTE, fails=("grid",))
+    other = row("eve", "count", verdict=Verdict.RTE, fails=("tangent",))
+    for each, why in ((broken, "IndexError"), (other, "KeyError")):
+        each.done.result["failure"]["message"] = why
+    rows = [*same, broken, other, row("fay", "count", "forgotten-abs", ("grid",))]
+    html, _ = pages_of(class_of(*rows), rows)
+    assert re.findall(r'<h3 id="kata-1-case-\d-heading">(.*?)</h3>', html) == [
+        "Does not compile",
+        "Run-time error",
+        "forgotten-abs",
+    ]
+    assert "was never closed" in html
+    assert "The case of dee:" in checked(html).text
+    assert not re.findall("IndexError|KeyError|Run-time error, grid", html)
+
+
 def test_a_student_may_be_called_anything():
     ids = ["../../etc/passwd", "a/b", "a_b", "A_B", "..", "", "x" * 300, EVIL]
     rows = [row(who, "count", EVIL, ("grid",), file=f"{EVIL}{at}.py") for at, who in enumerate(ids)]
