@@ -93,6 +93,7 @@ class Classroom:
         self._said: set[str] = set()
         self._noted: set[str] = set()
         self._live = Live()
+        self._say(*_unweighed(options.weights, self._katas))
         if shard is None or shard.number == 1:
             told = [each for each in found.unplaced if not (options.anonymous and each.student)]
             hidden = [replace(each, file="a file") for each in told] if options.anonymous else told
@@ -330,6 +331,17 @@ def _left_out(unplaced: Sequence[Submission]) -> Iterator[str]:
     for why, files in reasons.items():
         names, more = [*files][:_NAMES], len(files) - _NAMES
         yield f"not judged: {', '.join(names)}{f' and {more} more' if more > 0 else ''}: {why}"
+
+
+def _unweighed(weights: Mapping[str, float], katas: Sequence[str]) -> Iterator[str]:
+    """Weights that weigh nothing."""
+    yield from (
+        f"--weight {kata}: it is not in the table, and counts for nothing"
+        for kata in weights
+        if kata not in katas
+    )
+    if katas and not any(weights.get(kata, 1) for kata in katas):
+        yield "--weight: all weights are 0, and so is every total"
 
 
 def _unread(unplaced: Sequence[Submission]) -> dict[str, tuple[str, ...]]:

@@ -251,3 +251,15 @@ def test_numbers_for_names_hide_file_names_too(judge, submit):
         for shown in (ended.out, ended.err, *said):
             assert not re.findall("lovelace|byron|doecy|\\b(ada|bob|cy)\\b", shown, re.IGNORECASE)
         assert told in ended.out
+
+
+def test_pages_in_the_class_and_weights_of_nothing_are_told(judge, submit):
+    submit(MEAN, "homework/ada/middle.py")
+    ended = judge("class", "homework", "--feedback", "homework/pages")
+    assert (ended.status, Path("homework/pages").exists()) == (2, False)
+    assert "--feedback: pages in the class's folder would be read" in ended.err
+    said = judge("class", "homework", "--weight", "segment=2", "--weight", "middle=0").err.splitlines()
+    assert said == [
+        "judge: --weight segment: it is not in the table, and counts for nothing",
+        "judge: --weight: all weights are 0, and so is every total",
+    ]

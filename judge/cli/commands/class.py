@@ -66,7 +66,9 @@ def judge_class(
     Each result is kept at once in FOLDER.judge.sqlite3: after Ctrl-C or a crash the same command goes on, and
     judges only what is new. Of several files for one kata the best counts.
 
-    Exit status: 0 all accepted, 1 not, 2 usage, 3 something could not be judged.
+    --problems DIR looks for katas there first, --isolation LEVEL demands a level of isolation.
+
+    Exit status: 0 all accepted, 1 not, 2 usage, 3 something could not be judged, 130 stopped by Ctrl-C.
     """
     if ask.where is not None and ask.jobs > 1:
         raise UsageError("--on and -j contradict each other", remedy="leave one out")
@@ -74,7 +76,10 @@ def judge_class(
     parts, katas = (tuple(map(Path, katas)), ()) if ask.merge else ((), katas)
     if ask.merge and not parts:
         raise UsageError("--merge takes files", remedy="name those that 'judge class --shard' wrote")
-    root_of(folder)  # before a file is made beside it
+    root = root_of(folder)  # before a file is made beside it
+    if ask.feedback and ask.feedback.resolve().is_relative_to(root):
+        what = "pages in the class's folder would be read as somebody's files"
+        raise UsageError(what, where="--feedback", remedy="name a folder beside it")
     if ask.anonymous and common.json:
         raise UsageError("--json has names", remedy="leave out --anonymous")
     for each in katas:
