@@ -37,7 +37,7 @@ from judge.judging.pool import Executor, Processes
 from judge.mistakes.known import is_kept
 from judge.problem import Problem
 from judge.problem.find import find_problem
-from judge.report.published_klass import ClassRow, Cohort
+from judge.report.published_klass import ClassRow, Cohort, Sheet
 from judge.report.wait import Live
 from judge.report.words import counted, shown_name
 from judge.run.result import Result
@@ -197,6 +197,11 @@ class Classroom:
         days = (each.at - self._options.due.timestamp()) / _DAY - self.students[each.student].extra_days
         return max(0, ceil(days)) or (None if each.student in self._called_late else 0)
 
+    @property
+    def sheet(self) -> Sheet:
+        """How the list of students is written."""
+        return self._roster.sheet
+
     @cached_property
     def problems(self) -> dict[str, Problem]:
         """The katas of the class that can be read, by id."""
@@ -335,11 +340,7 @@ def _left_out(unplaced: Sequence[Submission]) -> Iterator[str]:
 
 def _unweighed(weights: Mapping[str, float], katas: Sequence[str]) -> Iterator[str]:
     """Weights that weigh nothing."""
-    yield from (
-        f"--weight {kata}: it is not in the table, and counts for nothing"
-        for kata in weights
-        if kata not in katas
-    )
+    yield from (f"--weight {kata}: it is not in the table" for kata in weights if kata not in katas)
     if katas and not any(weights.get(kata, 1) for kata in katas):
         yield "--weight: all weights are 0, and so is every total"
 

@@ -23,7 +23,7 @@ from pathlib import PurePath
 
 from msgspec import Struct
 
-from judge.report.published_klass import Student
+from judge.report.published_klass import Sheet, Student
 
 METADATA = "submission_metadata.yml"
 _FORMS = (
@@ -111,17 +111,19 @@ def submitters(metadata: str) -> dict[str, list[Owner]]:
 
 
 class Roster:
-    """Who of a list is meant by a name; `titles` are its own, `unclear` says which names fit several."""
+    """Who of a list is meant by a name; `titles` are its own, `sheet` is how it is written, `unclear`
+    says which names fit several.
+    """
 
     def __init__(self, students: Sequence[Student] = (), titles: Sequence[str] = ()) -> None:
-        self.students, self.titles = tuple(students), tuple(titles)
+        self.students, self.titles, self.sheet = tuple(students), tuple(titles), Sheet()
         self._cells: defaultdict[str, set[str]] = defaultdict(set)
         self._names: defaultdict[str, set[str]] = defaultdict(set)
         self._ids = {each.id: {each.id} for each in students}
         self.unclear: dict[str, str] = {}
         tried = [at for at, title in enumerate(titles) if title.casefold() not in _SHARED]
         for each in students:
-            cells = [each.cells[at].removeprefix("#") for at in tried if at < len(each.cells)]
+            cells = [each.cells[at].strip().removeprefix("#") for at in tried if at < len(each.cells)]
             for cell in filter(None, (each.id, *cells)):
                 self._cells[cell.casefold()].add(each.id)
             for name in _names([each.name, *cells]):

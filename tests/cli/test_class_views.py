@@ -260,6 +260,6 @@ def test_pages_in_the_class_and_weights_of_nothing_are_told(judge, submit):
     assert "--feedback: pages in the class's folder would be read" in ended.err
     said = judge("class", "homework", "--weight", "segment=2", "--weight", "middle=0").err.splitlines()
     assert said == [
-        "judge: --weight segment: it is not in the table, and counts for nothing",
+        "judge: --weight segment: it is not in the table",
         "judge: --weight: all weights are 0, and so is every total",
     ]
