@@ -9,12 +9,13 @@ from contextlib import closing, suppress
 from datetime import datetime
 from functools import cached_property, partial
 from math import ceil
-from pathlib import Path, PurePath
+from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
 import msgspec
 from msgspec import Struct
+from msgspec.structs import replace
 
 from judge.batch.cluster import ClusterExecutor
 from judge.batch.cohort import cohort_of, counting
@@ -23,7 +24,7 @@ from judge.batch.environment import environment_of, level_here
 from judge.batch.folder import read_class
 from judge.batch.model import Environment, KeptRow, Submission, Task, WorkerResult
 from judge.batch.plan import ClassPlan, Context, current, planned
-from judge.batch.platforms import Roster
+from judge.batch.platforms import Roster, own_name
 from judge.batch.roster import everyone, read_students
 from judge.batch.samples import SmallestCases, samples
 from judge.batch.shards import Shard
@@ -36,7 +37,7 @@ from judge.judging.pool import Executor, Processes
 from judge.mistakes.known import is_kept
 from judge.problem import Problem
 from judge.problem.find import find_problem
-from judge.report.published_klass import ClassRow, Cohort
+from judge.report.published_klass import ClassRow, Cohort, Sheet
 from judge.report.wait import Live
 from judge.report.words import counted, shown_name
 from judge.run.result import Result
@@ -50,7 +51,8 @@ class ClassOptions(Struct, frozen=True):
     """Which of a class's files are judged, and how.
 
     `students` is the list of the class, `only` are ids of katas, `folders` folders of katas to look in first.
-    Only groups of the `level` run. Days late count from `due`; `weights` are those of katas.
+    Only groups of the `level` run. Days late count from `due`; `weights` are those of katas. No
+    note names anybody if it is `anonymous`.
     """
 
     students: Path | None = None
@@ -61,6 +63,7 @@ class ClassOptions(Struct, frozen=True):
     due: datetime | None = None
     weights: Mapping[str, float] = MappingProxyType({})
     shard: Shard | None = None
+    anonymous: bool = False
 
 
 class Classroom:
@@ -81,7 +84,7 @@ class Classroom:
         shard, unread = options.shard, [each for each in found.unplaced if each.student]
         self._submissions = [each for each in found.submissions if shard is None or shard.holds(each)]
         self.students = {each.id: each for each in everyone(self._roster, [*found.submissions, *unread])}
-        self._called_late = [each for each in self._submissions if each.student in found.late]
+        self._called_late = found.late | {who for who, each in self.students.items() if each.late}
         self._unread = _unread(unread)
         self._environments: dict[str, Environment] | None = None  # any, until it is known
         self._katas = sorted({each.problem for each in self._submissions})
@@ -90,8 +93,11 @@ class Classroom:
         self._said: set[str] = set()
         self._noted: set[str] = set()
         self._live = Live()
+        self._say(*_unweighed(options.weights, self._katas))
         if shard is None or shard.number == 1:
-            self._say(*_left_out(found.unplaced))
+            told = [each for each in found.unplaced if not (options.anonymous and each.student)]
+            hidden = [replace(each, file="a file") for each in told] if options.anonymous else told
+            self._say(*_left_out(hidden), *(() if options.anonymous else self._roster.unclear.values()))
         if not found.submissions and not self._roster.students:
             remedy = "it holds STUDENT/KATA.py or KATA/STUDENT.py; see 'judge help class'"
             raise UsageError("nothing is submitted here", where=str(folder), remedy=remedy)
@@ -141,11 +147,11 @@ class Classroom:
         every = self._store.every()
         rows = current(self._submissions, every, self._environments)
         return self._cohort(
-            sorted({row.problem for row in rows.values()}),
+            self._katas,
             list(rows.values()),
             history=every,
             equal_files=tuple(equal_files(rows, self.problems)),
-            left=len(self._submissions) - len(rows),
+            left=[each for each in self._submissions if each not in rows],
         )
 
     def is_done(self, student: str) -> bool:
@@ -168,8 +174,11 @@ class Classroom:
         return self._smallest.of(rows, {each.file: each.source for each in self._submissions})
 
     def _cohort(self, katas: Sequence[str], rows: Sequence[KeptRow], **shown: Any) -> Cohort:
-        judged_late = self._submissions if self._options.due else self._called_late
-        late = {(each.student, each.file): self._days_late(each) for each in judged_late}
+        late = {
+            (each.student, each.file): self._days_late(each)
+            for each in self._submissions
+            if self._options.due or each.student in self._called_late
+        }
         return cohort_of(
             tuple(self.students.values()),
             katas,
@@ -186,7 +195,12 @@ class Classroom:
         if self._options.due is None:
             return None
         days = (each.at - self._options.due.timestamp()) / _DAY - self.students[each.student].extra_days
-        return max(0, ceil(days))
+        return max(0, ceil(days)) or (None if each.student in self._called_late else 0)
+
+    @property
+    def sheet(self) -> Sheet:
+        """How the list of students is written."""
+        return self._roster.sheet
 
     @cached_property
     def problems(self) -> dict[str, Problem]:
@@ -324,9 +338,16 @@ def _left_out(unplaced: Sequence[Submission]) -> Iterator[str]:
         yield f"not judged: {', '.join(names)}{f' and {more} more' if more > 0 else ''}: {why}"
 
 
+def _unweighed(weights: Mapping[str, float], katas: Sequence[str]) -> Iterator[str]:
+    """Weights that weigh nothing."""
+    yield from (f"--weight {kata}: it is not in the table" for kata in weights if kata not in katas)
+    if katas and not any(weights.get(kata, 1) for kata in katas):
+        yield "--weight: all weights are 0, and so is every total"
+
+
 def _unread(unplaced: Sequence[Submission]) -> dict[str, tuple[str, ...]]:
     """What of each student is not judged, with the reason."""
     told: dict[str, tuple[str, ...]] = {}
     for each in unplaced:
-        told[each.student] = (*told.get(each.student, ()), f"{PurePath(each.file).name}: {each.why}")
+        told[each.student] = (*told.get(each.student, ()), f"{own_name(each.file)}: {each.why}")
     return told

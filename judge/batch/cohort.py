@@ -7,7 +7,8 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from types import MappingProxyType
 from typing import Any
 
-from judge.batch.model import KeptRow, text_of
+from judge.batch.model import KeptRow, Submission, text_of
+from judge.batch.platforms import own_name
 from judge.problem.model import Verdict
 from judge.report.published_klass import Alike, Cohort, Machine, Mark, ProblemView, Student
 
@@ -20,7 +21,8 @@ def cohort_of(
     rows: Sequence[KeptRow],
     *,
     history: Iterable[KeptRow] = (),
-    left: int = 0,
+    left: Sequence[Submission] = (),
+    unread: Mapping[str, tuple[str, ...]] = MappingProxyType({}),
     equal_files: tuple[Alike, ...] = (),
     late: Mapping[_Pair, int | None] = MappingProxyType({}),
     **shown: Any,
@@ -29,7 +31,8 @@ def cohort_of(
 
     `history` are rows of texts that were submitted before and have been replaced since; they tell who is
     stuck and nothing else. `late` are days, by student and file, None where a platform says so alone. `left`
-    counts files without a row; `shown` are the fields of the cohort that come from elsewhere.
+    are files without a row, `unread` what else could not be judged, by student; `shown` are the fields of the
+    cohort that come from elsewhere.
     """
     counts = counting(rows)
     files = Counter((row.student, row.problem) for row in rows)
@@ -38,20 +41,31 @@ def cohort_of(
         marks.setdefault(student, {})[problem] = _mark(row, files[student, problem], late)
     order = [each.id for each in students]
     own = {each: [counts[who, each] for who in order if (who, each) in counts] for each in problems}
-    unjudged = [row.result for row in rows if row.result.verdict is Verdict.JE]
+    told, waiting = dict(unread), defaultdict[str, set[str]](set)
+    for row in rows:
+        if row.result.verdict is Verdict.JE:
+            why = f"{own_name(row.file)}: {_message(row)}"
+            told[row.student] = (*told.get(row.student, ()), why)
+    for each in left:
+        waiting[each.student].add(each.problem)
+    submitted = {*marks, *told, *waiting}
     judged = Counter((row.done.machine, row.result.isolation) for row in rows if row.result.isolation)
     accepted = {who for (who, _), row in counts.items() if row.accepted}
     return Cohort(
         students=tuple(students),
         marks=marks,
-        problems=tuple(_view(each, own[each]) for each in problems),
+        problems=tuple(
+            _view(kata, own[kata], sum(kata in marks.get(who, {}) or kata in waiting[who] for who in order))
+            for kata in problems
+        ),
         stuck=tuple(_stuck(problems, _in_turn([*history, *rows]), order)),
-        nothing_accepted=tuple(each for each in order if each in marks and each not in accepted),
-        nothing_handed_in=tuple(each for each in order if each not in marks),
+        nothing_accepted=tuple(each for each in order if each in submitted - accepted),
+        nothing_handed_in=tuple(each for each in order if each not in submitted),
         machines=tuple(Machine(*where, times) for where, times in sorted(judged.items())),
-        unjudged=tuple((each.submission, each.failure.message if each.failure else "") for each in unjudged),
+        unread=told,
+        waiting={who: tuple(sorted(katas)) for who, katas in waiting.items() if katas},
         equal_files=equal_files,
-        left=left,
+        left=len(left),
         **shown,
     )
 
@@ -97,8 +111,8 @@ def _mark(row: KeptRow, files: int, late: Mapping[_Pair, int | None]) -> Mark:
     )
 
 
-def _view(problem: str, rows: Sequence[KeptRow]) -> ProblemView:
-    """The kata of these rows, of which one counts for each student."""
+def _view(problem: str, rows: Sequence[KeptRow], handed_in: int) -> ProblemView:
+    """The kata of these rows, of which one counts for each student; so many have submitted something."""
     made: dict[tuple[str, bool], list[KeptRow]] = defaultdict(list)
     for row in rows:
         if not row.accepted:
@@ -108,7 +122,7 @@ def _view(problem: str, rows: Sequence[KeptRow]) -> ProblemView:
     )
     return ProblemView(
         problem=problem,
-        handed_in=len(rows),
+        handed_in=handed_in,
         accepted=sum(row.accepted for row in rows),
         mistakes=tuple(_most_first(_alike(what, found, named) for (what, named), found in made.items())),
         groups=dict(failed.most_common()),
@@ -135,8 +149,13 @@ def _stuck(
 
 def _alike(what: str, rows: Sequence[KeptRow], named: bool = True) -> Alike:
     who, files = (row.student for row in rows), (row.file for row in rows)
-    return Alike(rows[0].problem, what, tuple(who), tuple(files), named)
+    reasons = {(each.advice if (each := row.result.pitfall) else _message(row)) for row in rows}
+    return Alike(rows[0].problem, what, tuple(who), tuple(files), named, len(reasons) == 1)
+
+
+def _message(row: KeptRow) -> str:
+    return row.result.failure.message if row.result.failure else ""
 
 
 def _most_first(found: Iterable[Alike]) -> list[Alike]:
-    return sorted(found, key=lambda each: (not each.named, -len(each.students), each.what))
+    return sorted(found, key=lambda each: (-len(each.students), not each.named, each.what))

@@ -18,8 +18,10 @@ from __future__ import annotations
 import errno
 import os
 import unicodedata
+from collections import defaultdict
 from collections.abc import Collection, Iterator, Sequence
 from contextlib import suppress
+from itertools import chain
 from pathlib import Path, PurePath
 
 from msgspec import Struct
@@ -143,15 +145,18 @@ class _Reader(Struct):
             if not found and len(tops) == 1 and all(len(path.parts) > 1 for path in paths):
                 found = owners({path.parts[1] for path in paths})
                 self.outer = 1 if found else 0
+        keys = defaultdict[str, set[str]](set)
+        for each in chain(*found.values()):
+            keys[each.name].add(each.key)
         for name, group in found.items():
             self.owners[name] = [
-                (self.roster.owner(each) or display_name(each.name or each.key), each) for each in group
+                (self.roster.owner(each) or display_name(each.called(len(keys[each.name]))), each)
+                for each in group
             ]
 
     def for_each(self, found: Submission) -> list[Submission]:
         """The same file for each student of the group that has submitted it."""
-        top = next(iter(PurePath(found.file).parts[self.outer :]), "")
-        group = dict.fromkeys(who for who, _ in self.owners.get(top, ()) if who)
+        group = dict.fromkeys(who for who, _ in self._group(PurePath(found.file)) if who)
         return [replace(found, student=who) for who in group] or [found]
 
     def submissions(self, path: str, why: str) -> Iterator[Submission]:
@@ -185,10 +190,14 @@ class _Reader(Struct):
             problem = problem or self._fitting(source, name)
         except (OSError, JudgeError) as fault:  # of a problem that is broken, or of this text, too
             why, source = _told(fault).removeprefix(f"{name}: "), b""
-        at = 0.0
+        at = next((owner.at for _, owner in self._group(PurePath(path))), 0.0)
         with suppress(OSError, ValueError):
-            at = (self.root / path).stat().st_mtime
+            at = at or (self.root / path).stat().st_mtime
         return Submission(student, problem, display_name(name), source or b"", why, at)
+
+    def _group(self, path: PurePath) -> list[tuple[str, Owner]]:
+        """The students whom a platform's name tells, and what else it tells."""
+        return self.owners.get((path.parts[self.outer :] or path.parts)[0], [])
 
     def _placed(self, path: PurePath, inner: str = "") -> tuple[str, str]:
         """The student and the problem that a path tells, either empty where it does not.
@@ -196,7 +205,7 @@ class _Reader(Struct):
         `inner` is the name of what lies in the file itself.
         """
         top, *rest = path.parts[self.outer :] or path.parts
-        who, owner = next(iter(self.owners.get(top, ())), ("", None))
+        who, owner = next(iter(self._group(path)), ("", None))
         named = id_of(_stem(inner or (owner.file if owner and owner.file and not rest else path.name)))
         problem = named if named in self.known else ""
         if owner or not rest:
@@ -219,7 +228,7 @@ class _Reader(Struct):
         source, real, found = read_below(self.root, path)
         whose = self._placed(PurePath(real))[0]
         if real != path and whose != student:
-            where = f"{whose}'s folder" if whose else "a file of nobody"
+            where = "another student's folder" if whose else "a file of nobody"
             raise RefusedError(errno.EXDEV, f"it is a link to {where}, {NOT_FOLLOWED}")
         if found.st_nlink > 1:
             owned = (self.root / real).parent.stat().st_uid == found.st_uid
@@ -236,9 +245,8 @@ class _Reader(Struct):
         for names in self.names.values():
             owners = {name.student for name in names if name.owned}
             for name in names:
-                other = next((each.file for each in names if each.student != name.student), None)
-                if other is not None and owners != {name.student}:
-                    refused[name.file] = f"it is the same file as {other} (a hard link); copy it"
+                if owners != {name.student} and any(each.student != name.student for each in names):
+                    refused[name.file] = "it is the same file as another student's (a hard link); copy it"
         return [
             replace(each, source=b"", why=refused[each.file]) if each.file in refused else each
             for each in submissions

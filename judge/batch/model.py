@@ -23,7 +23,8 @@ class Submission(Struct, frozen=True):
     """A file that a student has submitted; `file` is its path within the class's folder, with slashes.
 
     `problem` is the problem's id, empty where none is found. `why` says why it is not judged; then it is a
-    row of the table (JE), and `source` is empty. `at` is when the file was written, in seconds of the epoch.
+    row of the table (JE), and `source` is empty. `at` is the second of the epoch when it was submitted, as
+    the platform says, or else when the file was written.
     """
 
     student: str

@@ -16,21 +16,26 @@ import re
 import unicodedata
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
+from contextlib import suppress
+from datetime import datetime
 from itertools import pairwise
+from pathlib import PurePath
 
 from msgspec import Struct
 
-from judge.report.published_klass import Student
+from judge.report.published_klass import Sheet, Student
 
 METADATA = "submission_metadata.yml"
 _FORMS = (
     re.compile(r"(?P<name>.*)_(?P<key>\d+)_assign(?:submission|feedback)_[a-z]+(?:_|$)(?P<file>.*)"),
     re.compile(r"(?P<late>LATE_)?anon_(?P<key>[^_]+)_\d+_(?P<file>.+)"),
     re.compile(r"(?P<name>.*?)(?P<late>_LATE)?_(?P<key>\d+)_(?:\d+_|(?=(?:text|link)\.html$))(?P<file>.+)"),
-    re.compile(r"\d+-\d+ - (?P<name>.+?) - [^-]*\b\d{4}\b[^-]*?(?: - (?P<file>.+))?"),
-    re.compile(r"(?P<name>.+)_[^_\d]+_\d{4}(?:-\d\d){5}(?:_(?P<file>.+)|\.txt)"),
+    re.compile(r"\d+-\d+ - (?P<name>.+?) - (?P<at>[^-]*\b\d{4}\b[^-]*?)(?: - (?P<file>.+))?"),
+    re.compile(r"(?P<name>.+)_[^_\d]+_(?P<at>\d{4}(?:-\d\d){5})(?:_(?P<file>.+)|\.txt)"),
 )
-_SHARED = {"group", "groups", "section", "sections", "status", "note", "extra days"}  # columns of no one
+# Columns of no one, or of others.
+_SHARED = {"group", "groups", "section", "sections", "status", "note", "extra days"}
+_SHARED |= {"team", "teams", "partner", "partners"}
 _MOST = 0.8  # of the names beside each other have the form
 _LEAST = 3  # letters of a cell that may be a part of a name
 _AGAIN = re.compile(r"-\d+(?=\.[^.]+$)")  # of a second upload: count-1.py
@@ -38,16 +43,25 @@ _AGAIN = re.compile(r"-\d+(?=\.[^.]+$)")  # of a second upload: count-1.py
 _FOLDER = re.compile(r"^(submission_\d+):\s*$", re.MULTILINE)
 _SUBMITTERS = re.compile(r"^( *):submitters:\s*$(.*?)(?=^\1:|\Z)", re.MULTILINE | re.DOTALL)
 _SUBMITTER = re.compile(r"^ *- ", re.MULTILINE)
+_CREATED = re.compile(r"^ {1,2}:created_at:\s*['\"]?([^'\"\n]+)", re.MULTILINE)
+_TIMES = ("%Y-%m-%d-%H-%M-%S", "%Y-%m-%d %H:%M:%S %z", "%b %d, %Y %I%M %p", "%d %b %Y %I%M %p")
 _KEY = re.compile(r"^ *:(\w+):\s*['\"]?(.*?)['\"]?\s*$", re.MULTILINE)
 
 
 class Owner(Struct, frozen=True):
-    """Whose a name is: the number or user name in it, the person's and the file's own name, if it is late."""
+    """Whose a name is: the number or user name in it, the person's and the file's own name, if it is late,
+    and the second of the epoch when it was submitted, 0 where the platform does not say.
+    """
 
     key: str
     name: str
     file: str = ""
     late: bool = False
+    at: float = 0.0
+
+    def called(self, people: int) -> str:
+        """What the person is called, where so many have the name."""
+        return f"{self.name} ({self.key})" if self.name and people > 1 else self.name or self.key
 
 
 def owners(names: Iterable[str]) -> dict[str, list[Owner]]:
@@ -60,9 +74,25 @@ def owners(names: Iterable[str]) -> dict[str, list[Owner]]:
     return {}
 
 
+def own_name(file: str) -> str:
+    """What a file is called by its student, without what a platform writes before it."""
+    name = PurePath(file).name
+    found = [match["file"] for form in _FORMS if (match := form.fullmatch(name))]
+    return found[0] or "attempt.txt" if found else name
+
+
 def _owner(parts: dict[str, str | None]) -> Owner:
     key, name, file = (parts.get(part) or "" for part in ("key", "name", "file"))
-    return Owner(key, name, _AGAIN.sub("", file), bool(parts.get("late")))
+    return Owner(key, name, _AGAIN.sub("", file), bool(parts.get("late")), _second(parts.get("at") or ""))
+
+
+def _second(said: str) -> float:
+    """The second of the epoch, by this machine's clock where no zone is said; 0 where it cannot be read."""
+    said = re.sub(r"(?<=[^\W\d_]{3})[^\W\d_]+|\.\d+", "", said.strip())  # of a month, of a second
+    for form in _TIMES:
+        with suppress(ValueError):
+            return datetime.strptime(re.sub(r"\b(?=\d{3} )", "0", said), form).timestamp()
+    return 0.0
 
 
 def submitters(metadata: str) -> dict[str, list[Owner]]:
@@ -72,22 +102,28 @@ def submitters(metadata: str) -> dict[str, list[Owner]]:
     for folder, section in zip(sections[::2], sections[1::2], strict=True):
         listed = _SUBMITTERS.search(section)
         members = [dict(_KEY.findall(each)) for each in _SUBMITTER.split(listed[2])[1:]] if listed else []
+        created = _CREATED.search(section)
+        at = _second(created[1]) if created else 0.0
         found[folder] = [
-            Owner(each.get("email") or each.get("sid", ""), each.get("name", "")) for each in members
+            Owner(each.get("email") or each.get("sid", ""), each.get("name", ""), at=at) for each in members
         ]
     return found
 
 
 class Roster:
-    """Who of a list is meant by a name; `titles` are the list's own."""
+    """Who of a list is meant by a name; `titles` are its own, `sheet` is how it is written, `unclear`
+    says which names fit several.
+    """
 
     def __init__(self, students: Sequence[Student] = (), titles: Sequence[str] = ()) -> None:
-        self.students, self.titles = tuple(students), tuple(titles)
+        self.students, self.titles, self.sheet = tuple(students), tuple(titles), Sheet()
         self._cells: defaultdict[str, set[str]] = defaultdict(set)
         self._names: defaultdict[str, set[str]] = defaultdict(set)
+        self._ids = {each.id: {each.id} for each in students}
+        self.unclear: dict[str, str] = {}
         tried = [at for at, title in enumerate(titles) if title.casefold() not in _SHARED]
         for each in students:
-            cells = [each.cells[at].removeprefix("#") for at in tried if at < len(each.cells)]
+            cells = [each.cells[at].strip().removeprefix("#") for at in tried if at < len(each.cells)]
             for cell in filter(None, (each.id, *cells)):
                 self._cells[cell.casefold()].add(each.id)
             for name in _names([each.name, *cells]):
@@ -98,7 +134,8 @@ class Roster:
         several do.
         """
         key = owner.key.casefold()
-        return _only(
+        return self._only(
+            owner.name,
             self._cells.get(key),
             self._ending(key),
             *map(self._names.get, _plain(owner.name)),
@@ -107,7 +144,16 @@ class Roster:
 
     def named(self, name: str) -> str:
         """The id of whom a folder or a file is called after; empty where that is nobody or several."""
-        return _only(self._cells.get(name.casefold()), *map(self._names.get, _plain(name)))
+        cells = self._ids.get(name), self._cells.get(name.casefold())
+        return self._only(name, *cells, *map(self._names.get, _plain(name)))
+
+    def _only(self, name: str, *groups: set[str] | None) -> str:
+        """Who is alone in the first group that is not empty; empty where there are several."""
+        first = next(filter(None, groups), set())
+        if len(first) > 1:
+            who = " and ".join(sorted(first))
+            self.unclear[name] = f"{name!r} fits {who}: write this name into a column 'id' of the list"
+        return next(iter(first)) if len(first) == 1 else ""
 
     def _ending(self, key: str) -> set[str]:
         """Who has a cell such as `Participant 4711`, or a mail address that begins so."""
@@ -124,12 +170,6 @@ class Roster:
             if len(cell) >= _LEAST and re.search(rf"(?:^|[_-]){re.escape(cell)}$|^{re.escape(cell)} ", folded)
         )
         return self._cells.get(max(parts, key=len, default=""), set())
-
-
-def _only(*groups: set[str] | None) -> str:
-    """Who is alone in the first group that is not empty; empty where there are several."""
-    first = next(filter(None, groups), set())
-    return next(iter(first)) if len(first) == 1 else ""
 
 
 def _names(cells: Iterable[str]) -> Iterator[str]:

@@ -16,18 +16,21 @@ import re
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
+from msgspec.structs import replace
+
 from judge.batch.folder import display_name
 from judge.batch.model import Submission
 from judge.batch.platforms import Roster
 from judge.errors import UsageError
 from judge.files import read_ordinary, unreadable
-from judge.report.published_klass import Student
+from judge.report.published_klass import Sheet, Student, listed_columns
 
 _LARGEST = 2**24  # bytes
 _LONGEST = 500  # characters of an id
 _SIGNS = ",;\t"
 _SEPARATOR = re.compile(r'"?sep=([,;\t])"?', re.IGNORECASE)  # a first line that Excel writes and reads
 _NO_STUDENT = re.compile(r"\s*(Points Possible|points-per-question|Manual Posting.*)$")  # rows of platforms
+_LATE = re.compile(r"\d.* late\b")  # in Moodle's Status, in English
 _WHOLE = ("name", "full name", "student")  # titles of columns with a person's whole name
 _PARTS = ("first name", "last name")
 _REMEDY = "save it as CSV in UTF-8, with the columns id, name, group"
@@ -39,27 +42,39 @@ def read_students(path: Path) -> Roster:
     Raises:
         UsageError: it cannot be read, holds nobody, or a line of it is no row; that line is told.
     """
-    rows = _rows(_text(path), path)
-    _, titles = next(rows, (0, []))
+    text = _text(path)
+    sign, told = _separator(text)
+    rows = _rows(text, path, sign, told=told)
+    _, titles = next(rows, (0, list[str]()))
+    titles = [*map(str.strip, titles)]
+    titles = titles[: listed_columns(titles)]
     if not titles:
         raise UsageError("this list of students is empty", where=str(path), remedy=_REMEDY)
     columns = [title.casefold() for title in titles]
-    kept = [(number, row) for number, row in rows if not _NO_STUDENT.match(next(filter(None, row)))]
-    own = _own_column(columns, [row for _, row in kept])
+    kept, extra = list[tuple[int, list[str]]](), list[list[str]]()
+    for number, row in rows:
+        raw = row[: len(titles)]
+        if _NO_STUDENT.match(next(filter(None, map(str.strip, row)))):
+            extra.append(raw)
+        else:
+            kept.append((number, raw))
+    own = _own_column(columns, [[*map(str.strip, row)] for _, row in kept])
     lines: dict[str, int] = {}
     students = list[Student]()
     for number, row in kept:
         try:
-            students.append(_student(columns, row, own))
+            students.append(replace(_student(columns, [*map(str.strip, row)], own), cells=tuple(row)))
         except UsageError as fault:
             fault.where = f"{path}:{number}"
             raise
         if (line := lines.setdefault(students[-1].id, number)) != number:
-            what = f"{row[own].removeprefix('#')} is in line {line} already"
+            what = f"{row[own].strip().removeprefix('#')} is in line {line} already"
             raise _bad(path, number, what, "take one of the two lines out")
     if not students:
         raise UsageError("there is nobody in this list of students", where=str(path), remedy=_REMEDY)
-    return Roster(students, titles)
+    roster = Roster(students, titles)
+    roster.sheet = Sheet(sign, "\r\n" if "\r\n" in text else "\n", tuple(extra))
+    return roster
 
 
 def _student(columns: Sequence[str], row: Sequence[str], own: int) -> Student:
@@ -80,9 +95,9 @@ def _student(columns: Sequence[str], row: Sequence[str], own: int) -> Student:
         display_name(found),
         whole or " ".join(filter(None, map(cells.get, _PARTS))),
         cells.get("group", ""),
-        cells=tuple(row),
         note=cells.get("note", ""),
         extra_days=extra,
+        late=bool(_LATE.search(cells.get("status", ""))),
     )
 
 
@@ -119,18 +134,21 @@ def _text(path: Path) -> str:
         raise _bad(path, number, f"this is not UTF-8: byte 0x{content[fault.start]:02x}") from fault
 
 
-def _rows(text: str, path: Path) -> Iterator[tuple[int, list[str]]]:
-    """The rows that are not empty, each with the number of the line that it begins in. Raises UsageError."""
+def _separator(text: str) -> tuple[str, bool]:
+    """What parts the columns, and whether the first line is there to tell it."""
     head = text.lstrip("\r\n").partition("\n")[0]
     told = _SEPARATOR.fullmatch(head.strip())
-    sign = told[1] if told else max(_SIGNS, key=head.count)
+    return (told[1], True) if told else (max(_SIGNS, key=head.count), False)
+
+
+def _rows(text: str, path: Path, sign: str, *, told: bool) -> Iterator[tuple[int, list[str]]]:
+    """The rows that are not empty, each with the number of the line that it begins in. Raises UsageError."""
     reader = csv.reader(io.StringIO(text, newline=""), delimiter=sign, strict=True)
     number = 1
     try:
         for row in reader:
-            cells = [cell.strip() for cell in row]
-            if any(cells) and not (told and _SEPARATOR.fullmatch(sign.join(row))):
-                yield number, cells
+            if any(map(str.strip, row)) and not (told and _SEPARATOR.fullmatch(sign.join(row))):
+                yield number, row
             number = reader.line_num + 1
     except csv.Error as fault:
         raise _bad(path, number, f"this is not a line of a CSV file ({fault})") from fault

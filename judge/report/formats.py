@@ -116,15 +116,21 @@ def _cases(result: Result) -> Iterator[tuple[str, float, Verdict, str, list[str]
         yield "judge" if verdict is Verdict.JE else "compile", 0, verdict, message, [verdict.meaning, message]
 
 
+_FUNCTION = re.compile(r"""(^|[;,"|\t])(\s*)(?=[=@＝＠]|[+\-＋－].*(?:[^\W\d]\(|[|!=@]))""", re.DOTALL)
 _FORMULA = re.compile(r"""(^|[;,"'|\t])(\s*)(?=[=+\-@＝＋－＠])""")
 
 
-def csv_text(rows: Iterable[Iterable[object]], end: str = "\r\n") -> str:
-    """The rows, each with that end; what is no text is written as it is."""
+def csv_text(rows: Iterable[Iterable[object]], sign: str, end: str) -> str:
+    """The rows, each with that end, and that sign between their cells."""
     written = io.StringIO()
-    writer = csv.writer(written, quoting=csv.QUOTE_ALL, lineterminator=end)
-    writer.writerows([cell(each) if isinstance(each, str) else each for each in row] for row in rows)
+    writer = csv.writer(written, quoting=csv.QUOTE_ALL, delimiter=sign, lineterminator=end)
+    writer.writerows(rows)
     return written.getvalue()
+
+
+def listed_cell(text: str) -> str:
+    """A cell of a list of students as it is, unless a spreadsheet would run it."""
+    return _FUNCTION.sub(r"\1\2'", text)
 
 
 def cell(text: str) -> str:

@@ -29,14 +29,15 @@ from judge.sandbox.boundary import LEVELS
 
 _SHOWN, _NAMES, _FAULTS = 5, 8, 20  # mistakes and groups, names in a row, files, where not all are shown
 _GAP, _NAME = 2, 18  # columns between two, and of a student's name at most
-_NOTHING = "–"
+_NOTHING, _WAITING = "–", "…"
 _COPY, _SEVERAL, _BUSY, _LATE, _UNKNOWN = "=", "+", "~", "l", "?"
 _MEANING = {
     _COPY: "the same text as in another file, judged once",
     _SEVERAL: "the best of several files",
     _BUSY: "timed while the machine was busy with other things",
     _LATE: "late",
-    _UNKNOWN: "not in the list of students",
+    _WAITING: "not judged yet",
+    _UNKNOWN: "not in the list of students, or fits several of it",
 }
 
 
@@ -47,10 +48,10 @@ def cohort(found: Cohort, screen: Screen) -> RenderableType:
     """
     whole = screen.rows is None
     unread = [f"{who}: {each}" for who, told in found.unread.items() for each in told]
-    unjudged = _some([f"{file}: {why}" for file, why in found.unjudged] + unread, _FAULTS, whole=whole)
+    unread = _some(unread, _FAULTS, whole=whole)
     return blocks(
         *_tables(found, screen.width),
-        Group(*map(faint, _footnotes(found)), *map(warning, unjudged), strong(_sum(found))),
+        Group(*map(faint, _footnotes(found)), *map(warning, unread), strong(_sum(found))),
         *(Group(*_kata(view, len(found.students), whole=whole)) for view in found.problems),
         *_need_help(found, whole=whole),
     )
@@ -78,7 +79,7 @@ def _tables(found: Cohort, width: int | None) -> Iterator[RenderableType]:
     """The columns beside the names, as many at a time as there is room for."""
     names = [fitted(each.id, _NAME) + ("" if each.known else _UNKNOWN) for each in found.students]
     columns: list[tuple[str, list[Text]]] = [
-        (view.problem, [_cell(found.mark(each.id, view.problem)) for each in found.students])
+        (view.problem, [_cell(found, each.id, view.problem) for each in found.students])
         for view in found.problems
     ]
     if len(columns) > 1:
@@ -99,9 +100,10 @@ def _tables(found: Cohort, width: int | None) -> Iterator[RenderableType]:
         columns = columns[fit:]
 
 
-def _cell(mark: Mark | None) -> Text:
+def _cell(found: Cohort, student: str, problem: str) -> Text:
+    mark = found.mark(student, problem)
     if mark is None:
-        return faint(_NOTHING)
+        return faint(_WAITING if problem in found.waiting.get(student, ()) else _NOTHING)
     points = "" if mark.verdict is Verdict.JE else f" {mark.score}"
     return text(f"{mark.verdict.value}{points}{_signs(mark)}", verdict_style(mark.verdict))
 
@@ -112,13 +114,13 @@ def _signs(mark: Mark) -> str:
 
 def _footnotes(found: Cohort) -> Iterator[str]:
     used = {sign for mark in found.every_mark for sign in _signs(mark)}
-    used |= {_UNKNOWN for each in found.students if not each.known}
+    used |= {_UNKNOWN for each in found.students if not each.known} | ({_WAITING} if found.left else set())
     yield from (f"{sign} {meaning}" for sign, meaning in _MEANING.items() if sign in used)
     if len(found.machines) > 1 or any(each.isolation != LEVELS[0] for each in found.machines):
         for each in found.machines:
             count = counted(each.handins, "file")
             yield f"judged with {each.isolation} isolation on {each.machine}, {count}"
-    if found.nothing_handed_in and not found.left:
+    if found.nothing_handed_in:
         yield f"nothing submitted: {', '.join(found.nothing_handed_in)}"
 
 

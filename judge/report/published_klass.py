@@ -6,6 +6,7 @@ and Python's `utf-8-sig` skip it.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from pathlib import PurePath
 from typing import Any
@@ -16,12 +17,12 @@ from msgspec.structs import replace
 from judge.errors import ExitCode
 from judge.problem.model import FULL_SCORE, Verdict
 from judge.published import Published
-from judge.report.formats import csv_text
+from judge.report.formats import cell, csv_text, listed_cell
 
 BOM = "\ufeff"
 _HEAD = ("student", "name", "group")
 _OLD = [title.encode() for title in _HEAD]  # as an earlier gradebook begins, which has no last column
-_TOTAL, _LAST = "total", "unread"
+_NUMBER, _TOTAL, _VERDICT, _LAST = "number", "total", " verdict", "unread"
 _HIDDEN = "a file"
 EQUAL_CAUTION = "Short solutions are often alike: equality proves nothing."
 
@@ -31,7 +32,7 @@ class Student(Struct, frozen=True):
 
     `known` is whether that list holds them; where there is none, everybody is. `cells` are all of the list's
     own in its order, `note` is what it has to say on the student's page, `extra_days` what it grants beyond
-    the date that is due.
+    the date that is due, and `late` whether its Status says so.
     """
 
     id: str
@@ -41,6 +42,7 @@ class Student(Struct, frozen=True):
     cells: tuple[str, ...] = ()
     note: str = ""
     extra_days: float = 0.0
+    late: bool = False
 
 
 class Mark(Struct, frozen=True):
@@ -69,7 +71,8 @@ class Mark(Struct, frozen=True):
 class Alike(Struct, frozen=True):
     """Students whose `files` for a kata have something in common: `what`, in words.
 
-    Of failing files that is a mistake, or else (not `named`) what their verdict means.
+    Of failing files that is a mistake, or else (not `named`) what their verdict means; one reason holds for
+    each of them if it is `shared`.
     """
 
     problem: str
@@ -77,6 +80,7 @@ class Alike(Struct, frozen=True):
     students: tuple[str, ...]
     files: tuple[str, ...]
     named: bool = True
+    shared: bool = True
 
 
 class ProblemView(Struct, frozen=True):
@@ -102,9 +106,9 @@ class Machine(Struct, frozen=True):
 class Cohort(Published, frozen=True):
     """The class, the last line of its JSON, in the order of the table; `marks` are by student and kata.
 
-    Of those with `nothing_accepted` something was submitted. `unjudged` are files with the reason why they
-    could not be judged, `left` counts those without a result. `titles` are the columns of the list of
-    students, and `unread` is what a student has submitted that is no program, with the reason. With `weights`
+    Of those with `nothing_accepted` something was submitted. `left` counts files without a result, `waiting`
+    are their katas by student. `titles` are the columns of the list of students, and `unread` is what of a
+    student could not be judged, with the reason. With `weights`
     of katas the points of a student are out of 100.
     """
 
@@ -116,8 +120,8 @@ class Cohort(Published, frozen=True):
     nothing_handed_in: tuple[str, ...]
     equal_files: tuple[Alike, ...]
     machines: tuple[Machine, ...]
-    unjudged: tuple[tuple[str, str], ...]
     left: int
+    waiting: dict[str, tuple[str, ...]]
     titles: tuple[str, ...] = ()
     unread: dict[str, tuple[str, ...]] = field(default_factory=dict)
     weights: dict[str, float] = field(default_factory=dict)
@@ -185,9 +189,9 @@ def anonymous(cohort: Cohort) -> tuple[Cohort, dict[str, str]]:
     """The class with numbers in place of names, and what each file is called then."""
     numbers = {each.id: str(at) for at, each in enumerate(cohort.students, 1)}
     files = {
-        mark.file: f"{numbers[who]}/{PurePath(mark.file).name}"
+        mark.file: f"{numbers[who]}/{kata}{PurePath(mark.file).suffix}"
         for who, marks in cohort.marks.items()
-        for mark in marks.values()
+        for kata, mark in marks.items()
     }
 
     def named(who: Sequence[str]) -> tuple[str, ...]:
@@ -217,39 +221,62 @@ def anonymous(cohort: Cohort) -> tuple[Cohort, dict[str, str]]:
         nothing_accepted=named(cohort.nothing_accepted),
         nothing_handed_in=named(cohort.nothing_handed_in),
         equal_files=alike(cohort.equal_files),
-        unjudged=tuple((files.get(file, _HIDDEN), why) for file, why in cohort.unjudged),
         titles=(),
-        unread={numbers[who]: told for who, told in cohort.unread.items()},
+        waiting={numbers[who]: katas for who, katas in cohort.waiting.items()},
+        unread={
+            numbers[who]: tuple(re.sub(rf"^{re.escape(who)}\b", numbers[who], each) for each in told)
+            for who, told in cohort.unread.items()
+        },
     )
     return hidden, files
 
 
-def gradebook(cohort: Cohort, *, numbered: bool = False) -> bytes:
-    """The file: the columns of the list of students; the numbers that pages have for names, where that is
-    asked for; points, empty where nothing was submitted; the total;
-    then verdict and mistake by kata, and what could not be read.
+class Sheet(Struct, frozen=True):
+    """How a list of students is written; `extra` are rows of a platform, below the titles."""
+
+    sign: str = ","
+    end: str = "\r\n"
+    extra: tuple[Sequence[str], ...] = ()
+
+
+def listed_columns(titles: Sequence[str]) -> int:
+    """How many columns of a list are its own: all that no gradebook has added."""
+    if _TOTAL not in titles or titles[-1] != _LAST:
+        return len(titles)
+    end = len(titles) - 1 - titles[::-1].index(_TOTAL)
+    end -= sum(title.endswith(_VERDICT) for title in titles[end:])
+    return end - (titles[end - 1] == _NUMBER)
+
+
+def gradebook(cohort: Cohort, sheet: Sheet, *, numbered: bool = False) -> bytes:
+    """The file: the columns of the list of students as they are; the numbers that pages have for names, where
+    that is asked for; points, empty where nothing was submitted; the total; then verdict and mistake by kata,
+    and what could not be judged.
     """
     katas = [each.problem for each in cohort.problems]
-    details = [f"{kata} {what}" for kata in katas for what in ("verdict", "mistake")]
-    titles = cohort.titles or _HEAD
+    details = [f"{kata}{what}" for kata in katas for what in (_VERDICT, " mistake")]
+    titles = [*map(listed_cell, cohort.titles or _HEAD)]
     late = ["late days"] if any(mark.late_days is not None for mark in cohort.every_mark) else []
-    number = ["number"] if numbered else []
+    number = [_NUMBER] if numbered else []
     rows: list[list[object]] = [[*titles, *number, *katas, _TOTAL, *late, *details, _LAST]]
+    rows += [[*cells, *[""] * (len(rows[0]) - len(cells))] for cells in sheet.extra]
     for place, person in enumerate(cohort.students, 1):
         marks = [cohort.mark(person.id, kata) for kata in katas]
         points = [mark.score if mark else "" for mark in marks]
         told = [each for mark in marks for each in ((mark.verdict.value, mark.mistake) if mark else ("", ""))]
-        own = person.cells if cohort.titles else (person.id, person.name, person.group)
-        own = (*(own or (person.id,)), *[""] * len(titles))[: len(titles)]
-        unread = "; ".join(cohort.unread.get(person.id, ()))
+        own = [*map(listed_cell, person.cells)]
+        if not own:  # in no list
+            own = [*map(cell, (person.id, person.name, person.group)[: 1 if cohort.titles else None])]
+        own = [*own, *[""] * len(titles)][: len(titles)]
+        unread = cell("; ".join(cohort.unread.get(person.id, ())))
         days = [cohort.days_late(person.id)] if late else []
-        own = (*own, str(place)) if numbered else own
+        own += [str(place)] * numbered
         rows.append([*own, *points, cohort.total(person.id), *days, *told, unread])
-    return (BOM + csv_text(rows)).encode("utf-8", "backslashreplace")
+    return (BOM + csv_text(rows, sheet.sign, sheet.end)).encode("utf-8", "backslashreplace")
 
 
 def is_gradebook(start: bytes) -> bool:
     """Whether a file that begins like this is such a gradebook."""
     head = start.removeprefix(BOM.encode()).partition(b"\n")[0].replace(b'"', b"")  # as spreadsheets do
-    titles = head.strip().split(b",")
+    titles = re.split(b"[,;\t]", head.strip())
     return titles[: len(_HEAD)] == _OLD or (_TOTAL.encode() in titles and titles[-1] == _LAST.encode())

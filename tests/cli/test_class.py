@@ -69,9 +69,9 @@ def test_the_table_says_all_and_the_rows_are_those_of_judge_run(judge, homework,
     table = ended.lines[: ended.lines.index("middle  4 of 5 submitted, 1 accepted") - 1]
     assert [line for line in table[7:] if not line.startswith("judged with")] == [
         "= the same text as in another file, judged once",
-        "? not in the list of students",
+        "? not in the list of students, or fits several of it",
         "nothing submitted: zoe",
-        "dan/middle.py: it is a link to a file that is not there",
+        "dan: middle.py: it is a link to a file that is not there",
         "1 of 4 accepted, 5 students, 1 kata",
     ]
     assert ended.err == "judge: not judged: README.md, a\\nb.md: not a program, by its name\n"

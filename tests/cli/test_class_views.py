@@ -233,3 +233,57 @@ def test_days_late_weights_and_numbers_for_names(judge, submit):
     assert "Nothing was submitted." in pages["3.html"]
     assert "'middle=x' is not a weight" in judge("class", "homework", "--weight", "middle=x").err
     assert "--json has names" in judge("class", "homework", "--anonymous", "--json").err
+
+
+def test_a_platforms_late_stays_and_a_day_ends_at_its_last_second(judge, submit):
+    submit(MEAN, "homework/lovelaceada_LATE_101_555_middle.py")
+    submit(FLOOR, "homework/byronbob_102_556_middle.py")
+    submit(FLOOR, "homework/doecy_103_557_middle.py")
+    for name, when in (("lovelaceada_LATE_101_555", "10T12:00"), ("byronbob_102_556", "10T23:59:58")):
+        second = datetime.fromisoformat(f"2026-11-{when}").timestamp()
+        os.utime(f"homework/{name}_middle.py", (second, second))
+    ended = judge("class", "homework", "--due", "2026-11-10")
+    signs = {line.split()[0]: line.split()[2][-1] for line in ended.lines[1:4]}
+    assert [who for who, sign in signs.items() if sign == "l"] == ["doecy", "lovelaceada"]
+    assert "'' is not a time" in judge("class", "homework", "--due", "").err
+
+
+def test_a_name_that_fits_two_of_the_list_is_told(judge, submit):
+    submit(MEAN, "homework/ada/middle.py")
+    submit(MEAN, "homework/ADA/middle.py")
+    submit("name\nAda\nADA\n", "list.csv")
+    ended = judge("class", "homework", "--students", "list.csv")
+    assert [line.split()[0] for line in ended.lines[1:4]] == ["Ada", "ADA", "ada?"]
+    assert ended.err == "judge: 'ada' fits ADA and Ada: write this name into a column 'id' of the list\n"
+
+
+def test_numbers_for_names_hide_file_names_too(judge, submit):
+    submit(FLOOR, "canvas/lovelaceada_101_555_middle.py")
+    submit("x", "canvas/lovelaceada_101_556_notes.pdf")
+    Path("canvas/byronbob_102_557_middle.py").symlink_to("lovelaceada_101_555_middle.py")
+    os.link("canvas/lovelaceada_101_555_middle.py", "canvas/doecy_103_558_middle.py")
+    submit(FLOOR, "katas/middle/ada.py")
+    submit("x", "katas/middle/ada.pdf")
+    submit("x", "katas/middle/bob/notes.doc")
+    submit("x", "katas/lovelace.doc")
+    for folder, told in (("canvas", "notes.pdf: not a program"), ("katas", "2: not a program")):
+        files = ("--html", f"{folder}.html", "--feedback", f"{folder}-pages")
+        ended = judge("class", folder, "--anonymous", *files)
+        pages = [Path(f"{folder}.html"), *sorted(Path(f"{folder}-pages").iterdir())]
+        assert len(pages) == 4
+        said = [page.read_text(encoding="utf-8") for page in pages]
+        for shown in (ended.out, ended.err, *said):
+            assert not re.findall("lovelace|byron|doecy|\\b(ada|bob|cy)\\b", shown, re.IGNORECASE)
+        assert told in ended.out
+
+
+def test_pages_in_the_class_and_weights_of_nothing_are_told(judge, submit):
+    submit(MEAN, "homework/ada/middle.py")
+    ended = judge("class", "homework", "--feedback", "homework/pages")
+    assert (ended.status, Path("homework/pages").exists()) == (2, False)
+    assert "--feedback: pages in the class's folder would be read" in ended.err
+    said = judge("class", "homework", "--weight", "segment=2", "--weight", "middle=0").err.splitlines()
+    assert said == [
+        "judge: --weight segment: it is not in the table",
+        "judge: --weight: all weights are 0, and so is every total",
+    ]

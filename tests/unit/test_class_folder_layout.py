@@ -123,7 +123,8 @@ def test_an_odd_file_costs_its_own_row(place, tmp_path):
     assert why == {
         "well": "",
         "empty": "",
-        "within": "it is a link to well's folder, which is not followed: put the file itself there",
+        "within": "it is a link to another student's folder, which is not followed:"
+        " put the file itself there",
         "huge": "this file is larger than 4 MB",
         "out": "it is a link out of the folder, which is not followed: put the file itself there",
         "dangling": "it is a link to a file that is not there",

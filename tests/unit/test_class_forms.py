@@ -12,6 +12,7 @@ from __future__ import annotations
 import io
 import json
 import zipfile
+from datetime import datetime
 from pathlib import Path
 
 import pytest
@@ -41,7 +42,8 @@ GRADESCOPE = (
 )
 METADATA = (
     "submission_77:\n  :submitters:\n  - :name: Ada Lovelace\n    :sid: '7001'\n    :email: ada@uni.example\n"
-    "submission_78:\n  :submitters:\n  - :name: Bob Brien\n  :created_at: 2026-11-20\n"
+    "submission_78:\n  :submitters:\n  - :name: Bob Brien\n"
+    "  :created_at: 2026-11-20 18:05:00.123456789 +02:00\n"
     "  :results:\n    tests:\n    - :name: A test\n...\n---\n"
     "submission_79:\n  :submitters:\n  - :name: Ada Lovelace\n    :sid: '7001'\n  - :name: ''\n"
     "    :email: b@uni.example\n  - :name: Cy Doe\n  :score: 1\n  :history:\n  - :name: 'Old\n'\n"
@@ -127,6 +129,15 @@ def read(place, roster, names, encoding="utf-8"):
         (PLAIN, ["ada lovelace/middle.py", "Byron/middle.py"], ["Byron", "Lovelace"]),
         (PLAIN, ["alove/middle.py", "Byron, Ada/middle.py"], ["Byron", "Lovelace"]),
         ("", ["Ada Lovelace_4711_assignsubmission_file/middle.py"], ["Ada Lovelace"]),
+        (
+            "",
+            [
+                "Anna Schmidt_4715_assignsubmission_file/middle.py",
+                "Anna Schmidt_4716_assignsubmission_file/middle.py",
+                "Participant_4717_assignsubmission_file/middle.py",
+            ],
+            ["Anna Schmidt (4715)", "Anna Schmidt (4716)", "Participant"],
+        ),
         (PLAIN, ["ada/middle.py", "x_1_2_y/middle.py", "bob/middle.py"], ["ada", "bob", "x_1_2_y"]),
     ],
 )
@@ -142,6 +153,34 @@ def test_late_is_shown_as_the_platform_tells_it(place):
     assert found.late == {"101"}
 
 
+@pytest.mark.parametrize(
+    ("name", "second"),
+    [
+        ("HW 1_alove_attempt_2026-11-20-18-05-00_middle.py", "2026-11-20T18:05"),
+        ("9001-42 - Ada Lovelace - Nov 20, 2026 605 PM/middle.py", "2026-11-20T18:05"),
+        ("9001-42 - Ada Lovelace - 20 November 2026 112 AM/middle.py", "2026-11-20T01:12"),
+        ("submission_78/middle.py", "2026-11-20T18:05+02:00"),
+        ("9001-42 - Ada Lovelace - 20. Mai 2026 1805/middle.py", ""),
+        ("lovelaceada_101_555_middle.py", ""),
+    ],
+)
+def test_the_platforms_time_counts_where_it_says_one(place, name, second):
+    names = ["submission_metadata.yml"] if name.startswith("submission") else []
+    (found,) = read(place, "", [*names, name]).submissions
+    own = (place / name).stat().st_mtime
+    assert found.at == (datetime.fromisoformat(second).timestamp() if second else own)
+
+
+def test_moodles_status_says_who_is_late(place):
+    status = "Submitted for grading - 1 day 2 hours late - Graded"
+    read(
+        place,
+        MOODLE.replace("bob@uni.example,Submitted for grading", f"bob@uni.example,{status}"),
+        ["a/b.py"],
+    )
+    assert [each.late for each in read_students(place.with_name("list.csv")).students] == [False, True]
+
+
 def test_a_list_in_utf_16_whose_rows_of_a_platform_are_no_students(place):
     found = read(place, CANVAS, ["lovelaceada_101_555_middle.py"], "utf-16")
     assert [each.student for each in found.submissions] == ["101"]
@@ -152,6 +191,12 @@ def test_a_list_in_utf_16_whose_rows_of_a_platform_are_no_students(place):
     ]
     assert roster.titles == ("Student", "ID", "SIS Login ID", "Section", "HW 1 (77)")
     assert roster.students[0].cells == ("Lovelace, Ada", "101", "alove", "Section 1", "8.00")
+
+
+def test_who_stands_in_a_team_of_somebody_else_keeps_the_own_folder(place):
+    teams = "name,team,mentor\nAda,cy,\nCy,ben,Ada\nBen,ada,\n"
+    found = read(place, teams, ["Ada/middle.py", "ben/middle.py", "cy/middle.py"])
+    assert [each.student for each in found.submissions] == ["Ada", "Ben", "Cy"]
 
 
 def test_two_whom_a_name_fits_are_not_chosen_between(place):

@@ -11,11 +11,12 @@ from msgspec.structs import replace
 from rich.cells import cell_len
 
 from judge.batch.cohort import cohort_of, counting
-from judge.batch.model import KeptRow, WorkerResult
+from judge.batch.model import KeptRow, Submission, WorkerResult
+from judge.batch.roster import read_students
 from judge.errors import ExitCode
 from judge.problem.model import Verdict
-from judge.report.formats import cell
-from judge.report.published_klass import Student, gradebook, is_gradebook
+from judge.report.formats import cell, csv_text
+from judge.report.published_klass import Sheet, Student, gradebook, is_gradebook
 from judge.report.screen import Screen, drawn
 from judge.report.views import view
 from judge.run.result import judge_fault
@@ -64,7 +65,9 @@ def test_the_best_counts_and_the_newest_of_equals():
     assert counting([accepted, *rows])["a", "p"] == accepted
     assert cohort_of((), ("p",), (accepted, *rows)).exit_code is ExitCode.ACCEPTED
     assert cohort_of((), ("p",), rows).exit_code is ExitCode.NOT_ACCEPTED
-    assert cohort_of((), ("p",), (accepted,), left=1).exit_code is ExitCode.NOT_ACCEPTED
+    assert (
+        cohort_of((), ("p",), (accepted,), left=[Submission("b", "p", "")]).exit_code is ExitCode.NOT_ACCEPTED
+    )
     assert cohort_of((), ("p",), rows[1:2]).exit_code is ExitCode.FAULT
     assert shown(cohort_of((), (), ())) == "0 of 0 accepted, 0 students, 0 katas\n"
 
@@ -110,12 +113,33 @@ def test_long_lists_are_folded_on_a_terminal_and_nobody_is_nothing():
     assert "s089" in whole
 
 
+def test_what_is_not_judged_yet_was_submitted():
+    left = [Submission("bob", "q", "bob/q.py"), Submission("ann", "q", "ann/q.py")]
+    students = [Student(each) for each in ("ann", "bob", "cid")]
+    cohort = cohort_of(students, ("p", "q"), [row("ann", "p")], left=left)
+    assert cohort.nothing_handed_in == ("cid",)
+    lines = shown(cohort).splitlines()
+    assert [line.split()[:3] for line in lines[1:4]] == [
+        ["ann", "AC", "90"],
+        ["bob", "–", "…"],
+        ["cid", "–", "–"],
+    ]
+    assert "… not judged yet" in lines
+    assert "q  2 of 3 submitted, 0 accepted" in lines
+
+
+def test_what_could_not_be_judged_was_submitted_and_says_why():
+    cohort = class_of(row("ann", "p", verdict=Verdict.JE), students=[Student("ann")], problems=("p",))
+    assert (cohort.nothing_handed_in, cohort.nothing_accepted) == ((), ("ann",))
+    assert read(gradebook(cohort, Sheet()))[1][-1] == "p.py: line 1: '(' was never closed"
+
+
 def read(content, delimiter=","):
     return list(csv.reader(io.StringIO(content.decode("utf-8-sig"), newline=""), delimiter=delimiter))
 
 
 def test_a_line_a_student():
-    content = gradebook(small_class())
+    content = gradebook(small_class(), Sheet())
     assert content.startswith(b'\xef\xbb\xbf"student","name","group","segment","count","total",')
     head, *lines = read(content)
     assert head[6:] == ["segment verdict", "segment mistake", "count verdict", "count mistake", "unread"]
@@ -128,7 +152,9 @@ def test_a_line_a_student():
     assert is_gradebook(content[:100])
     assert is_gradebook(b"\xef\xbb\xbfstudent,name,group,segment\r\n")
     assert not is_gradebook(b"name,student\r\n")
-    assert "\\udcff" in gradebook(class_of(students=[Student("a\udcff")])).decode()  # half a character
+    assert (
+        "\\udcff" in gradebook(class_of(students=[Student("a\udcff")]), Sheet()).decode()
+    )  # half a character
 
 
 @pytest.mark.parametrize(
@@ -145,7 +171,7 @@ def test_a_line_a_student():
 )
 def test_no_cell_is_calculated(name, shown):
     assert cell(name) == shown
-    content = gradebook(class_of(row("s", "count", file="=f.py"), students=[Student("s", name)]))
+    content = gradebook(class_of(row("s", "count", file="=f.py"), students=[Student("s", name)]), Sheet())
     assert read(content)[1][1] == shown
     for delimiter in ",;\t":  # whatever is usual where it is opened
         assert not [
@@ -154,3 +180,27 @@ def test_no_cell_is_calculated(name, shown):
             for each in line
             if each.lstrip(' "')[:1] in tuple("=+-@")
         ]
+
+
+@pytest.mark.parametrize("sign", [",", ";", "\t"])
+@pytest.mark.parametrize("end", ["\n", "\r\n"])
+def test_the_lists_own_columns_go_back_as_they_are(tmp_path, sign, end):
+    path = tmp_path / "list.csv"
+    own = [
+        ["Student", "ID", "phone", "note"],
+        ["    Points Possible", "", "10", "(read only)"],
+        ["Byron, Ada", "7", "+49 (0)30 12-3", "-"],
+        ["- Luc; Jean", "8", " -5", "a\nb"],
+        ["=SUM(1)", "9", "+cmd|' /C calc'!A0", "-HYPERLINK(1)"],
+    ]
+    path.write_bytes(csv_text(own, sign, end).encode())
+    guarded = [*own[:4], ["'=SUM(1)", "9", "'+cmd|' /C calc'!A0", "'-HYPERLINK(1)"]]
+    for numbered in (True, False):
+        roster = read_students(path)
+        cohort = cohort_of(roster.students, ("p", "q"), [row("7", "p")], titles=roster.titles)
+        content = gradebook(cohort, roster.sheet, numbered=numbered)
+        assert [cells[:4] for cells in read(content, sign)] == guarded
+        assert read(content, sign)[0].count("total") == 1
+        assert content.replace(b"a\nb", b"").count(end.encode()) == content.count(b"\n") - 1
+        assert is_gradebook(content[:200])
+        path.write_bytes(content)

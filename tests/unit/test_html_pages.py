@@ -16,6 +16,7 @@ from past_runs import START, keep, past_result
 from judge.batch.samples import samples
 from judge.practice.history import History
 from judge.problem.find import find_problem
+from judge.problem.model import Verdict
 from judge.report.html import is_page
 from judge.report.html.case import Cases
 from judge.report.html.klass import CLASS_MARK, FEEDBACK_MARK, ClassPages
@@ -124,7 +125,7 @@ def test_the_page_of_a_class():
     assert is_page(html.encode()[:2000], CLASS_MARK)
     text = " ".join(checked(html).text.split())
     assert "students 6" in text
-    assert "zoe not on the list" in text
+    assert "zoe not found on the list" in text
     assert "count, forgotten-abs: Bob\\x1b[31m" in text  # stuck
     assert "Nothing submitted <script>alert(1)</script>" in text
     assert "count: 4 of 6 submitted, 1 accepted" in text
@@ -160,6 +161,32 @@ def test_the_page_of_a_student_has_nothing_of_others():
         assert other not in pages["bob.html"]
     text = " ".join(Outline(pages["ann.html"]).text.split())
     assert "katas solved 1 of 2 points of 200 120" in text
+
+
+def test_what_could_not_be_judged_says_why_and_has_no_case():
+    rows = [row("ann", "count", verdict=Verdict.JE)]
+    html, pages = pages_of(class_of(*rows, students=[Student("ann")]), rows)
+    for page in (html, pages["ann.html"]):
+        assert "count.py: line 1: '(' was never closed" in checked(page).text
+        assert not re.findall("case-1|Nothing was submitted|Nothing submitted", page)
+
+
+def test_the_reason_for_several_holds_for_each_and_the_most_frequent_is_first():
+    same = [row(who, "count", verdict=Verdict.CE) for who in ("ann", "bob", "cid")]
+    broken = row("dee", "count", verdict=Verdict.RTE, fails=("grid",))
+    other = row("eve", "count", verdict=Verdict.RTE, fails=("tangent",))
+    for each, why in ((broken, "IndexError"), (other, "KeyError")):
+        each.done.result["failure"]["message"] = why
+    rows = [*same, broken, other, row("fay", "count", "forgotten-abs", ("grid",))]
+    html, _ = pages_of(class_of(*rows), rows)
+    assert re.findall(r'<h3 id="kata-1-case-\d-heading">(.*?)</h3>', html) == [
+        "Does not compile",
+        "Run-time error",
+        "forgotten-abs",
+    ]
+    assert "was never closed" in html
+    assert "The case of dee:" in checked(html).text
+    assert not re.findall("IndexError|KeyError|Run-time error, grid", html)
 
 
 def test_a_student_may_be_called_anything():

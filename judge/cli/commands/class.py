@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from contextlib import AbstractContextManager, nullcontext
-from datetime import datetime
+from contextlib import AbstractContextManager, nullcontext, suppress
+from datetime import date, datetime, time
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -66,7 +66,9 @@ def judge_class(
     Each result is kept at once in FOLDER.judge.sqlite3: after Ctrl-C or a crash the same command goes on, and
     judges only what is new. Of several files for one kata the best counts.
 
-    Exit status: 0 all accepted, 1 not, 2 usage, 3 something could not be judged.
+    --problems DIR looks for katas there first, --isolation LEVEL demands a level of isolation.
+
+    Exit status: 0 all accepted, 1 not, 2 usage, 3 something could not be judged, 130 stopped by Ctrl-C.
     """
     if ask.where is not None and ask.jobs > 1:
         raise UsageError("--on and -j contradict each other", remedy="leave one out")
@@ -74,7 +76,10 @@ def judge_class(
     parts, katas = (tuple(map(Path, katas)), ()) if ask.merge else ((), katas)
     if ask.merge and not parts:
         raise UsageError("--merge takes files", remedy="name those that 'judge class --shard' wrote")
-    root_of(folder)  # before a file is made beside it
+    root = root_of(folder)  # before a file is made beside it
+    if ask.feedback and ask.feedback.resolve().is_relative_to(root):
+        what = "pages in the class's folder would be read as somebody's files"
+        raise UsageError(what, where="--feedback", remedy="name a folder beside it")
     if ask.anonymous and common.json:
         raise UsageError("--json has names", remedy="leave out --anonymous")
     for each in katas:
@@ -85,9 +90,10 @@ def judge_class(
         folders=common.problems,
         isolation=common.isolation,
         level=ask.level,
-        due=_time(ask.due) if ask.due else None,
+        due=None if ask.due is None else _time(ask.due),
         weights=dict(_weight(each, common) for each in ask.weight),
         shard=shard,
+        anonymous=ask.anonymous,
     )
     csv = OutFile(ask.csv, "--csv", "a gradebook", is_gradebook)
     html = OutFile(ask.html, "--html", "a page of a class", partial(_is_page, "CLASS"))
@@ -112,7 +118,7 @@ def judge_class(
             raise
         found = classroom.cohort()
         yield anonymous(found)[0] if ask.anonymous else found
-        csv.write(gradebook(found, numbered=ask.anonymous))
+        csv.write(gradebook(found, classroom.sheet, numbered=ask.anonymous))
         if ask.html:
             from judge.report.html import is_same
 
@@ -131,7 +137,9 @@ def _shard(ask: ClassAsk) -> Shard | None:
 
 
 def _time(said: str) -> datetime:
-    """A time of this machine's clock. Raises UsageError."""
+    """A time of this machine's clock, of a day alone its last second. Raises UsageError."""
+    with suppress(ValueError):
+        return datetime.combine(date.fromisoformat(said), time(23, 59, 59))
     try:
         return datetime.fromisoformat(said)
     except ValueError:

@@ -13,11 +13,13 @@ from datetime import datetime
 from functools import cached_property
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from judge.practice.syllabus import read_pack
+from judge.problem import Verdict
 from judge.report.html import page
 from judge.report.html.case import Case, Cases
-from judge.report.published_klass import EQUAL_CAUTION, Cohort
+from judge.report.published_klass import EQUAL_CAUTION, Alike, Cohort
 from judge.run.result import Result
 
 CLASS_MARK = "judge class page"  # in the head of every such page, also of older ones
@@ -53,7 +55,7 @@ class ClassPages(Struct, frozen=True, dict=True):
         katas = []
         for at, view in enumerate(cohort.problems, 1):
             cases = [
-                self._case(each.students[0], view.problem, f"kata-{at}-case-{place}")
+                self._case(each.students[0], view.problem, f"kata-{at}-case-{place}", each)
                 for place, each in enumerate(view.mistakes, 1)
             ]
             katas.append((view, self._called(view.problem), list(zip(view.mistakes, cases, strict=True))))
@@ -118,12 +120,19 @@ class ClassPages(Struct, frozen=True, dict=True):
     def _called(self, problem: str) -> str:
         return self.cases.problems[problem].title if problem in self.cases.problems else problem
 
-    def _case(self, student: str, problem: str, anchor: str) -> Case | None:
+    def _case(self, student: str, problem: str, anchor: str, alike: Alike | None = None) -> Case | None:
+        """The student's case; of several who are `alike`, without what does not hold for each."""
         mark = self.cohort.mark(student, problem)
         result = self.results.get((problem, mark.file)) if mark else None
-        if mark is None or mark.accepted or result is None:
+        if mark is None or mark.accepted or mark.verdict is Verdict.JE or result is None:
             return None
-        return self.cases.tell(problem, mark.verdict, mark.mistake, result, anchor)
+        if alike and len(alike.students) > 1 and result.pitfall:
+            result = replace(result, pitfall=replace(result.pitfall, steps=()))
+        case = self.cases.tell(problem, mark.verdict, mark.mistake, result, anchor)
+        if alike is None or alike.shared:
+            return case
+        facts = tuple(each for each in case.facts if each[0] != "why")
+        return replace(case, title=alike.what.capitalize(), advice=(), facts=facts)
 
 
 def _file(student: str, taken: set[str]) -> str:
