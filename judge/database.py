@@ -46,7 +46,7 @@ _REMEDIES = {  # SQLite's names of faults begin with these; {noun} and {elsewher
 } | dict.fromkeys(_UNWRITABLE, ("the {noun} cannot be written", "make it writable, or {elsewhere}"))
 
 
-class Kind(Struct, frozen=True):
+class DatabaseKind(Struct, frozen=True):
     """A kind of file: what messages call it, how it is told from others, and how its tables come to be.
 
     A file at version n has had the first n of `steps`, each of some statements; the version is its
@@ -76,7 +76,7 @@ class Kind(Struct, frozen=True):
             )
 
 
-def connect(kind: Kind, path: Path, *, reading: bool) -> sqlite3.Connection:
+def connect(kind: DatabaseKind, path: Path, *, reading: bool) -> sqlite3.Connection:
     """The file at `path`, with today's tables; made if it is not there, but never for reading only.
 
     Raises StoreError: it is not ours, is newer than this judge, or cannot be opened.
@@ -107,7 +107,7 @@ def connect(kind: Kind, path: Path, *, reading: bool) -> sqlite3.Connection:
 
 
 @contextlib.contextmanager
-def faults(kind: Kind, path: Path) -> Iterator[None]:
+def faults(kind: DatabaseKind, path: Path) -> Iterator[None]:
     """SQLite's faults and the system's as a StoreError, which says what to do."""
     try:
         yield
@@ -123,7 +123,7 @@ def faults(kind: Kind, path: Path) -> Iterator[None]:
 
 
 @contextlib.contextmanager
-def writing(kind: Kind, connection: sqlite3.Connection, path: Path) -> Iterator[sqlite3.Connection]:
+def writing(kind: DatabaseKind, connection: sqlite3.Connection, path: Path) -> Iterator[sqlite3.Connection]:
     """All that is written within is written, or nothing of it. Raises StoreError."""
     with faults(kind, path), _transaction(connection):
         yield connection
@@ -141,7 +141,7 @@ def _transaction(connection: sqlite3.Connection) -> Iterator[None]:
         raise
 
 
-def _told(kind: Kind, fault: sqlite3.Error) -> tuple[str, str]:
+def _told(kind: DatabaseKind, fault: sqlite3.Error) -> tuple[str, str]:
     """What is wrong, and what to do about it."""
     name = _name(fault)
     for start, (what, remedy) in _REMEDIES.items():
@@ -163,7 +163,7 @@ def _name(fault: BaseException | None) -> str:
     return getattr(fault, "sqlite_errorname", "")
 
 
-def _look_at(kind: Kind, path: Path) -> None:
+def _look_at(kind: DatabaseKind, path: Path) -> None:
     """Refuse what is not ours before SQLite has touched it."""
     try:
         head = read_ordinary(path, 100)
@@ -176,7 +176,7 @@ def _look_at(kind: Kind, path: Path) -> None:
         kind.check_version(int.from_bytes(head[60:64], "big"), path)
 
 
-def _ready(kind: Kind, address: str, path: Path) -> sqlite3.Connection:
+def _ready(kind: DatabaseKind, address: str, path: Path) -> sqlite3.Connection:
     connection = sqlite3.connect(address, uri=True, timeout=_PATIENCE, isolation_level=None)
     try:
         # In this order: whoever begins the file meanwhile writes both at once.
@@ -207,7 +207,7 @@ def _keep_a_log(connection: sqlite3.Connection) -> None:
             raise
 
 
-def _migrate(kind: Kind, connection: sqlite3.Connection) -> None:
+def _migrate(kind: DatabaseKind, connection: sqlite3.Connection) -> None:
     """Take the steps that the file has not had: all of them or none. Safe where two do it at once."""
     if _pragma(connection, "user_version") >= len(kind.steps):
         return

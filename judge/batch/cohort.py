@@ -10,7 +10,7 @@ from typing import Any
 from judge.batch.model import KeptRow, Submission, text_of
 from judge.batch.platforms import own_name
 from judge.problem.model import Verdict
-from judge.report.published_klass import Alike, Cohort, Machine, Mark, ProblemView, Student
+from judge.report.published_klass import Alike, Cohort, Grade, Machine, ProblemView, Student
 
 _Pair = tuple[str, str]  # a student, and a problem or a file
 
@@ -36,7 +36,7 @@ def cohort_of(
     """
     counts = counting(rows)
     files = Counter((row.student, row.problem) for row in rows)
-    marks: dict[str, dict[str, Mark]] = {}
+    marks: dict[str, dict[str, Grade]] = {}
     for (student, problem), row in counts.items():
         marks.setdefault(student, {})[problem] = _mark(row, files[student, problem], late)
     order = [each.id for each in students]
@@ -96,9 +96,9 @@ def _in_turn(rows: Iterable[KeptRow]) -> dict[_Pair, list[KeptRow]]:
     return found
 
 
-def _mark(row: KeptRow, files: int, late: Mapping[_Pair, int | None]) -> Mark:
+def _mark(row: KeptRow, files: int, late: Mapping[_Pair, int | None]) -> Grade:
     ratio, place = row.result.time.ratio, (row.student, row.file)
-    return Mark(
+    return Grade(
         file=row.file,
         verdict=row.result.verdict,
         score=row.result.score,

@@ -20,14 +20,14 @@ from pathlib import Path
 import msgspec
 
 from judge.batch.model import KeptRow
-from judge.database import Kind, connect, faults, writing
+from judge.database import DatabaseKind, connect, faults, writing
 from judge.errors import StoreError
 
 _ROWS = """CREATE TABLE rows (
     key TEXT PRIMARY KEY,               -- the digest of the submission and its environment
     json TEXT NOT NULL                  -- judge.batch.model.KeptRow
 )"""
-RESULTS = Kind(
+RESULTS = DatabaseKind(
     "file of results",
     0x4A55434C,  # "JUCL"
     (("CREATE TABLE rows (key TEXT)",), ("DROP TABLE rows", _ROWS)),  # rows of before are judged again

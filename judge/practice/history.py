@@ -90,7 +90,7 @@ _PLACES = """
         SELECT id, time, problem, path, problems FROM started UNION ALL
         SELECT id, time, problem, path, x'' FROM runs WHERE path <> x'' AND verdict <> 'JE')
     GROUP BY problem, path ORDER BY max(time) DESC, max(id) DESC"""
-_KIND = database.Kind("history", APPLICATION, STEPS, f"name another file with --db or ${VARIABLE}")
+_KIND = database.DatabaseKind("history", APPLICATION, STEPS, f"name another file with --db or ${VARIABLE}")
 _BESIDE = ("-wal", "-shm", "-journal", "")  # what SQLite keeps with a file, and the file itself
 _HEAD, _APPLICATION = 100, 68  # bytes of SQLite's header; where it names the application
 _MOST = 2**63 - 1  # what SQLite can be asked for

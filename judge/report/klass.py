@@ -22,7 +22,7 @@ from judge.report.parts import (
     verdict_style,
     warning,
 )
-from judge.report.published_klass import EQUAL_CAUTION, Alike, Cohort, Mark, ProblemView
+from judge.report.published_klass import EQUAL_CAUTION, Alike, Cohort, Grade, ProblemView
 from judge.report.screen import Screen, fitted
 from judge.report.words import counted
 from judge.sandbox.boundary import LEVELS
@@ -108,7 +108,7 @@ def _cell(found: Cohort, student: str, problem: str) -> Text:
     return text(f"{mark.verdict.value}{points}{_signs(mark)}", verdict_style(mark.verdict))
 
 
-def _signs(mark: Mark) -> str:
+def _signs(mark: Grade) -> str:
     return (_COPY * mark.copied) + (_SEVERAL * (mark.handins > 1)) + (_BUSY * mark.busy) + (_LATE * mark.late)
 
 

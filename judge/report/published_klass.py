@@ -45,7 +45,7 @@ class Student(Struct, frozen=True):
     late: bool = False
 
 
-class Mark(Struct, frozen=True):
+class Grade(Struct, frozen=True):
     """What counts of one student on one kata: the best of so many `handins`.
 
     `copied` says whether an equal file was judged in its place, and `busy` whether the machine was busy when
@@ -113,7 +113,7 @@ class Cohort(Published, frozen=True):
     """
 
     students: tuple[Student, ...]
-    marks: dict[str, dict[str, Mark]]
+    marks: dict[str, dict[str, Grade]]
     problems: tuple[ProblemView, ...]
     stuck: tuple[Alike, ...]
     nothing_accepted: tuple[str, ...]
@@ -127,7 +127,7 @@ class Cohort(Published, frozen=True):
     weights: dict[str, float] = field(default_factory=dict)
 
     @property
-    def every_mark(self) -> list[Mark]:
+    def every_mark(self) -> list[Grade]:
         """The marks of all students on all katas."""
         return [mark for marks in self.marks.values() for mark in marks.values()]
 
@@ -139,7 +139,7 @@ class Cohort(Published, frozen=True):
             return ExitCode.FAULT
         return ExitCode.NOT_ACCEPTED if verdicts - {Verdict.AC} or self.left else ExitCode.ACCEPTED
 
-    def mark(self, student: str, problem: str) -> Mark | None:
+    def mark(self, student: str, problem: str) -> Grade | None:
         """What counts of that student on that kata; None where nothing was submitted."""
         return self.marks.get(student, {}).get(problem)
 

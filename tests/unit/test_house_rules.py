@@ -8,6 +8,7 @@ import subprocess
 import sys
 import tokenize
 import tomllib
+from collections import Counter
 from graphlib import TopologicalSorter
 from pathlib import Path
 
@@ -128,6 +129,18 @@ def test_no_modules_import_each_other():
         graph[name] = {each for each in found if not any(other.startswith(f"{each}.") for other in found)}
     assert sum(map(len, graph.values())) > 1000
     TopologicalSorter({name: found - {name} for name, found in graph.items()}).prepare()
+
+
+def test_a_public_name_is_one_class():
+    """A package's validators stand beside it, and speak of the same things."""
+    names = [
+        each.name
+        for name, tree in FILES.items()
+        if not name.startswith("packs/validators/")
+        for each in tree.body
+        if isinstance(each, ast.ClassDef) and not each.name.startswith("_")
+    ]
+    assert [name for name, count in Counter(names).items() if count > 1] == []
 
 
 def test_the_sandbox_knows_nothing_of_the_judge_but_its_errors():

@@ -18,7 +18,7 @@ from judge.practice.history import History
 from judge.problem.find import find_problem
 from judge.problem.model import Verdict
 from judge.report.html import is_page
-from judge.report.html.case import Cases
+from judge.report.html.case import ShownCases
 from judge.report.html.klass import CLASS_MARK, FEEDBACK_MARK, ClassPages
 from judge.report.published_klass import Student
 from judge.run.result import Failure
@@ -114,7 +114,7 @@ def pages_of(cohort, rows, title="geo"):
     """The page of a class, of which count alone is there, and the pages of its students by file."""
     problems = {"count": find_problem("count")}
     results = {(each.problem, each.file): each.result for each in rows}
-    pages = ClassPages(cohort, results, Cases(problems), title, NOW)
+    pages = ClassPages(cohort, results, ShownCases(problems), title, NOW)
     return pages.whole().decode(), {name: pages.student(at).decode() for at, name in enumerate(pages.files())}
 
 

@@ -66,8 +66,6 @@ def judge_class(
     Each result is kept at once in FOLDER.judge.sqlite3: after Ctrl-C or a crash the same command goes on, and
     judges only what is new. Of several files for one kata the best counts.
 
-    --problems DIR looks for katas there first, --isolation LEVEL demands a level of isolation.
-
     Exit status: 0 all accepted, 1 not, 2 usage, 3 something could not be judged, 130 stopped by Ctrl-C.
     """
     if ask.where is not None and ask.jobs > 1:
@@ -178,10 +176,10 @@ class _Pages:
         """`hidden` are names, which are numbers then. Make the `folder` of the students' pages, and those
         that need no judging. Raises UsageError.
         """
-        from judge.report.html.case import Cases
+        from judge.report.html.case import ShownCases
 
         self._classroom, self._title, self._hidden = classroom, title, hidden
-        self._cases = Cases(classroom.problems)
+        self._cases = ShownCases(classroom.problems)
         self._files: dict[str, tuple[int, OutFile]] = {}
         if folder is None:
             return

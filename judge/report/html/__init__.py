@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from jinja2 import Environment
     from markupsafe import Markup
 
-    from judge.report.html.case import Case
+    from judge.report.html.case import ShownCase
 
 _TEMPLATES = Path(__file__).parent / "templates"
 _TIME = re.compile(rb"<time.*?</time>")
@@ -38,7 +38,7 @@ _TIME = re.compile(rb"<time.*?</time>")
 def page(
     template: str,
     mark: str,
-    cases: Iterable[Case | None],
+    cases: Iterable[ShownCase | None],
     verdicts: Iterable[Verdict],
     rule: str = "",
     **values: Any,

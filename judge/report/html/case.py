@@ -33,7 +33,7 @@ class Drawing(Struct, frozen=True):
     note: str
 
 
-class Case(Struct, frozen=True):
+class ShownCase(Struct, frozen=True):
     """A failing case. `place` says which one it is, `advice` what is wrong, by each of its mistakes."""
 
     anchor: str
@@ -45,14 +45,16 @@ class Case(Struct, frozen=True):
     advice: tuple[str, ...] = ()
 
 
-class Cases:
+class ShownCases:
     """Tells failing cases of these katas, by id. A kata's code is loaded with the first case drawn of it."""
 
     def __init__(self, problems: Mapping[str, Problem]) -> None:
         self.problems = problems
         self._modules: dict[str, Module] = {}
 
-    def tell(self, problem: str, verdict: Verdict, mistake: str, result: Result | None, anchor: str) -> Case:
+    def tell(
+        self, problem: str, verdict: Verdict, mistake: str, result: Result | None, anchor: str
+    ) -> ShownCase:
         """The smallest failing case of a result, or else its first one; of none, no case.
 
         `mistake` is its name, two as "a + b", or empty. `anchor` is the id of the case in its page.
@@ -61,13 +63,13 @@ class Cases:
         where = f", {result.failure.group}" if result and result.failure and result.failure.group else ""
         title = mistake or f"{verdict.meaning}{where}".capitalize()
         if result is None:
-            return Case(anchor, title, verdict)
+            return ShownCase(anchor, title, verdict)
         picture, shown = self.picture(known, result), shown_failure(result)
         told = tell(known, result, why=picture.why if picture else "")
         facts = [*told.facts, ("why", told.happened)]
         if shown and shown.input and (not shown.shown or (known and known.talks)):
             facts.insert(0, ("input", arguments(_as_called(known, shown.input))))
-        return Case(
+        return ShownCase(
             anchor,
             title,
             verdict,
@@ -118,7 +120,7 @@ def notebook(result: Result) -> str:
     """A result as an element of HTML with its own style sheet; without a drawing if its kata is not found."""
     told, anchor, picture = tell(None, result), f"judge-{id(result):x}", None
     with suppress(JudgeError):
-        picture = Cases({}).picture(find_problem(result.problem), result)
+        picture = ShownCases({}).picture(find_problem(result.problem), result)
     return rendered(
         "notebook.html.j2",
         anchor=anchor,

@@ -18,7 +18,7 @@ from msgspec.structs import replace
 from judge.practice.syllabus import read_pack
 from judge.problem import Verdict
 from judge.report.html import page
-from judge.report.html.case import Case, Cases
+from judge.report.html.case import ShownCase, ShownCases
 from judge.report.published_klass import EQUAL_CAUTION, Alike, Cohort
 from judge.run.result import Result
 
@@ -38,7 +38,7 @@ class ClassPages(Struct, frozen=True, dict=True):
 
     cohort: Cohort
     results: Mapping[tuple[str, str], Result]
-    cases: Cases
+    cases: ShownCases
     title: str
     generated: datetime
 
@@ -120,7 +120,7 @@ class ClassPages(Struct, frozen=True, dict=True):
     def _called(self, problem: str) -> str:
         return self.cases.problems[problem].title if problem in self.cases.problems else problem
 
-    def _case(self, student: str, problem: str, anchor: str, alike: Alike | None = None) -> Case | None:
+    def _case(self, student: str, problem: str, anchor: str, alike: Alike | None = None) -> ShownCase | None:
         """The student's case; of several who are `alike`, without what does not hold for each."""
         mark = self.cohort.mark(student, problem)
         result = self.results.get((problem, mark.file)) if mark else None
