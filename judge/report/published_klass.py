@@ -121,7 +121,7 @@ class Cohort(Published, frozen=True):
     equal_files: tuple[Alike, ...]
     machines: tuple[Machine, ...]
     left: int
-    waiting: dict[str, tuple[str, ...]]
+    waiting: dict[str, list[str]]
     titles: tuple[str, ...] = ()
     unread: dict[str, tuple[str, ...]] = field(default_factory=dict)
     weights: dict[str, float] = field(default_factory=dict)

@@ -113,6 +113,11 @@ def test_long_lists_are_folded_on_a_terminal_and_nobody_is_nothing():
     assert "s089" in whole
 
 
+def test_a_number_that_tells_two_of_one_name_apart_is_shown():
+    lines = shown(class_of(*(row(f"Anna Schmidt ({at})", "p") for at in (4715, 4716)), problems=("p",)))
+    assert [line[:18] for line in lines.splitlines()[1:3]] == ["Anna Schmi… (4715)", "Anna Schmi… (4716)"]
+
+
 def test_what_is_not_judged_yet_was_submitted():
     left = [Submission("bob", "q", "bob/q.py"), Submission("ann", "q", "ann/q.py")]
     students = [Student(each) for each in ("ann", "bob", "cid")]
