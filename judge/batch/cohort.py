@@ -50,7 +50,7 @@ def cohort_of(
     for who, kata in sorted(handed_in - counts.keys()):
         waiting[who].append(kata)
     submitters = Counter(kata for _, kata in handed_in)
-    submitted = {*marks, *told, *waiting}
+    seen = {*marks, *told}
     judged = Counter((row.done.machine, row.result.isolation) for row in rows if row.result.isolation)
     accepted = {who for (who, _), row in counts.items() if row.accepted}
     return Cohort(
@@ -58,8 +58,8 @@ def cohort_of(
         marks=marks,
         problems=tuple(_view(each, own[each], submitters[each]) for each in problems),
         stuck=tuple(_stuck(problems, _in_turn([*history, *rows]), order)),
-        nothing_accepted=tuple(each for each in order if each in submitted - accepted),
-        nothing_handed_in=tuple(each for each in order if each not in submitted),
+        nothing_accepted=tuple(each for each in order if each in seen - accepted),
+        nothing_handed_in=tuple(each for each in order if each not in seen | waiting.keys()),
         machines=tuple(Machine(*where, times) for where, times in sorted(judged.items())),
         unread=told,
         waiting=waiting,

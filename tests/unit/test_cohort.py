@@ -122,7 +122,7 @@ def test_what_is_not_judged_yet_was_submitted():
     left = [Submission("bob", "q", "bob/q.py"), Submission("ann", "q", "ann/q.py")]
     students = [Student(each) for each in ("ann", "bob", "cid")]
     cohort = cohort_of(students, ("p", "q"), [row("ann", "p")], left=left)
-    assert cohort.nothing_handed_in == ("cid",)
+    assert (cohort.nothing_handed_in, cohort.nothing_accepted) == (("cid",), ())
     lines = shown(cohort).splitlines()
     assert [line.split()[:3] for line in lines[1:4]] == [
         ["ann", "AC", "90"],
