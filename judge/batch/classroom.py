@@ -253,10 +253,10 @@ class Classroom:
                 self._live.show(partial(_learning, tasks[place], done, len(tasks)))
 
     def _published(self, row: KeptRow, *, kept: bool = False) -> ClassRow:
-        """The row as it goes out; new notes of its worker are said."""
+        """The row as it goes out; new notes of its worker are said, unless it was kept."""
         done, student, result = row.done, self.students[row.student], row.result
         self._own[student.id].append(row)
-        for text in result.notes:
+        for text in () if kept else result.notes:
             if text not in self._noted and len(self._noted) < _NOTES:
                 self._say(text)
             self._noted.add(text)

@@ -54,14 +54,16 @@ class SmallestCases:
         return found
 
     def _sought(self, row: KeptRow, source: bytes) -> Result | None:
-        """It is kept; None where there is none, or the text has another verdict now."""
+        """It is kept, also that there is none where the text has another verdict now; None on a fault."""
         text = row.problem, row.digest
         if text not in self._found:
             self._found[text] = None
             with suppress(JudgeError), Session(self._problems[row.problem], self._options) as session:
                 self._found[text] = session.judge(source, PurePath(row.file).name)
         small = self._found[text]
-        if small is None or small.verdict is not row.result.verdict:
+        if small is None:
             return None
+        if small.verdict is not row.result.verdict:
+            small = row.result
         self._store.keep_all([replace(row, small=small.as_json())])
         return small

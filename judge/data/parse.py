@@ -94,7 +94,9 @@ def call_of(problem: Problem) -> str:
 
 def example_of(problem: Problem) -> str:
     """The statement's first example as arguments, `0, 0, 1, (-1, 1), (1, 1)`; their names if it is long."""
-    values = problem.named(problem.examples[0].case).values() if problem.examples else ()
+    values = [*problem.named(problem.examples[0].case).values()] if problem.examples else []
+    if values and problem.methods:
+        values[-1] = values[-1][:2]  # of the calls
     text = ", ".join(map(repr, values))
     return text if 0 < len(text) <= _SHORT else call_of(problem)
 

@@ -169,7 +169,9 @@ def kata_shown(found: published.KataShown, screen: Screen) -> RenderableType:
         ("tests", f"{_totals(problem.groups)}: judge show {problem.id} --groups"),
         (
             "answer",
-            "" if problem.talks else f"{problem.answer}, {_tolerance(_usual(problem), problem.answer.words)}",
+            ""
+            if problem.talks or problem.methods
+            else f"{problem.answer}, {_tolerance(_usual(problem), problem.answer.words)}",
         ),
         ("limits", f"{limits.cpu_seconds:g} s of CPU time, {limits.memory_mb:,.0f} MB for each group"),
         ("authors", ", ".join(source.authors)),

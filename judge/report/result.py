@@ -228,7 +228,7 @@ def _row(group: GroupResult) -> tuple[Cell, ...]:
     return (
         name(group.name),
         text(group.verdict.value, verdict_style(group.verdict)),
-        number(f"{group.passed}/{group.cases}"),
+        number(f"{group.passed}/{group.cases}" if group.run else "not run"),
         number(points if group.points else "extra"),
     )
 

@@ -91,7 +91,7 @@ class LongDuel(Duel):
         self, runner: Runner, runs: Sequence[GroupRun], submission: Box, rival: Rival, budget: Budget
     ) -> None:
         super().__init__(runner, runs, submission, rival.box, rival.limit, budget)
-        self.against = rival.against
+        self.against, self._whose = rival.against, rival.against.language
         self._mine = course(runner, submission, self._cases)
         self._theirs = course(rival.runner, rival.box, self._cases)
         self._same = runner.language == rival.runner.language
@@ -120,7 +120,7 @@ class LongDuel(Duel):
         cpu, wall = self._limits.cpu_seconds * passes, self._limits.wall_seconds * passes
         lap = self._theirs.run(passes, self._limits._replace(cpu_seconds=cpu, wall_seconds=wall))
         if lap.trouble:
-            raise JudgeError(f"the reference solution cannot be timed: {lap.trouble}")
+            raise JudgeError(f"the reference solution in {self._whose} cannot be timed: {lap.trouble}")
         self.theirs_took.append(lap.usage)
         self._last = max(0.0, lap.usage.cpu_seconds - self._start)
         return self._last

@@ -27,6 +27,7 @@ from judge.values.types import is_pair
 from judge.values.wire import Raw
 
 SHOWN = 80  # characters of a line that is quoted
+_FLOOD = 1 << 20  # bytes that a program has written when its time is up
 _CHOKED = re.compile(  # an exception's first words where a line of input is not what the program takes it for
     r"ValueError: (invalid literal|could not convert|(too many|not enough) values to unpack|Invalid literal)"
     r"|EOFError|(decimal\.)?InvalidOperation.*ConversionSyntax"
@@ -162,12 +163,18 @@ def _replies(result: ProgramResult, count: int) -> Replies:
 def _breakdown(result: ProgramResult, lines: Sequence[str], count: int) -> Breakdown | None:
     """What is wrong with a run on so many cases, whatever its lines say; its time or memory are no case's."""
     complete = result.stop is Stop.ANSWERED
-    if result.stop is Stop.OUTPUT:  # the lines of a flood are wrong too, or too many: that says less
-        return Breakdown(VERDICTS[result.stop], result.detail, 0)
+    # The lines of a flood are wrong too, or too many: that says less. Its time may be up before its room is.
+    flood = result.stop not in _OWN_ENDS and len(result.stdout) > _FLOOD and len(lines) > count
+    if result.stop is Stop.OUTPUT:
+        return Breakdown(VERDICTS[Stop.OUTPUT], result.detail, 0)
+    if flood:
+        return Breakdown(VERDICTS[Stop.OUTPUT], f"{result.detail}, and went on printing", 0)
     if len(lines) > count or (complete and len(lines) < count):
         what = f"{_counted(len(lines), 'line')} printed, {count} expected: one for each case"
         if len(lines) < count:
-            return Breakdown(Verdict.WA, what, 0, "no line")
+            blank = len(result.stdout.splitlines()) > len(lines)
+            hint = "; blank lines at the end answer nothing" if blank else ""
+            return Breakdown(Verdict.WA, what + hint, 0, "no line")
         surplus, hint = repr(lines[count][:SHOWN]), ""
         if not all(line.strip(" \t") for line in lines):
             hint = ", and no blank lines between"

@@ -23,7 +23,7 @@ from msgspec.structs import replace
 from judge.data.load import load_data
 from judge.data.model import ProblemData, Within
 from judge.data.pins import Kills, differences, pins_file, pins_of, read_pins, write_pins
-from judge.errors import ProblemError, UsageError, meant
+from judge.errors import JudgeError, ProblemError, ShortageError, UsageError, meant
 from judge.languages import NAME as PYTHON
 from judge.languages import file_name, language_of
 from judge.languages.boxes import AnyBoxes
@@ -168,7 +168,12 @@ def _tried(solution: Solution, data: ProblemData, settings: Settings) -> _Tried:
 
         if lacking := why_not(solution.language):
             return _Tried(solution, replace(row, unjudged=f"not judged here: {lacking}"), None, {})
-    judged = judge_submission(data, solution.source, solution.path.name, settings)
+    try:
+        judged = judge_submission(data, solution.source, solution.path.name, settings)
+    except (ProblemError, ShortageError, UsageError):
+        raise
+    except JudgeError as fault:  # what it is raced against, say, does not come to its end
+        return _Tried(solution, replace(row, ok=False, unjudged=str(fault)), None, {})
     verdict = judged.result.verdict
     failed = tuple(group.name for group in judged.result.groups if group.verdict is not Verdict.AC)
     row = replace(row, verdict=verdict, ok=solution.kind.allows(verdict), failed=failed)
@@ -253,6 +258,8 @@ def _wrong_verdicts(
     """The verdicts that the folder does not want, on data of other seeds too; nothing is timed there."""
     solution, row, judged, _ = tried
     if judged is None:
+        if not row.ok:
+            yield Fault(f"it cannot be judged: {row.unjudged}", f"{problem.solutions.name}/{solution.file}")
         return
     if not row.ok:
         if not (partial and row.verdict is Verdict.AC):

@@ -11,10 +11,12 @@ from pathlib import Path
 
 import pytest
 from cli_support import FLOOR, MEAN
+from msgspec.structs import replace
 
 from judge.batch import classroom
 from judge.batch.work import judge_task
 from judge.judging.session import Session
+from judge.problem import Verdict
 
 pytestmark = pytest.mark.slow
 
@@ -59,6 +61,28 @@ def test_smallest_cases_are_kept_and_not_sought_again(judge, homework, monkeypat
     assert "Smallest failing case" in first["bob.html"]
     monkeypatch.setattr(Session, "judge", None)
     assert pages() == first
+
+
+def test_a_text_that_has_another_verdict_now_is_not_sought_again(judge, homework, monkeypatch):
+    monkeypatch.setenv("SOURCE_DATE_EPOCH", "1800000000")
+    own = Session.judge
+
+    def otherwise(session, source, name, on_verdict=None):
+        return replace(own(session, source, name, on_verdict), verdict=Verdict.OLE)
+
+    assert judge("class", homework).status == 1
+    monkeypatch.setattr(Session, "judge", otherwise)
+    assert judge("class", homework, "--feedback", "pages").status == 1
+    assert "Smallest failing case" not in Path("pages/bob.html").read_text(encoding="utf-8")
+    monkeypatch.setattr(Session, "judge", None)
+    assert judge("class", homework, "--feedback", "pages").status == 1
+
+
+def test_what_was_noted_when_a_file_was_judged_is_said_once(judge, homework, monkeypatch):
+    own = Session.judge
+    monkeypatch.setattr(Session, "judge", lambda *given: own(*given).noting("Waited: another judge"))
+    assert "Waited" in judge("class", homework).err
+    assert "Waited" not in judge("class", homework).err
 
 
 def test_the_page_again_costs_nothing(judge, homework, monkeypatch):

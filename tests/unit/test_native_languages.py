@@ -504,3 +504,12 @@ _HUGE = "static int a[1000000000], b[1000000000]; int main(void) { a[5] = b[7]; 
 )
 def test_what_cannot_be_linked(name, source, told):
     assert fault_of(name, source).message == told
+
+
+def test_a_list_of_pairs_is_read_in_time_that_grows_with_its_length():
+    """A hundred thousand of them took a JavaScript driver half a minute."""
+    pairs = [(at, at) for at in range(100_000)]
+    source = "function mirrorAll(xs) { return xs.length; }\n"
+    with box_of("a.js", source, signature=signature("int", xs="[(int, int)]")) as box:
+        done = box.call("mirror_all", [(pairs,)], LIMITS)
+    assert [reply.answer for reply in done.replies] == [len(pairs)]

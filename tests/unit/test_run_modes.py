@@ -174,6 +174,14 @@ def test_a_flood_of_wrong_lines_is_a_flood():
     assert (result.verdict, result.failure.message) == (Verdict.OLE, "wrote more than 1 MB")
 
 
+def test_a_flood_is_one_where_its_time_is_up_first():
+    body = "import sys, time\nprint('7\\n' * (3 << 19), flush=True)\nwhile True: pass\n"
+    limits = replace(LIMITS, cpu_seconds=0.3, output_mb=16)
+    result = judged(body, make_data("one", limits=limits))
+    assert result.verdict is Verdict.OLE
+    assert result.failure.message.startswith("used more than 0.3 s of CPU time")
+
+
 @pytest.mark.slow
 def test_the_search_for_the_case_has_an_end(monkeypatch):
     """It breaks at once when all cases are there, and takes its time when it is run on fewer."""

@@ -8,8 +8,11 @@ from pathlib import Path
 import pytest
 from broken_problems import broken
 
+from judge.errors import JudgeError
 from judge.problem.find import typed
 from judge.problem.load import load_problem
+from judge.run import judge_submission
+from judge.verify import gate
 from judge.verify.gate import Options, verify_problem
 
 pytestmark = pytest.mark.slow
@@ -51,6 +54,22 @@ def test_pins_that_are_missing_are_told_so(pack):
     (fault,) = report.faults
     assert (report.pins, fault.where) == ("missing", "root-count/pins.json")
     assert fault.remedy.endswith("--pin")
+
+
+def test_a_reference_that_cannot_be_timed_costs_what_is_raced_against_it(pack, monkeypatch):
+    why = "the reference solution in Go cannot be timed: exit status 1"
+
+    def judged(data, source, name, settings):
+        if name == "signs.py":
+            raise JudgeError(why)
+        return judge_submission(data, source, name, settings)
+
+    monkeypatch.setattr(gate, "judge_submission", judged)
+    report = verified(pack)
+    (fault,) = report.faults
+    assert (fault.where, report.solutions[0].unjudged) == ("root-count/accepted/signs.py", why)
+    assert fault.what.endswith(why)
+    assert len(report.solutions) == 2
 
 
 def test_data_that_cannot_be_built_are_the_one_fault(tmp_path):

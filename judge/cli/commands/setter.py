@@ -274,14 +274,22 @@ def write(names: tuple[str, ...], ask: ExportAsk, common: Common) -> Iterator[St
     a validator that decides as judge does, the statement as LaTeX, and the programs of solutions/. With
     --zip also DIR/*/ID.kpp, and DIR/domjudge/ID.zip. A package of the same kata is replaced.
 
-    Files: DIR/ID/G.in is what a program reads for the test group G, G.ans what a perfect one prints, and
+    Files: DIR/KATA/G.in is what a program reads for the test group G, G.ans what a perfect one prints, and
     G.json holds every case with its exact answer and the least and greatest double that is accepted. A kata
     with a FORMAT has G-01.in and G-01.ans for each case.
 
     Exit status: 0 written, 2 usage, or nothing could be written, 3 a kata is broken.
     """
+    packages = ask.form == "kattis"
+    of_files = {"--seed": ask.seed is not None, "--force": ask.force}
+    of_packages = {"--version": ask.version != _BOTH, "--zip": ask.archives, "--wrong": ask.wrong is not None}
+    for name, given in (of_files if packages else of_packages).items():
+        if given:
+            raise UsageError(
+                f"{name} is for --format {'files' if packages else 'kattis'}", remedy="leave it out"
+            )
     problems = [find_problem(name, common.problems) for name in dict.fromkeys(names)]
-    return _packages(problems, ask) if ask.form == "kattis" else _files(problems, ask)
+    return _packages(problems, ask) if packages else _files(problems, ask)
 
 
 def _packages(problems: Sequence[Problem], ask: ExportAsk) -> Iterator[Exported]:

@@ -13,10 +13,10 @@ const methods = { @calls@ };
 // @end
 function read(shape, words) {
   if (shape.kind === 'tuple') return Object.fromEntries(shape.parts.map((part, i) => [shape.fields[i], read(part, words)]));
-  if (shape.kind === 'list') return Array.from({ length: +words.shift() }, () => read(shape.parts[0], words));
-  if (shape.kind === 'dict') return new Map(Array.from({ length: +words.shift() }, () => shape.parts.map(part => read(part, words))));
-  if (shape.kind === 'optional') return words[0] === 'none' ? (words.shift(), null) : read(shape.parts[0], words);
-  const word = words.shift();
+  if (shape.kind === 'list') return Array.from({ length: +words.pop() }, () => read(shape.parts[0], words));
+  if (shape.kind === 'dict') return new Map(Array.from({ length: +words.pop() }, () => shape.parts.map(part => read(part, words))));
+  if (shape.kind === 'optional') return words[words.length - 1] === 'none' ? (words.pop(), null) : read(shape.parts[0], words);
+  const word = words.pop();
   if (shape.kind === 'bool') return word === 'true';
   if (shape.kind === 'word' || shape.kind === 'text') return word[0] === '=' ? Buffer.from(word.slice(1), 'hex').toString('latin1') : word;
   return shape.kind === 'big' ? BigInt(word) : +word;
@@ -50,7 +50,7 @@ function answered(words) {
   return put(entry(...given), answer);
 // @end
 // @if methods
-  const made = new entry(...given), count = +words.shift(), found = [];
+  const made = new entry(...given), count = +words.pop(), found = [];
   for (call = 1; call <= count; call++) {
     const [name, takes, answer] = methods[read({ kind: 'word' }, words)];
     const arguments_ = takes.map(shape => read(shape, words));
@@ -65,7 +65,7 @@ for (let at = 0; at < lines.length && lines[at] !== '';) {
   let out = '';
   for (let left = cases; left > 0; left--) {
     try {
-      const words = lines[at++].split(' ');
+      const words = lines[at++].split(' ').reverse();
       call = 0;
       out += '[0,' + answered(words) + ']\n';
     } catch (fault) {
