@@ -37,7 +37,7 @@ from judge.judging.pool import Executor, Processes
 from judge.mistakes.known import is_kept
 from judge.problem import Problem
 from judge.problem.find import find_problem
-from judge.report.published_klass import ClassRow, Cohort, Sheet
+from judge.report.published_klass import ClassRow, Cohort
 from judge.report.wait import Live
 from judge.report.words import counted, shown_name
 from judge.run.result import Result
@@ -67,7 +67,7 @@ class ClassOptions(Struct, frozen=True):
 
 
 class Classroom:
-    """A class that is judged; `cohort` says how far it has come, at any time.
+    """A class that is judged; `cohort` says how far it has come, at any time. `roster` is its list.
 
     Raises:
         UsageError: the folder or the list of students cannot be read, or nothing is submitted there.
@@ -79,11 +79,11 @@ class Classroom:
         """Each sentence goes to `say` once."""
         self._store, self._options, self._tell = store, options, say
         self._run = RunOptions(isolation=options.isolation, diagnosed=False, level=options.level)
-        self._roster = read_students(options.students) if options.students else Roster()
-        found = read_class(folder, only=options.only, folders=options.folders, roster=self._roster)
+        self.roster = read_students(options.students) if options.students else Roster()
+        found = read_class(folder, only=options.only, folders=options.folders, roster=self.roster)
         shard, unread = options.shard, [each for each in found.unplaced if each.student]
         self._submissions = [each for each in found.submissions if shard is None or shard.holds(each)]
-        self.students = {each.id: each for each in everyone(self._roster, [*found.submissions, *unread])}
+        self.students = {each.id: each for each in everyone(self.roster, [*found.submissions, *unread])}
         self._called_late = found.late | {who for who, each in self.students.items() if each.late}
         self._unread = _unread(unread)
         self._environments: dict[str, Environment] | None = None  # any, until it is known
@@ -97,8 +97,8 @@ class Classroom:
         if shard is None or shard.number == 1:
             told = [each for each in found.unplaced if not (options.anonymous and each.student)]
             hidden = [replace(each, file="a file") for each in told] if options.anonymous else told
-            self._say(*_left_out(hidden), *(() if options.anonymous else self._roster.unclear.values()))
-        if not found.submissions and not self._roster.students:
+            self._say(*_left_out(hidden), *(() if options.anonymous else self.roster.unclear.values()))
+        if not found.submissions and not self.roster.students:
             remedy = "it holds STUDENT/KATA.py or KATA/STUDENT.py; see 'judge help class'"
             raise UsageError("nothing is submitted here", where=str(folder), remedy=remedy)
 
@@ -183,7 +183,7 @@ class Classroom:
             tuple(self.students.values()),
             katas,
             rows,
-            titles=self._roster.titles,
+            titles=self.roster.titles,
             unread=self._unread,
             late=late,
             weights=dict(self._options.weights),
@@ -196,11 +196,6 @@ class Classroom:
             return None
         days = (each.at - self._options.due.timestamp()) / _DAY - self.students[each.student].extra_days
         return max(0, ceil(days)) or (None if each.student in self._called_late else 0)
-
-    @property
-    def sheet(self) -> Sheet:
-        """How the list of students is written."""
-        return self._roster.sheet
 
     @cached_property
     def problems(self) -> dict[str, Problem]:

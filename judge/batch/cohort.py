@@ -41,29 +41,28 @@ def cohort_of(
         marks.setdefault(student, {})[problem] = _mark(row, files[student, problem], late)
     order = [each.id for each in students]
     own = {each: [counts[who, each] for who in order if (who, each) in counts] for each in problems}
-    told, waiting = dict(unread), defaultdict[str, set[str]](set)
-    for row in rows:
-        if row.result.verdict is Verdict.JE:
-            why = f"{own_name(row.file)}: {_message(row)}"
-            told[row.student] = (*told.get(row.student, ()), why)
-    for each in left:
-        waiting[each.student].add(each.problem)
-    submitted = {*marks, *told, *waiting}
+    told, waiting = dict(unread), defaultdict[str, list[str]](list)
+    unjudged = [row for row in rows if row.result.verdict is Verdict.JE]
+    for row in unjudged:
+        told[row.student] = (*told.get(row.student, ()), f"{own_name(row.file)}: {_message(row)}")
+    handed_in = {*counts, *((each.student, each.problem) for each in left)}
+    for who, kata in sorted(handed_in - counts.keys()):
+        waiting[who].append(kata)
+    submitters = Counter(kata for _, kata in handed_in)
+    seen = {*marks, *told}
     judged = Counter((row.done.machine, row.result.isolation) for row in rows if row.result.isolation)
     accepted = {who for (who, _), row in counts.items() if row.accepted}
     return Cohort(
         students=tuple(students),
         marks=marks,
-        problems=tuple(
-            _view(kata, own[kata], sum(kata in marks.get(who, {}) or kata in waiting[who] for who in order))
-            for kata in problems
-        ),
+        problems=tuple(_view(each, own[each], submitters[each]) for each in problems),
         stuck=tuple(_stuck(problems, _in_turn([*history, *rows]), order)),
-        nothing_accepted=tuple(each for each in order if each in submitted - accepted),
-        nothing_handed_in=tuple(each for each in order if each not in submitted),
+        nothing_accepted=tuple(each for each in order if each in seen - accepted),
+        nothing_handed_in=tuple(each for each in order if each not in seen | waiting.keys()),
         machines=tuple(Machine(*where, times) for where, times in sorted(judged.items())),
+        unjudged=tuple((row.file, _message(row)) for row in unjudged),
         unread=told,
-        waiting={who: tuple(sorted(katas)) for who, katas in waiting.items() if katas},
+        waiting=waiting,
         equal_files=equal_files,
         left=len(left),
         **shown,

@@ -119,7 +119,7 @@ class Roster:
         self.students, self.titles, self.sheet = tuple(students), tuple(titles), Sheet()
         self._cells: defaultdict[str, set[str]] = defaultdict(set)
         self._names: defaultdict[str, set[str]] = defaultdict(set)
-        self._ids = {each.id: {each.id} for each in students}
+        self._ids = {each.id for each in students}
         self.unclear: dict[str, str] = {}
         tried = [at for at, title in enumerate(titles) if title.casefold() not in _SHARED]
         for each in students:
@@ -144,8 +144,9 @@ class Roster:
 
     def named(self, name: str) -> str:
         """The id of whom a folder or a file is called after; empty where that is nobody or several."""
-        cells = self._ids.get(name), self._cells.get(name.casefold())
-        return self._only(name, *cells, *map(self._names.get, _plain(name)))
+        if name in self._ids:
+            return name
+        return self._only(name, self._cells.get(name.casefold()), *map(self._names.get, _plain(name)))
 
     def _only(self, name: str, *groups: set[str] | None) -> str:
         """Who is alone in the first group that is not empty; empty where there are several."""

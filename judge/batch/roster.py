@@ -43,8 +43,8 @@ def read_students(path: Path) -> Roster:
         UsageError: it cannot be read, holds nobody, or a line of it is no row; that line is told.
     """
     text = _text(path)
-    sign, told = _separator(text)
-    rows = _rows(text, path, sign, told=told)
+    sign = _separator(text)
+    rows = _rows(text, path, sign)
     _, titles = next(rows, (0, list[str]()))
     titles = [*map(str.strip, titles)]
     titles = titles[: listed_columns(titles)]
@@ -134,20 +134,20 @@ def _text(path: Path) -> str:
         raise _bad(path, number, f"this is not UTF-8: byte 0x{content[fault.start]:02x}") from fault
 
 
-def _separator(text: str) -> tuple[str, bool]:
-    """What parts the columns, and whether the first line is there to tell it."""
+def _separator(text: str) -> str:
+    """What parts the columns."""
     head = text.lstrip("\r\n").partition("\n")[0]
     told = _SEPARATOR.fullmatch(head.strip())
-    return (told[1], True) if told else (max(_SIGNS, key=head.count), False)
+    return told[1] if told else max(_SIGNS, key=head.count)
 
 
-def _rows(text: str, path: Path, sign: str, *, told: bool) -> Iterator[tuple[int, list[str]]]:
+def _rows(text: str, path: Path, sign: str) -> Iterator[tuple[int, list[str]]]:
     """The rows that are not empty, each with the number of the line that it begins in. Raises UsageError."""
     reader = csv.reader(io.StringIO(text, newline=""), delimiter=sign, strict=True)
     number = 1
     try:
         for row in reader:
-            if any(map(str.strip, row)) and not (told and _SEPARATOR.fullmatch(sign.join(row))):
+            if any(map(str.strip, row)) and not _SEPARATOR.fullmatch(sign.join(row)):
                 yield number, row
             number = reader.line_num + 1
     except csv.Error as fault:

@@ -77,7 +77,7 @@ def _alike(found: Sequence[Alike], *, whole: bool) -> list[str]:
 
 def _tables(found: Cohort, width: int | None) -> Iterator[RenderableType]:
     """The columns beside the names, as many at a time as there is room for."""
-    names = [fitted(each.id, _NAME) + ("" if each.known else _UNKNOWN) for each in found.students]
+    names = [_short(each.id) + ("" if each.known else _UNKNOWN) for each in found.students]
     columns: list[tuple[str, list[Text]]] = [
         (view.problem, [_cell(found, each.id, view.problem) for each in found.students])
         for view in found.problems
@@ -98,6 +98,13 @@ def _tables(found: Cohort, width: int | None) -> Iterator[RenderableType]:
         rows = zip(map(text, names), *(column for _, column in columns[:fit]), strict=True)
         yield table(rows, *titles, prose=None)
         columns = columns[fit:]
+
+
+def _short(name: str) -> str:
+    """A name that fits, with the number that tells it from another one."""
+    plain, sign, number = name.rpartition(" (")
+    room = _NAME - cell_len(sign + number)
+    return fitted(plain, room) + sign + number if sign and room > _NAME // 2 else fitted(name, _NAME)
 
 
 def _cell(found: Cohort, student: str, problem: str) -> Text:
@@ -149,7 +156,7 @@ def _kata(view: ProblemView, students: int, *, whole: bool) -> Iterator[Renderab
 
 
 def _names(students: Sequence[str], *, whole: bool) -> str:
-    return ", ".join(_some([fitted(each, _NAME) for each in students], _NAMES, whole=whole))
+    return ", ".join(_some([*map(_short, students)], _NAMES, whole=whole))
 
 
 def _some(found: Sequence[str], most: int, *, whole: bool) -> list[str]:

@@ -106,9 +106,10 @@ class Machine(Struct, frozen=True):
 class Cohort(Published, frozen=True):
     """The class, the last line of its JSON, in the order of the table; `marks` are by student and kata.
 
-    Of those with `nothing_accepted` something was submitted. `left` counts files without a result, `waiting`
-    are their katas by student. `titles` are the columns of the list of students, and `unread` is what of a
-    student could not be judged, with the reason. With `weights`
+    Of those with `nothing_accepted` something was submitted. `unjudged` are files with the reason why they
+    could not be judged, `left` counts those without a result, `waiting` are their katas by student. `titles`
+    are the columns of the list of students, and `unread` is what of a student could not be judged, with the
+    reason. With `weights`
     of katas the points of a student are out of 100.
     """
 
@@ -120,8 +121,9 @@ class Cohort(Published, frozen=True):
     nothing_handed_in: tuple[str, ...]
     equal_files: tuple[Alike, ...]
     machines: tuple[Machine, ...]
+    unjudged: tuple[tuple[str, str], ...]
     left: int
-    waiting: dict[str, tuple[str, ...]]
+    waiting: dict[str, list[str]]
     titles: tuple[str, ...] = ()
     unread: dict[str, tuple[str, ...]] = field(default_factory=dict)
     weights: dict[str, float] = field(default_factory=dict)
@@ -221,6 +223,7 @@ def anonymous(cohort: Cohort) -> tuple[Cohort, dict[str, str]]:
         nothing_accepted=named(cohort.nothing_accepted),
         nothing_handed_in=named(cohort.nothing_handed_in),
         equal_files=alike(cohort.equal_files),
+        unjudged=tuple((files.get(file, _HIDDEN), why) for file, why in cohort.unjudged),
         titles=(),
         waiting={numbers[who]: katas for who, katas in cohort.waiting.items()},
         unread={

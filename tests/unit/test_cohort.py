@@ -113,11 +113,16 @@ def test_long_lists_are_folded_on_a_terminal_and_nobody_is_nothing():
     assert "s089" in whole
 
 
+def test_a_number_that_tells_two_of_one_name_apart_is_shown():
+    lines = shown(class_of(*(row(f"Anna Schmidt ({at})", "p") for at in (4715, 4716)), problems=("p",)))
+    assert [line[:18] for line in lines.splitlines()[1:3]] == ["Anna Schmi… (4715)", "Anna Schmi… (4716)"]
+
+
 def test_what_is_not_judged_yet_was_submitted():
     left = [Submission("bob", "q", "bob/q.py"), Submission("ann", "q", "ann/q.py")]
     students = [Student(each) for each in ("ann", "bob", "cid")]
     cohort = cohort_of(students, ("p", "q"), [row("ann", "p")], left=left)
-    assert cohort.nothing_handed_in == ("cid",)
+    assert (cohort.nothing_handed_in, cohort.nothing_accepted) == (("cid",), ())
     lines = shown(cohort).splitlines()
     assert [line.split()[:3] for line in lines[1:4]] == [
         ["ann", "AC", "90"],
@@ -131,6 +136,7 @@ def test_what_is_not_judged_yet_was_submitted():
 def test_what_could_not_be_judged_was_submitted_and_says_why():
     cohort = class_of(row("ann", "p", verdict=Verdict.JE), students=[Student("ann")], problems=("p",))
     assert (cohort.nothing_handed_in, cohort.nothing_accepted) == ((), ("ann",))
+    assert [why for _, why in cohort.unjudged] == ["line 1: '(' was never closed"]
     assert read(gradebook(cohort, Sheet()))[1][-1] == "p.py: line 1: '(' was never closed"
 
 

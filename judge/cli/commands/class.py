@@ -116,7 +116,7 @@ def judge_class(
             raise
         found = classroom.cohort()
         yield anonymous(found)[0] if ask.anonymous else found
-        csv.write(gradebook(found, classroom.sheet, numbered=ask.anonymous))
+        csv.write(gradebook(found, classroom.roster.sheet, numbered=ask.anonymous))
         if ask.html:
             from judge.report.html import is_same
 
