@@ -245,7 +245,8 @@ class TestSearch:
         before = looked(pack, store, cases=0)
         asked = []
         monkeypatch.setattr(
-            "judge.holes.programs.Candidates.differing", lambda self, some, cases: iter(asked.extend(some) or ())
+            "judge.holes.programs.Candidates.differing",
+            lambda self, some, cases: iter(asked.extend(some) or ()),
         )
         after = looked(pack, store, cases=0, seed=1)
         assert (after.accepted, asked) == (before.accepted, [])
