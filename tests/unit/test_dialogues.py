@@ -213,7 +213,8 @@ def test_what_talk_takes_is_not_counted_for_the_program(kata):
 def test_a_group_that_has_no_time_left_blames_no_talk(kata):
     """The talk needs a moment to see that its program is gone."""
     runner, limits = FormatRunner(load_problem(kata)), Limits(1.0, 1e-4, 256 << 20, 1 << 20)
-    with Containment()(RIGHT.encode(), "mine.py") as box:
+    slow = f"import time\ntime.sleep(0.5)\n{RIGHT}"
+    with Containment()(slow.encode(), "mine.py") as box:
         for _ in range(10):
             assert runner.ask(box, [(6, 5)], limits).stop is Stop.WALL
 
