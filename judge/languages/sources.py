@@ -122,7 +122,8 @@ def _undeclared(heads: Sequence[str], spec: Spec, text: str) -> list[str]:
         said = said[said.index(of) if of else 0 :]
         return not re.search(" ".join(r"\w+" if each in names else re.escape(each) for each in said), source)
 
-    pairs = [*zip(heads, (member.entry for _, member in spec.members), strict=False)]
+    every = zip(heads, (member.entry for _, member in spec.members), strict=False)
+    pairs = [(head, name) for head, name in every if head.strip() != f"{spec.entry}()"]  # every class has it
     taking = [head.strip() for head, name in pairs if lacks(head, name)]
     return taking or [head.strip() for head, _ in pairs if lacks(head)]
 

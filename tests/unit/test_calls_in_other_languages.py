@@ -152,8 +152,14 @@ def test_arguments_and_answers_of_every_type_and_answers_as_they_were(name):
 
 CLASS = signature_of(load_problem(KATA))
 PUT = r"void put\(long long key, long long value\)"
-ODD_ANSWER = RIGHT["a.cpp"].replace(
-    "std::optional<long long> get(long long key)", "LRUCache get(long long k)"
+ONE_LESS = RIGHT["a.cpp"].replace(
+    "put(long long key, long long value) {", "put(long long key) { long long value = 0;"
+)
+ODD = """struct Odd { Odd() {} Odd(long long) {} explicit operator bool() const { return true; } };
+
+class LRUCache {"""
+ODD_ANSWER = (
+    RIGHT["a.cpp"].replace("std::optional<long long> get(", "Odd get(").replace("class LRUCache {", ODD)
 )
 FAULTS = {
     "a.go": ("package main\nfunc main() {}\n", "LRUCache is a class; in Go none is called: write it in"),
@@ -164,7 +170,7 @@ FAULTS = {
     "c.cpp": (RIGHT["a.cpp"].replace("public:", ""), "declared as the problem says: class LRUCache { public"),
     "c.java": ("class LRUCache { LRUCache(long a) {} }", "void put(long key, long value)"),
     "d.cpp": (RIGHT["a.cpp"].replace("put(", "set("), f"^LRUCache must declare: {PUT}$"),
-    "e.cpp": (RIGHT["a.cpp"].replace("put(long long key, ", "put("), f"^LRUCache must declare: {PUT}$"),
+    "e.cpp": (ONE_LESS, f"^LRUCache must declare: {PUT}$"),
     "f.cpp": (ODD_ANSWER, r"^LRUCache must declare: std::optional<long long> get\(long long key\)$"),
 }  # fmt: skip
 
@@ -175,6 +181,14 @@ def test_what_cannot_be_called_is_told(name):
     fault = fault_of(name, source, signature=CLASS)
     assert told in fault.message or re.search(told, fault.message)
     assert fault.line == 0
+
+
+def test_a_constructor_that_takes_nothing_need_not_be_declared():
+    alone = CLASS._replace(parameters=())
+    source = RIGHT["a.cpp"].replace("LRUCache(long long capacity) : capacity(capacity) {}", "")
+    assert source != RIGHT["a.cpp"]
+    fault = fault_of("a.cpp", source.replace("put(", "set("), signature=alone)
+    assert re.search(f"^LRUCache must declare: {PUT}$", fault.message)
 
 
 def test_no_class_is_begun_where_none_is_called():
