@@ -39,13 +39,14 @@ def circle(draw):
 
 
 def radial(draw):
-    """An end is on the circle, the other one straight above it or below, by 1e-7 of the radius, and t is off by 1e-9 or more."""
+    """An end is on the circle, the other one straight above it or below, by 1e-7 of the radius: the way from the foot, as a part of AB, is off by 1e-9 or more."""
     cx, cy, r, A = points("on", **{**HUGE, "size": 2**30, "shift": -40})(draw)
-    for _ in range(40):
-        times = 1 + draw.integer(10**6, 12 * 10**5) / 10**13 * draw.sign()
+    first = draw.boolean()
+    for _ in range(400):
+        times = 1 + draw.integer(10**6, 105 * 10**4) / 10**13 * draw.sign()
         B = cx + times * (A[0] - cx), cy + times * (A[1] - cy)
-        case = cx, cy, r, *draw.choice(((A, B), (B, A)))
-        if inside(*case, slack=1e-9) != inside(*case, slack=1e-7):
+        case = cx, cy, r, *((A, B) if first else (B, A))
+        if along(*case, slack=1e-9) != along(*case, slack=1e-7):
             return case
     return draw.reject()
 
