@@ -26,7 +26,7 @@ from judge.values.check import is_right
 from judge.verify.model import Progress
 
 _WAVES = (0, 8, 32, 128, 512, None)  # cases that are asked before the rest: most mutants die there
-_AT_ONCE = 16  # mutants that are judged between two looks at the clock: more where they take no second
+_AT_ONCE = 512  # mutants that are judged to their end, before the next ones are begun
 _KEPT = 4  # groups that are remembered to reject a mutant
 _FEW = 4  # answers of a mutant that are looked at first: most are wrong at once
 _RUNGS = 8  # of a ladder that are judged at once; of other numbers, which are slow, two
@@ -100,7 +100,7 @@ class Bench:
             else:
                 batch.append(each)
         accepted: list[Candidate] = []
-        judged, size, high = 0, _AT_ONCE, dict.fromkeys(ladders, 0)
+        judged, high = 0, dict.fromkeys(ladders, 0)
         while True:
             for ladder, rungs in ladders.items():
                 enough, few = (1, 2) if rungs and rungs[0].mutant.numbers[0] else (_ENOUGH, _RUNGS)
@@ -111,36 +111,46 @@ class Bench:
                 return accepted, judged, True
             Random(0).shuffle(batch)  # some of every kind, should the time be up before the end
             while batch:
-                if self.late:
-                    return accepted, judged, False
-                part, batch, begun = batch[:size], batch[size:], monotonic()
-                passed = self.accepted(part, judged, len(made))
-                size = size * 2 if monotonic() - begun < 1 else size // 2 or 1
-                judged += len(part)
+                part, batch = batch[:_AT_ONCE], batch[_AT_ONCE:]
+                self._progress("judging mutants", judged, len(made))
+                passed, left = self._judged(part, self._sets)
+                judged += len(part) - left
                 accepted += passed
+                if left:
+                    return accepted, judged, False
                 for each in passed:
                     if each.mutant.ladder:
                         high[each.base.file, each.mutant.kind, each.mutant.ladder] += 1
 
-    def accepted(
-        self, some: Sequence[Candidate], done: int = 0, total: int = 0, every: bool = False
-    ) -> list[Candidate]:
-        """Those of them that one of the sets of data accepts, or `every` small group of one."""
+    def accepted(self, some: Sequence[Candidate]) -> list[Candidate]:
+        """Those of them that every small group of one of the sets accepts."""
+        return self._judged(some, self._every)[0]
+
+    def _judged(
+        self, some: Sequence[Candidate], sets: Sequence[Sequence[Aimed]]
+    ) -> tuple[list[Candidate], int]:
+        """Those of them that one of the sets accepts, and for how many the time was up before."""
         kept, left, accepted = self._kept, list(some), list[Candidate]()
-        for aimed in self._every if every else self._sets:
+        for aimed in sets:
             places, whole = {each.place for each in aimed}, _whole(aimed)
             dead = [each for each in left if places.intersection(kept.killed.get(each.key, ()))]
             accepted += [each for each in left if kept.passed.get(each.key) == whole]
             known = {each.key for each in (*dead, *accepted)}
             alive = [each for each in left if each.key not in known]
             for first, last in pairwise(_WAVES):
-                self._progress("judging mutants", done + len(some) - len(alive), total)
-                alive, more = self._survivors(alive, aimed[first:last])
-                dead += more
+                waiting, alive, cases = alive, [], aimed[first:last]
+                while waiting:
+                    if self.late:
+                        return accepted, len(left) - len(dead) - len(accepted)
+                    size = self.crowd.most // (len(cases) or 1) + 1
+                    passed, more = self._survivors(waiting[:size], cases)
+                    waiting = waiting[size:]
+                    alive += passed
+                    dead += more
             kept.passed |= dict.fromkeys([each.key for each in alive], whole)
             accepted += alive
             left = dead
-        return accepted
+        return accepted, 0
 
     def _survivors(
         self, some: Sequence[Candidate], aimed: Sequence[Aimed]

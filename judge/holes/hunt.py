@@ -12,6 +12,7 @@ import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from heapq import nsmallest
 from itertools import chain, islice
+from math import inf
 from time import monotonic
 
 import msgspec
@@ -159,7 +160,8 @@ class _Hunt:
             self._bench.until = begun + seconds
             self._look(right, left)
         wrong = [each for key, each in left.items() if key in self._found]
-        found = {each.key: each for each in self._bench.accepted(wrong, every=True)}
+        self._bench.until = inf
+        found = {each.key: each for each in self._bench.accepted(wrong)}
         rejected = count - len(accepted) + len(wrong) - len(found)
         unknown = [each for key, each in left.items() if key not in self._found | self._edge]
         self._bench.until = begun + seconds * 1.25  # for shorter cases

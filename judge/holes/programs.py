@@ -234,6 +234,8 @@ class Candidates:
                 end += 1
             found = self._box.call("ask", calls, self._limits(end - at)) if calls else None
             replies = list(found.replies) if found else []
+            if found:
+                self._learn(len(replies), found.usage.cpu_seconds)
             for place in range(at, end):
                 size = len(work[place][1])
                 own, replies = replies[:size], replies[size:]

@@ -143,15 +143,20 @@ def abreast(draw):
     return mirrored(draw, r, (r, 0.0), (r + x, y), (0.0, 0.0), (-u, v))
 
 
+def squared(x, y):
+    """A length by its squares, which may differ from hypot in the last bit."""
+    return sqrt(x * x + y * y)
+
+
 def sinking(draw):
     """A disc that slides all along the wall, and as rounding sees it in the wall's frame comes down on it at another time."""
-    p, q, c = triple(draw, 4_418)
-    k, before = (ldexp(draw.integer(1, 1 << bits), -10) for bits in (10, 20))
-    for _ in range(40):
-        wall = ldexp(draw.integer(1, 1 << 20), -10)
+    norm = draw.choice((hypot, squared))
+    for _ in range(400):
+        p, q, c = triple(draw, 4_418)
+        k, before, wall = (ldexp(draw.integer(1, 1 << bits), -10) for bits in (10, 20, 20))
         after = wall + before
         points = (-before * p - k * q, k * p - before * q), (after * p - k * q, k * p + after * q), (0.0, 0.0), (wall * p, wall * q)
-        length = sqrt(wall * p * wall * p + wall * q * wall * q)
+        length = norm(wall * p, wall * q)
         m, n, (x, y), way = wall * p / length, wall * q / length, points[0], before + after
         height, rise = m * y - n * x, m * (way * q) - n * (way * p)
         if height > c * k and rise < -1e-16 * (after * max(p, q) + k * c) and 0 < (height - c * k) / -rise * way - before < wall:
@@ -200,7 +205,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("turned", "Grazes that squares cannot see.", walls(*GRAZES, "graze cap dot", "graze cap dot", "graze cap dot", "slide side", **BIGGER), cases=110, skills="a tangent has a width"),
     group("upright", "Grazes along an axis that seem to be apart or to overlap, from level with an end of the wall, from its line, or right beside it.", either(*3 * [upright], *2 * [partial(upright, stops=True), telling(tangent, *TELLING)]), cases=215, skills="a tangent has a width"),
     group("graze-full", "Grazes that no formula in floats can see, or that seem to overlap.", telling(walls(*GRAZES, **FULL), *TELLING), cases=46, skills="a tangent has a width"),
-    group("slide-full", "The disc slides along the wall, or stops where it would, and rounding puts it beside.", either(*3 * [telling(walls("slide side", "stop side", **FULL), *TELLING)], sinking), cases=84, skills="a tangent has a width"),
+    group("slide-full", "The disc slides along the wall, or stops where it would, and rounding puts it beside.", either(*3 * [telling(walls("slide side", "stop side", **FULL), *TELLING)], *2 * [sinking]), cases=84, skills="a tangent has a width"),
     group("start-full", "The disc touches at the start, and rounding puts it apart.", either(*2 * [telling(walls("rest side", **FULL), *TELLING)], telling(walls("start side", **{**FULL, "turn": "axis"}), *TELLING), walls("start cap", **FULL), walls("start side dot", **FULL), walls("start side dot", **FULL), *4 * [abreast]), cases=90, skills="touching from the start"),
     group("end-full", "The disc touches at the very end, and rounding makes it later.", telling(either(walls("end side", "end cap", **FULL), walls("end cap level", "end cap dot level", "end side level", "end post level", **{**FULL, "turn": "axis"}), walls("end cap afar", "end post afar", **AFAR), walls("end side dot", "end cap dot", "end post dot", **FULL), walls("end cap", "end side", **{**STEEP, "size": 2**7}), walls("end cap home", "end side home", "end post home", "stop cap home", "stop post home", **{**FULL, "move": 0})), *TELLING), cases=72, skills="first in time"),
     group("beside", "The disc touches at the very end, and its way begins level with an end of the wall.", beside(walls("end side", "end side", "end side", "end side dot", "end cap dot", "end post dot", **FULL)), cases=70, skills="first in time"),
