@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import chain, pairwise
 from math import inf
@@ -91,16 +92,11 @@ class Bench:
 
         Of a ladder none is judged below a few accepted rungs.
         """
-        ladders: dict[tuple[str, str, str], list[Candidate]] = {}
-        batch = []
+        ladders: dict[str, list[Candidate]] = {}
         for each in made:
-            if each.mutant.ladder:
-                ladder = each.base.file, each.mutant.kind, each.mutant.ladder
-                ladders.setdefault(ladder, []).append(each)
-            else:
-                batch.append(each)
-        accepted: list[Candidate] = []
-        judged, high = 0, dict.fromkeys(ladders, 0)
+            ladders.setdefault(each.ladder, []).append(each)
+        batch = ladders.pop("", [])
+        accepted, judged, high = list[Candidate](), 0, Counter[str]()
         while True:
             for ladder, rungs in ladders.items():
                 enough, few = (1, 2) if rungs and rungs[0].mutant.numbers[0] else (_ENOUGH, _RUNGS)
@@ -118,9 +114,7 @@ class Bench:
                 accepted += passed
                 if left:
                     return accepted, judged, False
-                for each in passed:
-                    if each.mutant.ladder:
-                        high[each.base.file, each.mutant.kind, each.mutant.ladder] += 1
+                high.update(each.ladder for each in passed)
 
     def accepted(self, some: Sequence[Candidate]) -> list[Candidate]:
         """Those of them that every small group of one of the sets accepts."""
@@ -141,7 +135,8 @@ class Bench:
                 waiting, alive, cases = alive, [], aimed[first:last]
                 while waiting:
                     if self.late:
-                        return accepted, len(left) - len(dead) - len(accepted)
+                        again = [] if aimed is sets[-1] else dead  # the next set may accept them
+                        return accepted, len(alive) + len(waiting) + len(again)
                     size = self.crowd.most // (len(cases) or 1) + 1
                     passed, more = self._survivors(waiting[:size], cases)
                     waiting = waiting[size:]

@@ -57,7 +57,7 @@ class Base(Struct, frozen=True):
         for name, number in inside.ladders(measured) if self.whole else ():
             told = Mutant("numbers", 0, "", name.format(number), self.source, name, (name, number))
             yield Candidate(self, told)
-        for name in inside.TEXTS if self.texts else ():
+        for name in inside.TEXTS:
             for place, what in self.texts:
                 yield Candidate(
                     self, Mutant("text", 0, "", name.format(what), self.source, "", (name, place))
@@ -74,6 +74,12 @@ class Candidate(Struct, frozen=True, dict=True):
     def key(self) -> str:
         """What it is known by: two with the same text are one."""
         return digest(repr((self.mutant.source, self.mutant.numbers)).encode())[:24]
+
+    @property
+    def ladder(self) -> str:
+        """The ladder that it is a rung of; empty where it is none."""
+        mutant = self.mutant
+        return f"{self.base.file}/{mutant.kind}/{mutant.ladder}" if mutant.ladder else ""
 
     @property
     def made(self) -> inside.Made:
@@ -173,8 +179,7 @@ def _defines(source: str, entry: str) -> bool:
 
 def _imports(source: str) -> set[str]:
     found = [node for node in ast.walk(tree_of(source)) if isinstance(node, ast.Import | ast.ImportFrom)]
-    names = {each.name for node in found for each in node.names if isinstance(node, ast.Import)}
-    return names | {node.module or "" for node in found if isinstance(node, ast.ImportFrom)}
+    return {getattr(node, "module", None) or each.name for node in found for each in node.names}
 
 
 class Candidates:
