@@ -257,7 +257,9 @@ class _Hunt:
         for file, failed in failing.items():
             bad = next((at for at in sorted(failed) if clear[at]), None)
             if bad is not None:
-                self._faults.setdefault(file, self._failed(file, aimed[bad].case))
+                tried = f"judge try {self._problem.id} {self._literal(aimed[bad].case)!r}"
+                remedy = "correct it, or promise that there is no such case"
+                self._faults.setdefault(file, Fault(f"it is wrong on a valid case: {tried}", file, remedy))
         asked = [each for key, each in left.items() if key not in self._found]
         telling: list[Case] = []
         size = bench.crowd.most // len(aimed) + 1
@@ -273,10 +275,6 @@ class _Hunt:
                     self._edge.setdefault(candidate.key, pairs[wrong[0]][0])
         return telling
 
-    def _failed(self, file: str, case: Case) -> Fault:
-        what = f"it is wrong on a valid case: judge try {self._problem.id} {self._literal(case)!r}"
-        return Fault(what, file, "correct it, or promise that there is no such case")
-
     # -- what is told of them ----------------------------------------------------------------------------
 
     def _told(self, holes: Mapping[str, Candidate]) -> Iterator[Hole]:
@@ -286,7 +284,7 @@ class _Hunt:
         wrong = self._bench.shows(holes, [each.case for each in cases])
         left = dict(holes)
         while left:
-            at = max(range(len(cases)), key=lambda each: (len(wrong[each] & left.keys()), -each))
+            at = max(range(len(cases)), key=lambda each: len(wrong[each] & left.keys()))
             members, found = [left[key] for key in left if key in wrong[at]], cases[at]
             if not members:  # its case is beyond those that were compared
                 members = [next(iter(left.values()))]

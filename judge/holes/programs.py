@@ -55,8 +55,9 @@ class Base(Struct, frozen=True):
             if each.was not in self.shared:
                 yield Candidate(self, each)
         for name, number in inside.ladders(measured) if self.whole else ():
-            told = Mutant("numbers", 0, "", name.format(number), self.source, name, (name, number))
-            yield Candidate(self, told)
+            yield Candidate(
+                self, Mutant("numbers", 0, "", name.format(number), self.source, name, (name, number))
+            )
         for name in inside.TEXTS:
             for place, what in self.texts:
                 yield Candidate(
@@ -79,7 +80,7 @@ class Candidate(Struct, frozen=True, dict=True):
     def ladder(self) -> str:
         """The ladder that it is a rung of; empty where it is none."""
         mutant = self.mutant
-        return f"{self.base.file}/{mutant.kind}/{mutant.ladder}" if mutant.ladder else ""
+        return mutant.ladder and f"{self.base.file}/{mutant.kind}/{mutant.ladder}"
 
     @property
     def made(self) -> inside.Made:
@@ -237,10 +238,11 @@ class Candidates:
             while end < len(work) and (end == at or len(calls) + len(work[end][1]) <= self.most):
                 calls += self._calls(end, *work[end])
                 end += 1
-            found = self._box.call("ask", calls, self._limits(end - at)) if calls else None
-            replies = list(found.replies) if found else []
-            if found:
-                self._learn(len(replies), found.usage.cpu_seconds)
+            replies = list[Reply]()
+            if calls:
+                found = self._box.call("ask", calls, self._limits(end - at))
+                self._learn(len(found.replies), found.usage.cpu_seconds)
+                replies += found.replies
             for place in range(at, end):
                 size = len(work[place][1])
                 own, replies = replies[:size], replies[size:]
