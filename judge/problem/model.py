@@ -352,7 +352,8 @@ class Problem(Listed, frozen=True, kw_only=True):
 
 
 def chosen_groups(problem: Problem, names: Sequence[str], level: str | None = None) -> tuple[Group, ...]:
-    """The problem's groups of those names, all of them where none is named; of one level if that is given.
+    """The problem's groups of those names, all of them where none is named; of one level if that is given
+    and the problem has levels.
 
     Raises:
         UsageError: the problem has no group of that name, no such level, or no group that is both.
@@ -364,12 +365,10 @@ def chosen_groups(problem: Problem, names: Sequence[str], level: str | None = No
 
             raise UsageError(f"{problem.id} has no group {name!r}", remedy=meant(name, known, "it has"))
     chosen = tuple(group for group in problem.groups if not names or group.name in names)
-    if level is None:
-        return chosen
-    if level not in LEVELS:
+    if level is not None and level not in LEVELS:
         raise UsageError(f"there is no level {level!r}", remedy=f"use one of {', '.join(LEVELS)}")
-    if not problem.levels:
-        raise UsageError(f"{problem.id} has one level only", remedy="leave the level out")
+    if level is None or not problem.levels:
+        return chosen
     found = tuple(group for group in chosen if group.level is KataLevel(level))
     if not found:
         there = ", ".join(f"{group.name} is {group.level.value}" for group in chosen if group.level)

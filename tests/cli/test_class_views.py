@@ -287,3 +287,9 @@ def test_pages_in_the_class_and_weights_of_nothing_are_told(judge, submit):
         "judge: --weight segment: it is not in the table",
         "judge: --weight: all weights are 0, and so is every total",
     ]
+
+
+def test_a_kata_of_one_level_is_judged_whole(judge, submit):
+    submit(MEAN, "homework/ann/middle.py")
+    ended = judge("class", "homework", "--level", "interview")
+    assert (ended.status, ended.lines[-1].split()[-2:]) == (0, ["1", "accepted"])

@@ -38,7 +38,7 @@ class ClassAsk(Struct, frozen=True):
 
     students: Path | None = opt("--students CSV", "The list of the class, or your platform's gradebook.")
     jobs: int = opt("-j --jobs N", "Judge N files at once.", type=click.IntRange(1, 256), default=1)
-    level: str | None = opt("--level", "Only this level of each kata.", choices=LEVELS)
+    level: str | None = opt("--level", "Only this level, of katas that have it.", choices=LEVELS)
     again: tuple[str, ...] = opt("--again NAME", "Judge that student, kata or file again.", default=())
     csv: Path | None = opt("--csv FILE", "Write the gradebook, one line for each student.")
     html: Path | None = opt("--html FILE", "Write one page of it all, with a picture of each mistake.")
