@@ -13,8 +13,10 @@ from pathlib import Path
 
 from judge.cli.files import SubmissionFile, read_submissions
 from judge.cli.judging import Wish, judged_by
+from judge.cli.options import Common
 from judge.cli.resolve import Kata
 from judge.errors import JudgeError, UsageError
+from judge.judging.options import RunOptions
 from judge.judging.session import Session
 from judge.problem import Verdict
 from judge.problem.load import load_problem, own_files
@@ -56,8 +58,9 @@ class WatchedFile:
     ends.
     """
 
-    def __init__(self, kata: Kata, wish: Wish) -> None:
-        self._kata, self._wish = kata, wish
+    def __init__(self, kata: Kata, common: Common, level: str | None = None) -> None:
+        self._kata = kata
+        self._wish = Wish(RunOptions(isolation=common.isolation, level=level), db=common.db)
         self._seen: SavedMark | str | None = "not looked at yet"
         self._session: Session | None = None
         self._had: str | None = None  # the level of isolation so far

@@ -15,10 +15,9 @@ import pytest
 from cli_support import FLOOR, MEAN
 from terminals import PATIENCE, Terminal
 
-from judge.cli.judging import Wish
+from judge.cli.options import Common
 from judge.cli.resolve import Kata
 from judge.cli.watching import WatchedFile
-from judge.judging.options import RunOptions
 from judge.practice.events import Help
 from judge.practice.history import History
 from judge.problem.load import load_problem
@@ -332,7 +331,7 @@ def test_a_problem_that_has_changed_between_two_saves_is_read_again(pack, submit
     folder, mine = tmp_path / "pack" / "problems" / "middle", Path(submit(MEAN))
     module = (folder / "problem.py").read_text()
     kata = Kata(load_problem(folder), mine.absolute())
-    with closing(WatchedFile(kata, Wish(RunOptions(), kept=False))) as watched:
+    with closing(WatchedFile(kata, Common(db=tmp_path / "db"))) as watched:
         assert watched.saved()
         assert watched.judge().result.verdict.value == "AC"
         (folder / "problem.py").write_text("raise RuntimeError('half written')\n")

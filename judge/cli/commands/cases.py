@@ -11,7 +11,7 @@ import click
 from msgspec import Struct
 from msgspec.structs import replace
 
-from judge.cli.files import OutFile, opened_in_browser, read_submissions
+from judge.cli.files import OutFile, explore_page, opened_in_browser, read_submissions
 from judge.cli.options import Common, command, opt
 from judge.cli.resolve import history_at, kata_meant, keep, problem_of_file, shown, usual_file
 from judge.data.parse import example_of, line_of, read_case
@@ -62,7 +62,9 @@ def try_(words: tuple[str, ...], ask: TryAsk, common: Common) -> Iterator[Struct
         raise UsageError(f'Give a case: judge try {problem.id} "{example_of(problem)}"')
     if tried and file and not tried.broken:
         tried = _answered(tried, file, common)
-    page = _page(problem, tried) if ask.opened else None
+    page = None
+    if ask.opened:
+        page = explore_page(problem, problem.named(tried.case) if tried else None)
     if tried:
         yield published.CaseTried(tried)
     if page:
@@ -146,14 +148,6 @@ def _answered(tried: OneCase, file: str, common: Common) -> OneCase:
         said = ask_file(session, tried, submission.source, submission.name)
         Notes().say(session.notes(said.isolation))
     return replace(tried, said=said)
-
-
-def _page(problem: Problem, tried: OneCase | None) -> str:
-    explore = load_module(problem).hooks.explore
-    page = explore(problem, problem.named(tried.case) if tried else None) if explore else None
-    if page is None:
-        raise UsageError(f"No page for {problem.id} yet", remedy="leave out --open")
-    return page
 
 
 class HackAsk(Struct, frozen=True):

@@ -293,9 +293,7 @@ class _Interview(Round):
 
         A file that was named is judged once without being asked for; from a pipe that is all.
         """
-        from judge.cli.judging import Wish
         from judge.cli.watching import WatchedFile
-        from judge.judging.options import RunOptions
 
         if self._left() <= 0:
             raise EndedError
@@ -304,8 +302,7 @@ class _Interview(Round):
         self.show(texts.stage(problem.title, minutes, problem.summary, where))
         if not self._kata.path.exists():
             write_stub(problem, self._kata.path)
-        watched = WatchedFile(self._kata, Wish(RunOptions(), db=self._common.db))
-        with closing(watched):
+        with closing(WatchedFile(self._kata, self._common)) as watched:
             watched.saved()  # what is there now is not judged until it is saved
             if self._wanted.file is not None:
                 self._judge(watched)

@@ -11,9 +11,8 @@ import click
 from msgspec import Struct
 from msgspec.structs import replace
 
+from judge.cli.aid import HintAsk, admit, hints, note_seen
 from judge.cli.files import read_submissions
-from judge.cli.hints import HintAsk, hints, note_seen
-from judge.cli.model import admit
 from judge.cli.options import Common, command, opt
 from judge.cli.resolve import (
     KATAS,
@@ -38,7 +37,7 @@ from judge.practice.syllabus import read_course
 from judge.problem import Problem
 from judge.problem.find import find_problem, id_of
 from judge.problem.model import LEVELS
-from judge.report.published_practise import Begun, HintShown, SolutionShown, Yours
+from judge.report.published_look import Begun, HintShown, SolutionShown, Yours
 from judge.report.screen import draws, is_terminal, out
 from judge.run.result import Taken
 

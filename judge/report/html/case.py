@@ -4,23 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from contextlib import suppress
-from typing import Any
 
 from msgspec import Struct
 
 from judge.drawing import Picture
 from judge.drawing.svg import panel_svg, style
 from judge.errors import JudgeError
-from judge.problem import Problem, Verdict
+from judge.problem import Problem
 from judge.problem.find import find_problem
-from judge.problem.model import case_of
 from judge.problem.module import Module, load_module
 from judge.report.html import rendered
 from judge.report.picture import case_picture
 from judge.report.tell import shown_failure, tell
-from judge.report.words import arguments, shown_name
+from judge.report.words import shown_name
 from judge.run.result import Result
-from judge.values import parameters
 
 _LONGEST = 2000  # characters of a submission's own words that are shown
 
@@ -38,7 +35,6 @@ class ShownCase(Struct, frozen=True):
 
     anchor: str
     title: str
-    verdict: Verdict
     place: str = ""
     facts: tuple[tuple[str, str], ...] = ()  # label and text
     drawings: tuple[Drawing, ...] = ()
@@ -52,44 +48,31 @@ class ShownCases:
         self.problems = problems
         self._modules: dict[str, Module] = {}
 
-    def tell(
-        self, problem: str, verdict: Verdict, mistake: str, result: Result | None, anchor: str
-    ) -> ShownCase:
-        """The smallest failing case of a result, or else its first one; of none, no case.
+    def tell(self, problem: str, mistake: str, result: Result, anchor: str) -> ShownCase:
+        """The smallest failing case of a result, or else its first one.
 
         `mistake` is its name, two as "a + b", or empty. `anchor` is the id of the case in its page.
         """
         known = self.problems.get(problem)
-        where = f", {result.failure.group}" if result and result.failure and result.failure.group else ""
-        title = mistake or f"{verdict.meaning}{where}".capitalize()
-        if result is None:
-            return ShownCase(anchor, title, verdict)
-        picture, shown = self.picture(known, result), shown_failure(result)
+        where = f", {result.failure.group}" if result.failure and result.failure.group else ""
+        title = mistake or f"{result.verdict.meaning}{where}".capitalize()
+        with suppress(ValueError, TypeError):  # it has other parameters now
+            result = result.typed(known) if known else result
+        picture = self.picture(known, result)
         told = tell(known, result, why=picture.why if picture else "")
-        facts = [*told.facts, ("why", told.happened)]
-        if shown and shown.input and (not shown.shown or (known and known.talks)):
-            facts.insert(0, ("input", arguments(_as_called(known, shown.input))))
-        return ShownCase(
-            anchor,
-            title,
-            verdict,
-            told.case,
-            tuple((label, _cut(text)) for label, text in facts if text),
-            _drawings(picture, anchor),
-            told.advice,
-        )
+        facts = (("input", ", ".join(told.input)), *told.facts, ("why", told.happened))
+        said = tuple((label, _cut(text)) for label, text in facts if text)
+        return ShownCase(anchor, title, told.case, said, _drawings(picture, anchor), told.advice)
 
     def picture(self, problem: Problem | None, result: Result) -> Picture | None:
         """The failing case, where the kata is there and draws it."""
         shown = shown_failure(result)
         if problem is None or shown is None or result.failure is None:
             return None
-        try:
-            module = self._modules.get(problem.id) or load_module(problem)
-        except JudgeError:
-            return None
-        self._modules[problem.id] = module
-        return case_picture(problem, module, shown, result.failure.group)
+        with suppress(JudgeError):
+            module = self._modules[problem.id] = self._modules.get(problem.id) or load_module(problem)
+            return case_picture(problem, module, shown, result.failure.group)
+        return None
 
 
 def _drawings(picture: Picture | None, anchor: str) -> tuple[Drawing, ...]:
@@ -100,16 +83,6 @@ def _drawings(picture: Picture | None, anchor: str) -> tuple[Drawing, ...]:
         Drawing(panel_svg(panel, f"{anchor}-{name}", picture.description), panel.title, panel.note)
         for panel, name in zip(picture.panels, ("whole", "lens"), strict=False)
     )
-
-
-def _as_called(problem: Problem | None, values: dict[str, Any]) -> Mapping[str, Any]:
-    """The arguments with lists and tuples as their types have them; as they are if the kata changed."""
-    if problem and list(values) == [each.name for each in problem.parameters]:
-        case = case_of(values)
-        typed = zip(problem.parameters, case, strict=True)
-        if all(parameters.fault(each.type, each.name, value) is None for each, value in typed):
-            return problem.named(case)
-    return values
 
 
 def _cut(text: str) -> str:

@@ -128,7 +128,7 @@ class ClassPages(Struct, frozen=True, dict=True):
             return None
         if alike and len(alike.students) > 1 and result.pitfall:
             result = replace(result, pitfall=replace(result.pitfall, steps=()))
-        case = self.cases.tell(problem, mark.verdict, mark.mistake, result, anchor)
+        case = self.cases.tell(problem, mark.mistake, result, anchor)
         if alike is None or alike.shared:
             return case
         facts = tuple(each for each in case.facts if each[0] != "why")
