@@ -6,9 +6,10 @@
     commands/       the commands
     resolve.py      what words mean; the history, and the current kata of a folder
     files.py        the files to judge, and those that options write
-    judging.py      what `judge run` and `judge start` ask of `judge.judging`, each result kept
+    judging.py      what run and start ask of `judge.judging`, each result kept; a file under watch
+    aid.py          hints, and the model solution
     home.py         `judge` alone: where a person stands, and the next kata
-    watching.py     a file under watch; watch_screen.py: the loop of `judge start`
+    watch_screen.py the loop of `judge start`
 
 Starting is kept short on purpose: `judge --help` imports click and nothing else of weight.
 """

@@ -52,9 +52,12 @@ class Unjudged(Struct, frozen=True):
     problem: str = ""
 
 
-def read_submissions(names: Iterable[str]) -> list[SubmissionFile]:
-    """The files of these names. Raises UsageError: one is missing, is no ordinary file or too large."""
-    return [SubmissionFile(name, _read(name)) for name in names]
+def read_submission(name: str, folder: str = "") -> SubmissionFile:
+    """The file of that name; one that was found in a `folder` lies there, wherever links lead.
+
+    Raises UsageError: it is missing, is no ordinary file or too large.
+    """
+    return SubmissionFile(name, _read(name, folder))
 
 
 def gathered(names: Iterable[str], problem: str = "") -> tuple[list[SubmissionFile], list[Unjudged]]:
@@ -72,7 +75,7 @@ def gathered(names: Iterable[str], problem: str = "") -> tuple[list[SubmissionFi
         try:
             if why:
                 raise UsageError(why, where=name)
-            submissions.append(SubmissionFile(name, _read(name, folder)))
+            submissions.append(read_submission(name, folder))
         except UsageError as fault:
             if len(entries) == 1:
                 raise
@@ -98,8 +101,7 @@ def _entries(name: str) -> dict[str, tuple[str, str]]:
     return {str(folder / path): (name, why) for path, why in below}
 
 
-def _read(name: str, folder: str = "") -> bytes:
-    """A file's bytes; one that was found in a folder lies there, wherever links lead. Raises UsageError."""
+def _read(name: str, folder: str) -> bytes:
     path = Path(name)
     try:
         if folder:
@@ -128,15 +130,11 @@ def _meant(path: Path) -> str:
     """What to do about a missing file: the nearest name beside it, or where the search began."""
     try:  # by their stems: every name is like any other's .py
         found = sorted(path.parent.iterdir(), key=lambda each: each.suffix == path.suffix)
+        beside = {each.stem: each for each in found}
+        stem = nearest(path.stem, beside)
+        return f"did you mean {beside[stem]}?" if stem else f"paths start from {Path.cwd()}"
     except OSError:
         return f"there is no folder {path.parent}"
-    beside = {each.stem: each for each in found}
-    if stem := nearest(path.stem, beside):
-        return f"did you mean {beside[stem]}?"
-    try:
-        return f"paths start from {Path.cwd()}"
-    except OSError:
-        return "the current folder is gone"
 
 
 class OutFile(Struct, frozen=True):

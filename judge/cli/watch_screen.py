@@ -21,10 +21,9 @@ from rich.text import Text
 
 from judge.cli.aid import HintAsk, admit, hints, model_beside, model_row, note_seen
 from judge.cli.files import explore_page, opened_in_browser
-from judge.cli.judging import with_standing
+from judge.cli.judging import WatchedFile, with_standing
 from judge.cli.options import Common
 from judge.cli.resolve import Kata, history_at, take_up
-from judge.cli.watching import WatchedFile
 from judge.errors import JudgeError, UsageError
 from judge.languages import language_of
 from judge.practice.progress import solved

@@ -78,10 +78,9 @@ def _returning(found: published.Home, screen: Screen) -> RenderableType:
     rows: list[tuple[str, str, str]] = []
     if now:
         folder, name = os.path.split(now.path)
-        name = os.path.relpath(now.path) if found.here else name
-        go_on = ("judge start", f"goes on with {shown_name(name)} in this folder")
-        if not found.here:
-            go_on = ("", f"{shown_name(name)} is in another folder: {shown_command('cd', file=folder)}")
+        go_on = ("", f"{shown_name(name)} is in another folder: {shown_command('cd', file=folder)}")
+        if found.here:
+            go_on = ("judge start", f"goes on with {shown_name(os.path.relpath(now.path))} in this folder")
         rows += [("Now", now.problem, _last(mine.own.get(now.problem, ()))), ("", *go_on)]
     if again := next((each for each in due.due if each.solved), None):
         ago = due_words(again.last, due.time)
@@ -165,11 +164,8 @@ def kata_shown(found: published.KataShown, screen: Screen) -> RenderableType:
     problem, source, limits = found.problem, found.problem.source, found.problem.limits
     if found.groups:
         return blocks(*_levels(problem))
-    task = prose(problem.statement, screen)
-    if screen.rows is not None:
-        from judge.report.picture import statement  # only for somebody who looks
+    from judge.report.picture import statement  # which no list needs
 
-        task = statement(problem, screen)
     said = (
         ("tests", f"{_totals(problem.groups)}: judge show {problem.id} --groups"),
         (
@@ -183,7 +179,7 @@ def kata_shown(found: published.KataShown, screen: Screen) -> RenderableType:
         ("license", source.license),
         ("origin", source.origin),
     )
-    return blocks(task, facts(each for each in said if each[1]))
+    return blocks(statement(problem, screen), facts(each for each in said if each[1]))
 
 
 def _levels(problem: Problem) -> Iterator[RenderableType]:

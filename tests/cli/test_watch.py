@@ -15,9 +15,9 @@ import pytest
 from cli_support import FLOOR, MEAN
 from terminals import PATIENCE, Terminal
 
+from judge.cli.judging import WatchedFile
 from judge.cli.options import Common
 from judge.cli.resolve import Kata
-from judge.cli.watching import WatchedFile
 from judge.practice.events import Help
 from judge.practice.history import History
 from judge.problem.load import load_problem
@@ -140,7 +140,7 @@ def test_the_keys(watch, submit):
     terminal.press("p")
     assert last(terminal.sees("There is no failing case to draw.")).startswith("WA  ")
     terminal.press("e")
-    assert last(terminal.sees("There is no page for middle yet.")).startswith("WA  ")
+    assert last(terminal.sees("There is no page for middle yet")).startswith("WA  ")
     terminal.press("x")
     terminal.sees("Press x again.")
     terminal.press("\x1b[A%")  # an arrow where there are no pages, and a key that means nothing

@@ -86,11 +86,10 @@ def test_the_schema_is_made_of_the_type():
 
 
 SHOWN = {
-    "cases": "CaseTried HackTurn PageWritten",
+    "exercises": "CaseTried HackTurn PageWritten Interviewed Quizzed",
     "klass": "Cohort",
     "look": "Document Home KataList KataShown Mentions Topics Begun HintShown SolutionShown",
     "progress": "ProgressPage QuestionShown Restored RunList RunRow RunsCompared",
-    "quiz": "Interviewed Quizzed",
     "result": "RunReport Several",
     "setter": "Doctor Exported FilesWritten NewKata Verified VerifySummary",
 }
