@@ -22,8 +22,7 @@ from judge.errors import UsageError
 from judge.problem.find import find_problem
 from judge.problem.model import LEVELS
 from judge.report.html import is_page, is_same
-from judge.report.html.case import ShownCases
-from judge.report.html.klass import CLASS_MARK, FEEDBACK_MARK, ClassPages
+from judge.report.html.pages import CLASS_MARK, FEEDBACK_MARK, ClassPages, ShownCases
 from judge.report.published_klass import ClassRow, Cohort, anonymous, gradebook, is_gradebook
 from judge.report.screen import note
 from judge.report.words import counted

@@ -1,7 +1,6 @@
 """HTML pages: one file each, which loads nothing and runs nothing.
 
-    klass.py      a class, and a page for each student
-    case.py       a failing case: its facts, its drawing and its mistake; a result in a notebook
+    pages.py      a failing case, a result in a notebook; a class, and a page for each student
     templates/    a template a page or file, their common parts, and the one style sheet
 
 Templates escape whatever they are given; only drawings, which `judge.drawing` has escaped, go in as they are.
@@ -30,7 +29,7 @@ from judge.version import __version__
 if TYPE_CHECKING:
     from jinja2 import Environment
 
-    from judge.report.html.case import ShownCase
+    from judge.report.html.pages import ShownCase
 
 _TEMPLATES = Path(__file__).parent / "templates"
 _TIME = re.compile(rb"<time.*?</time>")
