@@ -217,7 +217,7 @@ def _meant(words: Sequence[str], common: Common) -> tuple[Problem | None, Sequen
     if own:
         try:
             files = rest or [usual_file(first, common.db)]
-        except UsageError:
+        except JudgeError:
             if not os.path.lexists(first):
                 raise
         else:
