@@ -256,11 +256,8 @@ class _Interview(Round):
     def go(self, before: Sequence[Card], after: Sequence[Card]) -> None:
         """Hold its three parts; q ends one, and all of them if nothing was done since the last q."""
         count, stopped_at = len(before) + len(after), -1
-        for part in (
-            partial(self._ask_all, before, count),
-            self._solve,
-            partial(self._ask_all, after, count),
-        ):
+        parts = partial(self._ask_all, before, count), self._solve, partial(self._ask_all, after, count)
+        for part in parts:
             try:
                 part()
             except EndedError:
