@@ -64,7 +64,7 @@ def __getattr__(name: str) -> Any:
 
 
 def _notebook(result: Any) -> str:
-    from judge.report.html.case import notebook
+    from judge.report.html.pages import notebook
 
     return notebook(result)
 

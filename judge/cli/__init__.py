@@ -2,14 +2,14 @@
 
     table.py        the commands: sentence, module, page of the manual, examples; old names
     app.py          loading a command when it is used, completing words, and how everything ends
-    options.py      options as fields of structs
-    emit.py         a command's value to JSON, or to its view in judge/report
+    options.py      options as fields of structs; a command's value to JSON, or to its view in judge/report
     commands/       the commands
     resolve.py      what words mean; the history, and the current kata of a folder
     files.py        the files to judge, and those that options write
-    judging.py      what `judge run` and `judge start` ask of `judge.judging`, each result kept
+    judging.py      what run and start ask of `judge.judging`, each result kept; a file under watch
+    aid.py          hints, and the model solution
     home.py         `judge` alone: where a person stands, and the next kata
-    watching.py     a file under watch; watch_screen.py: the loop of `judge start`
+    watch_screen.py the loop of `judge start`
 
 Starting is kept short on purpose: `judge --help` imports click and nothing else of weight.
 """
@@ -41,10 +41,8 @@ def main() -> NoReturn:
     if alone:
         gc.set_threshold(_OFTEN_ENOUGH)
     try:
-        gc.disable()  # as in app.py
         from judge.cli.app import app  # in here, so that an early Ctrl-C is as quiet as a late one
 
-        gc.enable()
         app.main()
     except KeyboardInterrupt:
         sys.exit(INTERRUPTED)

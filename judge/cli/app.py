@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import errno
-import gc
 import importlib
 import os
 import re
@@ -43,11 +42,9 @@ class Commands(click.Group):
         """The command of that name, its module imported now."""
         if cmd_name not in COMMANDS:
             return None
-        gc.disable()  # imports make no garbage, and looking for it takes a twentieth of the start
         module = importlib.import_module(f"judge.cli.commands.{COMMANDS[cmd_name].module}")
         commands = [each for each in vars(module).values() if isinstance(each, click.Command)]
         command = next(each for each in commands if each.name == cmd_name)
-        gc.enable()
         imported()
         examples = "\n".join(f"  {each}" for each in COMMANDS[cmd_name].examples)
         more = f"More: judge help {COMMANDS[cmd_name].topic}; --json writes JSON"
@@ -218,11 +215,8 @@ def _help_width() -> int:
 def app(ctx: click.Context) -> None:
     """Practise katas, offline."""
     if ctx.invoked_subcommand is None:
-        gc.disable()  # it only looks, and ends
-        from judge.cli.emit import emit
         from judge.cli.home import home
-        from judge.cli.options import Common
+        from judge.cli.options import Common, emit
 
         imported()
         emit(home(Common()), Common())
-        gc.enable()

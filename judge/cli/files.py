@@ -11,9 +11,9 @@ import stat
 import sys
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager, suppress
-from datetime import UTC, datetime
 from errno import EACCES
 from pathlib import Path
+from typing import Any
 
 from msgspec import Struct
 
@@ -29,11 +29,11 @@ from judge.files import (
     within_limit,
 )
 from judge.languages import PATTERN, is_program
+from judge.problem import Problem
 
 _SILENCE = 30.0  # seconds without a byte after which a pipe is given up
 _LOOKED_AT = 2000  # bytes of a file in which it says what it is
 _TO_FAIL = 1.0  # seconds that a browser has to say that there is none
-_EPOCH = "SOURCE_DATE_EPOCH"  # the usual way to ask for the same bytes every time
 _OWN_PIPES = ("/dev/", "/proc/")  # <(command) and /dev/stdin: a shell has started what writes there
 
 
@@ -52,9 +52,12 @@ class Unjudged(Struct, frozen=True):
     problem: str = ""
 
 
-def read_submissions(names: Iterable[str]) -> list[SubmissionFile]:
-    """The files of these names. Raises UsageError: one is missing, is no ordinary file or too large."""
-    return [SubmissionFile(name, _read(name)) for name in names]
+def read_submission(name: str, folder: str = "") -> SubmissionFile:
+    """The file of that name; one that was found in a `folder` lies there, wherever links lead.
+
+    Raises UsageError: it is missing, is no ordinary file or too large.
+    """
+    return SubmissionFile(name, _read(name, folder))
 
 
 def gathered(names: Iterable[str], problem: str = "") -> tuple[list[SubmissionFile], list[Unjudged]]:
@@ -72,7 +75,7 @@ def gathered(names: Iterable[str], problem: str = "") -> tuple[list[SubmissionFi
         try:
             if why:
                 raise UsageError(why, where=name)
-            submissions.append(SubmissionFile(name, _read(name, folder)))
+            submissions.append(read_submission(name, folder))
         except UsageError as fault:
             if len(entries) == 1:
                 raise
@@ -98,8 +101,7 @@ def _entries(name: str) -> dict[str, tuple[str, str]]:
     return {str(folder / path): (name, why) for path, why in below}
 
 
-def _read(name: str, folder: str = "") -> bytes:
-    """A file's bytes; one that was found in a folder lies there, wherever links lead. Raises UsageError."""
+def _read(name: str, folder: str) -> bytes:
     path = Path(name)
     try:
         if folder:
@@ -128,15 +130,11 @@ def _meant(path: Path) -> str:
     """What to do about a missing file: the nearest name beside it, or where the search began."""
     try:  # by their stems: every name is like any other's .py
         found = sorted(path.parent.iterdir(), key=lambda each: each.suffix == path.suffix)
+        beside = {each.stem: each for each in found}
+        stem = nearest(path.stem, beside)
+        return f"did you mean {beside[stem]}?" if stem else f"paths start from {Path.cwd()}"
     except OSError:
         return f"there is no folder {path.parent}"
-    beside = {each.stem: each for each in found}
-    if stem := nearest(path.stem, beside):
-        return f"did you mean {beside[stem]}?"
-    try:
-        return f"paths start from {Path.cwd()}"
-    except OSError:
-        return "the current folder is gone"
 
 
 class OutFile(Struct, frozen=True):
@@ -204,14 +202,15 @@ def _another(option: str) -> str:
     return "move it away" if option == "--open" else f"name another file with {option}"
 
 
-def moment() -> datetime:
-    """When a page is made: now, or what `$SOURCE_DATE_EPOCH` says. Raises UsageError."""
-    given = os.environ.get(_EPOCH, "")
-    try:
-        return datetime.fromtimestamp(int(given), UTC) if given else datetime.now(UTC)
-    except (ValueError, OverflowError, OSError):
-        remedy = "set it to seconds since 1970, or unset it"
-        raise UsageError(f"{given!r} is not a time", where=f"${_EPOCH}", remedy=remedy) from None
+def explore_page(problem: Problem, values: dict[str, Any] | None) -> str:
+    """The page on which a case of the kata, its own if there is none, can be dragged. Raises UsageError."""
+    from judge.problem.module import load_module  # only for who wants to look
+
+    explore = load_module(problem).hooks.explore
+    page = explore(problem, values) if explore else None
+    if page is None:
+        raise UsageError(f"There is no page for {problem.id} yet")
+    return page
 
 
 def opened_in_browser(place: str) -> bool:

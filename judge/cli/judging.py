@@ -1,4 +1,7 @@
-"""Judging submissions as a person has asked for it: the one way of `judge run` and `judge start`.
+"""Judging submissions as a person has asked for it: once, or a file under watch.
+
+A file is watched for its saves, however an editor does that: in place, truncated first, or renamed. To look
+costs next to nothing, on any file system and through links.
 
 Containers are started as early as can be: most of what judging and showing need is imported while they boot.
 """
@@ -6,6 +9,7 @@ Containers are started as early as can be: most of what judging and showing need
 from __future__ import annotations
 
 import atexit
+import time
 from collections.abc import Callable, Generator, Sequence
 from contextlib import AbstractContextManager, suppress
 from functools import cache, partial
@@ -15,19 +19,25 @@ from pathlib import Path
 from msgspec import Struct
 from msgspec.structs import replace
 
-from judge.cli.files import SubmissionFile
+from judge.cli.files import SubmissionFile, read_submission
 from judge.cli.options import Common
-from judge.cli.resolve import history_at
-from judge.errors import JudgeError, StoreError, told
+from judge.cli.resolve import Kata, history_at, this_folder
+from judge.errors import JudgeError, StoreError, UsageError, told
 from judge.judging.options import RunOptions
 from judge.judging.session import Session
-from judge.problem import Problem
-from judge.problem.load import load_problem
+from judge.problem import Verdict
+from judge.problem.load import load_problem, own_files
 from judge.report.published_result import RunReport
 from judge.report.screen import Notes, note
 from judge.report.wait import Advance, Live, progress
 from judge.report.words import shown_name
 from judge.run.result import Result, judge_fault
+
+_PAUSE = 0.05  # seconds in which a file that is written on would change
+_PAUSES = 20  # of them at most
+_PATIENCE = 6  # pauses for a file that is being replaced
+
+SavedMark = tuple[int, int, int]  # what changes with every save: the inode, the size, the time in nanoseconds
 
 
 def with_standing(found: RunReport, common: Common) -> RunReport:
@@ -41,9 +51,8 @@ def with_standing(found: RunReport, common: Common) -> RunReport:
 
 
 class Wish(Struct, frozen=True):
-    """How submissions are to be judged, and what is kept of them."""
+    """How many submissions are judged at once, and what is kept of them."""
 
-    options: RunOptions
     jobs: int = 1
     kept: bool = True  # in the history
     db: Path | None = None
@@ -52,24 +61,15 @@ class Wish(Struct, frozen=True):
 
 
 def judged(
-    problem: Problem, submissions: Sequence[SubmissionFile], wish: Wish
-) -> Generator[RunReport, None, None]:
-    """Judge them; each result is in the history before it is handed out, so that none is shown and then lost.
-
-    Close it, so that what was started for the rest ends. Raises JudgeError.
-    """
-    with Session(problem, wish.options) as session:
-        yield from judged_by(session, submissions, wish)
-
-
-def judged_by(
     session: Session,
     submissions: Sequence[SubmissionFile],
     wish: Wish,
     on_verdict: Callable[[Result], None] | None = None,
 ) -> Generator[RunReport, None, None]:
-    """As `judged`, by a session that is open; `on_verdict` hears of a failure before it is explained, in
-    place of who looks at the terminal.
+    """Judge them; each result is in the history before it is handed out, so that none is shown and then lost.
+
+    `on_verdict` hears of a failure before it is explained, in place of who looks at the terminal. Close it,
+    so that what was started for the rest ends. Raises JudgeError.
     """
 
     def numbered(label: str) -> AbstractContextManager[Advance | None]:
@@ -138,18 +138,119 @@ def _kept(result: Result, submission: SubmissionFile, db: Path | None) -> bool:
     try:
         from judge.practice.history import run_of
 
+        path = this_folder() / submission.name
+        place = str(path) if path.is_file() else ""  # of a pipe nothing will be there tomorrow
         with history_at(db) as history:
-            history.keep(run_of(result, submission.source, _absolute(submission.name)), submission.source)
+            history.keep(run_of(result, submission.source, place), submission.source)
     except Exception as fault:
         note(f"not kept in the history: {told(fault)}")
         return False
     return True
 
 
-def _absolute(name: str) -> str:
-    """The file from the root, or nothing where there will be no such file tomorrow: a pipe."""
-    path = Path(name)
+# -- a file under watch --------------------------------------------------------------------------------
+
+
+def mark(path: Path) -> SavedMark | None:
+    """The file's mark; None where there is none, or it cannot be seen."""
     try:
-        return str(path.absolute()) if path.is_file() else ""
-    except OSError:  # the current folder is gone
-        return ""
+        found = path.stat()
+    except (OSError, ValueError):
+        return None
+    return found.st_ino, found.st_size, found.st_mtime_ns
+
+
+def settled(path: Path) -> SavedMark | None:
+    """The file's mark once it has stopped changing; a missing or empty one is given time to come back."""
+    before = mark(path)
+    for pauses in range(1, _PAUSES + 1):
+        time.sleep(_PAUSE)
+        now = mark(path)
+        if now == before and ((now and now[1]) or pauses >= _PATIENCE):
+            break
+        before = now
+    return before
+
+
+class WatchedFile:
+    """A kata under watch: whether its file was saved since it was judged, and judging it.
+
+    What can be kept from one save to the next is, the data and the reference's box. Close it, so that the box
+    ends.
+    """
+
+    def __init__(self, kata: Kata, common: Common, level: str | None = None) -> None:
+        self._kata = kata
+        self._options, self._db = RunOptions(isolation=common.isolation, level=level), common.db
+        self._seen: SavedMark | str | None = "not looked at yet"
+        self._session: Session | None = None
+        self._had: str | None = None  # the level of isolation so far
+        self._problem = kata.problem
+        self._files: list[tuple[str, SavedMark | None]] = []  # of the problem, as it was judged
+
+    @property
+    def changed(self) -> bool:
+        """Whether the file is another one than the last that was seen."""
+        return mark(self._kata.path) != self._seen
+
+    def saved(self) -> bool:
+        """Whether there is something new to judge or to tell; waits while the file is being written."""
+        if not self.changed:
+            return False
+        before, self._seen = self._seen, settled(self._kata.path)
+        return self._seen != before
+
+    def judge(self, on_verdict: Callable[[Result], None] | None = None) -> RunReport | str:
+        """Judge the file as it is now, as `judge run` does; a sentence where that cannot be done.
+
+        `on_verdict` hears of a failure before it is explained.
+
+        Raises:
+            UsageError: the isolation that was demanded cannot be had.
+        """
+        name = self._kata.name
+        if self._seen is None:
+            return f"{name} is gone; it is judged again when it is back"
+        try:
+            submission = read_submission(name)
+        except UsageError as fault:
+            return str(fault)
+        if not submission.source.strip():
+            return f"{name} is empty; it is judged when there is something in it"
+        try:
+            return self._judged(submission, on_verdict)
+        except UsageError:
+            raise
+        except JudgeError as fault:
+            return str(fault)
+
+    def _judged(self, submission: SubmissionFile, on_verdict: Callable[[Result], None] | None) -> RunReport:
+        """Judge it; whatever is raised, and a verdict that says nothing of it, ends what was kept.
+
+        So does a change of the problem, at which a setter may be at work.
+        """
+        problem, clean = self._problem, False
+        with suppress(OSError):  # whoever reads them says so
+            files = [(path, mark(Path(path))) for path in own_files(problem.folder)]
+            if files != self._files:
+                self.close()
+                if self._files:
+                    self._problem = problem = load_problem(problem.folder, problem.solutions)
+                self._files = files
+        try:
+            if self._session is None:
+                self._session = Session(problem, self._options, had=self._had)
+            (found,) = judged(self._session, [submission], Wish(db=self._db), on_verdict)
+            if found.result.verdict is not Verdict.JE:  # that one was held nowhere
+                self._had = found.result.isolation or self._had
+                clean = True
+        finally:
+            if not clean:
+                self.close()
+        return found
+
+    def close(self) -> None:
+        """End what was kept; judging goes on without."""
+        session, self._session = self._session, None
+        if session is not None:
+            session.close()

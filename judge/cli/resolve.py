@@ -23,7 +23,7 @@ from typing import TYPE_CHECKING
 import click
 from msgspec import Struct
 
-from judge.cli.files import SubmissionFile, Unjudged, gathered, read_submissions
+from judge.cli.files import SubmissionFile, Unjudged, gathered, read_submission
 from judge.errors import JudgeError, StoreError, UnknownKataError, UsageError
 from judge.languages import file_name, is_program
 from judge.problem import Problem
@@ -84,7 +84,7 @@ def kata_meant(word: str | None, common: Common) -> Problem:
         return problem_of(here(common.db), common.problems)
     if is_problem(word, common) or not (is_program(word) or _is_file(word)):
         return find_problem(word, common.problems)
-    return problem_of_file(read_submissions([word])[0], "hint", common)
+    return problem_of_file(read_submission(word), "hint", common)
 
 
 # -- the history, and the current kata -----------------------------------------------------------------------
@@ -131,15 +131,22 @@ def current(folder: Path, history: History) -> Started | None:
     return next(filter(is_there, _in(folder, history.places())), None)
 
 
-def here(db: Path | None) -> Started:
-    """The current file of this folder. Raises UsageError, which says where the last one is; StoreError."""
+def here(db: Path | None, problem: str = "") -> Started:
+    """The current file of this folder, or the last one of that kata here.
+
+    Raises UsageError, which says where the last one is; StoreError.
+    """
     with history_at(db, reading=True) as history:
-        places = history.places()
+        places = [each for each in history.places() if problem in ("", each.problem)]
+    mine, there = _in(this_folder(), places), list(filter(is_there, places))
+    for each in filter(is_there, mine):
+        return each
     gone, remedy = "You have not started a kata here", "Type: judge start"
-    last = next(iter(_in(this_folder(), places)), None)
-    if last is not None:
-        gone, remedy = f"{shown(last.path)} is not in this folder", f"Create it: judge start {last.problem}"
-    return _found_here(places, gone, remedy)
+    if kata := problem or (mine[0].problem if mine else ""):
+        name = shown(mine[0].path) if mine else file_name(kata.replace("-", "_"))
+        gone, remedy = f"{name} is not in this folder", f"Create it: judge start {kata}"
+    last = f" The last one is {there[0].path}." if there else ""
+    raise UsageError(f"{gone}.{last} {remedy}")
 
 
 def problem_of(found: Started, folders: Sequence[Path]) -> Problem:
@@ -178,15 +185,6 @@ def _in(folder: Path, places: Sequence[Started]) -> list[Started]:
     return [each for each in places if os.path.normpath(os.path.dirname(each.path)) in both]  # noqa: PTH120
 
 
-def _found_here(places: Sequence[Started], gone: str, remedy: str) -> Started:
-    """The first of these files in this folder. Raises UsageError, which says where the last one is."""
-    there = list(filter(is_there, places))
-    for each in _in(this_folder(), there):
-        return each
-    last = f" The last one is {there[0].path}." if there else ""
-    raise UsageError(f"{gone}.{last} {remedy}")
-
-
 def is_there(place: Started) -> bool:
     """Whether its file still is."""
     return os.path.isfile(place.path)  # noqa: PTH113
@@ -219,7 +217,7 @@ def _meant(words: Sequence[str], common: Common) -> tuple[Problem | None, Sequen
     if own:
         try:
             files = rest or [usual_file(first, common.db)]
-        except UsageError:
+        except JudgeError:
             if not os.path.lexists(first):
                 raise
         else:
@@ -279,16 +277,13 @@ def is_problem(word: str, common: Common) -> bool:
 def usual_file(problem: str, db: Path | None) -> str:
     """The kata's file in this folder: of the usual name, or the last one that was judged as that kata.
 
-    Raises:
-        UsageError: there is none.
+    Raises UsageError where there is none, StoreError.
     """
     usual = file_name(problem.replace("-", "_"))
     for name in (usual, f"{KATAS}/{usual}"):
         if os.path.lexists(name):
             return name
-    mine = [each for each in _places(db) if each.problem == problem]
-    gone = f"{usual} is not in this folder"
-    return shown(_found_here(mine, gone, f"Create it: judge start {problem}").path)
+    return shown(here(db, problem).path)
 
 
 def _is_file(word: str) -> bool:

@@ -45,7 +45,7 @@ Look
     judge try
     judge try count "0, 0, 1, (-1, 1), (1, 1)" count.py
     judge try chord --open
-  help       help       start      Read the manual, or search it.
+  help       look       start      Read the manual, or search it.
     judge help interview
     judge help tolerance zero
     judge help --schema run

@@ -19,25 +19,22 @@ from msgspec.structs import replace
 from rich.console import Group, RenderableType
 from rich.text import Text
 
-from judge.cli.files import opened_in_browser
-from judge.cli.hints import HintAsk, hints, note_seen
-from judge.cli.judging import Wish, with_standing
-from judge.cli.model import admit, model_beside, model_row
+from judge.cli.aid import HintAsk, admit, hints, model_beside, model_row, note_seen
+from judge.cli.files import explore_page, opened_in_browser
+from judge.cli.judging import WatchedFile, with_standing
 from judge.cli.options import Common
 from judge.cli.resolve import Kata, history_at, take_up
-from judge.cli.watching import WatchedFile
 from judge.errors import JudgeError, UsageError
-from judge.judging.options import RunOptions
 from judge.languages import language_of
 from judge.practice.progress import solved
 from judge.practice.stub import make_stub, usual_name, write_stub
 from judge.practice.syllabus import Syllabus, read_course
 from judge.problem.find import typed
 from judge.report import watch as texts
+from judge.report.look import BESIDE, model
 from judge.report.parts import faint, good, warning
 from judge.report.picture import has_room, statement
-from judge.report.practise import BESIDE, model
-from judge.report.published_practise import HintShown
+from judge.report.published_look import HintShown
 from judge.report.published_result import RunReport
 from judge.report.result import begun, magnified, paged, told_of, verdict_line
 from judge.report.screen import Screen, drawn, out
@@ -87,8 +84,7 @@ class _Loop:
 
     def __init__(self, kata: Kata, level: str | None, common: Common, take: Callable[[], None]) -> None:
         self._kata, self._common, self._take = kata, common, take
-        options = RunOptions(isolation=common.isolation, level=level)
-        self._file = WatchedFile(kata, Wish(options, db=common.db))
+        self._file = WatchedFile(kata, common, level)
         self._stub = make_stub(kata.problem, language_of(kata.path), typed(kata.problem)).encode()
         self._since: float | None = None  # when judging began, while it goes on
         self._found: RunReport | None = None
@@ -253,11 +249,7 @@ class _Loop:
 
     def _browse(self) -> Text:
         """Open the failing case in the browser, on a page where it can be dragged; what to say of that."""
-        problem, page = self._kata.problem, None
-        if self._found and self._found.data and (explore := self._found.data.module.hooks.explore):
-            page = explore(problem, self._case())
-        if page is None:
-            return warning(f"There is no page for {problem.id} yet.")
+        page = explore_page(self._kata.problem, self._case())
         with tempfile.NamedTemporaryFile("w", suffix=".html", delete=False, encoding="utf-8") as file:
             file.write(page)
         if opened_in_browser(file.name):
@@ -277,9 +269,7 @@ class _Loop:
             end = ["", *drawn(last, screen).splitlines()]
         room = screen.height - _BELOW - len(end)
         rows = (self._notes + drawn(self._view(screen, room), screen)).rstrip("\n").splitlines()
-        what = "hint" if isinstance(shown, HintShown) else ""
-        if isinstance(shown, str):
-            what = _TITLES.get(shown, "")
+        what = "hint" if isinstance(shown, HintShown) else _TITLES.get(str(shown), "")
         if what and (len(rows) > room or shown == "s"):
 
             def head(count: int) -> list[str]:

@@ -158,10 +158,9 @@ def due(found: Due, _screen: Screen) -> RenderableType:
         again = commands([(f"judge start {first} --reset", "write it again, from memory")])
         title = f"Due today: {counted(len(found.due), 'kata')}"
         today = Group(heading(title, _reviews(found.due, now)), again)
+    following = f"the next one {due_words(cards[0].due, now)}" if cards else ""
     told = f"Cards: {found.cards_due} due of {len(cards)} answered; "
-    told += (
-        "judge quiz" if found.cards_due else f"the next one {due_words(cards[0].due, now)}" if cards else ""
-    )
+    told += "judge quiz" if found.cards_due else following
     return blocks(
         heading("Now: not solved yet", table(unsolved)) if unsolved else None,
         today if found.due or not unsolved else None,

@@ -23,7 +23,6 @@ BOM = "\ufeff"
 _HEAD = ("student", "name", "group")
 _OLD = [title.encode() for title in _HEAD]  # as an earlier gradebook begins, which has no last column
 _NUMBER, _TOTAL, _VERDICT, _LAST = "number", "total", " verdict", "unread"
-_HIDDEN = "a file"
 EQUAL_CAUTION = "Short solutions are often alike: equality proves nothing."
 
 
@@ -200,14 +199,7 @@ def anonymous(cohort: Cohort) -> tuple[Cohort, dict[str, str]]:
         return tuple(numbers[each] for each in who)
 
     def alike(found: Sequence[Alike]) -> tuple[Alike, ...]:
-        return tuple(
-            replace(
-                each,
-                students=named(each.students),
-                files=tuple(files.get(file, _HIDDEN) for file in each.files),
-            )
-            for each in found
-        )
+        return tuple(replace(each, students=named(each.students), files=()) for each in found)
 
     hidden = replace(
         cohort,
@@ -223,7 +215,7 @@ def anonymous(cohort: Cohort) -> tuple[Cohort, dict[str, str]]:
         nothing_accepted=named(cohort.nothing_accepted),
         nothing_handed_in=named(cohort.nothing_handed_in),
         equal_files=alike(cohort.equal_files),
-        unjudged=tuple((files.get(file, _HIDDEN), why) for file, why in cohort.unjudged),
+        unjudged=(),
         titles=(),
         waiting={numbers[who]: katas for who, katas in cohort.waiting.items()},
         unread={

@@ -1,17 +1,19 @@
-"""What `judge`, list, show and help say: frozen structs, whose field names are JSON's keys."""
+"""What `judge`, start, hint, solution, list, show and help say: structs, whose fields are the JSON's keys."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from msgspec import Struct
 
 from judge.errors import ExitCode
+from judge.practice.solutions import Approach
 from judge.practice.syllabus import USUAL
 from judge.problem.model import GroupLimits, GrowthRule, KataLevel, Source, Tier
 from judge.published import Published
 from judge.report.views import copied
+from judge.run.result import Taken
 
 if TYPE_CHECKING:
     from judge.manual import Page, SearchHit
@@ -130,6 +132,53 @@ def _group_row(group: Group) -> GroupRow:
 def _in_words(value: Struct) -> Words:
     said = ((name, getattr(value, name)) for name in value.__struct_fields__)
     return {name: str(each) for name, each in said if each is not None}
+
+
+class Begun(Published, frozen=True):
+    """A kata that was started: its file, and whether that was created now, or started over.
+
+    `entry` is the function to write. `kept` is the file that keeps the text of before, or "".
+    """
+
+    problem: str
+    title: str
+    entry: str
+    file: str
+    created: bool
+    kept: str
+
+
+class HintShown(Published, frozen=True, kw_only=True):
+    """Hint `step` of a kata's `steps`, from 1; the text is Markdown."""
+
+    problem: str
+    step: int
+    steps: int
+    title: str
+    text: str
+
+
+class Yours(Struct, frozen=True):
+    """The latest run of the person's own that solved the kata, and what it takes."""
+
+    run: int
+    file: str
+    taken: Taken | None
+
+
+class SolutionShown(Published, frozen=True, kw_only=True):
+    """All approaches; `file` is that of the one that is shown."""
+
+    problem: str
+    file: str
+    approaches: tuple[Approach, ...]
+    yours: Yours | None
+    paged: ClassVar[bool] = True  # longer than most terminals
+
+    @property
+    def shown(self) -> Approach:
+        """The model solution, or the one that was asked for."""
+        return next(each for each in self.approaches if each.file == self.file)
 
 
 class Document(Struct, frozen=True):

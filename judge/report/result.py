@@ -147,7 +147,7 @@ def _parts(
     elif cut.picture and drawing is not None:
         yield indented(Group(*drawing(cut.picture)))
     if told.mistake:
-        advice = [text(_cut(each, cut.advice, width)) for each in told.advice if cut.advice != 0]
+        advice = [text(_cut(each, cut.advice, width)) for each in told.advice]
         yield Group(indented(strong(told.mistake)), *(indented(each, 4) for each in advice))
     if told.time:
         yield indented(text(told.time))

@@ -239,10 +239,8 @@ def _case(result: Result, shown: Failure | None) -> str:
     if shown is None or first is None:
         return ""
     place = f" ({first.group}, case {first.case})" if first.group and first.case else ""
-    if shown.input is None:
-        return f"First failing case{place}" if place else ""
-    if small is None or small.replay is None:
-        return f"First failing case{place}"
+    if small is None or shown is not small:
+        return f"First failing case{place}" if place or shown.input is not None else ""
     later = "; a smaller case may exist" if small.cut_short else ""
     return f"Smallest failing case{place if small.input == first.input else ''}{later}"
 

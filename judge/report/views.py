@@ -21,13 +21,12 @@ if TYPE_CHECKING:
     from judge.report.screen import Screen
 
 S = TypeVar("S", bound=Struct)
-_NONE = object()
 
 
 def copied(kind: type[S], of: object, **more: Any) -> S:
     """A value of that kind with the fields that `of` has too; `more` has the others."""
-    found = {name: getattr(of, name, _NONE) for name in kind.__struct_fields__ if name not in more}
-    return kind(**{name: value for name, value in found.items() if value is not _NONE}, **more)
+    own = (name for name in kind.__struct_fields__ if name not in more and hasattr(of, name))
+    return kind(**{name: getattr(of, name) for name in own}, **more)
 
 
 def view_of(kind: type) -> Callable[[Any, Screen], RenderableType]:

@@ -6,7 +6,8 @@ import csv
 import io
 import os
 import re
-from datetime import datetime
+from datetime import datetime, timedelta
+from importlib import import_module
 from pathlib import Path
 
 import pytest
@@ -51,7 +52,6 @@ def homework(submit):
 
 
 def test_smallest_cases_are_kept_and_not_sought_again(judge, homework, monkeypatch):
-    monkeypatch.setenv("SOURCE_DATE_EPOCH", "1800000000")
 
     def pages():
         assert judge("class", homework, "--feedback", "pages").status == 1
@@ -64,7 +64,6 @@ def test_smallest_cases_are_kept_and_not_sought_again(judge, homework, monkeypat
 
 
 def test_a_text_that_has_another_verdict_now_is_not_sought_again(judge, homework, monkeypatch):
-    monkeypatch.setenv("SOURCE_DATE_EPOCH", "1800000000")
     own = Session.judge
 
     def otherwise(session, source, name, on_verdict=None):
@@ -88,14 +87,13 @@ def test_what_was_noted_when_a_file_was_judged_is_said_once(judge, homework, mon
 def test_the_page_again_costs_nothing(judge, homework, monkeypatch):
     """No task is sent, no case is sought, one empty box tells the level, and the page stays as it is."""
     page = Path("class.html")
-    monkeypatch.setenv("SOURCE_DATE_EPOCH", "1800000000")
     assert judge("class", homework, "--html", page).status == 1
     before = page.stat().st_mtime_ns, page.read_bytes()
     took, taken = Session.take, []
     monkeypatch.setattr(Session, "take", lambda *given: taken.append(given[1]) or took(*given))
     monkeypatch.setattr(Session, "judge", None)
     monkeypatch.setattr(Session, "learn", None)
-    monkeypatch.setenv("SOURCE_DATE_EPOCH", "1800100000")
+    days_later(monkeypatch)
     again = judge("class", homework, "--html", page)
     assert (again.status, again.err) == (1, "judge: 4 results kept from before\n")
     assert taken == [b""]
@@ -118,14 +116,13 @@ def test_pages_are_written_as_students_finish(judge, submit, monkeypatch):
         return judge_task(task)
 
     monkeypatch.setattr(classroom, "judge_task", until_bob)
-    monkeypatch.setenv("SOURCE_DATE_EPOCH", "1800000000")
     ended = judge(*words)
     assert ended.status == 130
     first = written()
     assert sorted(first) == ["ada.html", "zoe.html"]
     assert "A (ada)" in first["ada.html"][1]
     assert "Nothing was submitted." in first["zoe.html"][1]
-    monkeypatch.setenv("SOURCE_DATE_EPOCH", "1800100000")
+    days_later(monkeypatch)
     assert judge(*words).status == 1
     second = written()
     assert sorted(second) == ["ada.html", "bob.html", "cy.html", "zoe.html"]
@@ -135,6 +132,17 @@ def test_pages_are_written_as_students_finish(judge, submit, monkeypatch):
     assert [name for name, page in written().items() if page != second[name]] == ["bob.html"]
 
 
+def days_later(monkeypatch):
+    """From here on pages are made on another day."""
+
+    class Later(datetime):
+        @classmethod
+        def now(cls, tz=None):
+            return datetime.now(tz) + timedelta(days=2)
+
+    monkeypatch.setattr(import_module("judge.cli.commands.class"), "datetime", Later)
+
+
 def written():
     """When each page was written, and what it says."""
     pages = sorted(Path("pages").iterdir())
@@ -142,7 +150,6 @@ def written():
 
 
 def test_everything_after_the_table(judge, homework, monkeypatch):
-    monkeypatch.setenv("SOURCE_DATE_EPOCH", "1800000000")
     files = ("--csv", "grades.csv", "--html", "class.html", "--feedback", "pages")
     ended = judge("class", homework, "--students", "list.csv", *files)
     assert ended.status == 1

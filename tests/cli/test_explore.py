@@ -101,7 +101,7 @@ def test_it_is_opened_in_the_browser_or_that_is_said(judge, monkeypatch):
 def test_a_kata_without_a_page_and_a_case_too_large_for_one(judge):
     ended = judge("try", "sphere", "--open")
     assert (ended.status, ended.out) == (2, "")
-    assert ended.err == "judge: No page for sphere yet; leave out --open\n"
+    assert ended.err == "judge: There is no page for sphere yet\n"
     rays = ", ".join(f"(({x}, 0), (1, 0))" for x in range(200))
     ended = judge("try", "nearest", f"[(0, 0, 1)], [{rays}]", "--open")
     assert ended.status == 2

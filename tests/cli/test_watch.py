@@ -15,10 +15,9 @@ import pytest
 from cli_support import FLOOR, MEAN
 from terminals import PATIENCE, Terminal
 
-from judge.cli.judging import Wish
+from judge.cli.judging import WatchedFile
+from judge.cli.options import Common
 from judge.cli.resolve import Kata
-from judge.cli.watching import WatchedFile
-from judge.judging.options import RunOptions
 from judge.practice.events import Help
 from judge.practice.history import History
 from judge.problem.load import load_problem
@@ -141,7 +140,7 @@ def test_the_keys(watch, submit):
     terminal.press("p")
     assert last(terminal.sees("There is no failing case to draw.")).startswith("WA  ")
     terminal.press("e")
-    assert last(terminal.sees("There is no page for middle yet.")).startswith("WA  ")
+    assert last(terminal.sees("There is no page for middle yet")).startswith("WA  ")
     terminal.press("x")
     terminal.sees("Press x again.")
     terminal.press("\x1b[A%")  # an arrow where there are no pages, and a key that means nothing
@@ -332,7 +331,7 @@ def test_a_problem_that_has_changed_between_two_saves_is_read_again(pack, submit
     folder, mine = tmp_path / "pack" / "problems" / "middle", Path(submit(MEAN))
     module = (folder / "problem.py").read_text()
     kata = Kata(load_problem(folder), mine.absolute())
-    with closing(WatchedFile(kata, Wish(RunOptions(), kept=False))) as watched:
+    with closing(WatchedFile(kata, Common(db=tmp_path / "db"))) as watched:
         assert watched.saved()
         assert watched.judge().result.verdict.value == "AC"
         (folder / "problem.py").write_text("raise RuntimeError('half written')\n")

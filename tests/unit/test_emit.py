@@ -13,8 +13,7 @@ from click.testing import CliRunner
 from msgspec import Struct
 from rich.text import Text
 
-from judge.cli.emit import emit
-from judge.cli.options import Common, command, opt
+from judge.cli.options import Common, command, emit, opt
 from judge.errors import ExitCode
 from judge.problem import Verdict
 from judge.report.parts import bar, commands, facts, indented, label, table
@@ -87,12 +86,10 @@ def test_the_schema_is_made_of_the_type():
 
 
 SHOWN = {
-    "cases": "CaseTried HackTurn PageWritten",
+    "exercises": "CaseTried HackTurn PageWritten Interviewed Quizzed",
     "klass": "Cohort",
-    "look": "Document Home KataList KataShown Mentions Topics",
-    "practise": "Begun HintShown SolutionShown",
+    "look": "Document Home KataList KataShown Mentions Topics Begun HintShown SolutionShown",
     "progress": "ProgressPage QuestionShown Restored RunList RunRow RunsCompared",
-    "quiz": "Interviewed Quizzed",
     "result": "RunReport Several",
     "setter": "Doctor Exported FilesWritten NewKata Verified VerifySummary",
 }

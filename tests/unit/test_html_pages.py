@@ -18,8 +18,7 @@ from judge.practice.history import History
 from judge.problem.find import find_problem
 from judge.problem.model import Verdict
 from judge.report.html import is_page
-from judge.report.html.case import ShownCases
-from judge.report.html.klass import CLASS_MARK, FEEDBACK_MARK, ClassPages
+from judge.report.html.pages import CLASS_MARK, FEEDBACK_MARK, ClassPages, ShownCases
 from judge.report.published_klass import Student
 from judge.run.result import Failure
 

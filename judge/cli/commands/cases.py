@@ -11,12 +11,12 @@ import click
 from msgspec import Struct
 from msgspec.structs import replace
 
-from judge.cli.files import OutFile, opened_in_browser, read_submissions
+from judge.cli.files import OutFile, explore_page, opened_in_browser, read_submission
 from judge.cli.options import Common, command, opt
 from judge.cli.resolve import history_at, kata_meant, keep, problem_of_file, shown, usual_file
 from judge.data.parse import example_of, line_of, read_case
 from judge.diagnose.replay import begun, decode, has_form, problem_name
-from judge.errors import UnknownKataError, UsageError
+from judge.errors import JudgeError, UnknownKataError, UsageError
 from judge.judging.cases import ask as ask_file
 from judge.judging.cases import hack as attack
 from judge.judging.cases import smallest, try_case
@@ -31,9 +31,10 @@ from judge.problem import Problem, Verdict
 from judge.problem.find import find_problem
 from judge.problem.model import case_of
 from judge.problem.module import load_module
-from judge.report import published_cases as published
+from judge.report import published_exercises as published
 from judge.report.screen import Notes, is_terminal, note
 from judge.report.tell import shown_failure
+from judge.report.wait import progress
 from judge.run.tried import OneCase
 
 _PAGE = Path("judge-try.html")
@@ -62,7 +63,9 @@ def try_(words: tuple[str, ...], ask: TryAsk, common: Common) -> Iterator[Struct
         raise UsageError(f'Give a case: judge try {problem.id} "{example_of(problem)}"')
     if tried and file and not tried.broken:
         tried = _answered(tried, file, common)
-    page = _page(problem, tried) if ask.opened else None
+    page = None
+    if ask.opened:
+        page = explore_page(problem, problem.named(tried.case) if tried else None)
     if tried:
         yield published.CaseTried(tried)
     if page:
@@ -110,13 +113,13 @@ def _meant(words: list[str], common: Common) -> tuple[Problem, OneCase | None, s
         tried = try_case(own, found.case, found.group.name)
     else:
         if problem is None and file is not None:
-            problem = problem_of_file(read_submissions([file])[0], "try", common)
+            problem = problem_of_file(read_submission(file), "try", common)
         if not words:
             return _last_failed(problem, file, common)
         problem = problem or kata_meant(None, common)
         tried = try_case(problem, read_case(problem, " ".join(words)))
     if file is None:
-        with suppress(UsageError):
+        with suppress(JudgeError):
             file = usual_file(tried.problem.id, common.db)
     return tried.problem, tried, file
 
@@ -141,19 +144,11 @@ def _last_failed(
 
 def _answered(tried: OneCase, file: str, common: Common) -> OneCase:
     """The case with what the file says to it."""
-    submission = read_submissions([file])[0]
+    submission = read_submission(file)
     with Session(tried.problem, RunOptions(isolation=common.isolation)) as session:
         said = ask_file(session, tried, submission.source, submission.name)
         Notes().say(session.notes(said.isolation))
     return replace(tried, said=said)
-
-
-def _page(problem: Problem, tried: OneCase | None) -> str:
-    explore = load_module(problem).hooks.explore
-    page = explore(problem, problem.named(tried.case) if tried else None) if explore else None
-    if page is None:
-        raise UsageError(f"No page for {problem.id} yet", remedy="leave out --open")
-    return page
 
 
 class HackAsk(Struct, frozen=True):
@@ -190,7 +185,8 @@ def hack(name: str, words: tuple[str, ...], ask: HackAsk, common: Common) -> Ite
     turn = published.HackTurn(problem, shown, hacks, asked, "shown", more=len(puzzles) - len(shown))
     turn = turn if number else replace(turn, puzzle=turn.following or asked)
     if ask.give_up:
-        yield _given_up(turn, common)
+        tried = smallest(problem, turn.puzzle, common.isolation, progress)
+        yield _kept(turn, Outcome.GIVEN_UP, "", tried, common)
     elif text is not None:
         yield _attempted(turn, sys.stdin.read(1 << 16) if text == "-" else text, common)
     else:
@@ -242,14 +238,6 @@ def _attempted(turn: published.HackTurn, text: str, common: Common) -> published
     if not why and was_shown(puzzle.mistake, line_of(problem, case), turn.hacks):
         why = "this is the case that you saw when you gave up"
     return _kept(turn, Outcome.LOST if why else Outcome.WON, why, replace(tried, said=said), common)
-
-
-def _given_up(turn: published.HackTurn, common: Common) -> published.HackTurn:
-    """The mistake, and a smallest case."""
-    from judge.report.wait import progress
-
-    tried = smallest(turn.problem, turn.puzzle, common.isolation, progress)
-    return _kept(turn, Outcome.GIVEN_UP, "", tried, common)
 
 
 def _kept(

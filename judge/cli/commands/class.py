@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from contextlib import AbstractContextManager, nullcontext, suppress
-from datetime import date, datetime, time
+from datetime import UTC, date, datetime, time
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -16,18 +16,19 @@ from judge.batch.classroom import ClassOptions, Classroom
 from judge.batch.folder import root_of
 from judge.batch.shards import Shard, merged
 from judge.batch.store import ResultStore, store_of
-from judge.cli.files import OutFile, moment, writing
+from judge.cli.files import OutFile, writing
 from judge.cli.options import Common, command, opt
 from judge.errors import UsageError
 from judge.problem.find import find_problem
 from judge.problem.model import LEVELS
+from judge.report.html import is_page, is_same
+from judge.report.html.pages import CLASS_MARK, FEEDBACK_MARK, ClassPages, ShownCases
 from judge.report.published_klass import ClassRow, Cohort, anonymous, gradebook, is_gradebook
 from judge.report.screen import note
 from judge.report.words import counted
 
 if TYPE_CHECKING:
     from judge.judging.pool import Executor
-    from judge.report.html.klass import ClassPages
     from judge.run.result import Result
 
 _HEAVIEST = 1e6
@@ -94,8 +95,7 @@ def judge_class(
         anonymous=ask.anonymous,
     )
     csv = OutFile(ask.csv, "--csv", "a gradebook", is_gradebook)
-    html = OutFile(ask.html, "--html", "a page of a class", partial(_is_page, "CLASS"))
-    moment()  # what cannot be written is said before anything is judged
+    html = OutFile(ask.html, "--html", "a page of a class", partial(is_page, mark=CLASS_MARK))
     place = store_of(folder)
     with ResultStore.open(shard.beside(place) if shard else place) as store:
         for said in merged(store, parts) if parts else ():
@@ -118,8 +118,6 @@ def judge_class(
         yield anonymous(found)[0] if ask.anonymous else found
         csv.write(gradebook(found, classroom.roster.sheet, numbered=ask.anonymous))
         if ask.html:
-            from judge.report.html import is_same
-
             html.write(pages.of(found, classroom.results(found)).whole(), is_same)
 
 
@@ -176,8 +174,6 @@ class _Pages:
         """`hidden` are names, which are numbers then. Make the `folder` of the students' pages, and those
         that need no judging. Raises UsageError.
         """
-        from judge.report.html.case import ShownCases
-
         self._classroom, self._title, self._hidden = classroom, title, hidden
         self._cases = ShownCases(classroom.problems)
         self._files: dict[str, tuple[int, OutFile]] = {}
@@ -185,7 +181,7 @@ class _Pages:
             return
         with writing(folder, "name another folder with --feedback"):
             folder.mkdir(exist_ok=True)
-        own = partial(_is_page, "FEEDBACK")
+        own = partial(is_page, mark=FEEDBACK_MARK)
         names = self.of(*classroom.alone("")).files()
         files = [OutFile(folder / name, "--feedback", "a feedback page", own) for name in names]
         self._files = dict(zip(classroom.students, enumerate(files), strict=True))
@@ -194,22 +190,12 @@ class _Pages:
 
     def of(self, cohort: Cohort, results: Mapping[tuple[str, str], Result]) -> ClassPages:
         """The pages of this class, or of what is judged of it."""
-        from judge.report.html.klass import ClassPages
-
         shown, files = anonymous(cohort) if self._hidden else (cohort, {})
         results = {(kata, files.get(file, file)): each for (kata, file), each in results.items()}
-        return ClassPages(shown, results, self._cases, self._title, moment())
+        return ClassPages(shown, results, self._cases, self._title, datetime.now(UTC))
 
     def write(self, student: str) -> None:
         """Write the page of a student who is done, where it says something new. Raises UsageError."""
         if student in self._files and self._classroom.is_done(student):
-            from judge.report.html import is_same
-
             at, file = self._files[student]
             file.write(self.of(*self._classroom.alone(student)).student(at), is_same)
-
-
-def _is_page(kind: str, start: bytes) -> bool:
-    from judge.report.html import is_page, klass
-
-    return is_page(start, getattr(klass, f"{kind}_MARK"))

@@ -21,36 +21,26 @@ from msgspec import Struct
 from msgspec.structs import replace
 from rich.console import RenderableType
 
-from judge.cli.files import read_submissions
+from judge.cli.files import read_submission
 from judge.cli.options import Common, command, opt
 from judge.cli.resolve import Kata, history_at
 from judge.errors import ProblemError
 from judge.languages import file_name
 from judge.practice import events
+from judge.practice import quiz as rules
 from judge.practice.cards import Card, MistypedError, cards_of, option
 from judge.practice.drill import Evening
 from judge.practice.events import Answer, Hack, Rating
 from judge.practice.history import History
 from judge.practice.questions import LazyProblems
 from judge.practice.questions import ask as asked_of
-from judge.practice.quiz import (
-    Wanted,
-    interview_cards,
-    lacking,
-    left_open,
-    next_due,
-    plan,
-    to_practise,
-    topics,
-    usual_kata,
-)
 from judge.practice.review import read_learner
 from judge.practice.stub import write_stub
 from judge.practice.syllabus import USUAL, read_checklist
 from judge.problem import Verdict
 from judge.problem.find import find_problem
-from judge.report import quiz as texts
-from judge.report.published_quiz import Drill, Interviewed, Quizzed
+from judge.report import exercises as texts
+from judge.report.published_exercises import Drill, Interviewed, Quizzed
 from judge.report.screen import err, is_terminal, note, out, show
 from judge.report.views import copied
 from judge.report.wait import progress
@@ -58,7 +48,7 @@ from judge.report.words import shown_name
 from judge.run.result import Result
 
 if TYPE_CHECKING:
-    from judge.cli.watching import WatchedFile
+    from judge.cli.judging import WatchedFile
 
 _T = TypeVar("_T")
 _STOP = ("q", "quit")
@@ -91,7 +81,7 @@ def quiz(name: str | None, ask: QuizAsk, common: Common) -> Iterator[Struct]:
     """
     cards = cards_of(name or USUAL, common.problems)
     with history_at(common.db) as history:
-        wanted = Wanted(name or "", read_learner(history, common.problems))
+        wanted = rules.Wanted(name or "", read_learner(history, common.problems))
         asking = Round(history, common)
         chosen = wanted.of(cards, events.now().astimezone(), ask.cards)[: ask.cards]
         try:
@@ -99,7 +89,7 @@ def quiz(name: str | None, ask: QuizAsk, common: Common) -> Iterator[Struct]:
                 for card in chosen:
                     asking.ask(card, len(chosen))
         finally:  # after Ctrl-C too
-            yield asking.summary(next_due=None if chosen else next_due(cards, wanted.answered))
+            yield asking.summary(next_due=None if chosen else rules.next_due(cards, wanted.answered))
 
 
 @command("drill", Drill)
@@ -113,7 +103,7 @@ def drill(common: Common) -> Drill:
     with history_at(common.db, reading=True) as history:
         mine, hacks = read_learner(history, common.problems), history.events(Hack)
     cards, checklist = cards_of(USUAL, common.problems), read_checklist(common.problems)
-    now, found = events.now().astimezone(), topics(mine, cards, checklist)
+    now, found = events.now().astimezone(), rules.topics(mine, cards, checklist)
     steps = tuple(Evening(mine, cards, found, checklist, now).steps(hacks))
     return Drill(now, sum(each.minutes for each in steps), tuple(found), steps)
 
@@ -167,7 +157,7 @@ class Round:
     def summary(self, more: Mapping[str, str] = {}, next_due: datetime | None = None) -> Quizzed:
         """How the cards went, and what to practise: what was not known well, and `more` with its commands."""
         commands = {**more, **dict.fromkeys(self.missed, "")}
-        practise = to_practise(commands, self.sources.folders)
+        practise = rules.to_practise(commands, self.sources.folders)
         known = sum(each.known for each in self.answers)
         return Quizzed(len(self.answers), known, tuple(self.answers), practise, next_due)
 
@@ -232,16 +222,16 @@ def interview(name: str, ask: InterviewAsk, common: Common) -> Iterator[Intervie
     """
     cards, folders = cards_of(name, common.problems), common.problems
     with history_at(common.db) as history:
-        wanted = Wanted(name, read_learner(history, folders))
-        problem = find_problem(ask.kata, folders) if ask.kata else usual_kata(name, wanted.mine)
+        wanted = rules.Wanted(name, read_learner(history, folders))
+        problem = find_problem(ask.kata, folders) if ask.kata else rules.usual_kata(name, wanted.mine)
         if ask.file is not None:
-            read_submissions([ask.file])  # whether it is there is said before the first card
+            read_submission(ask.file)  # whether it is there is said before the first card
         path = ask.file or file_name(f"{problem.id.replace('-', '_')}_interview")
         held = _Interview(ask, history, common, Kata(problem, Path(path).absolute()))
-        first, last = interview_cards(ask.minutes)
+        first, last = rules.interview_cards(ask.minutes)
         count = first + last
         now = events.now().astimezone()
-        chosen = plan(wanted.of(cards, now, count, ahead=True), count, wanted.weak)
+        chosen = rules.plan(wanted.of(cards, now, count, ahead=True), count, wanted.weak)
         before, after = chosen[:first], chosen[first:]
         held.show(texts.opening(ask.minutes, len(before), problem.id, len(after)))
         try:
@@ -266,11 +256,8 @@ class _Interview(Round):
     def go(self, before: Sequence[Card], after: Sequence[Card]) -> None:
         """Hold its three parts; q ends one, and all of them if nothing was done since the last q."""
         count, stopped_at = len(before) + len(after), -1
-        for part in (
-            partial(self._ask_all, before, count),
-            self._solve,
-            partial(self._ask_all, after, count),
-        ):
+        parts = partial(self._ask_all, before, count), self._solve, partial(self._ask_all, after, count)
+        for part in parts:
             try:
                 part()
             except EndedError:
@@ -293,9 +280,7 @@ class _Interview(Round):
 
         A file that was named is judged once without being asked for; from a pipe that is all.
         """
-        from judge.cli.judging import Wish
-        from judge.cli.watching import WatchedFile
-        from judge.judging.options import RunOptions
+        from judge.cli.judging import WatchedFile
 
         if self._left() <= 0:
             raise EndedError
@@ -304,8 +289,7 @@ class _Interview(Round):
         self.show(texts.stage(problem.title, minutes, problem.summary, where))
         if not self._kata.path.exists():
             write_stub(problem, self._kata.path)
-        watched = WatchedFile(self._kata, Wish(RunOptions(), db=self._common.db))
-        with closing(watched):
+        with closing(WatchedFile(self._kata, self._common)) as watched:
             watched.saved()  # what is there now is not judged until it is saved
             if self._wanted.file is not None:
                 self._judge(watched)
@@ -351,8 +335,8 @@ class _Interview(Round):
         """How it went, and what to practise: what the cards and the kata's last run left open."""
         problem, whole = self._kata.problem, self._wanted.minutes
         last = self._results[-1] if self._results else None
-        skills = lacking(problem, last) if last else ()
-        more = left_open(problem, skills, self.sources.folders) if last and not self._solved else {}
+        skills = rules.lacking(problem, last) if last else ()
+        more = rules.left_open(problem, skills, self.sources.folders) if last and not self._solved else {}
         cards = self.summary(more)
         return copied(
             Interviewed,

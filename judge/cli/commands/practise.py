@@ -11,9 +11,8 @@ import click
 from msgspec import Struct
 from msgspec.structs import replace
 
-from judge.cli.files import read_submissions
-from judge.cli.hints import HintAsk, hints, note_seen
-from judge.cli.model import admit
+from judge.cli.aid import HintAsk, admit, hints, note_seen
+from judge.cli.files import read_submission
 from judge.cli.options import Common, command, opt
 from judge.cli.resolve import (
     KATAS,
@@ -38,7 +37,7 @@ from judge.practice.syllabus import read_course
 from judge.problem import Problem
 from judge.problem.find import find_problem, id_of
 from judge.problem.model import LEVELS
-from judge.report.published_practise import Begun, HintShown, SolutionShown, Yours
+from judge.report.published_look import Begun, HintShown, SolutionShown, Yours
 from judge.report.screen import draws, is_terminal, out
 from judge.run.result import Taken
 
@@ -120,7 +119,7 @@ def _meant(words: Sequence[str], ask: StartAsk, common: Common) -> Kata:
 def _problem_of(file: str, common: Common) -> Problem:
     """The kata that a file is for; of one that is not there yet, the kata of its name."""
     if os.path.exists(file):  # noqa: PTH110 - of any name
-        (submission,) = read_submissions([file])
+        submission = read_submission(file)
         return problem_of_file(submission, "start", common)
     name = id_of(Path(file).name.partition(".")[0])
     if is_problem(name, common):

@@ -91,13 +91,6 @@ def progress(name: str, ask: ProgressAsk, common: Common) -> Struct:
     return published.ProgressPage((told,), due, following)
 
 
-def _refuse(*rules: tuple[object, str]) -> None:
-    """Raise UsageError with what the first of these rules says that is broken."""
-    for broken, said in rules:
-        if broken:
-            raise UsageError(said)
-
-
 def _share(part: PracticeSet[Problem], mine: Learner, named: Sequence[Skill]) -> published.SetShare:
     counted, shown = mine.counted(part), learned.skills(part.problems, mine.own, named)
     names = [each.id for each in counted]
@@ -133,12 +126,14 @@ def history(words: tuple[str, ...], ask: HistoryAsk, common: Common) -> Struct:
     """
     numbers = [int(word) for word in words if word.isdecimal() and len(word) <= _DIGITS]
     many, one = len(words) > min(max(len(numbers), 1), 2), len(numbers) == 1
-    _refuse(
+    for broken, said in (
         (many, "Give one kata, one run or two runs; such as judge history 3 5"),
         (ask.restore and not one, "Which run? --restore takes one; such as judge history 3 --restore"),
         (ask.out and not ask.restore, "--out goes with --restore: judge history 3 --restore --out old.py"),
         (numbers and ask.limit, "--limit is for the list of runs; leave it out"),
-    )
+    ):
+        if broken:
+            raise UsageError(said)
     with history_at(common.db, reading=True) as found:
         if not numbers:
             return _listed(words[0] if words else "", ask, common, found)

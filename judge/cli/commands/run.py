@@ -134,16 +134,20 @@ def _judged(
     is also the result of each submission that is left, for whoever reads the results as data.
     """
     from judge.cli.judging import Wish, judged, with_standing
+    from judge.judging.session import Session
 
     plain, done = ask.is_plain(common), 0
     total = len(unjudged) + sum(len(submissions) for _, submissions in tasks)
-    wish = Wish(ask.options(common), ask.jobs, kept=not ask.unrecorded, db=common.db, total=total)
+    wish = Wish(ask.jobs, kept=not ask.unrecorded, db=common.db, total=total)
     several = len(tasks) if total > 1 else 0
     whole = is_terminal(sys.stdout) and not (several or ask.quiet or common.json or ask.unrecorded)
     for problem, submissions in tasks:
         left = list(submissions)
         try:
-            with closing(judged(problem, submissions, replace(wish, before=done))) as results:
+            with (
+                Session(problem, ask.options(common)) as session,
+                closing(judged(session, submissions, replace(wish, before=done))) as results,
+            ):
                 for found in results:
                     left.pop(0)
                     row = replace(found, several=several, quiet=ask.quiet, whole=ask.whole)

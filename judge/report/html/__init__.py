@@ -1,7 +1,6 @@
 """HTML pages: one file each, which loads nothing and runs nothing.
 
-    klass.py      a class, and a page for each student
-    case.py       a failing case: its facts, its drawing and its mistake; a result in a notebook
+    pages.py      a failing case, a result in a notebook; a class, and a page for each student
     templates/    a template a page or file, their common parts, and the one style sheet
 
 Templates escape whatever they are given; only drawings, which `judge.drawing` has escaped, go in as they are.
@@ -19,6 +18,8 @@ from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from markupsafe import Markup, escape
+
 from judge.drawing.svg import style
 from judge.problem import Verdict
 from judge.report.tell import level_share
@@ -27,9 +28,8 @@ from judge.version import __version__
 
 if TYPE_CHECKING:
     from jinja2 import Environment
-    from markupsafe import Markup
 
-    from judge.report.html.case import ShownCase
+    from judge.report.html.pages import ShownCase
 
 _TEMPLATES = Path(__file__).parent / "templates"
 _TIME = re.compile(rb"<time.*?</time>")
@@ -48,8 +48,6 @@ def page(
     `mark` says what kind of page it is, for `is_page`. Its foot explains the `verdicts`, and the drawings
     where one of the `cases` has any. `rule` is a rule of CSS for this page alone.
     """
-    from markupsafe import Markup
-
     sheet = (_TEMPLATES / "page.css").read_text(encoding="utf-8")
     sheet += style("figure", "screen and (prefers-color-scheme:dark)") + rule
     digest = base64.b64encode(hashlib.sha256(sheet.encode()).digest()).decode()
@@ -83,7 +81,6 @@ def is_same(old: bytes, new: bytes) -> bool:
 @cache
 def _environment() -> Environment:
     from jinja2 import Environment, FileSystemLoader, StrictUndefined
-    from markupsafe import Markup
 
     environment = Environment(
         loader=FileSystemLoader(_TEMPLATES),
@@ -104,13 +101,9 @@ def _environment() -> Environment:
 
 
 def _date(when: datetime) -> Markup:
-    from markupsafe import Markup
-
     return Markup(f'<time datetime="{when.date().isoformat()}">{when.day} {when:%b %Y}</time>')
 
 
 def _lines(text: str) -> Markup:
     """A program's lines, escaped; whatever does not print is written out."""
-    from markupsafe import escape
-
     return escape("\n".join(printable(each.expandtabs(4)) for each in text.splitlines()))

@@ -1,18 +1,57 @@
-"""The model solution of a kata: who may see it, and how it compares with a person's own."""
+"""What helps to solve a kata: hints, and the model solution for who may see it."""
 
 from __future__ import annotations
 
 from contextlib import suppress
 from pathlib import Path
 
+from msgspec import Struct
+
+from judge.cli.options import opt
 from judge.cli.resolve import history_at
 from judge.errors import JudgeError, UsageError
 from judge.languages import language_of
 from judge.practice.events import Help, Run
 from judge.practice.solutions import approaches
 from judge.problem import Problem
-from judge.report.published_look import ModelRow
-from judge.report.published_practise import SolutionShown
+from judge.problem.texts import read_hints
+from judge.report.published_look import HintShown, ModelRow, SolutionShown
+
+
+class HintAsk(Struct, frozen=True):
+    """Which hint."""
+
+    step: int | None = opt("--step N", "Show hint N; the first is 1.")
+    whole: bool = opt("--all", "Show all hints.")
+
+
+def hints(problem: Problem, ask: HintAsk, db: Path | None) -> list[HintShown]:
+    """The hints that are asked for, at least one: the first that was not seen, or else the last.
+
+    Raises UsageError where there is none, ProblemError where they are broken.
+    """
+    found = read_hints(problem)
+    if not found:
+        remedy = f"'judge show {problem.id} --groups' says what its test groups show"
+        raise UsageError(f"there are no hints to {problem.id}", remedy=remedy)
+    step, count = ask.step, len(found)
+    if step is None:
+        with history_at(db, reading=True) as history:
+            step = min(history.hints_seen(problem.id) + 1, count)
+    if not 1 <= step <= count:
+        raise UsageError(f"{problem.id} has no hint {step}", remedy=f"they go from 1 to {count}")
+    return [
+        HintShown(problem=problem.id, step=each.number, steps=count, title=each.title, text=each.text)
+        for each in found
+        if ask.whole or each.number == step
+    ]
+
+
+def note_seen(hint: HintShown, db: Path | None) -> None:
+    """Remember that the hints up to this one have been seen."""
+    with history_at(db) as history:
+        if hint.step > history.hints_seen(hint.problem):
+            history.keep(Help(hint.problem, hint.step))
 
 
 def admit(problem: Problem, db: Path | None, *, giving_up: bool = False) -> tuple[Run, bytes] | None:

@@ -1,7 +1,8 @@
-"""What `judge try` and `judge hack` return: the values that are shown, and the lines of their JSON."""
+"""What try, hack, drill, quiz and interview return: the values that are shown, the lines of their JSON."""
 
 from __future__ import annotations
 
+from datetime import datetime
 from functools import cached_property
 from typing import Any
 
@@ -11,9 +12,11 @@ from judge.data.parse import line_of
 from judge.diagnose.replay import encode
 from judge.errors import ExitCode
 from judge.mistakes.puzzles import WrongProgram
-from judge.practice.events import Hack
+from judge.practice.drill import DrillStep
+from judge.practice.events import Answer, Hack
 from judge.practice.progress import HackState, hack_states
-from judge.problem import Problem
+from judge.practice.quiz import Practise, Topic
+from judge.problem import Problem, Verdict
 from judge.published import Published
 from judge.run.tried import CaseResult, OneCase
 from judge.values import show
@@ -159,3 +162,43 @@ def _row(tried: OneCase) -> CaseRow:
         tried.expected,
         show.accepted(problem.answer, tried.target),
     )
+
+
+class Quizzed(Published, frozen=True):
+    """How the cards went, and what to practise; `next_due` is told where none was asked."""
+
+    asked: int
+    known: int
+    answers: tuple[Answer, ...]
+    practise: tuple[Practise, ...]
+    next_due: datetime | None = None
+
+
+class Interviewed(Published, frozen=True):
+    """How the interview went: the minutes it took, its cards, its kata, and what to practise.
+
+    `verdict` and `score` are null where the file was not judged; `lacking` are skills that it did not show.
+    """
+
+    minutes: int
+    out_of: int
+    asked: int
+    known: int
+    problem: str
+    file: str
+    runs: int
+    solved: bool
+    verdict: Verdict | None
+    score: int | None
+    mistake: str | None
+    lacking: tuple[str, ...]
+    practise: tuple[Practise, ...]
+
+
+class Drill(Published, frozen=True):
+    """An evening of practice: how the topics stand, and the commands in their order."""
+
+    time: datetime
+    minutes: int
+    topics: tuple[Topic, ...]
+    steps: tuple[DrillStep, ...]
