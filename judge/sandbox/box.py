@@ -79,10 +79,10 @@ class ContainerBox(ABC):
         if fault := self._prepare():
             return ProgramResult(Stop.EXCEPTION, b"", b"", fault, Usage())
         try:
-            with shared.stdio(stdin if isinstance(stdin, bytes) else b"") as stdio:
+            with shared.files(stdin if isinstance(stdin, bytes) else b"", b"", b"") as stdio:
                 if isinstance(stdin, bytes):
                     done = self._run(stdio, limits)
-                    printed, out = shared.size(stdio[1]), shared.head(stdio[1], limits.output_bytes)
+                    printed, out = shared.size(stdio[1]), shared.part(stdio[1], 0, limits.output_bytes)
                 else:
                     done, printed, out = self._talked(stdin, stdio[2], limits)
                 printed = max(printed, shared.size(stdio[2]))

@@ -125,9 +125,9 @@ def compiled(
     warnings: tuple[str, ...] = ()
     for step in recipe.steps:
         payload = marshal.dumps((filled(step, places, names), environment, scratch, limits))
-        with shared.stdio(b"") as stdio:
+        with shared.files(b"", b"", b"") as stdio:
             done = _asked(container, wire.EXECUTE, stdio, payload)
-            said = shared.head(stdio[2], _SAID) + b"\n" + shared.head(stdio[1], _SAID)
+            said = shared.part(stdio[2], 0, _SAID) + b"\n" + shared.part(stdio[1], 0, _SAID)
         kind, note = container.region.note()
         if kind == wire.BROKEN_BOX:
             raise ShortageError(f"{step[0]} cannot be started: {note}", remedy=BUSY)
@@ -154,10 +154,10 @@ def _asked(container: Container, kind: bytes, stdio: Sequence[int], payload: byt
 def _collected(container: Container, folder: str) -> Compiled:
     """What the compiler left."""
     payload = marshal.dumps((folder, ARTIFACT_BYTES, ARTIFACT_FILES))
-    with shared.stdio(b"") as stdio:
+    with shared.files(b"", b"", b"") as stdio:
         _asked(container, wire.COLLECT, stdio, payload)
         found = marshal.loads(container.replies())
-        content = shared.head(stdio[1], ARTIFACT_BYTES)
+        content = shared.part(stdio[1], 0, ARTIFACT_BYTES)
     if isinstance(found, str):
         return Compiled((), SourceFault(found))
     files: list[tuple[str, bytes]] = []

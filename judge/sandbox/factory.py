@@ -11,8 +11,8 @@ from judge.sandbox.levels import Levels
 
 if TYPE_CHECKING:
     from judge.sandbox.boundary import Box
+    from judge.sandbox.container import Seeds
     from judge.sandbox.room import Share
-    from judge.sandbox.seeds import Seeds
     from judge.sandbox.visible import Visible
 
 
@@ -51,7 +51,7 @@ class Containment:
     @cached_property
     def seeds(self) -> Seeds:
         """What forks the boxes' servers."""
-        from judge.sandbox.seeds import Seeds
+        from judge.sandbox.container import Seeds
 
         return Seeds()
 

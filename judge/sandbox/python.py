@@ -92,11 +92,10 @@ class PythonBox(ContainerBox):
             return CallsResult((Reply(Stop.EXCEPTION, detail=fault),) * len(calls), Usage())
         head, arguments = packed(entry, calls, limits.items)
         try:
-            with shared.stdio(b"") as stdio, shared.file(arguments) as given:
+            with shared.files(b"", b"", b"", arguments) as stdio:
                 del arguments  # which may be large
-                descriptors = (*stdio, given) if wire.PAUSES else stdio
-                done = self._request(wire.CALLS, descriptors, head, limits)
-                printed = max(map(shared.size, stdio[1:]))
+                done = self._request(wire.CALLS, stdio if wire.PAUSES else stdio[:3], head, limits)
+                printed = max(map(shared.size, stdio[1:3]))
                 text = shared.part(stdio[1], done.printed_bytes, PRINTED_BYTES)
         except Lost as lost:
             kept = outcome.parse_replies(lost.replies, len(calls))[0][: len(calls) - 1]

@@ -175,7 +175,7 @@ def test_resource_limits_alone_are_taken_only_where_there_is_no_sandbox(tmp_path
     [
         ("container._socket.socketpair", errno.EMFILE),
         ("container.shared.region", errno.ENOMEM),
-        ("seeds._STARTER.start", errno.EAGAIN),
+        ("container._STARTER.start", errno.EAGAIN),
     ],
 )
 def test_what_the_judge_itself_is_short_of_is_tried_again_and_named(place, code, monkeypatch):

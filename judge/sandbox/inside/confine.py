@@ -110,13 +110,8 @@ def _once_only_limits(descriptors: int) -> None:
     _limit(resource.RLIMIT_CORE, 0)
     _limit(resource.RLIMIT_NOFILE, descriptors)
     if LINUX:
-        for which in (
-            resource.RLIMIT_MEMLOCK,
-            resource.RLIMIT_MSGQUEUE,
-            resource.RLIMIT_NICE,
-            resource.RLIMIT_RTPRIO,
-        ):
-            _limit(which, 0)
+        for name in ("MEMLOCK", "MSGQUEUE", "NICE", "RTPRIO"):
+            _limit(getattr(resource, f"RLIMIT_{name}"), 0)
     # The stack grows to the hard limit only from here on: read at exec, it would be every thread's size.
     hard = resource.getrlimit(resource.RLIMIT_STACK)[1]
     try:

@@ -66,11 +66,8 @@ class ExecServer(server.Server):
             if sum(size for _, size in answer) > most or len(answer) > count:
                 answer = "what was compiled is larger than allowed"
         except OSError as fault:
-            raise server.Lacking(fault.errno or 0) from None
-        data = marshal.dumps(answer)
-        start = self._region.words[wire.USED]
-        self._region.memory[start : start + len(data)] = data
-        self._region.words[wire.USED] = start + len(data)
+            raise server.Lacking(fault.errno, "") from None
+        self._region.append(marshal.dumps(answer))
         return wire.done(stage=wire.CALLING)
 
 

@@ -35,12 +35,8 @@ SWEEP_SECONDS = 5.0
 _PEAK_UNIT = 1 if sys.platform == "darwin" else 1024
 
 
-class Lacking(Exception):  # noqa: N818 - it never reaches a person
-    """The machine had no process left for a child, or no descriptors; `code` is the errno."""
-
-    def __init__(self, code: int) -> None:
-        super().__init__()
-        self.code = code
+class Lacking(OSError):  # noqa: N818 - it never reaches a person
+    """The machine had no process left for a child, or no descriptors."""
 
 
 class Server:
@@ -94,7 +90,7 @@ class Server:
                     if job.kind == wire.INSPECT:
                         self._prepare()
                 except Lacking as lack:
-                    answer = wire.LACK.pack(wire.LACKING, lack.code)
+                    answer = wire.LACK.pack(wire.LACKING, lack.errno or 0)
                 for number in descriptors:
                     os.close(number)
                 self._line.send(answer)
@@ -117,11 +113,11 @@ class Server:
 
     def _run(self, job: wire.Request, code: CodeType | None) -> bytes:
         if len(job.descriptors) < 3 + (job.kind == wire.CALLS and wire.PAUSES):
-            raise Lacking(errno.EMFILE)  # what there was no room for has not arrived
+            raise Lacking(errno.EMFILE, "")  # what there was no room for has not arrived
         try:
             began, pid = again.again(lambda: (time.perf_counter_ns(), os.fork()))
         except OSError as fault:
-            raise Lacking(fault.errno or 0) from None
+            raise Lacking(fault.errno, "") from None
         if pid == 0:
             self._be_child(job, code)
         watch = Clocks(job, began, self._cores)
@@ -129,8 +125,7 @@ class Server:
         wall = time.perf_counter_ns() - watch.began
         cpu = watch.at_end or _cpu_of(usage)
         more = self._sweep(pid)
-        if watch.before is None:
-            watch.start(self._baseline())
+        self._note_start(watch)
         spent = 0 if watch.before is None else max(0, cpu + more - watch.before)
         peak = usage.ru_maxrss * _PEAK_UNIT
         return wire.done(status, reason, spent, wall, peak, watch.stage, *watch.imported)
@@ -160,9 +155,8 @@ class Server:
             stopped = gone and os.WIFSTOPPED(status)
             if gone and not stopped:
                 return wire.NOT_KILLED, status, usage
-            if watch.before is None:
-                watch.start(self._baseline())
-            reason, left = self._limit(pid, watch)
+            self._note_start(watch)
+            reason, left = watch.limit(_cpu_clock(pid), time.perf_counter_ns())
             if stopped and not reason and self._goes_on(pid, watch, status):
                 os.kill(pid, signal.SIGCONT)
             elif stopped or reason:
@@ -172,10 +166,6 @@ class Server:
                 return reason, status if stopped and not reason else killed, usage
             else:
                 self._wait(pid, left)
-
-    def _limit(self, pid: int, watch: Clocks) -> tuple[int, int]:
-        """The limit that is passed, if one is, or else how many ns none can be."""
-        return watch.limit(_cpu_clock(pid), time.perf_counter_ns())
 
     def _ask_where(self, pid: int, reason: int) -> int:
         """Let a child whose time is up say where it stands; the reason, after a last look at it."""
@@ -213,18 +203,20 @@ class Server:
         """Until something dies or the time is over. The judge's hang-up ends all, its STOP the child."""
         for number, event in self._events.poll(nanoseconds / 1e6):
             if number == self._deaths:
-                _drain(self._deaths)
+                os.read(number, 4096)
             elif event:
                 os.kill(pid, signal.SIGKILL)
                 if event & select.POLLHUP or not self._line.receive()[0]:
                     self._sweep(pid)
                     os._exit(0)
 
-    def _baseline(self) -> int | None:
-        try:
-            return int.from_bytes(os.read(self._tally, 8), "little")
-        except BlockingIOError:
-            return None
+    def _note_start(self, watch: Clocks) -> None:
+        """Start the clocks once the child has told the CPU time before foreign code."""
+        if watch.before is None:
+            try:
+                watch.start(int.from_bytes(os.read(self._tally, 8), "little"))
+            except BlockingIOError:
+                return
 
     def _sweep(self, pid: int) -> int:
         """End whatever the child left behind; gives the CPU time of that. What cannot be ended ends us."""
@@ -245,8 +237,6 @@ class Server:
 class Clocks:
     """The clocks of one child: of its import, then of its calls; of anything else, from beginning to end."""
 
-    __slots__ = ("at_end", "before", "began", "cores", "imported", "job", "stage", "waited")
-
     def __init__(self, job: wire.Request, began: int, cores: int) -> None:
         self.job = job
         self.began = began  # of the stage, wall time
@@ -257,11 +247,10 @@ class Clocks:
         self.imported = (0, 0, 0)  # CPU and wall time of the import, bytes that were printed by then
         self.waited = 0  # wall time beyond CPU time, in the import
 
-    def start(self, baseline: int | None) -> None:
-        """Foreign code begins, if the CPU time before it has been told."""
-        if baseline is not None:
-            self.before = baseline
-            self.stage = wire.IMPORTING if self.job.kind == wire.CALLS and wire.PAUSES else wire.CALLING
+    def start(self, baseline: int) -> None:
+        """Foreign code begins, after so much CPU time."""
+        self.before = baseline
+        self.stage = wire.IMPORTING if self.job.kind == wire.CALLS and wire.PAUSES else wire.CALLING
 
     def call(self, clock: int, printed: int) -> None:
         """The import is over, and the calls begin."""
@@ -303,13 +292,6 @@ def _cpu_clock(pid: int) -> int:
 
 def _cpu_of(usage: resource.struct_rusage) -> int:
     return round((usage.ru_utime + usage.ru_stime) * 1e9)
-
-
-def _drain(number: int) -> None:
-    try:
-        os.read(number, 4096)
-    except BlockingIOError:
-        return
 
 
 def _kill_all(targets: list[int]) -> None:

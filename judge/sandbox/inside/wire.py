@@ -82,20 +82,6 @@ EXPOSED = 5  # of the server's own: this path can be read, and no submission may
 class Request:
     """One request, unpacked."""
 
-    __slots__ = (
-        "cpu_ns",
-        "descriptors",
-        "kind",
-        "memory",
-        "output",
-        "payload",
-        "stop",
-        "waiting_ns",
-        "wall_ns",
-    )
-
-    cpu_ns: int
-
     def __init__(self, frame: bytes, descriptors: list[int]) -> None:
         fields = REQUEST.unpack_from(frame)
         self.kind, self.cpu_ns, self.wall_ns, self.waiting_ns, self.memory, self.output = fields[:6]
@@ -183,6 +169,16 @@ class Region:
     def payload(self, length: int) -> bytes:
         """The request's payload, or the arguments."""
         return self.memory[PAYLOAD_AT : PAYLOAD_AT + length]
+
+    def append(self, data: bytes, stop: int = REGION_BYTES) -> bool:
+        """Append to the replies, if it ends before `stop`; whether it does."""
+        start = self.words[USED]
+        end = start + len(data)
+        if end > stop:
+            return False
+        self.memory[start:end] = data
+        self.words[USED] = end
+        return True
 
     def replies(self, start: int, stop: int) -> bytes:
         """What was appended between `start` and `stop`, as far as USED says and no further."""
