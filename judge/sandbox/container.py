@@ -22,7 +22,7 @@ from collections.abc import Callable, Sequence
 from queue import SimpleQueue
 from typing import Any, NamedTuple
 
-from judge.errors import JudgeError, shortage_of
+from judge.errors import JudgeError, shortage_code, shortage_of
 from judge.sandbox import bundle, levels, shared
 from judge.sandbox.boundary import Limits, Usage
 from judge.sandbox.inside import wire
@@ -49,9 +49,7 @@ class Lost(Exception):  # noqa: N818 - it never reaches a person
 
     def __init__(self, replies: bytes = b"", wall_ns: int = 0, *, asked: bool = True) -> None:
         super().__init__()
-        self.asked = asked
-        self.replies = replies
-        self.wall_ns = wall_ns
+        self.replies, self.wall_ns, self.asked = replies, wall_ns, asked
 
 
 class ChildEnd(NamedTuple):
@@ -66,6 +64,9 @@ class ChildEnd(NamedTuple):
     imported_cpu_ns: int = 0  # the import of a module whose calls were begun
     imported_wall_ns: int = 0
     printed_bytes: int = 0  # to stdout, before the calls
+    note: tuple[int, str] = wire.NO_NOTE, ""  # what the child says of it: foreign once it has begun
+    stood_at: int = 0  # the line where it says that it stood when its time was up, 0 for unknown
+    code: int = 0  # the errno of what failed before it had begun
 
     @property
     def usage(self) -> Usage:
@@ -130,14 +131,11 @@ class Seed:
         self.plan = plan
         self.users = 0
         with contextlib.ExitStack() as closing, contextlib.ExitStack() as passed:
-            ours, theirs = _socket.socketpair(_socket.AF_UNIX, PAIR)
-            closing.callback(ours.close)
-            passed.callback(theirs.close)
-            self._line = wire.Channel(ours)
+            self._line, theirs = _channel(closing, passed)
             self._complaints = shared.nameless()
             closing.callback(os.close, self._complaints)
-            (code,) = passed.enter_context(shared.files(bundle.pack(plan.config)))
-            descriptors = code, theirs.fileno()
+            (bundled,) = passed.enter_context(shared.files(bundle.pack(plan.config)))
+            descriptors = bundled, theirs
             try:
                 self._process = _STARTER.start(
                     (*plan.command, *map(str, descriptors)),
@@ -150,9 +148,9 @@ class Seed:
                     start_new_session=True,  # Ctrl-C is for the judge, which ends this in its own way
                 )
             except OSError as fault:
-                not_started = levels.of_fault(fault, plan.command[0])
-                assert not_started is not None
-                raise not_started from fault
+                code = fault.errno or 0
+                what = f"{plan.command[0]} cannot be started: {os.strerror(code)}"
+                raise levels.of_code(code, what, 1) from fault
             self._closing = closing.pop_all()
 
     def fork(self, channel: int, region: int, order: int) -> None:
@@ -217,6 +215,14 @@ class Seeds:
             seed.close()
 
 
+def _channel(closing: contextlib.ExitStack, passed: contextlib.ExitStack) -> tuple[wire.Channel, int]:
+    """A new channel, and the descriptor of its other end; each is closed with its own."""
+    ours, theirs = _socket.socketpair(_socket.AF_UNIX, PAIR)
+    closing.callback(ours.close)
+    passed.callback(theirs.close)
+    return wire.Channel(ours), theirs.fileno()
+
+
 def _kill(process: subprocess.Popen[bytes]) -> None:
     """Its session has no other members than its own; under bubblewrap its death is that of its namespace."""
     if process.poll() is None:
@@ -243,16 +249,13 @@ class Container:
             self._open(source, plan, opening)
         except BaseException as fault:
             self.close()
-            if isinstance(fault, OSError | MemoryError | RuntimeError) and (why := levels.of_fault(fault)):
-                raise why from fault
+            if code := shortage_code(fault):
+                raise levels.of_code(code, str(fault)) from fault
             raise
 
     def _open(self, source: bytes, planned: Planned, opening: Limits | None) -> None:
-        ours, theirs = _socket.socketpair(_socket.AF_UNIX, PAIR)
-        self._line = wire.Channel(ours)
-        self._closing.callback(ours.close)
         with contextlib.ExitStack() as passed:
-            passed.callback(theirs.close)
+            self._line, theirs = _channel(self._closing, passed)
             descriptor, self.region = shared.region()
             self._closing.callback(self.region.close)
             passed.callback(os.close, descriptor)
@@ -260,7 +263,7 @@ class Container:
             (order,) = passed.enter_context(shared.files(marshal.dumps((plan.config, source))))
             self.region.lay(plan.hidden)
             self._seed = self._seeds.take(plan)
-            self._seed.fork(theirs.fileno(), descriptor, order)
+            self._seed.fork(theirs, descriptor, order)
         if opening is not None:
             self.region.words[wire.USED] = wire.replies_at(len(plan.hidden))
             with shared.files(b"", b"", b"") as stdio, contextlib.suppress(*GONE):  # which shows later
@@ -285,7 +288,7 @@ class Container:
         frame = self._receive(START_SECONDS)
         if not frame.startswith(wire.READY):
             silent = time.monotonic() - began >= START_SECONDS
-            (kind, note), code = self.region.note(), self.region.code()
+            (kind, note), code = self.region.note(), int(self.region.words[wire.CODE])
             said, status = self._hang_up(whole=bool(note))  # ends it, so that it has said all
             self.close()
             if kind == wire.EXPOSED:
@@ -321,9 +324,8 @@ class Container:
             raise Lost
         self.await_ready()
         if wire.replies_at(len(payload)) + wire.reply_bytes(limits.output_bytes) > wire.REGION_BYTES:
-            raise JudgeError(
-                "more calls at once than the container's memory holds", remedy="make fewer at a time"
-            )
+            what = "more calls at once than the container's memory holds"
+            raise JudgeError(what, remedy="make fewer at a time")
         self.region.prepare(payload)
         try:
             self.send(kind, stdio, len(payload), limits, memory)
@@ -350,7 +352,9 @@ class Container:
         if answer.startswith(wire.LACKING):
             raise shortage_of(wire.LACK.unpack_from(answer)[1], "the submission could not be run")
         if answer.startswith(wire.ENDED):
-            return ChildEnd(*wire.DONE.unpack_from(answer)[1:])
+            end = ChildEnd(*wire.DONE.unpack_from(answer)[1:])
+            line, code = (int(self.region.words[at]) for at in (wire.STOOD_AT, wire.CODE))
+            return end._replace(note=self.region.note(), stood_at=line, code=code)
         data = self.replies()
         self.close()
         raise Lost(data, time.monotonic_ns() - began)

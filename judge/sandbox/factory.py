@@ -44,7 +44,7 @@ class Containment:
 
     def __call__(self, source: bytes, name: str) -> Box:
         """A box for this source; `name` is its file's. Raises UsageError and JudgeError as `Levels.open`."""
-        from judge.sandbox.python import PythonBox  # only a run needs sockets, processes and ctypes
+        from judge.sandbox.box import PythonBox  # only a run needs sockets, processes and ctypes
 
         return PythonBox(self, source, name)
 

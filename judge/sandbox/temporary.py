@@ -9,7 +9,6 @@ import contextlib
 import errno
 import fcntl
 import os
-import stat
 import time
 from pathlib import Path
 
@@ -67,8 +66,7 @@ def _take_away(path: str) -> None:
         descriptor = os.open(path, _AS_A_FOLDER)
         try:
             found = os.fstat(descriptor)
-            ours = stat.S_ISDIR(found.st_mode) and found.st_uid == os.geteuid()
-            if ours and time.time() - found.st_mtime > _OLD:
+            if found.st_uid == os.geteuid() and time.time() - found.st_mtime > _OLD:
                 fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)  # refused while its judge lives
                 _remove(path)
         finally:

@@ -326,7 +326,7 @@ def test_the_text_of_an_exception_is_one_printable_line():
     ],
 )
 def test_the_limit_that_was_passed(ended, printed, note, stop):
-    found = overrun(ended, TIGHT, printed, note)
+    found = overrun(ended._replace(note=note), TIGHT, printed)
     assert (found and found[0]) == stop
 
 
@@ -342,4 +342,4 @@ def test_the_limit_that_was_passed(ended, printed, note, stop):
     ],
 )
 def test_the_end_of_a_child_within_its_limits(status, note, end):
-    assert end_of(done(int(status)), note) == end
+    assert end_of(done(int(status))._replace(note=note)) == end

@@ -20,7 +20,7 @@ import time
 
 from judge.sandbox.inside import again, unseen, wire
 from judge.sandbox.inside.confine import Confinement, die_with
-from judge.sandbox.inside.server import SHORTEST_WAIT_NS, SWEEP_SECONDS, Server
+from judge.sandbox.inside.server import SHORTEST_WAIT_NS, SWEEP_SECONDS, ExecServer, Server
 from judge.sandbox.inside.source import sealed
 
 TYPE_CHECKING = False
@@ -30,11 +30,7 @@ if TYPE_CHECKING:
 
 def start(channel: int, config: dict[str, Any]) -> NoReturn:
     """Fork a server whenever the judge opens one, until it hangs up."""
-    kind = Server
-    if "folders" in config:  # of what is no Python
-        from judge.sandbox.inside.exec import ExecServer
-
-        kind = ExecServer
+    kind = ExecServer if "folders" in config else Server
     line = wire.Channel(_socket.socket(fileno=channel))
     die_with(config["parent"])
     sys.path[:] = config["path"]

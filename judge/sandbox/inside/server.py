@@ -5,6 +5,14 @@
              └─ CALLS or PROGRAM, any number of times: fork, watch, reap, sweep → DONE
 
 The judge hanging up is the end of the server and so of everything it has started; see `seed` for its start.
+
+What is not Python has a server that starts compilers and what they make, and watches them in the same way:
+
+    EXECUTE   payload (command line, environment, folder, limits by name): start it with the three descriptors
+    COLLECT   payload (folder, bytes, files): copy the ordinary files below the folder to the second
+              descriptor; the replies say their names and sizes, or why they were not copied
+
+What was started has no descriptor of the region and none of the channel: a note there is the server's own.
 """
 
 from __future__ import annotations
@@ -12,17 +20,20 @@ from __future__ import annotations
 import _signal as signal  # type: ignore[import-not-found]  # signal itself wraps every call in enums: slow
 import errno
 import gc
+import marshal
 import os
 import resource
 import select
+import stat
 import sys
 import time
+from itertools import islice
 
 from judge.sandbox.inside import again, child, wire
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterator
     from types import CodeType
     from typing import Any, NoReturn
 
@@ -33,6 +44,9 @@ LAST_MOMENT_NS = 50_000_000
 AT_WORK = 0.04  # of the last moment: more than a handler takes, or who only looks whether something has come
 SWEEP_SECONDS = 5.0
 _PEAK_UNIT = 1 if sys.platform == "darwin" else 1024
+_DEFAULTS = (signal.SIGINT, signal.SIGPIPE, signal.SIGUSR1, signal.SIGXFSZ, signal.SIGCHLD)
+_AS_IT_IS = os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC
+_AT_ONCE = 1 << 20
 
 
 class Lacking(OSError):  # noqa: N818 - it never reaches a person
@@ -59,21 +73,16 @@ class Server:
         self._level: str = config["level"]
         self._code: CodeType | None = None
         self._tally, self._tally_end = os.pipe()
-        os.set_blocking(self._tally, False)
-        self._deaths = self._watch_for_deaths()
-        self._events = select.poll()
-        self._events.register(self._deaths, select.POLLIN)
-        self._events.register(line.fileno(), select.POLLIN)  # no request comes now: a STOP, or a hang-up
-
-    def _watch_for_deaths(self) -> int:
-        wake, wake_end = os.pipe()
-        os.set_blocking(wake, False)
-        os.set_blocking(wake_end, False)
+        self._deaths, wake_end = os.pipe()
+        for number in (self._tally, self._deaths, wake_end):
+            os.set_blocking(number, False)
         signal.set_wakeup_fd(wake_end, warn_on_full_buffer=False)
         signal.signal(signal.SIGCHLD, lambda *_: None)
         signal.signal(signal.SIGINT, signal.SIG_IGN)
         signal.signal(signal.SIGUSR1, signal.SIG_IGN)  # a child that has no handler for it yet
-        return wake
+        self._events = select.poll()
+        self._events.register(self._deaths, select.POLLIN)
+        self._events.register(line.fileno(), select.POLLIN)  # no request comes now: a STOP, or a hang-up
 
     def serve(self) -> NoReturn:
         """One request after the other."""
@@ -128,7 +137,7 @@ class Server:
         self._note_start(watch)
         spent = 0 if watch.before is None else max(0, cpu + more - watch.before)
         peak = usage.ru_maxrss * _PEAK_UNIT
-        return wire.done(status, reason, spent, wall, peak, watch.stage, *watch.imported)
+        return wire.DONE.pack(wire.ENDED, status, reason, spent, wall, peak, watch.stage, *watch.imported)
 
     def _be_child(self, job: wire.Request, code: CodeType | None) -> NoReturn:
         region, name = self._region, self._name
@@ -234,6 +243,47 @@ class Server:
         os._exit(1)
 
 
+class ExecServer(Server):
+    """A server whose children become other programs."""
+
+    def _run(self, job: wire.Request, code: CodeType | None) -> bytes:
+        return self._collect(job) if job.kind == wire.COLLECT else super()._run(job, code)
+
+    def _be_child(self, job: wire.Request, code: CodeType | None) -> NoReturn:  # noqa: ARG002
+        try:
+            signal.set_wakeup_fd(-1)
+            for number in _DEFAULTS:
+                signal.signal(number, signal.SIG_DFL)
+            command, environment, folder, limits = marshal.loads(self._region.payload(job.payload))
+            child.take_descriptors(*job.descriptors[:3], self._tally_end)
+            os.chdir(folder)
+            self._confinement.confine_program(limits)
+            child.start_the_clock()
+            os.execve(command[0], command, environment)
+        except BaseException as error:
+            self._region.write_fault(error)
+            os._exit(99)
+
+    def _ask_where(self, pid: int, reason: int) -> int:
+        """The reason to kill it; nothing in it would say where it stands."""
+        return self._after_a_look(pid, reason)
+
+    def _collect(self, job: wire.Request) -> bytes:
+        """Copy the files that a compiler has left, as many and as large as they may be."""
+        folder, most, count = marshal.loads(self._region.payload(job.payload))
+        try:
+            answer: Any = [
+                (os.path.relpath(path, folder), _copied(path, job.descriptors[1], most))
+                for path in islice(_files(folder), count + 1)  # one over it tells that there are too many
+            ]
+            if sum(size for _, size in answer) > most or len(answer) > count:
+                answer = "what was compiled is larger than allowed"
+        except OSError as fault:
+            raise Lacking(fault.errno, "") from None
+        self._region.append(marshal.dumps(answer))
+        return wire.DONE.pack(wire.ENDED, 0, wire.NOT_KILLED, 0, 0, 0, wire.CALLING, 0, 0, 0)
+
+
 class Clocks:
     """The clocks of one child: of its import, then of its calls; of anything else, from beginning to end."""
 
@@ -318,3 +368,31 @@ def _parent_of(pid: int) -> int:
             return int(file.read().rpartition(b")")[2].split()[1])
     except (OSError, ValueError, IndexError):
         return 0
+
+
+def _files(folder: str) -> Iterator[str]:
+    """The ordinary files below a folder, no link followed. Raises OSError for a folder that is closed."""
+
+    def closed(fault: OSError) -> None:
+        raise fault
+
+    for base, folders, names in os.walk(folder, onerror=closed):
+        folders.sort()
+        for name in sorted(names):
+            path = os.path.join(base, name)  # noqa: PTH118 - pathlib takes longer to import
+            if stat.S_ISREG(os.lstat(path).st_mode):
+                yield path
+
+
+def _copied(path: str, into: int, most: int) -> int:
+    """Append a file's bytes, at most one over `most`; how many there were."""
+    descriptor = os.open(path, _AS_IT_IS)
+    size = 0
+    try:
+        while size <= most and (part := os.read(descriptor, min(_AT_ONCE, most + 1 - size))):
+            size += len(part)
+            while part:
+                part = part[os.write(into, part) :]
+    finally:
+        os.close(descriptor)
+    return size

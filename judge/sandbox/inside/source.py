@@ -168,10 +168,8 @@ def _children(node: Any) -> list[Any]:
     found: list[Any] = []
     for field in node._fields:
         value = getattr(node, field, None)
-        if isinstance(value, list):
-            found += [item for item in value if isinstance(item, _ast.AST)]
-        elif isinstance(value, _ast.AST):
-            found.append(value)
+        values = value if isinstance(value, list) else [value]
+        found += [each for each in values if isinstance(each, _ast.AST)]
     return found
 
 

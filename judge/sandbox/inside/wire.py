@@ -45,7 +45,7 @@ if TYPE_CHECKING:
 
 FRAME = 64
 REQUEST = struct.Struct("=cqqqqqii")  # kind, cpu ns and wall ns, and as the fields of Request
-DONE = struct.Struct("=4siiqqqiqqq")  # ENDED and the fields of container.Done
+DONE = struct.Struct("=4siiqqqiqqq")  # ENDED and the first fields of container.ChildEnd
 LACK = struct.Struct("=4si")  # LACKING and the errno of what there was no room for, in place of a DONE
 ENDED, LACKING = b"done", b"lack"
 READY = b"ready"  # and the server's pid, in 4 bytes
@@ -53,7 +53,7 @@ FAILED = b"failed"  # the reason is in the region's note
 
 OPEN = b"O"
 INSPECT, CALLS, PROGRAM = b"I", b"F", b"P"
-EXECUTE, COLLECT = b"X", b"C"  # of what is not Python: see exec.py
+EXECUTE, COLLECT = b"X", b"C"  # of what is not Python: see server.py
 STOP = b"S"
 PAUSES = sys.platform == "linux"  # elsewhere no clock of another process says when an import is over
 
@@ -203,27 +203,10 @@ class Region:
         self.words[CODE] = errno.ENOMEM if isinstance(fault, MemoryError) else code or 0
         self.write_note(BROKEN_BOX, f"{type(fault).__name__}: {fault}")
 
-    def code(self) -> int:
-        """The errno of the fault that a note tells of; 0 for another."""
-        return self.words[CODE]
-
     def close(self) -> None:
         """Unmap it."""
         self.words.release()
         self.memory.close()
-
-
-def done(
-    status: int = 0,
-    reason: int = NOT_KILLED,
-    cpu: int = 0,
-    wall: int = 0,
-    peak: int = 0,
-    stage: int = NOT_STARTED,
-    *imported: int,
-) -> bytes:
-    """The frame that says how a request ended."""
-    return DONE.pack(ENDED, status, reason, cpu, wall, peak, stage, *imported or (0, 0, 0))
 
 
 def replies_at(payload: int) -> int:
