@@ -28,7 +28,7 @@ from judge.sandbox.boundary import Limits, Usage
 from judge.sandbox.inside import wire
 from judge.sandbox.launch import LaunchPlan
 from judge.sandbox.levels import StartError
-from judge.sandbox.temporary import TemporaryFolder
+from judge.sandbox.temporary import temporary_folder
 
 START_SECONDS = 20.0  # a loaded machine, a cold disk
 SLOW_TRIES = 2  # each takes as long as that
@@ -271,9 +271,7 @@ class Container:
 
     def _home(self) -> str:
         """An empty folder of this machine for a submission's own, gone with the container."""
-        folder = TemporaryFolder()
-        self._closing.callback(folder.close)
-        home = folder.path / "home"
+        home = self._closing.enter_context(temporary_folder()) / "home"
         home.mkdir(mode=0o700)
         return str(home)
 

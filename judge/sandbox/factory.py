@@ -72,11 +72,9 @@ class Containment:
             self._visible[more, modules] = visible(self.hide, more, modules=modules)
         return self._visible[more, modules]
 
-    @property
+    @cached_property
     def share(self) -> Share:
         """The threads that each submission may have."""
-        if self._own_share is None:
-            from judge.sandbox import room
+        from judge.sandbox import room
 
-            self._own_share = room.measure().share(1)
-        return self._own_share
+        return self._own_share or room.measure().share(1)

@@ -38,7 +38,7 @@ from judge.sandbox.factory import Containment
 from judge.sandbox.inside import wire
 from judge.sandbox.launch import Workplace
 from judge.sandbox.recipe import ArtifactStore, Files, Recipe, Sources, filled, written
-from judge.sandbox.temporary import TemporaryFolder
+from judge.sandbox.temporary import temporary_folder
 
 _BOX = "/box"
 _WARNED = "judge-warnings"  # a file beside what was compiled, for whoever takes that from the cache
@@ -95,7 +95,11 @@ class NativeBox(ContainerBox):
         visible = self._boxes.visible(more, modules=False)
         plan = partial(launch.plan, level, "", visible, self._boxes.share, place=place)
         container = Container(level, b"", plan, self._boxes.seeds)
-        container.await_ready()
+        try:
+            container.await_ready()
+        except BaseException:  # Ctrl-C too
+            container.close()
+            raise
         return container
 
     # -- compiling
@@ -136,7 +140,7 @@ class NativeBox(ContainerBox):
 
     def _compiled(self, sources: Sources) -> tuple[Files, SourceFault | None]:
         recipe = self._recipe
-        with TemporaryFolder() as folder:
+        with temporary_folder() as folder:
             written(folder / "source", [*sources.files, *recipe.help])
             (folder / "scratch").mkdir(mode=0o755)
             place, more = place_of(recipe, folder), (*recipe.compile_reads, *recipe.compile_runs)
@@ -205,7 +209,7 @@ class NativeBox(ContainerBox):
     @cached_property
     def _place(self) -> Workplace:
         """Where a container shows what was compiled."""
-        box = self._closing.enter_context(TemporaryFolder()) / "box"
+        box = self._closing.enter_context(temporary_folder()) / "box"
         written(box, self._artifact)
         runnable = tuple(map(os.path.realpath, self._recipe.runs))
         return Workplace("run", ((_BOX, str(box)),), runnable=runnable, reads=tuple(self._recipe.reads))

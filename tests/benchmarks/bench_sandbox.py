@@ -23,7 +23,8 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
-from judge.sandbox import levels_here, open_box
+from judge.sandbox import open_box
+from judge.sandbox.available import levels_here
 from judge.sandbox.boundary import Limits
 from judge.sandbox.box import PythonBox
 

@@ -18,7 +18,8 @@ from sandboxed import LIMITS, children, require
 
 from judge import sandbox
 from judge.errors import JudgeError, ShortageError, UsageError
-from judge.sandbox import Containment, bundle, container, launch, levels, levels_here, open_box
+from judge.sandbox import Containment, bundle, container, launch, levels, open_box
+from judge.sandbox.available import levels_here
 from judge.sandbox.inside.again import PAUSES
 from judge.sandbox.levels import Levels, StartError
 

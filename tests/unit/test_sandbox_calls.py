@@ -14,7 +14,8 @@ from sandboxed import LIMITS, call, children, limits, require, run
 
 import judge
 from judge.errors import JudgeError, ShortageError
-from judge.sandbox import LEVELS, Reply, Stop, levels, open_box, outcome
+from judge.sandbox import LEVELS, Stop, levels, open_box, outcome
+from judge.sandbox.boundary import Reply
 from judge.sandbox.container import ChildEnd, Container, Lost
 from judge.sandbox.inside import wire
 from judge.sandbox.outcome import end_of, overrun, parse_replies

@@ -30,6 +30,7 @@ import time
 from itertools import islice
 
 from judge.sandbox.inside import again, child, wire
+from judge.sandbox.inside.confine import LINUX, Confinement
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -37,14 +38,12 @@ if TYPE_CHECKING:
     from types import CodeType
     from typing import Any, NoReturn
 
-    from judge.sandbox.inside.confine import Confinement
-
 SHORTEST_WAIT_NS = 1_000_000
 LAST_MOMENT_NS = 50_000_000
 AT_WORK = 0.04  # of the last moment: more than a handler takes, or who only looks whether something has come
 SWEEP_SECONDS = 5.0
 _PEAK_UNIT = 1 if sys.platform == "darwin" else 1024
-_DEFAULTS = (signal.SIGINT, signal.SIGPIPE, signal.SIGUSR1, signal.SIGXFSZ, signal.SIGCHLD)
+_DEFAULTS = (signal.SIGINT, signal.SIGPIPE, signal.SIGUSR1, signal.SIGXFSZ)
 _AS_IT_IS = os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC
 _AT_ONCE = 1 << 20
 
@@ -70,6 +69,7 @@ class Server:
         self._source, self._own_source = source, config["source"]
         self._name: str = child.OWN_FILE if self._own_source else config["name"]
         self._cores: int = config["cores"]
+        self._threads: int = config["threads"]
         self._level: str = config["level"]
         self._code: CodeType | None = None
         self._tally, self._tally_end = os.pipe()
@@ -95,7 +95,7 @@ class Server:
                     continue
                 job = wire.Request(frame, descriptors)
                 try:
-                    answer = self._run(job, self._code)
+                    answer = self._run(job)
                     if job.kind == wire.INSPECT:
                         self._prepare()
                 except Lacking as lack:
@@ -120,7 +120,7 @@ class Server:
         gc.collect()
         gc.freeze()
 
-    def _run(self, job: wire.Request, code: CodeType | None) -> bytes:
+    def _run(self, job: wire.Request) -> bytes:
         if len(job.descriptors) < 3 + (job.kind == wire.CALLS and wire.PAUSES):
             raise Lacking(errno.EMFILE, "")  # what there was no room for has not arrived
         try:
@@ -128,7 +128,7 @@ class Server:
         except OSError as fault:
             raise Lacking(fault.errno, "") from None
         if pid == 0:
-            self._be_child(job, code)
+            self._be_child(job)
         watch = Clocks(job, began, self._cores)
         reason, status, usage = self._watch(pid, watch)
         wall = time.perf_counter_ns() - watch.began
@@ -139,23 +139,32 @@ class Server:
         peak = usage.ru_maxrss * _PEAK_UNIT
         return wire.DONE.pack(wire.ENDED, status, reason, spent, wall, peak, watch.stage, *watch.imported)
 
-    def _be_child(self, job: wire.Request, code: CodeType | None) -> NoReturn:
-        region, name = self._region, self._name
+    def _be_child(self, job: wire.Request) -> NoReturn:
+        region = self._region
         try:
             signal.set_wakeup_fd(-1)
             signal.signal(signal.SIGCHLD, signal.SIG_DFL)
-            signal.signal(signal.SIGINT, signal.default_int_handler)
-            child.take_descriptors(*job.descriptors[:3], self._tally_end, *self._own_source)
-            self._confinement.confine_child(job.memory, job.output, job.cpu_ns // 10**9 + 2)
-            if job.kind == wire.INSPECT:
-                child.look_at(self._source, name, region, job.stop)
-            assert code is not None, "INSPECT comes before this"
-            if job.kind == wire.PROGRAM:
-                child.be_program(code, name, region)
-            child.make_calls(code, name, region, job)
+            self._become(job, region)
         except BaseException as error:
             region.write_fault(error)
-            os._exit(99)
+        os._exit(99)
+
+    def _become(self, job: wire.Request, region: wire.Region) -> None:
+        name, code = self._name, self._code
+        signal.signal(signal.SIGINT, signal.default_int_handler)
+        child.take_descriptors(*job.descriptors[:3], self._tally_end, *self._own_source)
+        limits = {"RLIMIT_AS": job.memory, "RLIMIT_FSIZE": job.output + 1}  # with one more, too much shows
+        if not LINUX:  # there, the limit would make the process's CPU clock move by whole timer ticks only
+            limits["RLIMIT_CPU"] = job.cpu_ns // 10**9 + 2
+        if self._threads:
+            limits["RLIMIT_NPROC"] = self._threads
+        self._confinement.confine_child(limits)
+        if job.kind == wire.INSPECT:
+            child.look_at(self._source, name, region, job.stop)
+        assert code is not None, "INSPECT comes before this"
+        if job.kind == wire.PROGRAM:
+            child.be_program(code, name, region)
+        child.make_calls(code, name, region, job)
 
     def _watch(self, pid: int, watch: Clocks) -> tuple[int, int, resource.struct_rusage]:
         """Watch the child until it is dead: the limit that killed it, its status, its usage."""
@@ -246,27 +255,20 @@ class Server:
 class ExecServer(Server):
     """A server whose children become other programs."""
 
-    def _run(self, job: wire.Request, code: CodeType | None) -> bytes:
-        return self._collect(job) if job.kind == wire.COLLECT else super()._run(job, code)
+    def _run(self, job: wire.Request) -> bytes:
+        return self._collect(job) if job.kind == wire.COLLECT else super()._run(job)
 
-    def _be_child(self, job: wire.Request, code: CodeType | None) -> NoReturn:  # noqa: ARG002
-        try:
-            signal.set_wakeup_fd(-1)
-            for number in _DEFAULTS:
-                signal.signal(number, signal.SIG_DFL)
-            command, environment, folder, limits = marshal.loads(self._region.payload(job.payload))
-            child.take_descriptors(*job.descriptors[:3], self._tally_end)
-            os.chdir(folder)
-            self._confinement.confine_program(limits)
-            child.start_the_clock()
-            os.execve(command[0], command, environment)
-        except BaseException as error:
-            self._region.write_fault(error)
-            os._exit(99)
+    def _become(self, job: wire.Request, region: wire.Region) -> None:
+        for number in _DEFAULTS:
+            signal.signal(number, signal.SIG_DFL)
+        command, environment, folder, limits = marshal.loads(region.payload(job.payload))
+        child.take_descriptors(*job.descriptors[:3], self._tally_end)
+        os.chdir(folder)
+        self._confinement.confine_child(limits, starts=True)
+        child.start_the_clock()
+        os.execve(command[0], command, environment)
 
-    def _ask_where(self, pid: int, reason: int) -> int:
-        """The reason to kill it; nothing in it would say where it stands."""
-        return self._after_a_look(pid, reason)
+    _ask_where = Server._after_a_look  # nothing in it would say where it stands
 
     def _collect(self, job: wire.Request) -> bytes:
         """Copy the files that a compiler has left, as many and as large as they may be."""
@@ -356,13 +358,13 @@ def _kill_all(targets: list[int]) -> None:
 def _children_of(parent: int) -> list[int]:
     """The processes whose parent this is, as /proc tells; none where it does not."""
     try:
-        pids = [int(name) for name in os.listdir("/proc") if name.isdecimal()]  # noqa: PTH208
+        names = os.listdir("/proc")  # noqa: PTH208
     except OSError:
         return []
-    return [pid for pid in pids if _parent_of(pid) == parent]
+    return [int(name) for name in names if name.isdecimal() and _parent_of(name) == parent]
 
 
-def _parent_of(pid: int) -> int:
+def _parent_of(pid: str) -> int:
     try:
         with open(f"/proc/{pid}/stat", "rb") as file:  # noqa: PTH123 - pathlib takes longer to import
             return int(file.read().rpartition(b")")[2].split()[1])
