@@ -249,7 +249,7 @@ def _cannot(fault: Exception) -> str:
 def levels_here() -> tuple[str, ...]:
     """What a worker answers: the levels of isolation that its machine gives."""
     from judge.judging.containment import every_hidden_folder
-    from judge.sandbox import levels_here
+    from judge.sandbox.available import levels_here
 
     return tuple(each.name for each in levels_here(every_hidden_folder()) if each.available)
 

@@ -5,44 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
-from judge.sandbox.boundary import (
-    LEVELS,
-    Box,
-    BoxFactory,
-    CallsResult,
-    Defined,
-    Inspection,
-    Limits,
-    ProgramResult,
-    Reply,
-    SourceFault,
-    Stop,
-    Usage,
-)
+from judge.sandbox.boundary import LEVELS, Box, BoxFactory, Limits, Stop, Usage
 from judge.sandbox.factory import Containment
 
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from judge.sandbox.available import Level
-
-__all__ = [
-    "LEVELS",
-    "Box",
-    "BoxFactory",
-    "CallsResult",
-    "Containment",
-    "Defined",
-    "Inspection",
-    "Limits",
-    "ProgramResult",
-    "Reply",
-    "SourceFault",
-    "Stop",
-    "Usage",
-    "levels_here",
-    "open_box",
-]
+__all__ = ["LEVELS", "Box", "BoxFactory", "Containment", "Limits", "Stop", "Usage", "open_box"]
 
 
 def open_box(source: bytes, name: str, *, level: str | None = None, hide: Iterable[Path] = ()) -> Box:
@@ -57,10 +26,3 @@ def open_box(source: bytes, name: str, *, level: str | None = None, hide: Iterab
         hide: more folders that must not be seen inside, if they lie among the interpreter's own.
     """
     return Containment(level, hide)(source, name)
-
-
-def levels_here(hide: Iterable[Path] = ()) -> tuple[Level, ...]:
-    """What this machine gives, the best level first, by trying each; `hide` as of `open_box`."""
-    from judge.sandbox import available
-
-    return available.levels_here(hide)

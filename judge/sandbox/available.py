@@ -83,9 +83,8 @@ def _try(name: str, hide: Iterable[Path], wanted: bytes) -> Level:
     except JudgeError as error:
         lasting = not isinstance(error, ShortageError)
         return Level(name, False, MEANING[name], error.what, error.remedy or "", lasting)
+    seen, deed = (text.decode(errors="replace").partition("\n")[0] for text in (looked.stdout, looked.stderr))
+    why = f"a submission could {deed}" if deed else ""
     if looked.stop is not Stop.ANSWERED:
-        return Level(name, False, MEANING[name], f"a program that looks around failed: {looked.detail}")
-    if looked.stderr:
-        deed = looked.stderr.decode(errors="replace").partition("\n")[0]
-        return Level(name, False, MEANING[name], f"a submission could {deed}")
-    return Level(name, True, MEANING[name], visible=looked.stdout.decode(errors="replace").partition("\n")[0])
+        why = f"a program that looks around failed: {looked.detail}"
+    return Level(name, not why, MEANING[name], why, visible=None if why else seen)

@@ -1,4 +1,4 @@
-"""What the boxes of all languages have in common: one container after the other, and how a process ended.
+"""A submission in one container after the other, and how its processes ended; the box of Python.
 
 A container is started at once or when it is needed, tried again, and replaced where it has ended. Once
 foreign code runs nothing that it says is believed: what was measured comes first; see `outcome`.
@@ -6,20 +6,35 @@ foreign code runs nothing that it says is believed: what was measured comes firs
 
 from __future__ import annotations
 
+import contextlib
 import errno
+import json
 import os
 import signal
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from functools import partial
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from judge.errors import LIMIT_ON_TASKS, NO_THREAD, JudgeError, ShortageError, shortage_of
-from judge.sandbox import outcome, room, shared
-from judge.sandbox.boundary import Inspection, Limits, ProgramResult, Stop, Talk, Usage
+from judge.sandbox import launch, outcome, room, shared
+from judge.sandbox.boundary import (
+    IMPORTING,
+    CallsResult,
+    Inspection,
+    Limits,
+    ProgramResult,
+    Reply,
+    SourceFault,
+    Stop,
+    Talk,
+    Usage,
+)
+from judge.sandbox.calls import packed
 from judge.sandbox.container import ChildEnd, Container, Lost
 from judge.sandbox.dialogue import Dialogue
 from judge.sandbox.inside import wire
+from judge.sandbox.levels import StartError
 
 if TYPE_CHECKING:
     from judge.sandbox.factory import Containment
@@ -27,6 +42,11 @@ if TYPE_CHECKING:
 BUSY = "judge it again, with a smaller -j if the machine is busy"
 _PATIENCE = 5.0  # seconds, with a talk whose program is gone
 LOST = "it stopped the process that watches it"
+PRINTED_BYTES = 4 << 10  # of what a function prints that are kept
+_INSPECTION = Limits(cpu_seconds=10.0, wall_seconds=30.0, memory_bytes=1 << 30, output_bytes=1 << 22)
+_ADDRESS_SPACE = 256 << 20  # beyond twice the memory limit: honest numpy reserves far more than it touches
+_TRUSTED_TRIES = 2
+_FAILED = "the container failed"
 
 
 class ContainerBox(ABC):
@@ -79,18 +99,18 @@ class ContainerBox(ABC):
         if fault := self._prepare():
             return ProgramResult(Stop.EXCEPTION, b"", b"", fault, Usage())
         try:
-            with shared.stdio(stdin if isinstance(stdin, bytes) else b"") as stdio:
+            with shared.files(stdin if isinstance(stdin, bytes) else b"", b"", b"") as stdio:
                 if isinstance(stdin, bytes):
                     done = self._run(stdio, limits)
-                    printed, out = shared.size(stdio[1]), shared.head(stdio[1], limits.output_bytes)
+                    printed, out = shared.size(stdio[1]), shared.part(stdio[1], 0, limits.output_bytes)
                 else:
                     done, printed, out = self._talked(stdin, stdio[2], limits)
                 printed = max(printed, shared.size(stdio[2]))
                 err = shared.tail(stdio[2], self.stderr_bytes)
         except Lost:
             return ProgramResult(Stop.TAMPERED, b"", b"", LOST, Usage())
-        note, words = self._said(done, err)
-        stop, detail = self._overrun(done, limits, printed, note) or outcome.end_of(done, note, words)
+        done, words = self._said(done, err)
+        stop, detail = self._overrun(done, limits, printed) or outcome.end_of(done, words)
         detail = "" if stop is Stop.ANSWERED else detail
         return ProgramResult(stop, out, err, self._with_threads(detail), done.usage)
 
@@ -118,9 +138,9 @@ class ContainerBox(ABC):
     def _run(self, stdio: Sequence[int], limits: Limits) -> ChildEnd:
         """Run the program. Raises Lost."""
 
-    @abstractmethod
-    def _said(self, done: ChildEnd, stderr: bytes) -> tuple[tuple[int, str], str]:
-        """What a program says of its end: a note, and words."""
+    def _said(self, done: ChildEnd, stderr: bytes) -> tuple[ChildEnd, str]:  # noqa: ARG002
+        """Its end with what a program says of that, and words."""
+        return done, ""
 
     # -- the container
 
@@ -177,12 +197,11 @@ class ContainerBox(ABC):
                 if runs and (not fault.asked or self.isolation != "limits"):  # beyond its reach
                     raise ShortageError("the process that watches it has ended", remedy=BUSY) from None
             raise
-        region = self._here().region
-        (note, text), code = region.note(), region.code()
+        note, text = done.note
         # Once foreign code runs, notes are its own; what is no Python has no way to write any.
         if note == wire.BROKEN_BOX and (done.stage == wire.NOT_STARTED or kind == wire.EXECUTE):
             self._drop()
-            raise shortage_of(code, what) if code else ShortageError(f"{what}: {text}", remedy=BUSY)
+            raise shortage_of(done.code, what) if done.code else ShortageError(f"{what}: {text}", remedy=BUSY)
         killed = os.WIFSIGNALED(done.status) and os.WTERMSIG(done.status) == signal.SIGKILL
         if not done.reason and killed and done.peak_bytes <= limits.memory_bytes + self.idle.memory_bytes:
             self._check_kills()
@@ -195,13 +214,8 @@ class ContainerBox(ABC):
 
     # -- how it ended
 
-    def _overrun(
-        self, done: ChildEnd, limits: Limits, printed: int, note: tuple[int, str]
-    ) -> tuple[Stop, str] | None:
-        said = int(self._here().region.words[wire.STOOD_AT])
-        return outcome.overrun(
-            done, limits, printed, note, said if said <= self.lines else 0, self.idle, self.name
-        )
+    def _overrun(self, done: ChildEnd, limits: Limits, printed: int) -> tuple[Stop, str] | None:
+        return outcome.overrun(done, limits, printed, self.lines, self.idle, self.name)
 
     def _with_threads(self, detail: str) -> str:
         """What it says of its own end, with how many threads it may have where that is fewer than elsewhere.
@@ -213,3 +227,113 @@ class ContainerBox(ABC):
             return detail
         most = f"it may have {share.each} threads at once here, and not {room.THREADS} as elsewhere"
         return f"{detail}; {most}: {LIMIT_ON_TASKS}"
+
+
+class PythonBox(ContainerBox):
+    """The container is started at once, where the source is looked at and its modules are imported, and
+    awaited on entering, so that a judge may do other things meanwhile.
+    """
+
+    def __init__(self, boxes: Containment, source: bytes, name: str) -> None:
+        """Start a container ahead; what goes wrong with that shows when it is asked for."""
+        super().__init__(boxes)
+        self._source, self._name = source, name
+        self.lines = len(source.splitlines())
+        self._held = boxes.levels.level
+        with contextlib.suppress(StartError):
+            self._container = self._start(self._held)
+
+    def _start(self, level: str) -> Container:
+        plan = partial(launch.plan, level, self._name, self._boxes.visible(), self._boxes.share)
+        return Container(level, self._source, plan, self._boxes.seeds, _INSPECTION)
+
+    def __enter__(self) -> PythonBox:
+        self._here()
+        return self
+
+    def _inspect(self) -> Inspection:
+        done = self._opened()
+        replies = self._here().replies()
+        over = self._overrun(done, _INSPECTION, 0)
+        if done.reason not in (wire.NOT_KILLED, wire.FOR_CPU):  # no compiler waits
+            self._drop()
+            raise ShortageError("the machine is too busy to compile it", remedy=BUSY)
+        if over or done.status or not replies.endswith(b",\n"):
+            text = over[1] if over else outcome.end_of(done)[1]
+            return Inspection(SourceFault(f"the compiler did not survive it: {text}"))
+        return Inspection.read(json.loads(replies.removesuffix(b",\n")))
+
+    def _opened(self) -> ChildEnd:
+        """How a container's look at the source ended, where nothing foreign has run: what is lost or killed
+        then, the machine has lost.
+        """
+        for _ in range(_TRUSTED_TRIES):
+            try:
+                done = self._ask(wire.INSPECT, (), b"", _INSPECTION, 0, _FAILED)
+            except Lost:
+                continue
+            if done.reason or not outcome.is_from_outside(done):
+                self._prepared = True
+                return done
+            self._drop()
+        raise ShortageError("the container ended before the submission was run", remedy=BUSY)
+
+    def call(self, entry: str, calls: Sequence[Sequence[Any]], limits: Limits) -> CallsResult:
+        """Make the calls in one child; see `Box.call`."""
+        if not calls:
+            return CallsResult((), Usage())
+        if fault := self._prepare():
+            return CallsResult((Reply(Stop.EXCEPTION, detail=fault),) * len(calls), Usage())
+        head, arguments = packed(entry, calls, limits.items)
+        try:
+            with shared.files(b"", b"", b"", arguments) as stdio:
+                del arguments  # which may be large
+                done = self._request(wire.CALLS, stdio if wire.PAUSES else stdio[:3], head, limits)
+                printed = max(map(shared.size, stdio[1:3]))
+                text = shared.part(stdio[1], done.printed_bytes, PRINTED_BYTES)
+        except Lost as lost:
+            kept = outcome.parse_replies(lost.replies, len(calls))[0][: len(calls) - 1]
+            return CallsResult((*kept, Reply(Stop.TAMPERED, detail=LOST)), Usage(0, lost.wall_ns / 1e9))
+        replies = self._ended(done, limits, printed, len(calls))
+        text = text if done.stage == wire.CALLING else b""
+        if self._boxes.share.short:
+            replies = [each._replace(detail=self._with_threads(each.detail)) for each in replies]
+        return CallsResult(tuple(replies), done.usage, done.imported, text)
+
+    def _ended(self, done: ChildEnd, limits: Limits, printed: int, count: int) -> list[Reply]:
+        """The replies of a child that is gone; the last says how it ended if it did not answer all."""
+        replies, kept_form = outcome.parse_replies(self._here().replies(), count)
+        if done.stage != wire.CALLING and any(reply.stop is Stop.ANSWERED for reply in replies):
+            replies, kept_form = [], False  # nothing was asked
+        over = self._overrun(done, limits, printed)
+        if over is None and kept_form and len(replies) == count:
+            return replies
+        if over:
+            stop, detail = over
+            if len(replies) >= count:
+                detail += ", in this call or one before it"
+        elif not kept_form:
+            stop, detail = Stop.TAMPERED, "it wrote into its own replies"
+        else:
+            stop = Stop.EXITED  # in mid-call, whatever its status
+            detail = outcome.end_of(done)[1]
+        if done.stage != wire.CALLING and stop is Stop.EXITED:
+            detail += IMPORTING
+        # of a limit that the calls passed together, the last one hears
+        return [*replies[: count - 1], Reply(stop, detail=detail)]
+
+    def _run(self, stdio: Sequence[int], limits: Limits) -> ChildEnd:
+        return self._request(wire.PROGRAM, stdio, b"", limits)
+
+    def _prepare(self) -> str:
+        """Make the server ready for runs, once a container; the source's fault, or nothing."""
+        found = self.inspect()
+        if found.fault:
+            return found.fault.message
+        if not self._prepared:
+            self._opened()
+        return ""
+
+    def _request(self, kind: bytes, stdio: Sequence[int], payload: bytes, limits: Limits) -> ChildEnd:
+        memory = 2 * limits.memory_bytes + _ADDRESS_SPACE
+        return self._ask(kind, stdio, payload, limits, memory, _FAILED)

@@ -14,7 +14,7 @@ from importlib.util import find_spec
 from types import CodeType
 from typing import Any
 
-_ALWAYS = (
+_ALWAYS = (  # in the order in which they import one another
     "judge.sandbox.encode",
     "judge.sandbox.inside.again",
     "judge.sandbox.inside.wire",
@@ -23,9 +23,8 @@ _ALWAYS = (
     "judge.sandbox.inside.confine",
     "judge.sandbox.inside.unseen",
     "judge.sandbox.inside.server",
+    "judge.sandbox.inside.seed",
 )
-_SEED = "judge.sandbox.inside.seed"
-_EXEC = "judge.sandbox.inside.exec"  # the server of what is no Python
 _ON_LINUX = "judge.sandbox.inside.linux"
 
 # argv: the bundle's descriptor, the channel's
@@ -49,10 +48,8 @@ module.start(channel, config)
 
 def pack(config: dict[str, Any]) -> bytes:
     """The bundle's bytes; the last of its modules starts it. `config` holds plain values only."""
-    first, more = [_ON_LINUX] if sys.platform == "linux" else [], [_EXEC] if "folders" in config else []
-    names = (*first, *_ALWAYS, *more, _SEED)  # in the order in which they import one another
-    modules = tuple(map(_module, names))
-    return marshal.dumps((modules, config))
+    first = [_ON_LINUX] if sys.platform == "linux" else []
+    return marshal.dumps((tuple(map(_module, (*first, *_ALWAYS))), config))
 
 
 @cache

@@ -40,15 +40,10 @@ def packed(entry: str, calls: Sequence[Sequence[Any]], most: int) -> tuple[bytes
     stopped after its import, all of it is in the payload.
     """
     places = {place for arguments in calls for place, value in enumerate(arguments) if type(value) is array}
-    given = (
-        tuple(places),
-        [
-            tuple([(each.typecode, each) if type(each) is array else each for each in arguments])
-            if places
-            else tuple(arguments)
-            for arguments in calls
-        ],
-    )
+    rows = [tuple(arguments) for arguments in calls]
+    if places:
+        rows = [tuple([(v.typecode, v) if type(v) is array else v for v in row]) for row in rows]
+    given = tuple(places), rows
     if not wire.PAUSES:
         return marshal.dumps((entry, len(calls), most, given)), b""
     head, arguments = marshal.dumps((entry, len(calls), most, None)), marshal.dumps(given)

@@ -12,6 +12,7 @@ import os
 import re
 import signal
 from collections.abc import Sequence
+from io import BytesIO
 from pathlib import Path
 from typing import NamedTuple
 
@@ -19,7 +20,7 @@ from judge.errors import ShortageError, shortage_of
 from judge.sandbox import outcome, room, shared
 from judge.sandbox.boundary import Limits, SourceFault
 from judge.sandbox.box import BUSY
-from judge.sandbox.container import ChildEnd, Container, Lost
+from judge.sandbox.container import ChildEnd, Container
 from judge.sandbox.inside import wire
 from judge.sandbox.launch import PLAIN, RESULT, SCRATCH, Workplace
 from judge.sandbox.recipe import Files, Recipe, Sources, filled
@@ -66,14 +67,10 @@ _TOO_LARGE = f"it compiles to more than {LIMITS.output_bytes >> 20} MB"
 
 
 class Compiled(NamedTuple):
-    """What came of it: files, or the fault of the source; `cpu_seconds` of the compiler's own process.
-
-    `warnings` are sentences about the submission's own file.
-    """
+    """What came of it: files, or the fault of the source; `warnings` are about the submission's own file."""
 
     files: Files
     fault: SourceFault | None
-    cpu_seconds: float = 0.0
     warnings: tuple[str, ...] = ()
 
 
@@ -89,13 +86,10 @@ def place_of(recipe: Recipe, folder: Path) -> Workplace:
     )
 
 
-def compiled(
-    recipe: Recipe, sources: Sources, container: Container, place: Workplace, processes: int
-) -> Compiled:
-    """Compile the sources that are shown in the container; `processes` bound those it may have.
+def compiled(recipe: Recipe, sources: Sources, container: Container, place: Workplace) -> Compiled:
+    """Compile the sources that are shown in the container. Raises Lost.
 
-    Raises:
-        ShortageError: the container ended or is too busy, or the compiler ends for want of something.
+    Raises ShortageError where it is too busy, or the compiler ends for want of something.
     """
     room.check_memory(LIMITS.memory_bytes)
     level = container.level
@@ -114,59 +108,50 @@ def compiled(
         "TMPDIR": scratch,
         **{name: filled([value], places)[0] for name, value in recipe.compile_environment.items()},
     }
+    alone = level == "full" or os.geteuid() == 0  # else the kernel counts all processes of a user together
     limits = {
         "RLIMIT_CPU": int(LIMITS.cpu_seconds) + 1,  # each of its processes
         "RLIMIT_FSIZE": LIMITS.output_bytes,
         "RLIMIT_DATA": LIMITS.memory_bytes,
-        "RLIMIT_NPROC": processes,
+        "RLIMIT_NPROC": PROCESSES if alone else room.tasks_of_mine() + PROCESSES,
         "RLIMIT_STACK": 64 << 20,
     }
-    used, kills = 0.0, room.oom_kills()
+    kills = room.oom_kills()
     warnings: tuple[str, ...] = ()
     for step in recipe.steps:
         payload = marshal.dumps((filled(step, places, names), environment, scratch, limits))
-        with shared.stdio(b"") as stdio:
-            done = _asked(container, wire.EXECUTE, stdio, payload)
-            said = shared.head(stdio[2], _SAID) + b"\n" + shared.head(stdio[1], _SAID)
-        kind, note = container.region.note()
+        with shared.files(b"", b"", b"") as stdio:
+            done = container.ask(wire.EXECUTE, stdio, payload, LIMITS, LIMITS.memory_bytes)
+            said = shared.part(stdio[2], 0, _SAID) + b"\n" + shared.part(stdio[1], 0, _SAID)
+        kind, note = done.note
         if kind == wire.BROKEN_BOX:
             raise ShortageError(f"{step[0]} cannot be started: {note}", remedy=BUSY)
-        used += done.cpu_ns / 1e9
         text = _plain(said.decode(errors="replace"), (f"{source}/", f"{scratch}/"))
         warnings += _warned(text, sources, recipe.warning)
         fault = _fault(done, text, sources, recipe.complaint)
         if fault:
             if not fault.line and room.oom_kills() != kills:
                 raise shortage_of(errno.ENOMEM, "the kernel has killed the compiler")
-            return Compiled((), fault, used)
+            return Compiled((), fault)
     if recipe.keeps:
-        return Compiled(sources.files, None, used, warnings)
-    return _collected(container, places["out"])._replace(cpu_seconds=used, warnings=warnings)
-
-
-def _asked(container: Container, kind: bytes, stdio: Sequence[int], payload: bytes) -> ChildEnd:
-    try:
-        return container.ask(kind, stdio, payload, LIMITS, LIMITS.memory_bytes)
-    except Lost:
-        raise ShortageError("the compiler's container has ended", remedy=BUSY) from None
+        return Compiled(sources.files, None, warnings)
+    return _collected(container, places["out"])._replace(warnings=warnings)
 
 
 def _collected(container: Container, folder: str) -> Compiled:
     """What the compiler left."""
     payload = marshal.dumps((folder, ARTIFACT_BYTES, ARTIFACT_FILES))
-    with shared.stdio(b"") as stdio:
-        _asked(container, wire.COLLECT, stdio, payload)
+    with shared.files(b"", b"", b"") as stdio:
+        container.ask(wire.COLLECT, stdio, payload, LIMITS, LIMITS.memory_bytes)
         found = marshal.loads(container.replies())
-        content = shared.head(stdio[1], ARTIFACT_BYTES)
+        content = BytesIO(shared.part(stdio[1], 0, ARTIFACT_BYTES))
     if isinstance(found, str):
         return Compiled((), SourceFault(found))
     files: list[tuple[str, bytes]] = []
-    start = 0
     for name, size in found:
         if not _NAME.fullmatch(name) or ".." in name:
             return Compiled((), SourceFault(f"it compiles to a file of a strange name, {ascii(name)[:80]}"))
-        files.append((name, content[start : start + size]))
-        start += size
+        files.append((name, content.read(size)))
     return Compiled(files, None)
 
 

@@ -1,4 +1,7 @@
-"""One running fork server as the judge sees it: start it, ask it, be sure that it is gone.
+"""Fork servers as the judge sees them: start one, ask it, be sure that it is gone.
+
+A seed is an interpreter that has the judge's modules of the inside, and forks a server for each container.
+It is used again by whatever would start the same one, at `full` by one at a time.
 
 Every wait is bounded. A server that does not answer in time is killed with everything in it; the next
 request starts another.
@@ -11,22 +14,29 @@ import contextlib
 import marshal
 import os
 import signal
+import subprocess
+import sys
+import threading
 import time
 from collections.abc import Callable, Sequence
-from typing import NamedTuple
+from queue import SimpleQueue
+from typing import Any, NamedTuple
 
-from judge.errors import JudgeError, shortage_of
-from judge.sandbox import levels, seeds, shared
+from judge.errors import JudgeError, shortage_code, shortage_of
+from judge.sandbox import bundle, levels, shared
 from judge.sandbox.boundary import Limits, Usage
 from judge.sandbox.inside import wire
 from judge.sandbox.launch import LaunchPlan
 from judge.sandbox.levels import StartError
-from judge.sandbox.seeds import Seed, Seeds
-from judge.sandbox.temporary import TemporaryFolder
+from judge.sandbox.temporary import temporary_folder
 
 START_SECONDS = 20.0  # a loaded machine, a cold disk
 SLOW_TRIES = 2  # each takes as long as that
 GRACE_SECONDS = 5.0  # beyond a request's own wall limit
+END_SECONDS = 1.0
+GONE = BrokenPipeError, ConnectionResetError
+REASON_BYTES = 2000
+PAIR = _socket.SOCK_SEQPACKET if sys.platform == "linux" else _socket.SOCK_STREAM
 
 Planned = Callable[[Callable[[], str]], LaunchPlan]  # by what makes an empty folder
 
@@ -39,9 +49,7 @@ class Lost(Exception):  # noqa: N818 - it never reaches a person
 
     def __init__(self, replies: bytes = b"", wall_ns: int = 0, *, asked: bool = True) -> None:
         super().__init__()
-        self.asked = asked
-        self.replies = replies
-        self.wall_ns = wall_ns
+        self.replies, self.wall_ns, self.asked = replies, wall_ns, asked
 
 
 class ChildEnd(NamedTuple):
@@ -56,6 +64,9 @@ class ChildEnd(NamedTuple):
     imported_cpu_ns: int = 0  # the import of a module whose calls were begun
     imported_wall_ns: int = 0
     printed_bytes: int = 0  # to stdout, before the calls
+    note: tuple[int, str] = wire.NO_NOTE, ""  # what the child says of it: foreign once it has begun
+    stood_at: int = 0  # the line where it says that it stood when its time was up, 0 for unknown
+    code: int = 0  # the errno of what failed before it had begun
 
     @property
     def usage(self) -> Usage:
@@ -66,6 +77,159 @@ class ChildEnd(NamedTuple):
     def imported(self) -> Usage:
         """What the import took of a module whose calls were begun."""
         return Usage(self.imported_cpu_ns / 1e9, self.imported_wall_ns / 1e9)
+
+
+class _Starter:
+    """The one thread that starts every seed.
+
+    On Linux a seed dies with the thread that started it; this one lives as long as the judge, so that a box
+    may be handed from thread to thread.
+    """
+
+    def __init__(self) -> None:
+        self._lock = threading.Lock()
+        self._thread: threading.Thread | None = None
+        self._orders: SimpleQueue[Any] = SimpleQueue()
+
+    def start(self, command: Sequence[str], **settings: Any) -> subprocess.Popen[bytes]:
+        """As `subprocess.Popen`. Raises OSError, and RuntimeError where there is no thread left for it."""
+        told: SimpleQueue[subprocess.Popen[bytes] | BaseException] = SimpleQueue()
+        with self._lock:
+            if self._thread is None or not self._thread.is_alive():  # the first time, or after a fork
+                self._orders = SimpleQueue()
+                self._thread = threading.Thread(target=_start_all, args=(self._orders,), daemon=True)
+                self._thread.start()
+            self._orders.put((told, command, settings))
+        try:
+            started = told.get()
+        except BaseException:  # Ctrl-C: it takes only a moment more, and nobody else would end it
+            if not isinstance(late := told.get(), BaseException):
+                _kill(late)
+            raise
+        if isinstance(started, BaseException):
+            raise started
+        return started
+
+
+def _start_all(orders: SimpleQueue[Any]) -> None:
+    while True:
+        told, command, settings = orders.get()
+        try:
+            told.put(subprocess.Popen(command, **settings))
+        except BaseException as fault:
+            told.put(fault)
+
+
+_STARTER = _Starter()
+
+
+class Seed:
+    """An interpreter that has the judge's modules of the inside, and forks a server for each container."""
+
+    def __init__(self, plan: LaunchPlan) -> None:
+        """Start it. Raises StartError, OSError and RuntimeError."""
+        self.plan = plan
+        self.users = 0
+        with contextlib.ExitStack() as closing, contextlib.ExitStack() as passed:
+            self._line, theirs = _channel(closing, passed)
+            self._complaints = shared.nameless()
+            closing.callback(os.close, self._complaints)
+            (bundled,) = passed.enter_context(shared.files(bundle.pack(plan.config)))
+            descriptors = bundled, theirs
+            try:
+                self._process = _STARTER.start(
+                    (*plan.command, *map(str, descriptors)),
+                    env=plan.environment,
+                    cwd="/",
+                    stdin=subprocess.DEVNULL,
+                    stdout=subprocess.DEVNULL,
+                    stderr=self._complaints,
+                    pass_fds=descriptors,
+                    start_new_session=True,  # Ctrl-C is for the judge, which ends this in its own way
+                )
+            except OSError as fault:
+                code = fault.errno or 0
+                what = f"{plan.command[0]} cannot be started: {os.strerror(code)}"
+                raise levels.of_code(code, what, 1) from fault
+            self._closing = closing.pop_all()
+
+    def fork(self, channel: int, region: int, order: int) -> None:
+        """Fork a server with these. That it has ended is noticed at the channel, which hangs up then."""
+        with contextlib.suppress(*GONE):
+            self._line.send(wire.OPEN, (channel, region, order))
+
+    def kill(self) -> None:
+        """End it with all its servers at once."""
+        _kill(self._process)
+
+    def close(self) -> tuple[str, int]:
+        """End it with all its servers; what was complained of, and its status."""
+        try:
+            if self._line.ended(END_SECONDS):
+                with contextlib.suppress(subprocess.TimeoutExpired):
+                    self._process.wait(END_SECONDS)
+        finally:
+            _kill(self._process)
+            said = shared.tail(self._complaints, REASON_BYTES).decode(errors="replace")
+            self._closing.close()
+        return said, self._process.returncode
+
+
+class Seeds:
+    """The seeds of some boxes, for any thread. With `keep` one that nobody uses waits for the next box."""
+
+    def __init__(self) -> None:
+        self.keep = False
+        self._lock = threading.Lock()
+        self._seeds: list[Seed] = []
+
+    def take(self, plan: LaunchPlan) -> Seed:
+        """One for a container of that plan. Raises as `Seed`."""
+        with self._lock:
+            for seed in self._seeds:
+                if seed.plan.seed == plan.seed and not (seed.users and plan.alone):
+                    break
+            else:
+                seed = Seed(plan)
+                self._seeds.append(seed)
+            seed.users += 1
+            return seed
+
+    def leave(self, seed: Seed, *, whole: bool) -> tuple[str, int]:
+        """A container has ended; where it is not `whole` the seed ends with it, as `Seed.close` tells."""
+        with self._lock:
+            seed.users -= 1
+            # What a compiler was started from at `full` would show the next one what it has written.
+            stays = seed.users > 0 or (self.keep and not (seed.plan.alone and "folders" in seed.plan.config))
+            if seed not in self._seeds or (whole and stays):
+                return "", 0
+            self._seeds.remove(seed)
+        return seed.close()
+
+    def close(self) -> None:
+        """End those that nobody uses; the next container has another."""
+        with self._lock:
+            idle = [seed for seed in self._seeds if not seed.users]
+            self._seeds = [seed for seed in self._seeds if seed.users]
+        for seed in idle:
+            seed.close()
+
+
+def _channel(closing: contextlib.ExitStack, passed: contextlib.ExitStack) -> tuple[wire.Channel, int]:
+    """A new channel, and the descriptor of its other end; each is closed with its own."""
+    ours, theirs = _socket.socketpair(_socket.AF_UNIX, PAIR)
+    closing.callback(ours.close)
+    passed.callback(theirs.close)
+    return wire.Channel(ours), theirs.fileno()
+
+
+def _kill(process: subprocess.Popen[bytes]) -> None:
+    """Its session has no other members than its own; under bubblewrap its death is that of its namespace."""
+    if process.poll() is None:
+        with contextlib.suppress(ProcessLookupError, PermissionError):
+            os.killpg(process.pid, signal.SIGKILL)
+        process.kill()
+        process.wait()
 
 
 class Container:
@@ -85,34 +249,29 @@ class Container:
             self._open(source, plan, opening)
         except BaseException as fault:
             self.close()
-            if isinstance(fault, OSError | MemoryError | RuntimeError) and (why := levels.of_fault(fault)):
-                raise why from fault
+            if code := shortage_code(fault):
+                raise levels.of_code(code, str(fault)) from fault
             raise
 
     def _open(self, source: bytes, planned: Planned, opening: Limits | None) -> None:
-        ours, theirs = _socket.socketpair(_socket.AF_UNIX, seeds.PAIR)
-        self._line = wire.Channel(ours)
-        self._closing.callback(ours.close)
         with contextlib.ExitStack() as passed:
-            passed.callback(theirs.close)
+            self._line, theirs = _channel(self._closing, passed)
             descriptor, self.region = shared.region()
             self._closing.callback(self.region.close)
             passed.callback(os.close, descriptor)
             plan = planned(self._home)
-            order = passed.enter_context(shared.file(marshal.dumps((plan.config, source))))
+            (order,) = passed.enter_context(shared.files(marshal.dumps((plan.config, source))))
             self.region.lay(plan.hidden)
             self._seed = self._seeds.take(plan)
-            self._seed.fork(theirs.fileno(), descriptor, order)
+            self._seed.fork(theirs, descriptor, order)
         if opening is not None:
             self.region.words[wire.USED] = wire.replies_at(len(plan.hidden))
-            with shared.stdio(b"") as stdio, contextlib.suppress(*seeds.GONE):  # which shows later
+            with shared.files(b"", b"", b"") as stdio, contextlib.suppress(*GONE):  # which shows later
                 self.send(wire.INSPECT, stdio, len(plan.hidden), opening, 2 * opening.memory_bytes)
 
     def _home(self) -> str:
         """An empty folder of this machine for a submission's own, gone with the container."""
-        folder = TemporaryFolder()
-        self._closing.callback(folder.close)
-        home = folder.path / "home"
+        home = self._closing.enter_context(temporary_folder()) / "home"
         home.mkdir(mode=0o700)
         return str(home)
 
@@ -127,7 +286,7 @@ class Container:
         frame = self._receive(START_SECONDS)
         if not frame.startswith(wire.READY):
             silent = time.monotonic() - began >= START_SECONDS
-            (kind, note), code = self.region.note(), self.region.code()
+            (kind, note), code = self.region.note(), int(self.region.words[wire.CODE])
             said, status = self._hang_up(whole=bool(note))  # ends it, so that it has said all
             self.close()
             if kind == wire.EXPOSED:
@@ -163,9 +322,8 @@ class Container:
             raise Lost
         self.await_ready()
         if wire.replies_at(len(payload)) + wire.reply_bytes(limits.output_bytes) > wire.REGION_BYTES:
-            raise JudgeError(
-                "more calls at once than the container's memory holds", remedy="make fewer at a time"
-            )
+            what = "more calls at once than the container's memory holds"
+            raise JudgeError(what, remedy="make fewer at a time")
         self.region.prepare(payload)
         try:
             self.send(kind, stdio, len(payload), limits, memory)
@@ -192,7 +350,9 @@ class Container:
         if answer.startswith(wire.LACKING):
             raise shortage_of(wire.LACK.unpack_from(answer)[1], "the submission could not be run")
         if answer.startswith(wire.ENDED):
-            return ChildEnd(*wire.DONE.unpack_from(answer)[1:])
+            end = ChildEnd(*wire.DONE.unpack_from(answer)[1:])
+            line, code = (int(self.region.words[at]) for at in (wire.STOOD_AT, wire.CODE))
+            return end._replace(note=self.region.note(), stood_at=line, code=code)
         data = self.replies()
         self.close()
         raise Lost(data, time.monotonic_ns() - began)
@@ -220,9 +380,9 @@ class Container:
             return "", 0
         ended = False
         try:
-            if not (ended := self._line.ended(seeds.END_SECONDS)):
+            if not (ended := self._line.ended(END_SECONDS)):
                 self._end(seed)
-                ended = self._line.ended(seeds.END_SECONDS)
+                ended = self._line.ended(END_SECONDS)
         finally:
             self._line.close()
             told = self._seeds.leave(seed, whole=whole and ended)

@@ -11,8 +11,8 @@ from judge.sandbox.levels import Levels
 
 if TYPE_CHECKING:
     from judge.sandbox.boundary import Box
+    from judge.sandbox.container import Seeds
     from judge.sandbox.room import Share
-    from judge.sandbox.seeds import Seeds
     from judge.sandbox.visible import Visible
 
 
@@ -44,14 +44,14 @@ class Containment:
 
     def __call__(self, source: bytes, name: str) -> Box:
         """A box for this source; `name` is its file's. Raises UsageError and JudgeError as `Levels.open`."""
-        from judge.sandbox.python import PythonBox  # only a run needs sockets, processes and ctypes
+        from judge.sandbox.box import PythonBox  # only a run needs sockets, processes and ctypes
 
         return PythonBox(self, source, name)
 
     @cached_property
     def seeds(self) -> Seeds:
         """What forks the boxes' servers."""
-        from judge.sandbox.seeds import Seeds
+        from judge.sandbox.container import Seeds
 
         return Seeds()
 
@@ -72,11 +72,9 @@ class Containment:
             self._visible[more, modules] = visible(self.hide, more, modules=modules)
         return self._visible[more, modules]
 
-    @property
+    @cached_property
     def share(self) -> Share:
         """The threads that each submission may have."""
-        if self._own_share is None:
-            from judge.sandbox import room
+        from judge.sandbox import room
 
-            self._own_share = room.measure().share(1)
-        return self._own_share
+        return self._own_share or room.measure().share(1)

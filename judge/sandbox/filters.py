@@ -70,13 +70,6 @@ PROFILES = {
 }  # none has a network, another session or group of processes, so that a kill of the group ends all
 
 
-class Call(NamedTuple):
-    """A row of the table; a number is None where that machine never had the call."""
-
-    numbers: dict[str, int | None]
-    whose: str
-
-
 class Filters(NamedTuple):
     """Both filters; a child puts its pid in its own at `pid_at`, and loads it by the call numbered `load`."""
 
@@ -87,14 +80,12 @@ class Filters(NamedTuple):
 
 
 @cache
-def table() -> dict[str, Call]:
-    """The calls by their names."""
+def table(machine: str) -> dict[str, tuple[int, str]]:
+    """The calls that a machine has by their names: each one's number, and whose it is."""
     lines = Path(__file__).with_name("calls.tsv").read_text(encoding="utf-8").splitlines()
     rows = (line.split("\t") for line in lines if line and not line.startswith("#"))
-    return {
-        name: Call({at: None if n == "-" else int(n) for at, n in zip(MACHINES, numbers, strict=True)}, whose)
-        for name, *numbers, whose, _ in rows
-    }
+    at = list(MACHINES).index(machine)
+    return {name: (int(numbers[at]), whose) for name, *numbers, whose, _ in rows if numbers[at] != "-"}
 
 
 @cache
@@ -167,16 +158,12 @@ def _one_of(values: tuple[int, ...]) -> Rows:
 
 
 def _number(call: str, machine: str) -> int:
-    number = table()[call].numbers[machine]
-    if number is None:
-        raise LookupError(f"{machine} has no system call {call}")
-    return number
+    return table(machine)[call][0]
 
 
 def _numbers(whose: Collection[str], machine: str) -> list[int]:
-    """The numbers of the calls of these, those that the machine has."""
-    found = (row.numbers[machine] for row in table().values() if row.whose in whose)
-    return sorted(number for number in found if number is not None)
+    """The numbers of the calls of these."""
+    return sorted(number for number, each in table(machine).values() if each in whose)
 
 
 def _runs(numbers: list[int]) -> list[tuple[int, int]]:

@@ -54,14 +54,14 @@ _INTERPRETER = ("-s", "-P", "-S", "-B", "-X", "utf8")  # -I would also ignore PY
 
 
 class Workplace(NamedTuple):
-    """What the container of a compiler, or of what it made, has besides the interpreter of its server.
+    """What a container has besides the interpreter of its server: that of a compiler, or of what it made.
 
     `shown` are folders of this machine by the names they have inside at `full`; below that they keep their
     own. `scratch` is a folder of this machine that may be filled; at `full` an empty one of SCRATCH_BYTES is
     filled instead. `runnable` are real paths from which programs may be started, `reads` others it needs.
     """
 
-    profile: str  # of judge.sandbox.filters
+    profile: str = "python"  # of judge.sandbox.filters
     shown: tuple[tuple[str, str], ...] = ()
     scratch: str = ""
     runnable: tuple[str, ...] = ()
@@ -74,6 +74,9 @@ class Workplace(NamedTuple):
         if level == "full":
             return name
         return self.scratch if name == SCRATCH else dict(self.shown)[name]
+
+
+_OF_PYTHON = Workplace()
 
 
 class LaunchPlan(NamedTuple):
@@ -105,62 +108,56 @@ def plan(
     visible: Visible,
     share: Share,
     make_home: Callable[[], str],
-    place: Workplace | None = None,
+    place: Workplace = _OF_PYTHON,
 ) -> LaunchPlan:
     """The plan for `level`; the descriptors of the bundle and of the channel are its command's last words.
 
-    `place` is there for what is no Python; that has a home, an empty folder of this machine, at `full` one
+    `place` is another where it is no Python; that has a home, an empty folder of this machine, at `full` one
     inside: it may be listed, and only `limits` lets anybody write there. Raises OSError where a folder cannot
     be made or handed over.
     """
+    full = level == "full"
     unseen = ((), ()) if level == "limits" else (visible.unseen, visible.searched)
     uid, hidden = _spare_uid(), marshal.dumps(unseen)
-    needed = (*place.runnable, *place.reads) if place is not None and uid is not None else ()
-    closed = not open_to_all(needed, below=level == "full")
-    python = [visible.executable, *_INTERPRETER, "-c", BOOTSTRAP]
+    closed = uid is not None and not open_to_all((*place.runnable, *place.reads), below=full)
+    python = (visible.executable, *_INTERPRETER, "-c", BOOTSTRAP)
     config: dict[str, Any] = {
         "level": level,
         "name": name,
         "uid": uid,
-        "reads_all": uid is not None and (closed or not visible.outsiders_may_read(below=level == "full")),
-        "parent": None if level == "full" else os.getpid(),
+        "reads_all": uid is not None and (closed or not visible.outsiders_may_read(below=full)),
+        "parent": None if full else os.getpid(),
         "path": list(visible.imports),
-        "readable": [*visible.folders, *visible.files, _RANDOM] if level == "full" else visible.readable(),
+        "readable": [*visible.folders, *visible.files, _RANDOM] if full else visible.readable(),
         "writable": ["/dev/null"],
+        "environment": {},
         "threads": threads(level, share, alone=uid is not None),
         "cores": os.cpu_count() or 1,
         "unseen": len(hidden),
     }
     if level != "limits":
-        config["filters"] = tuple(filters(os.uname().machine, place.profile if place else "python"))
-    config["environment"] = {}
-    if place is not None:
-        _settle(place, level, visible, config)
-        config["passes_on"] = closed
+        config["filters"] = tuple(filters(os.uname().machine, place.profile))
+    if place is _OF_PYTHON:
+        own = SCRATCH if full else make_home()
+        config["environment"] = dict.fromkeys(_AT_HOME, own)
+        config["readable"].append(own)
+        config["home"] = own
     else:
-        home = SCRATCH if level == "full" else make_home()
-        config["environment"] = dict.fromkeys(_AT_HOME, home)
-        config["readable"].append(home)
-        config["home"] = home
-        if level != "full" and uid is not None:
-            os.chown(home, uid, uid)
-    if level != "full":
-        return LaunchPlan(tuple(python), ENVIRONMENT, config, hidden)
-    command = [*_bubblewrap(visible, uid, config["reads_all"], place), "--", *python]
-    return LaunchPlan(tuple(command), {"PATH": os.environ.get("PATH", os.defpath)}, config, hidden)
-
-
-def _settle(place: Workplace, level: str, visible: Visible, config: dict[str, Any]) -> None:
-    """What the server is told besides."""
-    shown = [place.where(name, level) for name, _ in place.shown]
-    readable = [*config["readable"], *shown]
-    config["descriptors"] = place.descriptors
-    config["readable"] = [path for path in readable if place.random or path != _RANDOM]
-    config["runnable"] = [*visible.around(place.runnable), *shown, *_loaders()]
-    config["filled"] = [place.where(SCRATCH, level)] if place.scratch else []
-    config["folders"] = [f"{folder}/{RESULT}" for folder in config["filled"]]
-    if place.scratch and level != "full" and config["uid"] is not None:
-        os.chown(place.scratch, config["uid"], config["uid"])
+        own = place.scratch
+        shown = [place.where(name, level) for name, _ in place.shown]
+        readable = [*config["readable"], *shown]
+        config["readable"] = [path for path in readable if place.random or path != _RANDOM]
+        config["runnable"] = [*visible.around(place.runnable), *shown, *_loaders()]
+        config["filled"] = [place.where(SCRATCH, level)] if own else []
+        config["folders"] = [f"{folder}/{RESULT}" for folder in config["filled"]]
+        config["descriptors"] = place.descriptors
+        config["passes_on"] = closed
+    if full:
+        command = (*_bubblewrap(visible, uid, config["reads_all"], place), "--", *python)
+        return LaunchPlan(command, {"PATH": os.environ.get("PATH", os.defpath)}, config, hidden)
+    if own and uid is not None:
+        os.chown(own, uid, uid)
+    return LaunchPlan(python, ENVIRONMENT, config, hidden)
 
 
 def _loaders() -> list[str]:
@@ -189,16 +186,10 @@ def bubblewrap_path() -> str | None:
     return None
 
 
-def _bubblewrap(visible: Visible, uid: int | None, reads_all: bool, place: Workplace | None) -> list[str]:
-    arguments = [
-        bubblewrap_path() or "bwrap",
-        "--die-with-parent",
-        "--new-session",
-        "--as-pid-1",
-        "--clearenv",
-    ]
-    arguments += ["--unshare-ipc", "--unshare-pid", "--unshare-net", "--unshare-uts", "--unshare-cgroup-try"]
-    arguments += ["--hostname", "box", "--cap-drop", "ALL"]
+def _bubblewrap(visible: Visible, uid: int | None, reads_all: bool, place: Workplace) -> list[str]:
+    arguments = [bubblewrap_path() or "bwrap", "--die-with-parent", "--new-session", "--as-pid-1"]
+    arguments += ["--clearenv", "--unshare-ipc", "--unshare-pid", "--unshare-net", "--unshare-uts"]
+    arguments += ["--unshare-cgroup-try", "--hostname", "box", "--cap-drop", "ALL"]
     if uid is None:
         arguments += ["--unshare-user", "--uid", "65534", "--gid", "65534"]
     else:  # real root: kernel uid 0 would be exempt from RLIMIT_NPROC, so it changes its user inside instead
@@ -214,15 +205,15 @@ def _bubblewrap(visible: Visible, uid: int | None, reads_all: bool, place: Workp
     for path in visible.hidden:
         arguments += ["--perms", "0555", "--tmpfs", path, "--remount-ro", path]
     arguments += _parents("/dev/null", made)
-    for device in ("/dev/null", _RANDOM) if place is None or place.random else ("/dev/null",):
+    for device in ("/dev/null", _RANDOM) if place.random else ("/dev/null",):
         arguments += ["--dev-bind", device, device]
     arguments += [*_proc, "/proc"]  # landlock lets nobody list or read it
     for name, target in _STREAMS.items():
         arguments += ["--symlink", target, name]
-    for name, folder in place.shown if place else ():
+    for name, folder in place.shown:
         arguments += ["--ro-bind", folder, name]
-    if place is None or place.scratch:
-        size = _HOME_BYTES if place is None else SCRATCH_BYTES
+    if place is _OF_PYTHON or place.scratch:
+        size = _HOME_BYTES if place is _OF_PYTHON else SCRATCH_BYTES
         arguments += ["--perms", "1777", "--size", str(size), "--tmpfs", SCRATCH]
     return [*arguments, "--chdir", "/", "--remount-ro", "/"]
 

@@ -190,16 +190,6 @@ def of_code(code: int, what: str, tries: int = _DOUBTFUL_TRIES) -> StartError:
     return StartError(what, tries, lasting=True)
 
 
-def of_fault(fault: Exception, command: str = "") -> StartError | None:
-    """The refusal behind a fault on the judge's own side; None for one that is nobody's shortage.
-
-    `command` is the program that was to be started, where it had come to that.
-    """
-    code = shortage_code(fault) or getattr(fault, "errno", None) or 0
-    found = of_code(code, f"{command} cannot be started: {os.strerror(code)}", 1)
-    return found if command or not found.lasting else None
-
-
 def of_end(complaint: str, status: int) -> StartError:
     """The refusal of one that ended before; `complaint` is all that was said, as by bubblewrap.
 

@@ -11,12 +11,13 @@ import marshal
 import os
 import re
 from collections.abc import Callable, Sequence
+from contextlib import ExitStack, closing
 from functools import cached_property, partial
 from pathlib import Path
 from typing import Any
 
 from judge.errors import JudgeError, ShortageError
-from judge.sandbox import calls, launch, room
+from judge.sandbox import calls, launch
 from judge.sandbox.boundary import (
     Box,
     CallsResult,
@@ -31,13 +32,13 @@ from judge.sandbox.boundary import (
     Usage,
 )
 from judge.sandbox.box import BUSY, ContainerBox
-from judge.sandbox.compile import LIMITS, PROCESSES, compiled, place_of
+from judge.sandbox.compile import LIMITS, compiled, place_of
 from judge.sandbox.container import ChildEnd, Container, Lost
 from judge.sandbox.factory import Containment
 from judge.sandbox.inside import wire
 from judge.sandbox.launch import Workplace
 from judge.sandbox.recipe import ArtifactStore, Files, Recipe, Sources, filled, written
-from judge.sandbox.temporary import TemporaryFolder
+from judge.sandbox.temporary import temporary_folder
 
 _BOX = "/box"
 _WARNED = "judge-warnings"  # a file beside what was compiled, for whoever takes that from the cache
@@ -54,6 +55,8 @@ class NativeBox(ContainerBox):
     """One submission in another language."""
 
     stderr_bytes = 32 << 10  # what says why comes before a hundred frames of the stack
+    _recipe: Recipe
+    _sources: Sources
 
     def __init__(
         self, order: Callable[[], Order], boxes: Containment, store: ArtifactStore, *, idle: bool = True
@@ -69,21 +72,7 @@ class NativeBox(ContainerBox):
         self._artifact: Files = ()
         self._errors = b""  # what the last run wrote there
         self._raised: list[str] = []  # what its calls have raised
-        self._folder: TemporaryFolder | None = None
-        self._place: Workplace | None = None
-        self._more: tuple[str, ...] = ()  # what the container shows besides
-
-    @cached_property
-    def _ordered(self) -> Order:
-        return self._order()
-
-    @property
-    def _recipe(self) -> Recipe:
-        return self._ordered[0]
-
-    @property
-    def _sources(self) -> Sources:
-        return self._ordered[1]
+        self._closing = ExitStack()
 
     @property
     def name(self) -> str:
@@ -91,19 +80,27 @@ class NativeBox(ContainerBox):
         return self._recipe.name
 
     def __enter__(self) -> NativeBox:
-        _ = self._ordered
+        self._recipe, self._sources = self._order()
         return self
 
     def __exit__(self, *exc: object) -> None:
         super().__exit__(*exc)
-        if self._folder is not None:
-            self._folder.close()
-            self._folder = None
+        self._closing.close()
 
     def _start(self, level: str) -> Container:
-        visible = self._boxes.visible(self._more, modules=False)
-        plan = partial(launch.plan, level, "", visible, self._boxes.share, place=self._place)
-        return Container(level, b"", plan, self._boxes.seeds)
+        return self._started(self._place, (*self._recipe.reads, *self._recipe.runs), level)
+
+    def _started(self, place: Workplace, more: tuple[str, ...], level: str) -> Container:
+        """A container that is ready, and shows `more` besides."""
+        visible = self._boxes.visible(more, modules=False)
+        plan = partial(launch.plan, level, "", visible, self._boxes.share, place=place)
+        container = Container(level, b"", plan, self._boxes.seeds)
+        try:
+            container.await_ready()
+        except BaseException:  # Ctrl-C too
+            container.close()
+            raise
+        return container
 
     # -- compiling
 
@@ -142,26 +139,19 @@ class NativeBox(ContainerBox):
         return files, fault
 
     def _compiled(self, sources: Sources) -> tuple[Files, SourceFault | None]:
-        with TemporaryFolder() as folder:
-            written(folder / "source", [*sources.files, *self._recipe.help])
+        recipe = self._recipe
+        with temporary_folder() as folder:
+            written(folder / "source", [*sources.files, *recipe.help])
             (folder / "scratch").mkdir(mode=0o755)
-            self._place = place = place_of(self._recipe, folder)
-            self._more = (*self._recipe.compile_reads, *self._recipe.compile_runs)
+            place, more = place_of(recipe, folder), (*recipe.compile_reads, *recipe.compile_runs)
             try:
-                made = compiled(self._recipe, sources, self._here(), place, self._processes())
+                with closing(self._boxes.levels.open(partial(self._started, place, more))) as container:
+                    self._held = container.level
+                    made = compiled(recipe, sources, container, place)
             except Lost:
                 raise ShortageError("the compiler's container has ended", remedy=BUSY) from None
-            finally:
-                self._drop()
-                self._place = None
         warned = (_WARNED, "\n".join(made.warnings).encode())
         return (*made.files, warned) if made.warnings else made.files, made.fault
-
-    def _processes(self) -> int:
-        """A bound that leaves the compiler its own; the kernel counts all processes of a user together."""
-        if os.geteuid() == 0 or self._held == "full":
-            return PROCESSES
-        return room.tasks_of_mine() + PROCESSES
 
     # -- running
 
@@ -185,16 +175,14 @@ class NativeBox(ContainerBox):
         fault = self.inspect().fault
         return fault.message if fault else ""
 
-    def _said(self, done: ChildEnd, stderr: bytes) -> tuple[tuple[int, str], str]:
+    def _said(self, done: ChildEnd, stderr: bytes) -> tuple[ChildEnd, str]:
         sign = self._recipe.out_of_memory
         short = done.status and not os.WIFSTOPPED(done.status) and sign and sign.encode() in stderr
-        return (wire.NO_MEMORY if short else wire.NO_NOTE, ""), last_words(stderr)
+        return done._replace(note=(wire.NO_MEMORY if short else wire.NO_NOTE, "")), last_words(stderr)
 
     def _run(self, stdio: Sequence[int], limits: Limits) -> ChildEnd:
         recipe, memory, idle = self._recipe, limits.memory_bytes, self.idle
-        self._settle()
         self._here()
-        assert self._place is not None
         box = self._place.where(_BOX, self._held)
         places = {
             "box": box,
@@ -218,16 +206,13 @@ class NativeBox(ContainerBox):
         with_idle = limits._replace(cpu_seconds=limits.cpu_seconds + idle.cpu_seconds)
         return self._ask(wire.EXECUTE, stdio, payload, with_idle, memory, f"{command[0]} cannot be started")
 
-    def _settle(self) -> None:
-        """Put what was compiled where a container shows it."""
-        if self._folder is None:
-            self._folder = TemporaryFolder()
-            box = self._folder.path / "box"
-            written(box, self._artifact)
-            runnable = tuple(map(os.path.realpath, self._recipe.runs))
-            reads = tuple(self._recipe.reads)
-            self._place = Workplace("run", ((_BOX, str(box)),), runnable=runnable, reads=reads)
-            self._more = (*self._recipe.reads, *self._recipe.runs)
+    @cached_property
+    def _place(self) -> Workplace:
+        """Where a container shows what was compiled."""
+        box = self._closing.enter_context(temporary_folder()) / "box"
+        written(box, self._artifact)
+        runnable = tuple(map(os.path.realpath, self._recipe.runs))
+        return Workplace("run", ((_BOX, str(box)),), runnable=runnable, reads=tuple(self._recipe.reads))
 
     @property
     def idle(self) -> Usage:
@@ -246,7 +231,7 @@ class NativeBox(ContainerBox):
 
         Nothing where there are none, or where this machine lacks what they need.
         """
-        recipe, sources = self._ordered
+        recipe, sources = self._recipe, self._sources
         for words in recipe.checks:
             key = hashlib.blake2b(f"{recipe.key} {words} {recipe.help}".encode(), digest_size=16).hexdigest()
             if self._store.artifact(f"{key}-lacking") is not None:
@@ -266,8 +251,6 @@ class NativeBox(ContainerBox):
 
     def call(self, entry: str, cases: Sequence[Sequence[Any]], limits: Limits) -> CallsResult:
         """Make the calls in one process; see `Box.call`. What an import is, is none here."""
-        fault = self.inspect().fault
-        assert fault is None, "whoever calls has looked"
         assert entry.removesuffix("()") == self._sources.entry, "the driver calls one function or class"
         if not cases:
             return CallsResult((), _NOTHING)
@@ -304,15 +287,14 @@ def measured(recipe: Recipe, boxes: Containment, store: ArtifactStore) -> Usage:
     limits = Limits(cpu_seconds=10.0, wall_seconds=30.0, memory_bytes=256 << 20, output_bytes=1 << 20)
     empty = recipe, Sources(((name, source),), name)
     with NativeBox(lambda: empty, boxes, store, idle=False) as box:
-        fault = box.inspect().fault
-        runs = [] if fault else [box.run_program(b"", limits) for _ in range(3)]
-    failed = next((run for run in runs if run.stop is not Stop.ANSWERED), None)
-    if fault or failed:
-        why = fault.message if fault else f"{failed.detail} {last_words(failed.stderr)}" if failed else ""
-        raise _empty_fails(recipe, why)
-    costs = sorted(run.usage.cpu_seconds for run in runs)
-    walls = sorted(run.usage.wall_seconds for run in runs)
-    return Usage(costs[1], walls[1], max(run.usage.memory_bytes for run in runs))
+        if fault := box.inspect().fault:
+            raise _empty_fails(recipe, fault.message)
+        runs = [box.run_program(b"", limits) for _ in range(3)]
+    for run in runs:
+        if run.stop is not Stop.ANSWERED:
+            raise _empty_fails(recipe, f"{run.detail} {last_words(run.stderr)}")
+    cpu = sorted(run.usage.cpu_seconds for run in runs)[1]
+    return Usage(cpu, memory_bytes=max(run.usage.memory_bytes for run in runs))
 
 
 def _empty_fails(recipe: Recipe, why: str) -> ShortageError:

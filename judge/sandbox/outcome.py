@@ -41,22 +41,15 @@ def is_from_outside(done: ChildEnd) -> bool:
 
 
 def overrun(
-    done: ChildEnd,
-    limits: Limits,
-    printed: int,
-    note: tuple[int, str],
-    stood_at: int = 0,
-    idle: Usage = _NOTHING,
-    name: str = "",
+    done: ChildEnd, limits: Limits, printed: int, lines: int = 0, idle: Usage = _NOTHING, name: str = ""
 ) -> tuple[Stop, str] | None:
     """The limit that was passed, if one was; `printed` is the longer of stdout and stderr.
 
-    `stood_at` is the line where it says that it stood when its time was up, 0 for unknown; `idle` is what the
-    empty program of its language, called so, costs.
+    `lines` are those of its source; `idle` is what the empty program of its language, called so, costs.
     """
     signalled = os.WTERMSIG(done.status) if os.WIFSIGNALED(done.status) else 0
-    kind, text = note
-    place = f" (line {stood_at})" if stood_at else ""
+    kind, text = done.note
+    place = f" (line {done.stood_at})" if 0 < done.stood_at <= lines else ""
     # Before all else: some print on after the kernel has refused a write, and end as if nothing were.
     if printed > limits.output_bytes or signalled == signal.SIGXFSZ:
         return Stop.OUTPUT, f"wrote more than {_size(limits.output_bytes)}"
@@ -78,9 +71,9 @@ def overrun(
     return (Stop.OUTPUT, text) if kind == wire.TOO_MUCH else None
 
 
-def end_of(done: ChildEnd, note: tuple[int, str], words: str | None = None) -> tuple[Stop, str]:
+def end_of(done: ChildEnd, words: str | None = None) -> tuple[Stop, str]:
     """How a process that kept its limits ended; `words` are the last of one that is no Python."""
-    kind, text = note
+    kind, text = done.note
     more = f": {words}" if words else ""
     if os.WIFSIGNALED(done.status):
         number = os.WTERMSIG(done.status)
@@ -142,12 +135,6 @@ def _replies(rows: list[Any]) -> list[Reply]:
         else:
             break
     return replies
-
-
-def parse_inspection(data: bytes) -> dict[str, Any]:
-    """What `inside.source.inspect` replied, in a child where no foreign code ran."""
-    found: dict[str, Any] = json.loads(data.removesuffix(b",\n"))
-    return found
 
 
 def _one_by_one(data: bytes, most: int) -> tuple[list[Reply], bool]:

@@ -91,7 +91,8 @@ def mounts() -> list[Mount]:
     except OSError as fault:
         refuse_shortage(fault)
         return []
-    return [_mount(line.split(" ")) for line in lines]
+    fields = [[_plain(field) for field in line.split(" ")] for line in lines]
+    return [Mount(device, root, point) for _, _, device, root, point, *_ in fields]
 
 
 def elsewhere(path: str, table: Sequence[Mount]) -> Iterator[str]:
@@ -109,9 +110,8 @@ def elsewhere(path: str, table: Sequence[Mount]) -> Iterator[str]:
                 yield other
 
 
-def _mount(fields: list[str]) -> Mount:
-    root, point = (_ESCAPED.sub(lambda match: chr(int(match[1], 8)), field) for field in fields[3:5])
-    return Mount(fields[2], root, point)
+def _plain(field: str) -> str:
+    return _ESCAPED.sub(lambda match: chr(int(match[1], 8)), field)
 
 
 def _on_device(path: str, table: Sequence[Mount]) -> tuple[str, str]:

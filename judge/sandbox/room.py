@@ -75,16 +75,16 @@ class Room(NamedTuple):
 
 def measure() -> Room:
     """The room that is left now."""
-    tasks, tasks_limit, ceiling = _PLENTY, "", _PLENTY
+    ceiling = _PLENTY
+    bounds = [(_PLENTY, "")]  # of tasks: what is left, and of which limit
     if sys.platform == "linux":
         if os.geteuid() != 0:  # root's own are not bounded, and what it contains has another user each time
             ceiling = resource.getrlimit(resource.RLIMIT_NPROC)[0]
             ceiling = _PLENTY if ceiling == resource.RLIM_INFINITY else ceiling
         if ceiling < _PLENTY:
-            tasks, tasks_limit = ceiling - _others(ceiling), f"ulimit -u is {ceiling}"
-        for most, left, where in _pids():
-            if left < tasks:
-                tasks, tasks_limit = left, f"{where} is {most}"
+            bounds.append((ceiling - _others(ceiling), f"ulimit -u is {ceiling}"))
+        bounds += [(left, f"{where} is {most}") for most, left, where in _pids()]
+    tasks, tasks_limit = min(bounds, key=lambda bound: bound[0])
     most = resource.getrlimit(resource.RLIMIT_NOFILE)[0]
     files = _PLENTY if most == resource.RLIM_INFINITY else most - _open_files()
     return Room(tasks, tasks_limit, ceiling, files, f"ulimit -n is {most}")
@@ -194,9 +194,7 @@ def _groups() -> Iterator[Path]:
 
 
 def _open_files() -> int:
-    for folder in ("/proc/self/fd", "/dev/fd"):
-        try:
-            return len(os.listdir(folder))  # noqa: PTH208 - numbers, not paths
-        except OSError:
-            continue
-    return 0
+    try:
+        return len(os.listdir("/dev/fd"))  # noqa: PTH208 - numbers, not paths
+    except OSError:
+        return 0

@@ -16,9 +16,10 @@ def nameless(data: bytes = b"") -> int:
     """A descriptor of a new nameless file holding `data`, positioned at its start."""
     descriptor = _create(0)
     try:
-        write_whole(descriptor, data)
-        if data:
-            os.lseek(descriptor, 0, os.SEEK_SET)
+        rest = memoryview(data)
+        while rest:
+            rest = rest[os.write(descriptor, rest) :]
+        os.lseek(descriptor, 0, os.SEEK_SET)
     except BaseException:
         os.close(descriptor)
         raise
@@ -31,9 +32,8 @@ def region() -> tuple[int, wire.Region]:
     try:
         os.ftruncate(descriptor, wire.REGION_BYTES)
         if sys.platform == "linux":
-            fcntl.fcntl(
-                descriptor, fcntl.F_ADD_SEALS, fcntl.F_SEAL_SHRINK | fcntl.F_SEAL_GROW | fcntl.F_SEAL_SEAL
-            )
+            seals = fcntl.F_SEAL_SHRINK | fcntl.F_SEAL_GROW | fcntl.F_SEAL_SEAL
+            fcntl.fcntl(descriptor, fcntl.F_ADD_SEALS, seals)
         return descriptor, wire.Region(descriptor)
     except BaseException:
         os.close(descriptor)
@@ -41,49 +41,22 @@ def region() -> tuple[int, wire.Region]:
 
 
 @contextlib.contextmanager
-def stdio(stdin: bytes) -> Iterator[tuple[int, int, int]]:
-    """Descriptors of a stdin with that content and of an empty stdout and stderr, closed at the end."""
+def files(*contents: bytes) -> Iterator[list[int]]:
+    """Descriptors of new files that hold these, closed at the end."""
     opened: list[int] = []
     try:
-        for data in (stdin, b"", b""):
+        for data in contents:
             opened.append(nameless(data))
-        yield opened[0], opened[1], opened[2]
+        contents, data = (), b""  # they may be large
+        yield opened
     finally:
         for descriptor in opened:
             os.close(descriptor)
 
 
-@contextlib.contextmanager
-def file(data: bytes) -> Iterator[int]:
-    """The descriptor of a new file holding `data`, closed at the end."""
-    descriptor = nameless(data)
-    del data  # it may be large
-    try:
-        yield descriptor
-    finally:
-        os.close(descriptor)
-
-
-def write_whole(descriptor: int, data: bytes) -> None:
-    """Write all of it."""
-    rest = memoryview(data)
-    while rest:
-        rest = rest[os.write(descriptor, rest) :]
-
-
-def head(descriptor: int, most: int) -> bytes:
-    """The first `most` bytes of a file, fewer if it is shorter."""
-    return part(descriptor, 0, min(most, size(descriptor)))
-
-
 def part(descriptor: int, start: int, length: int) -> bytes:
     """So many bytes of a file from `start` on, fewer where it ends."""
-    parts: list[bytes] = []
-    place, end = start, start + length
-    while place < end and (read := os.pread(descriptor, end - place, place)):
-        parts.append(read)
-        place += len(read)
-    return b"".join(parts)
+    return os.pread(descriptor, max(0, min(length, size(descriptor) - start)), start)
 
 
 def size(descriptor: int) -> int:

@@ -9,8 +9,8 @@ import contextlib
 import errno
 import fcntl
 import os
-import stat
 import time
+from collections.abc import Iterator
 from pathlib import Path
 
 _PREFIX = "judge-box-"
@@ -18,33 +18,23 @@ _OLD = 60.0  # seconds; one that was made just now may not be locked yet
 _AS_A_FOLDER = os.O_RDONLY | os.O_DIRECTORY | os.O_NOFOLLOW | os.O_CLOEXEC
 
 
-class TemporaryFolder:
-    """A context manager: a new folder that others may pass through, for a user that a container becomes."""
-
-    def __init__(self) -> None:
-        """Make it. Raises OSError."""
-        place = Path(os.environ.get("TMPDIR", ""))  # tempfile takes as long to import as all else of a start
-        place = place if place.is_absolute() and place.is_dir() else Path("/tmp")
-        sweep(place)
-        self.path = place / f"{_PREFIX}{os.urandom(8).hex()}"
-        self.path.mkdir(mode=0o700)  # before others may pass through
-        self.path.chmod(0o711)
-        self._lock = os.open(self.path, _AS_A_FOLDER)
+@contextlib.contextmanager
+def temporary_folder() -> Iterator[Path]:
+    """A new folder that others may pass through, for a user that a container becomes. Raises OSError."""
+    place = Path(os.environ.get("TMPDIR", ""))  # tempfile takes as long to import as all else of a start
+    place = place if place.is_absolute() and place.is_dir() else Path("/tmp")
+    sweep(place)
+    path = place / f"{_PREFIX}{os.urandom(8).hex()}"
+    path.mkdir(mode=0o700)  # before others may pass through
+    path.chmod(0o711)
+    lock = os.open(path, _AS_A_FOLDER)
+    try:
         with contextlib.suppress(OSError):  # a file system without locks: its age protects it
-            fcntl.flock(self._lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
-
-    def __enter__(self) -> Path:
-        return self.path
-
-    def __exit__(self, *exc: object) -> None:
-        self.close()
-
-    def close(self) -> None:
-        """Take it away, with all that is in it. Safe to call twice."""
-        if self._lock >= 0:
-            _remove(str(self.path))
-            os.close(self._lock)
-            self._lock = -1
+            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        yield path
+    finally:
+        _remove(str(path))
+        os.close(lock)
 
 
 def sweep(folder: Path) -> None:
@@ -67,8 +57,7 @@ def _take_away(path: str) -> None:
         descriptor = os.open(path, _AS_A_FOLDER)
         try:
             found = os.fstat(descriptor)
-            ours = stat.S_ISDIR(found.st_mode) and found.st_uid == os.geteuid()
-            if ours and time.time() - found.st_mtime > _OLD:
+            if found.st_uid == os.geteuid() and time.time() - found.st_mtime > _OLD:
                 fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)  # refused while its judge lives
                 _remove(path)
         finally:

@@ -23,9 +23,10 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
-from judge.sandbox import levels_here, open_box
+from judge.sandbox import open_box
+from judge.sandbox.available import levels_here
 from judge.sandbox.boundary import Limits
-from judge.sandbox.python import PythonBox
+from judge.sandbox.box import PythonBox
 
 LIMITS = Limits(cpu_seconds=20.0, wall_seconds=60.0, memory_bytes=256 << 20, output_bytes=16 << 20)
 PROGRAM = b"""

@@ -12,7 +12,7 @@ from cli_support import BROKEN, PACK, ROOT, Outcome
 
 from judge.cli import main
 from judge.judging.containment import keep_level
-from judge.sandbox import levels_here
+from judge.sandbox.available import levels_here
 
 
 @pytest.fixture(scope="session")

@@ -11,7 +11,8 @@ from cli_support import FLOOR, MEAN, ROOT
 from sampling import nightly
 
 from judge.judging.containment import keep_level, kept_level
-from judge.sandbox import LEVELS, available, levels_here
+from judge.sandbox import LEVELS, available
+from judge.sandbox.available import levels_here
 from judge.sandbox.visible import visible
 
 pytestmark = pytest.mark.slow

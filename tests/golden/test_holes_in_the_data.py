@@ -14,7 +14,8 @@ from judge.data.load import load_data
 from judge.holes.hunt import look_for_holes
 from judge.holes.model import HoleSearch
 from judge.problem.load import load_problem
-from judge.sandbox import Containment, levels_here
+from judge.sandbox import Containment
+from judge.sandbox.available import levels_here
 
 PROBLEMS = Path(__file__).parents[2] / "problems"
 NAMES = sorted(path.parent.name for path in PROBLEMS.glob("*/problem.toml"))

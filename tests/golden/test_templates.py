@@ -15,7 +15,8 @@ from judge.problem import Verdict
 from judge.problem.load import load_problem
 from judge.problem.solutions import SolutionKind, read_solutions
 from judge.run import Settings, judge_submission
-from judge.sandbox import Containment, levels_here
+from judge.sandbox import Containment
+from judge.sandbox.available import levels_here
 from judge.verify.gate import Options, verify_problem
 
 PROBLEMS = Path(judge.__file__).parent / "manual" / "katas" / "problems"

@@ -20,7 +20,7 @@ from driver import possible
 from residents import Resident
 from sampling import daily
 
-from judge.sandbox import levels_here
+from judge.sandbox.available import levels_here
 
 PACKAGE = HERE.parent.parent / "judge"
 PLAIN_USER = 61_000 + os.getpid() % 4_000  # a number that nobody else has, and no name

@@ -28,7 +28,8 @@ from typing import Any
 from table import ATTACKS, SCRIPTS
 
 from judge.errors import JudgeError
-from judge.sandbox import levels_here, open_box
+from judge.sandbox import open_box
+from judge.sandbox.available import levels_here
 from judge.sandbox.boundary import Limits, Stop
 from judge.sandbox.levels import missing
 

@@ -6,7 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from judge.sandbox import Containment, Limits, Stop, levels_here
+from judge.sandbox import Containment, Limits, Stop
+from judge.sandbox.available import levels_here
 
 LIMITS = Limits(cpu_seconds=5.0, wall_seconds=20.0, memory_bytes=256 << 20, output_bytes=1 << 20)
 DEEDS = {  # an expression, and what it comes to

@@ -8,7 +8,7 @@ from forger import source
 
 from judge.sandbox import container, open_box
 from judge.sandbox.boundary import Limits, Reply, Stop
-from judge.sandbox.python import PythonBox
+from judge.sandbox.box import PythonBox
 
 LIMITS = Limits(cpu_seconds=0.3, wall_seconds=1.5, memory_bytes=128 << 20, output_bytes=200_000)
 
@@ -95,7 +95,7 @@ def test_a_call_that_ends_or_stops_its_watcher_costs_only_itself(
 
 
 def test_a_forged_note_is_no_fault_of_the_judge(level: str) -> None:
-    deed = "region = sys._getframe(1).f_locals['self']._region\nregion.write_note(4, 'broken')\nos._exit(99)"
+    deed = "region = sys._getframe(1).f_locals['region']\nregion.write_note(4, 'broken')\nos._exit(99)"
     with _box(deed, level) as box:
         replies, series = _all_calls(box, 4)
         assert (replies[2].stop, series) == (Stop.EXITED, 2)

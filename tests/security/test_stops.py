@@ -9,7 +9,8 @@ from collections.abc import Sequence
 import pytest
 from forger import source
 
-from judge.sandbox import CallsResult, Limits, Stop, open_box
+from judge.sandbox import Limits, Stop, open_box
+from judge.sandbox.boundary import CallsResult
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="no process is stopped elsewhere")
 

@@ -35,7 +35,7 @@ LAYERS = {
     "the child's filter": (_CHILDS,),
     "landlock and both filters": (_RULES, _LOOK, _SERVERS, _CHILDS),
     "another user": ((f"{INSIDE}confine", 'if config["uid"] is not None:', "if False:"),),
-    "the limit on threads": ((f"{INSIDE}confine", "_limit(resource.RLIMIT_NPROC, self._threads)", "pass"),),
+    "the limit on threads": ((f"{INSIDE}server", 'limits["RLIMIT_NPROC"] = self._threads', "pass"),),
     "hard limits": (
         (f"{INSIDE}confine", "setrlimit(which, (value, value))", "setrlimit(which, (value, hard))"),
     ),

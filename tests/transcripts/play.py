@@ -38,7 +38,7 @@ from jsonschema.exceptions import best_match
 from judge.cli import main
 from judge.cli.app import app
 from judge.judging.containment import keep_level
-from judge.sandbox import levels_here
+from judge.sandbox.available import levels_here
 from judge.schema import schema_of
 from judge.version import __version__
 from transcripts.steady import steadied

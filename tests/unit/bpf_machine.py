@@ -11,7 +11,12 @@ from judge.sandbox.inside.confine import own_filter
 
 def number_of(call: str, machine: str) -> int | None:
     """A call's number on a machine."""
-    return table()[call].numbers[machine]
+    return table(machine).get(call, (None,))[0]
+
+
+def named() -> set[str]:
+    """The calls of the table, whichever machine has them."""
+    return set().union(*map(table, MACHINES))
 
 
 def of_server(machine: str, profile: str = "python") -> bytes:

@@ -8,7 +8,8 @@ from pathlib import Path
 
 import pytest
 
-from judge.sandbox import Limits, levels_here, open_box
+from judge.sandbox import Limits, open_box
+from judge.sandbox.available import levels_here
 
 LIMITS = Limits(cpu_seconds=5.0, wall_seconds=20.0, memory_bytes=256 << 20, output_bytes=1 << 20)
 

@@ -16,7 +16,8 @@ import pytest
 from sandboxed import require
 
 from judge.errors import JudgeError
-from judge.sandbox import levels_here, open_box, places, visible
+from judge.sandbox import open_box, places, visible
+from judge.sandbox.available import levels_here
 from judge.sandbox.boundary import Limits, Stop
 from judge.sandbox.inside import unseen
 

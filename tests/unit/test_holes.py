@@ -17,7 +17,8 @@ from judge.holes.inside import changed, ladders
 from judge.holes.model import HoleSearch
 from judge.holes.mutants import mutants
 from judge.problem.load import load_problem
-from judge.sandbox import Containment, levels_here
+from judge.sandbox import Containment
+from judge.sandbox.available import levels_here
 
 HELD = any(each.available for each in levels_here() if each.name != "limits")
 

@@ -18,7 +18,8 @@ from sandboxed import LIMITS, children, require
 
 from judge import sandbox
 from judge.errors import JudgeError, ShortageError, UsageError
-from judge.sandbox import Containment, bundle, container, launch, levels, levels_here, open_box
+from judge.sandbox import Containment, bundle, container, launch, levels, open_box
+from judge.sandbox.available import levels_here
 from judge.sandbox.inside.again import PAUSES
 from judge.sandbox.levels import Levels, StartError
 
@@ -175,7 +176,7 @@ def test_resource_limits_alone_are_taken_only_where_there_is_no_sandbox(tmp_path
     [
         ("container._socket.socketpair", errno.EMFILE),
         ("container.shared.region", errno.ENOMEM),
-        ("seeds._STARTER.start", errno.EAGAIN),
+        ("container._STARTER.start", errno.EAGAIN),
     ],
 )
 def test_what_the_judge_itself_is_short_of_is_tried_again_and_named(place, code, monkeypatch):

@@ -14,7 +14,7 @@ import pytest
 
 from judge.cache import CacheFolder
 from judge.languages.store import CacheStore
-from judge.sandbox.temporary import TemporaryFolder, sweep
+from judge.sandbox.temporary import sweep, temporary_folder
 
 ROOT = Path(__file__).parents[2]
 
@@ -29,7 +29,7 @@ def aged(path):
 
 
 def test_nobody_else_lists_it_and_in_use_it_stays_however_old_and_then_is_gone_with_all_in_it(tmp_path):
-    with TemporaryFolder() as folder:
+    with temporary_folder() as folder:
         assert folder.stat().st_mode & 0o777 == 0o711
         (folder / "inner").mkdir()
         (folder / "inner" / "file").write_text("")
@@ -42,8 +42,8 @@ def test_nobody_else_lists_it_and_in_use_it_stays_however_old_and_then_is_gone_w
 def test_a_killed_judge_s_folder_goes_with_the_next(tmp_path):
     code = (
         f"import os, sys; sys.path.insert(0, {str(ROOT)!r}); os.environ['TMPDIR'] = {str(tmp_path)!r}\n"
-        "from judge.sandbox.temporary import TemporaryFolder\n"
-        "print(TemporaryFolder().path, flush=True); sys.stdin.read()"
+        "from judge.sandbox.temporary import temporary_folder\n"
+        "with temporary_folder() as folder: print(folder, flush=True); sys.stdin.read()"
     )
     killed = subprocess.Popen(
         [sys.executable, "-c", code], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
@@ -52,10 +52,10 @@ def test_a_killed_judge_s_folder_goes_with_the_next(tmp_path):
     killed.send_signal(signal.SIGKILL)
     killed.communicate(timeout=60)
     assert Path(left).is_dir()
-    with TemporaryFolder():
+    with temporary_folder():
         assert Path(left).is_dir()  # young: it might be about to be locked
     aged(left)
-    with TemporaryFolder():
+    with temporary_folder():
         assert not Path(left).exists()
 
 
@@ -87,7 +87,7 @@ os._exit(0)
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="elsewhere the hang-up has to do")
-@pytest.mark.parametrize("how", ["confine_child(1 << 30, 1 << 20, 1)", "confine_program({})"])
+@pytest.mark.parametrize("how", ['confine_child({"RLIMIT_AS": 1 << 30})', "confine_child({}, starts=True)"])
 def test_it_ends_before_anything_foreign_runs(how):
     script = SCRIPT.replace("CONFINED", f"confinement.{how}")
     done = subprocess.run(

@@ -9,7 +9,8 @@ from pathlib import Path
 import pytest
 from native import ran
 
-from judge.sandbox import Containment, levels_here
+from judge.sandbox import Containment
+from judge.sandbox.available import levels_here
 from judge.sandbox.boundary import Limits, Stop
 from judge.sandbox.inside.source import ALLOWED
 from judge.sandbox.visible import SITE_NAMES, visible

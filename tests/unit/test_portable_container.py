@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from judge.sandbox import bundle, container, open_box, seeds, shared
+from judge.sandbox import bundle, container, open_box, shared
 from judge.sandbox.boundary import Limits, Stop
 
 pytestmark = pytest.mark.slow
@@ -29,7 +29,7 @@ def unpacked_once() -> Iterator[None]:
 
 @pytest.fixture
 def plain_system(monkeypatch: pytest.MonkeyPatch, unpacked_once: None) -> None:
-    monkeypatch.setattr(seeds, "PAIR", socket.SOCK_STREAM)
+    monkeypatch.setattr(container, "PAIR", socket.SOCK_STREAM)
     monkeypatch.setattr(shared, "_create", lambda _flags: shared._unlinked())
     monkeypatch.setattr(container.shared, "region", _unsealed_region)
     as_here = bundle._code_of

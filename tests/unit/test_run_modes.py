@@ -15,7 +15,9 @@ from judge.run.function import FunctionRunner
 from judge.run.group import GroupRun
 from judge.run.program import answer_lines, render_group
 from judge.run.replies import Replies
-from judge.sandbox import Reply, Stop, Usage, levels_here
+from judge.sandbox import Stop, Usage
+from judge.sandbox.available import levels_here
+from judge.sandbox.boundary import Reply
 
 
 def test_an_accepted_submission():

@@ -14,7 +14,8 @@ from sandboxed import LIMITS, call, children, limits, require, run
 
 import judge
 from judge.errors import JudgeError, ShortageError
-from judge.sandbox import LEVELS, Reply, Stop, levels, open_box, outcome
+from judge.sandbox import LEVELS, Stop, levels, open_box, outcome
+from judge.sandbox.boundary import Reply
 from judge.sandbox.container import ChildEnd, Container, Lost
 from judge.sandbox.inside import wire
 from judge.sandbox.outcome import end_of, overrun, parse_replies
@@ -326,7 +327,7 @@ def test_the_text_of_an_exception_is_one_printable_line():
     ],
 )
 def test_the_limit_that_was_passed(ended, printed, note, stop):
-    found = overrun(ended, TIGHT, printed, note)
+    found = overrun(ended._replace(note=note), TIGHT, printed)
     assert (found and found[0]) == stop
 
 
@@ -342,4 +343,4 @@ def test_the_limit_that_was_passed(ended, printed, note, stop):
     ],
 )
 def test_the_end_of_a_child_within_its_limits(status, note, end):
-    assert end_of(done(int(status)), note) == end
+    assert end_of(done(int(status))._replace(note=note)) == end

@@ -9,7 +9,7 @@ import sys
 import pytest
 from sandboxed import LIMITS, children, require
 
-from judge.sandbox import LEVELS, Containment, seeds
+from judge.sandbox import LEVELS, Containment, container
 
 pytestmark = [pytest.mark.slow, pytest.mark.skipif(sys.platform != "linux", reason="it kills by number")]
 
@@ -24,13 +24,13 @@ def source(number):
 
 @pytest.fixture
 def starts(monkeypatch):
-    real, found = seeds._STARTER.start, []
+    real, found = container._STARTER.start, []
 
     def start(command, **settings):
         found.append(command)
         return real(command, **settings)
 
-    monkeypatch.setattr(seeds._STARTER, "start", start)
+    monkeypatch.setattr(container._STARTER, "start", start)
     return found
 
 
@@ -62,7 +62,7 @@ def test_beside_each_other_they_share_no_namespaces_and_no_home(level, count, st
 @pytest.mark.parametrize("level", ["strong", "limits"])
 def test_one_that_does_not_end_is_killed_and_the_other_goes_on(level, monkeypatch):
     require(level)
-    monkeypatch.setattr(seeds, "END_SECONDS", 0.05)
+    monkeypatch.setattr(container, "END_SECONDS", 0.05)
     boxes = Containment(level).kept()
     with boxes(source(1), "f.py") as other:
         with boxes(source(2), "g.py") as box:

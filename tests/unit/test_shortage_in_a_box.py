@@ -14,11 +14,12 @@ from sandboxed import LIMITS, children, require
 
 from judge.errors import JudgeError, ShortageError, shortage, told
 from judge.sandbox import Containment, Stop, open_box, room
+from judge.sandbox import box as box_
 from judge.sandbox import compile as compile_
-from judge.sandbox import python as python_
+from judge.sandbox.box import PythonBox
+from judge.sandbox.container import Container
 from judge.sandbox.inside import wire
 from judge.sandbox.native import NativeBox
-from judge.sandbox.python import PythonBox
 from judge.sandbox.room import BASE_FILES, BASE_TASKS, OWN_FILES, OWN_TASKS, SLACK, THREADS, Room
 
 pytestmark = pytest.mark.slow
@@ -74,7 +75,7 @@ def test_a_compiler_that_is_kept_waiting_or_killed_is_no_compile_error(reason, e
 
 def test_a_long_source_that_a_busy_machine_compiles_too_late_is_no_compile_error(monkeypatch):
     source = b"x = 1\n" * 50_000 + b"def f(n):\n    return n"
-    monkeypatch.setattr(python_, "_INSPECTION", python_._INSPECTION._replace(wall_seconds=0.01))
+    monkeypatch.setattr(box_, "_INSPECTION", box_._INSPECTION._replace(wall_seconds=0.01))
     with open_box(source, "f.py") as box, pytest.raises(ShortageError, match="too busy to compile it"):
         box.inspect()
     monkeypatch.undo()
@@ -98,13 +99,13 @@ def test_a_compiler_that_waits_for_the_processor_is_no_compile_error(monkeypatch
 
 def ended(monkeypatch, **more):
     """What a compiler that ends so comes to."""
-    real = compile_._asked
+    real = Container.ask
 
-    def disturbed(holder, kind, *arguments):
-        done = real(holder, kind, *arguments)
+    def disturbed(self, kind, *arguments):
+        done = real(self, kind, *arguments)
         return done._replace(**more) if kind == wire.EXECUTE else done
 
-    monkeypatch.setattr(compile_, "_asked", disturbed)
+    monkeypatch.setattr(Container, "ask", disturbed)
     with box_of("a.c", C) as box:
         return box.inspect().fault.message
 

@@ -6,10 +6,10 @@ import re
 from pathlib import Path
 
 import pytest
-from bpf_machine import PID, number_of, of_child, of_server
+from bpf_machine import PID, named, number_of, of_child, of_server
 from bpf_machine import decision as _run
 
-from judge.sandbox.filters import ALLOW, KILL, NO_TERMINAL, REFUSED, ROW, UNKNOWN, X32_BIT, table
+from judge.sandbox.filters import ALLOW, KILL, NO_TERMINAL, REFUSED, ROW, UNKNOWN, X32_BIT
 
 GENERIC = Path("/usr/include/asm-generic/unistd.h")  # the table aarch64 uses
 X86_64 = [Path("/usr/include/x86_64-linux-gnu/asm/unistd_64.h"), Path("/usr/include/asm/unistd_64.h")]
@@ -34,7 +34,7 @@ def _published(paths: list[Path]) -> dict[str, int]:
 def test_numbers_are_the_kernels(machine: str, paths: list[Path]) -> None:
     published = _published(paths)
     assert len(published) > 250
-    ours = {call: number_of(call, machine) for call in table()}
+    ours = {call: number_of(call, machine) for call in named()}
     assert ours == {call: published.get(call) for call in ours}
 
 
@@ -91,8 +91,8 @@ def test_what_a_child_gives_up(machine: str) -> None:
 
 @pytest.mark.parametrize("machine", NUMBERS)
 def test_unnamed_numbers_are_refused(machine: str) -> None:
-    named = {number_of(call, machine) for call in table()}
-    unnamed = {101, 165, 310, 311, 425, 426, 427, 320, 40, 270_000} - named
+    ours = {number_of(call, machine) for call in named()}
+    unnamed = {101, 165, 310, 311, 425, 426, 427, 320, 40, 270_000} - ours
     assert len(unnamed) > 5
     rows = of_server(machine)
     assert {number: _run(rows, machine, number) for number in unnamed} == dict.fromkeys(unnamed, REFUSED)

@@ -21,7 +21,8 @@ from judge.holes.model import HoleSearch
 from judge.problem.load import load_problem
 from judge.problem.module import load_module
 from judge.run.result import short_answer
-from judge.sandbox import Containment, levels_here
+from judge.sandbox import Containment
+from judge.sandbox.available import levels_here
 from judge.sandbox.encode import encode as sent
 from judge.values import check, parameters
 from judge.values.answers import AnyOf, Judged, Real, Tolerance

@@ -16,7 +16,8 @@ from judge.languages.find import found as found_of
 from judge.languages.model import languages
 from judge.report.published_setter import Doctor
 from judge.report.screen import note
-from judge.sandbox import Containment, levels_here
+from judge.sandbox import Containment
+from judge.sandbox.available import levels_here
 from judge.version import __version__
 
 

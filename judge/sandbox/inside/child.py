@@ -73,12 +73,8 @@ def look_at(text: bytes, name: str, region: wire.Region, stop: int) -> NoReturn:
     start_the_clock()
     found = source.inspect(text, name)
     line = "".join(_json(found, 0)).encode() + b",\n"
-    start = region.words[wire.USED]
-    if start + len(line) <= stop:
-        region.memory[start : start + len(line)] = line
-        region.words[wire.USED] = start + len(line)
-        if not found["fault"]:
-            region.write_note(wire.COMPILED, " ".join(source.to_import(found["modules"])))
+    if region.append(line, stop) and not found["fault"]:
+        region.write_note(wire.COMPILED, " ".join(source.to_import(found["modules"])))
     os._exit(0)
 
 
@@ -112,7 +108,6 @@ def make_calls(code: CodeType, name: str, region: wire.Region, request: wire.Req
     module = _main_module("submission", name)  # its own name may be that of a module it imports
     tell_where(name, region)
     start_the_clock()
-    replies = _Replies(region, request.stop)
     try:
         exec(code, module.__dict__)
     except MemoryError as error:
@@ -120,8 +115,8 @@ def make_calls(code: CodeType, name: str, region: wire.Region, request: wire.Req
         os._exit(1)
     except BaseException as error:
         if _too_long(error):
-            replies.too_much("")
-        replies.all_raised(f"{source.described(error, name)}{IMPORTING}", count)
+            _too_much(region, "")
+        _all_raised(f"{source.described(error, name)}{IMPORTING}", count, region, request.stop)
         os._exit(_flushed(0))
     freeze()  # a large table of its own would be looked through on the time of its calls
     _flushed(0)
@@ -130,9 +125,10 @@ def make_calls(code: CodeType, name: str, region: wire.Region, request: wire.Req
         given = marshal.loads(region.payload(request.payload))
     function = found(module.__dict__, entry, most)
     if function is not None:
-        replies.make(function, _with_arrays(*given), name, most)
+        _answer(function, _with_arrays(*given), name, most, region, request.stop)
     else:
-        replies.all_raised(f"the module has no {entry.removesuffix('()')} once it is imported", count)
+        missing = f"the module has no {entry.removesuffix('()')} once it is imported"
+        _all_raised(missing, count, region, request.stop)
     status = _flushed(0)
     if pauses and not status:
         stop_at(me, signal.SIGSTOP)
@@ -144,63 +140,50 @@ def _with_arrays(places: tuple[int, ...], calls: list[tuple[Any, ...]]) -> list[
     if not places:
         return calls
     return [
-        tuple(
-            [
-                array(*value) if place in places and type(value) is tuple else value
-                for place, value in enumerate(arguments)
-            ]
-        )
-        for arguments in calls
+        tuple([array(*each) if at in places and type(each) is tuple else each for at, each in enumerate(row)])
+        for row in calls
     ]
 
 
-class _Replies:
-    """Appends to the region's replies; ends the process where they no longer fit."""
+def _answer(
+    function: Callable[..., Any],
+    calls: Iterable[tuple[Any, ...]],
+    name: str,
+    most: int,
+    region: wire.Region,
+    stop: int,
+) -> None:
+    """Append a reply for each call; ends the process where they no longer fit."""
+    memory, words, used = region.memory, region.words, wire.USED
+    at, as_json, form_of = words[used], _json, encode
+    for arguments in calls:
+        try:
+            answer = form_of(function(*arguments), most)
+            kind = type(answer)
+            shown = repr(answer) if kind is int or kind is float else "".join(as_json(answer, 0))
+            line = f"[0,{shown}],\n".encode()
+        except MemoryError as error:
+            _note_memory(region, error, name)
+            os._exit(1)
+        except BaseException as error:  # SystemExit too: the end of this call, not of the next
+            if _too_long(error):
+                _too_much(region, "")
+            line = _raised(source.described(error, name) + place_in(function))
+        end = at + len(line)
+        if end > stop:
+            _too_much(region)
+        memory[at:end] = line
+        words[used] = at = end
 
-    def __init__(self, region: wire.Region, stop: int) -> None:
-        self._region = region
-        self._at = region.words[wire.USED]
-        self._stop = stop
 
-    def make(
-        self, function: Callable[..., Any], calls: Iterable[tuple[Any, ...]], name: str, most: int
-    ) -> None:
-        memory, words, used = self._region.memory, self._region.words, wire.USED
-        at, stop, as_json, form_of = self._at, self._stop, _json, encode
-        for arguments in calls:
-            try:
-                answer = form_of(function(*arguments), most)
-                kind = type(answer)
-                plain = kind is int or kind is float
-                line = (
-                    f"[0,{answer!r}],\n".encode()
-                    if plain
-                    else f"[0,{''.join(as_json(answer, 0))}],\n".encode()
-                )
-            except MemoryError as error:
-                _note_memory(self._region, error, name)
-                os._exit(1)
-            except BaseException as error:  # SystemExit too: the end of this call, not of the next
-                if _too_long(error):
-                    self.too_much("")
-                line = _raised(source.described(error, name) + place_in(function))
-            end = at + len(line)
-            if end > stop:
-                self.too_much()
-            memory[at:end] = line
-            words[used] = at = end
+def _all_raised(text: str, count: int, region: wire.Region, stop: int) -> None:
+    if not region.append(_raised(text) * count, stop):
+        _too_much(region)
 
-    def all_raised(self, text: str, count: int) -> None:
-        lines = _raised(text) * count
-        end = self._at + len(lines)
-        if end > self._stop:
-            self.too_much()
-        self._region.memory[self._at : end] = lines
-        self._region.words[wire.USED] = end
 
-    def too_much(self, text: str = "its answers together are longer than allowed") -> NoReturn:
-        self._region.write_note(wire.TOO_MUCH, text)
-        os._exit(1)
+def _too_much(region: wire.Region, text: str = "its answers together are longer than allowed") -> NoReturn:
+    region.write_note(wire.TOO_MUCH, text)
+    os._exit(1)
 
 
 def _too_long(error: BaseException) -> bool:

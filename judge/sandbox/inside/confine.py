@@ -34,7 +34,6 @@ class Confinement:
 
     def __init__(self, config: dict[str, Any]) -> None:
         """Give up everything the fork server does not need. Raises OSError where the kernel refuses."""
-        self._threads: int = config["threads"]
         self._server = os.getpid()
         self._small: Callable[[], None] | None = None  # load a child's own filter
         _once_only_limits(config.get("descriptors", wire.MOST_DESCRIPTORS))
@@ -59,26 +58,13 @@ class Confinement:
         self._small = lambda: linux.load_filter(load, own_filter(child, pid_at))
         linux.load_filter(load, bytearray(server))
 
-    def confine_child(self, memory: int, output: int, cpu_seconds: int) -> None:
-        """Confine a fresh child before anything foreign runs in it. Raises OSError."""
-        _limit(resource.RLIMIT_AS, memory)
-        _limit(resource.RLIMIT_FSIZE, output + 1)  # one more, so that too much can be told from enough
-        if not LINUX:  # there, the limit would make the process's CPU clock move by whole timer ticks only
-            _limit(resource.RLIMIT_CPU, cpu_seconds)
-        if self._threads:
-            _limit(resource.RLIMIT_NPROC, self._threads)
-        die_with(self._server)
-        if self._small is None:
-            os.setpgid(0, 0)  # so that what it forks can be ended with it
-        else:
-            self._small()
+    def confine_child(self, limits: dict[str, int], *, starts: bool = False) -> None:
+        """Confine a fresh child before anything foreign runs in it. Raises OSError.
 
-    def confine_program(self, limits: dict[str, int]) -> None:
-        """Confine a fresh child that is about to become another program, in a group of its own.
-
-        `limits` are those of resources by name. Raises OSError.
+        `limits` are those of resources by name; `starts` tells that it becomes another program.
         """
-        os.setpgid(0, 0)
+        if starts or self._small is None:
+            os.setpgid(0, 0)  # so that what it forks can be ended with it
         for name, value in limits.items():
             _limit(getattr(resource, name), value)
         die_with(self._server)
@@ -110,13 +96,8 @@ def _once_only_limits(descriptors: int) -> None:
     _limit(resource.RLIMIT_CORE, 0)
     _limit(resource.RLIMIT_NOFILE, descriptors)
     if LINUX:
-        for which in (
-            resource.RLIMIT_MEMLOCK,
-            resource.RLIMIT_MSGQUEUE,
-            resource.RLIMIT_NICE,
-            resource.RLIMIT_RTPRIO,
-        ):
-            _limit(which, 0)
+        for name in ("MEMLOCK", "MSGQUEUE", "NICE", "RTPRIO"):
+            _limit(getattr(resource, f"RLIMIT_{name}"), 0)
     # The stack grows to the hard limit only from here on: read at exec, it would be every thread's size.
     hard = resource.getrlimit(resource.RLIMIT_STACK)[1]
     try:

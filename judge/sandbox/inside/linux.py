@@ -161,7 +161,8 @@ def restrict(
     no_new_privs. Raises OSError.
     """
     version = abi()
-    governed = _file_rights(version)
+    # Every file right that this version can govern: 13 at first, then refer, truncate, ioctl on devices.
+    governed = (1 << (13 + (version >= 2) + (version >= 3) + (version >= 5))) - 1
     ruleset = _create(version, governed)
     try:
         for path in readable:
@@ -175,11 +176,6 @@ def restrict(
         syscall(_RESTRICT, _Int(ruleset), _UInt(0))
     finally:
         os.close(ruleset)
-
-
-def _file_rights(version: int) -> int:
-    """Every file right this version can govern: 13 at first, then refer, truncate, ioctl on devices."""
-    return (1 << (13 + (version >= 2) + (version >= 3) + (version >= 5))) - 1
 
 
 def _create(version: int, files: int) -> int:

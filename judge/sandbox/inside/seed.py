@@ -20,7 +20,7 @@ import time
 
 from judge.sandbox.inside import again, unseen, wire
 from judge.sandbox.inside.confine import Confinement, die_with
-from judge.sandbox.inside.server import SHORTEST_WAIT_NS, SWEEP_SECONDS, Server
+from judge.sandbox.inside.server import SHORTEST_WAIT_NS, SWEEP_SECONDS, ExecServer, Server
 from judge.sandbox.inside.source import sealed
 
 TYPE_CHECKING = False
@@ -30,11 +30,7 @@ if TYPE_CHECKING:
 
 def start(channel: int, config: dict[str, Any]) -> NoReturn:
     """Fork a server whenever the judge opens one, until it hangs up."""
-    kind = Server
-    if "folders" in config:  # of what is no Python
-        from judge.sandbox.inside.exec import ExecServer
-
-        kind = ExecServer
+    kind = ExecServer if "folders" in config else Server
     line = wire.Channel(_socket.socket(fileno=channel))
     die_with(config["parent"])
     sys.path[:] = config["path"]
@@ -54,7 +50,7 @@ def start(channel: int, config: dict[str, Any]) -> NoReturn:
             os._exit(1)
         if len(given) == 3 and again.again(os.fork) == 0:
             line.close()
-            _serve(given, me, kind)
+            _confined(given, me, kind).serve()
         for number in given:
             os.close(number)
 
@@ -86,8 +82,8 @@ def _shared(kind: str) -> bool:
         return False
 
 
-def _serve(given: list[int], seed: int, kind: type[Server]) -> NoReturn:
-    """Confine this process, say so, and serve until the judge hangs up."""
+def _confined(given: list[int], seed: int, kind: type[Server]) -> Server:
+    """Confine this process, and say so."""
     channel, memory, order = given
     os.setsid()
     line = wire.Channel(_socket.socket(fileno=channel))
@@ -108,7 +104,7 @@ def _serve(given: list[int], seed: int, kind: type[Server]) -> NoReturn:
         line.send(wire.FAILED)
         os._exit(1)
     line.send(wire.READY + os.getpid().to_bytes(4, "little"))
-    kind(line, region, confinement, config, source).serve()
+    return kind(line, region, confinement, config, source)
 
 
 def _look_around(region: wire.Region, line: wire.Channel, length: int) -> None:

@@ -5,6 +5,14 @@
              └─ CALLS or PROGRAM, any number of times: fork, watch, reap, sweep → DONE
 
 The judge hanging up is the end of the server and so of everything it has started; see `seed` for its start.
+
+What is not Python has a server that starts compilers and what they make, and watches them in the same way:
+
+    EXECUTE   payload (command line, environment, folder, limits by name): start it with the three descriptors
+    COLLECT   payload (folder, bytes, files): copy the ordinary files below the folder to the second
+              descriptor; the replies say their names and sizes, or why they were not copied
+
+What was started has no descriptor of the region and none of the channel: a note there is the server's own.
 """
 
 from __future__ import annotations
@@ -12,35 +20,36 @@ from __future__ import annotations
 import _signal as signal  # type: ignore[import-not-found]  # signal itself wraps every call in enums: slow
 import errno
 import gc
+import marshal
 import os
 import resource
 import select
+import stat
 import sys
 import time
+from itertools import islice
 
 from judge.sandbox.inside import again, child, wire
+from judge.sandbox.inside.confine import LINUX, Confinement
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterator
     from types import CodeType
     from typing import Any, NoReturn
-
-    from judge.sandbox.inside.confine import Confinement
 
 SHORTEST_WAIT_NS = 1_000_000
 LAST_MOMENT_NS = 50_000_000
 AT_WORK = 0.04  # of the last moment: more than a handler takes, or who only looks whether something has come
 SWEEP_SECONDS = 5.0
 _PEAK_UNIT = 1 if sys.platform == "darwin" else 1024
+_DEFAULTS = (signal.SIGINT, signal.SIGPIPE, signal.SIGUSR1, signal.SIGXFSZ)
+_AS_IT_IS = os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC
+_AT_ONCE = 1 << 20
 
 
-class Lacking(Exception):  # noqa: N818 - it never reaches a person
-    """The machine had no process left for a child, or no descriptors; `code` is the errno."""
-
-    def __init__(self, code: int) -> None:
-        super().__init__()
-        self.code = code
+class Lacking(OSError):  # noqa: N818 - it never reaches a person
+    """The machine had no process left for a child, or no descriptors."""
 
 
 class Server:
@@ -60,24 +69,20 @@ class Server:
         self._source, self._own_source = source, config["source"]
         self._name: str = child.OWN_FILE if self._own_source else config["name"]
         self._cores: int = config["cores"]
+        self._threads: int = config["threads"]
         self._level: str = config["level"]
         self._code: CodeType | None = None
         self._tally, self._tally_end = os.pipe()
-        os.set_blocking(self._tally, False)
-        self._deaths = self._watch_for_deaths()
-        self._events = select.poll()
-        self._events.register(self._deaths, select.POLLIN)
-        self._events.register(line.fileno(), select.POLLIN)  # no request comes now: a STOP, or a hang-up
-
-    def _watch_for_deaths(self) -> int:
-        wake, wake_end = os.pipe()
-        os.set_blocking(wake, False)
-        os.set_blocking(wake_end, False)
+        self._deaths, wake_end = os.pipe()
+        for number in (self._tally, self._deaths, wake_end):
+            os.set_blocking(number, False)
         signal.set_wakeup_fd(wake_end, warn_on_full_buffer=False)
         signal.signal(signal.SIGCHLD, lambda *_: None)
         signal.signal(signal.SIGINT, signal.SIG_IGN)
         signal.signal(signal.SIGUSR1, signal.SIG_IGN)  # a child that has no handler for it yet
-        return wake
+        self._events = select.poll()
+        self._events.register(self._deaths, select.POLLIN)
+        self._events.register(line.fileno(), select.POLLIN)  # no request comes now: a STOP, or a hang-up
 
     def serve(self) -> NoReturn:
         """One request after the other."""
@@ -90,11 +95,11 @@ class Server:
                     continue
                 job = wire.Request(frame, descriptors)
                 try:
-                    answer = self._run(job, self._code)
+                    answer = self._run(job)
                     if job.kind == wire.INSPECT:
                         self._prepare()
                 except Lacking as lack:
-                    answer = wire.LACK.pack(wire.LACKING, lack.code)
+                    answer = wire.LACK.pack(wire.LACKING, lack.errno or 0)
                 for number in descriptors:
                     os.close(number)
                 self._line.send(answer)
@@ -115,43 +120,51 @@ class Server:
         gc.collect()
         gc.freeze()
 
-    def _run(self, job: wire.Request, code: CodeType | None) -> bytes:
+    def _run(self, job: wire.Request) -> bytes:
         if len(job.descriptors) < 3 + (job.kind == wire.CALLS and wire.PAUSES):
-            raise Lacking(errno.EMFILE)  # what there was no room for has not arrived
+            raise Lacking(errno.EMFILE, "")  # what there was no room for has not arrived
         try:
             began, pid = again.again(lambda: (time.perf_counter_ns(), os.fork()))
         except OSError as fault:
-            raise Lacking(fault.errno or 0) from None
+            raise Lacking(fault.errno, "") from None
         if pid == 0:
-            self._be_child(job, code)
+            self._be_child(job)
         watch = Clocks(job, began, self._cores)
         reason, status, usage = self._watch(pid, watch)
         wall = time.perf_counter_ns() - watch.began
         cpu = watch.at_end or _cpu_of(usage)
         more = self._sweep(pid)
-        if watch.before is None:
-            watch.start(self._baseline())
+        self._note_start(watch)
         spent = 0 if watch.before is None else max(0, cpu + more - watch.before)
         peak = usage.ru_maxrss * _PEAK_UNIT
-        return wire.done(status, reason, spent, wall, peak, watch.stage, *watch.imported)
+        return wire.DONE.pack(wire.ENDED, status, reason, spent, wall, peak, watch.stage, *watch.imported)
 
-    def _be_child(self, job: wire.Request, code: CodeType | None) -> NoReturn:
-        region, name = self._region, self._name
+    def _be_child(self, job: wire.Request) -> NoReturn:
+        region = self._region
         try:
             signal.set_wakeup_fd(-1)
             signal.signal(signal.SIGCHLD, signal.SIG_DFL)
-            signal.signal(signal.SIGINT, signal.default_int_handler)
-            child.take_descriptors(*job.descriptors[:3], self._tally_end, *self._own_source)
-            self._confinement.confine_child(job.memory, job.output, job.cpu_ns // 10**9 + 2)
-            if job.kind == wire.INSPECT:
-                child.look_at(self._source, name, region, job.stop)
-            assert code is not None, "INSPECT comes before this"
-            if job.kind == wire.PROGRAM:
-                child.be_program(code, name, region)
-            child.make_calls(code, name, region, job)
+            self._become(job, region)
         except BaseException as error:
             region.write_fault(error)
-            os._exit(99)
+        os._exit(99)
+
+    def _become(self, job: wire.Request, region: wire.Region) -> None:
+        name, code = self._name, self._code
+        signal.signal(signal.SIGINT, signal.default_int_handler)
+        child.take_descriptors(*job.descriptors[:3], self._tally_end, *self._own_source)
+        limits = {"RLIMIT_AS": job.memory, "RLIMIT_FSIZE": job.output + 1}  # with one more, too much shows
+        if not LINUX:  # there, the limit would make the process's CPU clock move by whole timer ticks only
+            limits["RLIMIT_CPU"] = job.cpu_ns // 10**9 + 2
+        if self._threads:
+            limits["RLIMIT_NPROC"] = self._threads
+        self._confinement.confine_child(limits)
+        if job.kind == wire.INSPECT:
+            child.look_at(self._source, name, region, job.stop)
+        assert code is not None, "INSPECT comes before this"
+        if job.kind == wire.PROGRAM:
+            child.be_program(code, name, region)
+        child.make_calls(code, name, region, job)
 
     def _watch(self, pid: int, watch: Clocks) -> tuple[int, int, resource.struct_rusage]:
         """Watch the child until it is dead: the limit that killed it, its status, its usage."""
@@ -160,9 +173,8 @@ class Server:
             stopped = gone and os.WIFSTOPPED(status)
             if gone and not stopped:
                 return wire.NOT_KILLED, status, usage
-            if watch.before is None:
-                watch.start(self._baseline())
-            reason, left = self._limit(pid, watch)
+            self._note_start(watch)
+            reason, left = watch.limit(_cpu_clock(pid), time.perf_counter_ns())
             if stopped and not reason and self._goes_on(pid, watch, status):
                 os.kill(pid, signal.SIGCONT)
             elif stopped or reason:
@@ -172,10 +184,6 @@ class Server:
                 return reason, status if stopped and not reason else killed, usage
             else:
                 self._wait(pid, left)
-
-    def _limit(self, pid: int, watch: Clocks) -> tuple[int, int]:
-        """The limit that is passed, if one is, or else how many ns none can be."""
-        return watch.limit(_cpu_clock(pid), time.perf_counter_ns())
 
     def _ask_where(self, pid: int, reason: int) -> int:
         """Let a child whose time is up say where it stands; the reason, after a last look at it."""
@@ -213,18 +221,20 @@ class Server:
         """Until something dies or the time is over. The judge's hang-up ends all, its STOP the child."""
         for number, event in self._events.poll(nanoseconds / 1e6):
             if number == self._deaths:
-                _drain(self._deaths)
+                os.read(number, 4096)
             elif event:
                 os.kill(pid, signal.SIGKILL)
                 if event & select.POLLHUP or not self._line.receive()[0]:
                     self._sweep(pid)
                     os._exit(0)
 
-    def _baseline(self) -> int | None:
-        try:
-            return int.from_bytes(os.read(self._tally, 8), "little")
-        except BlockingIOError:
-            return None
+    def _note_start(self, watch: Clocks) -> None:
+        """Start the clocks once the child has told the CPU time before foreign code."""
+        if watch.before is None:
+            try:
+                watch.start(int.from_bytes(os.read(self._tally, 8), "little"))
+            except BlockingIOError:
+                return
 
     def _sweep(self, pid: int) -> int:
         """End whatever the child left behind; gives the CPU time of that. What cannot be ended ends us."""
@@ -242,10 +252,42 @@ class Server:
         os._exit(1)
 
 
+class ExecServer(Server):
+    """A server whose children become other programs."""
+
+    def _run(self, job: wire.Request) -> bytes:
+        return self._collect(job) if job.kind == wire.COLLECT else super()._run(job)
+
+    def _become(self, job: wire.Request, region: wire.Region) -> None:
+        for number in _DEFAULTS:
+            signal.signal(number, signal.SIG_DFL)
+        command, environment, folder, limits = marshal.loads(region.payload(job.payload))
+        child.take_descriptors(*job.descriptors[:3], self._tally_end)
+        os.chdir(folder)
+        self._confinement.confine_child(limits, starts=True)
+        child.start_the_clock()
+        os.execve(command[0], command, environment)
+
+    _ask_where = Server._after_a_look  # nothing in it would say where it stands
+
+    def _collect(self, job: wire.Request) -> bytes:
+        """Copy the files that a compiler has left, as many and as large as they may be."""
+        folder, most, count = marshal.loads(self._region.payload(job.payload))
+        try:
+            answer: Any = [
+                (os.path.relpath(path, folder), _copied(path, job.descriptors[1], most))
+                for path in islice(_files(folder), count + 1)  # one over it tells that there are too many
+            ]
+            if sum(size for _, size in answer) > most or len(answer) > count:
+                answer = "what was compiled is larger than allowed"
+        except OSError as fault:
+            raise Lacking(fault.errno, "") from None
+        self._region.append(marshal.dumps(answer))
+        return wire.DONE.pack(wire.ENDED, 0, wire.NOT_KILLED, 0, 0, 0, wire.CALLING, 0, 0, 0)
+
+
 class Clocks:
     """The clocks of one child: of its import, then of its calls; of anything else, from beginning to end."""
-
-    __slots__ = ("at_end", "before", "began", "cores", "imported", "job", "stage", "waited")
 
     def __init__(self, job: wire.Request, began: int, cores: int) -> None:
         self.job = job
@@ -257,11 +299,10 @@ class Clocks:
         self.imported = (0, 0, 0)  # CPU and wall time of the import, bytes that were printed by then
         self.waited = 0  # wall time beyond CPU time, in the import
 
-    def start(self, baseline: int | None) -> None:
-        """Foreign code begins, if the CPU time before it has been told."""
-        if baseline is not None:
-            self.before = baseline
-            self.stage = wire.IMPORTING if self.job.kind == wire.CALLS and wire.PAUSES else wire.CALLING
+    def start(self, baseline: int) -> None:
+        """Foreign code begins, after so much CPU time."""
+        self.before = baseline
+        self.stage = wire.IMPORTING if self.job.kind == wire.CALLS and wire.PAUSES else wire.CALLING
 
     def call(self, clock: int, printed: int) -> None:
         """The import is over, and the calls begin."""
@@ -305,13 +346,6 @@ def _cpu_of(usage: resource.struct_rusage) -> int:
     return round((usage.ru_utime + usage.ru_stime) * 1e9)
 
 
-def _drain(number: int) -> None:
-    try:
-        os.read(number, 4096)
-    except BlockingIOError:
-        return
-
-
 def _kill_all(targets: list[int]) -> None:
     """Kill these: processes, and a child's group."""
     for target in targets:
@@ -324,15 +358,43 @@ def _kill_all(targets: list[int]) -> None:
 def _children_of(parent: int) -> list[int]:
     """The processes whose parent this is, as /proc tells; none where it does not."""
     try:
-        pids = [int(name) for name in os.listdir("/proc") if name.isdecimal()]  # noqa: PTH208
+        names = os.listdir("/proc")  # noqa: PTH208
     except OSError:
         return []
-    return [pid for pid in pids if _parent_of(pid) == parent]
+    return [int(name) for name in names if name.isdecimal() and _parent_of(name) == parent]
 
 
-def _parent_of(pid: int) -> int:
+def _parent_of(pid: str) -> int:
     try:
         with open(f"/proc/{pid}/stat", "rb") as file:  # noqa: PTH123 - pathlib takes longer to import
             return int(file.read().rpartition(b")")[2].split()[1])
     except (OSError, ValueError, IndexError):
         return 0
+
+
+def _files(folder: str) -> Iterator[str]:
+    """The ordinary files below a folder, no link followed. Raises OSError for a folder that is closed."""
+
+    def closed(fault: OSError) -> None:
+        raise fault
+
+    for base, folders, names in os.walk(folder, onerror=closed):
+        folders.sort()
+        for name in sorted(names):
+            path = os.path.join(base, name)  # noqa: PTH118 - pathlib takes longer to import
+            if stat.S_ISREG(os.lstat(path).st_mode):
+                yield path
+
+
+def _copied(path: str, into: int, most: int) -> int:
+    """Append a file's bytes, at most one over `most`; how many there were."""
+    descriptor = os.open(path, _AS_IT_IS)
+    size = 0
+    try:
+        while size <= most and (part := os.read(descriptor, min(_AT_ONCE, most + 1 - size))):
+            size += len(part)
+            while part:
+                part = part[os.write(into, part) :]
+    finally:
+        os.close(descriptor)
+    return size

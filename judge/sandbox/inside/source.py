@@ -11,7 +11,7 @@ import sys
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Iterator
     from types import TracebackType
     from typing import Any
 
@@ -20,6 +20,7 @@ TEXT_LENGTH = 500
 
 _NAME_OF: Any = type.__dict__["__name__"].__get__  # whatever a class of its own says of itself
 TRACEBACK: Any = BaseException.__dict__["__traceback__"]
+_FUNCTIONS = (_ast.FunctionDef, _ast.AsyncFunctionDef)
 _HOLDING_STATEMENTS = ("body", "orelse", "finalbody", "handlers", "cases")
 _OWN_SCOPE = (_ast.Lambda, _ast.ListComp, _ast.SetComp, _ast.DictComp, _ast.GeneratorExp)
 
@@ -80,7 +81,7 @@ def _bound(body: list[Any]) -> dict[str, int]:
     waiting = body[::-1]
     while waiting:
         node = waiting.pop()
-        if isinstance(node, (_ast.FunctionDef, _ast.AsyncFunctionDef, _ast.ClassDef)):
+        if isinstance(node, (*_FUNCTIONS, _ast.ClassDef)):
             names.setdefault(node.name, node.lineno)
         elif isinstance(node, (_ast.Import, _ast.ImportFrom)):
             for alias in node.names:
@@ -126,35 +127,34 @@ def _is_empty(function: _ast.FunctionDef) -> bool:
     return True
 
 
-def _inner(tree: Any) -> list[list[Any]]:
-    """The functions that stand in a class or in another function, in what each of them stands."""
-    found = []
+def _statements(tree: Any) -> Iterator[tuple[Any, str]]:
+    """Every statement, with the class or the function in which it stands."""
     waiting = [(tree, "")]
     while waiting:
         node, within = waiting.pop()
-        if isinstance(node, (_ast.FunctionDef, _ast.AsyncFunctionDef)):
-            if within:
-                found.append([node.name, node.lineno, within])
+        yield node, within
+        if isinstance(node, _FUNCTIONS):
             within = f"function {node.name}"
         elif isinstance(node, _ast.ClassDef):
             within = f"class {node.name}"
-        for field in _HOLDING_STATEMENTS:
+        for field in _HOLDING_STATEMENTS:  # an expression holds none
             waiting += [(each, within) for each in reversed(getattr(node, field, ()))]
-    return found
+
+
+def _inner(tree: Any) -> list[list[Any]]:
+    """The functions that stand in a class or in another function, in what each of them stands."""
+    found = _statements(tree)
+    return [[node.name, node.lineno, at] for node, at in found if at and isinstance(node, _FUNCTIONS)]
 
 
 def _imported(tree: Any) -> set[str]:
     """Every module named by an import statement, wherever it stands."""
     modules: set[str] = set()
-    waiting = [tree]
-    while waiting:
-        node = waiting.pop()
+    for node, _ in _statements(tree):
         if isinstance(node, _ast.Import):
             modules.update(alias.name for alias in node.names)
         elif isinstance(node, _ast.ImportFrom) and node.module and not node.level:
             modules.add(node.module)
-        for field in _HOLDING_STATEMENTS:  # an expression holds none
-            waiting += getattr(node, field, ())
     return modules
 
 
@@ -168,10 +168,8 @@ def _children(node: Any) -> list[Any]:
     found: list[Any] = []
     for field in node._fields:
         value = getattr(node, field, None)
-        if isinstance(value, list):
-            found += [item for item in value if isinstance(item, _ast.AST)]
-        elif isinstance(value, _ast.AST):
-            found.append(value)
+        values = value if isinstance(value, list) else [value]
+        found += [each for each in values if isinstance(each, _ast.AST)]
     return found
 
 

@@ -45,7 +45,7 @@ if TYPE_CHECKING:
 
 FRAME = 64
 REQUEST = struct.Struct("=cqqqqqii")  # kind, cpu ns and wall ns, and as the fields of Request
-DONE = struct.Struct("=4siiqqqiqqq")  # ENDED and the fields of container.Done
+DONE = struct.Struct("=4siiqqqiqqq")  # ENDED and the first fields of container.ChildEnd
 LACK = struct.Struct("=4si")  # LACKING and the errno of what there was no room for, in place of a DONE
 ENDED, LACKING = b"done", b"lack"
 READY = b"ready"  # and the server's pid, in 4 bytes
@@ -53,7 +53,7 @@ FAILED = b"failed"  # the reason is in the region's note
 
 OPEN = b"O"
 INSPECT, CALLS, PROGRAM = b"I", b"F", b"P"
-EXECUTE, COLLECT = b"X", b"C"  # of what is not Python: see exec.py
+EXECUTE, COLLECT = b"X", b"C"  # of what is not Python: see server.py
 STOP = b"S"
 PAUSES = sys.platform == "linux"  # elsewhere no clock of another process says when an import is over
 
@@ -81,20 +81,6 @@ EXPOSED = 5  # of the server's own: this path can be read, and no submission may
 
 class Request:
     """One request, unpacked."""
-
-    __slots__ = (
-        "cpu_ns",
-        "descriptors",
-        "kind",
-        "memory",
-        "output",
-        "payload",
-        "stop",
-        "waiting_ns",
-        "wall_ns",
-    )
-
-    cpu_ns: int
 
     def __init__(self, frame: bytes, descriptors: list[int]) -> None:
         fields = REQUEST.unpack_from(frame)
@@ -184,6 +170,16 @@ class Region:
         """The request's payload, or the arguments."""
         return self.memory[PAYLOAD_AT : PAYLOAD_AT + length]
 
+    def append(self, data: bytes, stop: int = REGION_BYTES) -> bool:
+        """Append to the replies, if it ends before `stop`; whether it does."""
+        start = self.words[USED]
+        end = start + len(data)
+        if end > stop:
+            return False
+        self.memory[start:end] = data
+        self.words[USED] = end
+        return True
+
     def replies(self, start: int, stop: int) -> bytes:
         """What was appended between `start` and `stop`, as far as USED says and no further."""
         return self.memory[start : min(max(self.words[USED], start), stop)]
@@ -207,27 +203,10 @@ class Region:
         self.words[CODE] = errno.ENOMEM if isinstance(fault, MemoryError) else code or 0
         self.write_note(BROKEN_BOX, f"{type(fault).__name__}: {fault}")
 
-    def code(self) -> int:
-        """The errno of the fault that a note tells of; 0 for another."""
-        return self.words[CODE]
-
     def close(self) -> None:
         """Unmap it."""
         self.words.release()
         self.memory.close()
-
-
-def done(
-    status: int = 0,
-    reason: int = NOT_KILLED,
-    cpu: int = 0,
-    wall: int = 0,
-    peak: int = 0,
-    stage: int = NOT_STARTED,
-    *imported: int,
-) -> bytes:
-    """The frame that says how a request ended."""
-    return DONE.pack(ENDED, status, reason, cpu, wall, peak, stage, *imported or (0, 0, 0))
 
 
 def replies_at(payload: int) -> int:
