@@ -14,19 +14,20 @@ from judge.cache import DISK, Store
 from judge.data.build import target_of
 from judge.data.model import ProblemData
 from judge.errors import told
-from judge.mistakes.catalogue import MistakeText, read_kinds
-from judge.mistakes.computed import Computer
+from judge.mistakes.catalogue import read_kinds
+from judge.mistakes.computed import answered, entry_of
+from judge.mistakes.family import Maker
 from judge.mistakes.forms import of_form
 from judge.mistakes.known import KnownAnswers, Progress
 from judge.mistakes.likeness import Known, Likeness
-from judge.mistakes.makers import Maker, distinct, read_makers
+from judge.mistakes.makers import distinct, read_makers
 from judge.mistakes.repaired import LIKELY, Repaired, seen_in, with_steps
-from judge.mistakes.rights import right_outlines
 from judge.problem.model import case_of
 from judge.repair.features import LIBRARY
 from judge.repair.search import Repair
 from judge.run.result import Behaviour, Pitfall, Result
 from judge.run.settings import Settings
+from judge.values import outline
 from judge.values.outline import Outline
 
 _FEW = 8  # different right answers, up to which many mistakes have the same wrong ones
@@ -61,7 +62,6 @@ class Namer:
         self.notes: list[str] = []
         self._data = data
         self._answers = KnownAnswers(data, seed, settings, store)
-        self._computer = Computer(data)
         self._progress = progress
         self._made: list[_Made] | None = None
 
@@ -129,7 +129,7 @@ class Namer:
             return replace(result, pitfall=formed.pitfall), None
         if formed.unreadable:
             return result, None
-        made = [each for each in self._ready() if _may_be(each.maker.words, has, faulty=formed.faulty)]
+        made = [each for each in self._ready() if each.maker.words.form or not formed.faulty]
         likeness = Likeness([each.known for each in made], does)
         best = likeness.best()
         if best is None or not self._maker(likeness.nearest(best[0])).offered:  # it must be far ahead
@@ -156,7 +156,8 @@ class Namer:
             return True
         case = case_of(shown.input)
         target = target_of(data.problem, *data.exact(case, group))
-        return self._computer.answer(maker.program, case, target, lambda: data.exact(case, group)) is not None
+        function = entry_of(data.problem, maker.program)
+        return answered(data.problem, function, case, target, lambda: data.exact(case, group)) is not None
 
     def _steady(self, does: Behaviour, alone: Alone) -> bool:
         """Whether a case fails that is called alone too: then nothing is kept between calls."""
@@ -165,7 +166,12 @@ class Namer:
 
     @cached_property
     def _rights(self) -> Mapping[str, Sequence[Outline]]:
-        return right_outlines(self._data)
+        """The outlines of the right answers to every case, by the group's name."""
+        answer = self._data.problem.answer
+        return {
+            each.group.name: [outline.right(answer, target) for target in each.targets]
+            for each in self._data.groups
+        }
 
     def _ready(self) -> Sequence[_Made]:
         if self._made is None:
@@ -177,9 +183,7 @@ class Namer:
             self._made = []
             for places in distinct(read.all, behaviours):
                 maker = read.all[places[0]]
-                choice, family = maker.choice, read.family
-                own = choice is None or family is None or not family.general(choice)
-                known = Known(maker.name, behaviours[places[0]], maker.wrong, own)
+                known = Known(maker.name, behaviours[places[0]], maker.wrong, not maker.general)
                 self._made.append(_Made(maker, known))
         return self._made
 
@@ -196,8 +200,3 @@ def _collecting_later() -> Iterator[None]:
         yield
     finally:
         gc.enable()
-
-
-def _may_be(words: MistakeText, has: frozenset[str], *, faulty: bool) -> bool:
-    """Whether the name may be said of a program that has this; of `faulty` forms only what is one."""
-    return (not words.needs or bool(has.intersection(words.needs))) and (words.form or not faulty)

@@ -18,7 +18,7 @@ from msgspec import Struct
 
 from judge.errors import UsageError, nearest
 from judge.mistakes.family import INNER
-from judge.mistakes.makers import Maker, Makers, read_makers
+from judge.mistakes.makers import read_makers
 from judge.mistakes.plain import as_written
 from judge.problem import Group, Problem
 from judge.problem.model import LEVELS
@@ -64,7 +64,7 @@ def read_puzzles(problem: Problem, first: Collection[str] = ()) -> tuple[WrongPr
     found: list[WrongProgram] = []
     names = dict.fromkeys(name for group in small for name in sorted(group.kills))
     for name in sorted(names, key=lambda name: name not in first):
-        makers = [maker for maker in read.all if maker.name == name and _one_case_tells(read, maker)]
+        makers = [each for each in read.all if each.name == name and not (each.words.state or each.equal)]
         if not makers:
             continue
         beside = [maker for maker in makers if maker.file == makers[0].file]
@@ -72,7 +72,7 @@ def read_puzzles(problem: Problem, first: Collection[str] = ()) -> tuple[WrongPr
         groups = [group for group in small if name in group.kills]
         fitting = [group for group in groups if group.tolerance == usual]
         group, trusted = (fitting or groups)[0], maker.program.trusted
-        source, entry = maker.program.source.decode(), problem.entry if maker.choice else ""
+        source, entry = maker.program.source.decode(), problem.entry if trusted else ""
         known = re.sub(rf"\b{INNER}\b", _NEUTRAL, source) if entry else source
         found.append(
             WrongProgram(len(found) + 1, name, known, entry, maker.text, group, not fitting, trusted)
@@ -94,9 +94,3 @@ def puzzle_called(puzzles: Sequence[WrongProgram], word: str, problem: str) -> W
     meant = nearest(word, [puzzle.mistake for puzzle in puzzles])
     remedy = f"did you mean {meant!r}?" if meant else f"they are numbered from 1 to {len(puzzles)}"
     raise UsageError(f"{problem} has no wrong program {word!r}", remedy=remedy)
-
-
-def _one_case_tells(read: Makers, maker: Maker) -> bool:
-    if maker.words.state:
-        return False
-    return maker.choice is None or read.family is None or not read.family.equal(maker.choice)
