@@ -15,12 +15,11 @@ from msgspec.structs import replace
 from judge.mistakes.catalogue import EXAMPLE, Catalogue, MistakeText, read_catalogue
 from judge.mistakes.computed import ComputedProgram
 from judge.mistakes.routes import Change, Route, read_routes
-from judge.mistakes.transforms import HELPERS, KEPT_BETWEEN_CALLS, Transform, transforms
+from judge.mistakes.transforms import ANSWER, HELPERS, INNER, KEPT_BETWEEN_CALLS, Transform, transforms
 from judge.problem import Problem
 from judge.problem.solutions import MISTAKES
 from judge.problem.toml import read_text
 
-INNER = "right_way"  # what a route is called below a transform
 _KEPT = MistakeText(state=True)  # where mistakes.toml says nothing of it
 
 
@@ -105,7 +104,7 @@ class Family:
 
     def _of_transform(self, each: Transform) -> Maker:
         given = ", ".join(each.name for each in self.problem.parameters)
-        rows = [f"answer = {INNER}({given})", "return answer"]
+        rows = [f"{ANSWER} = {INNER}({given})", f"return {ANSWER}"]
         rows.insert(1 if each.after else 0, each.line)
         outer = "\n    ".join([f"def {self.problem.entry}({given}):", *rows])
         source = "\n\n\n".join([self._program(self.routes[0], None, INNER).rstrip(), HELPERS, outer]) + "\n"

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 
 from msgspec import Struct
 
@@ -13,7 +13,6 @@ from judge.mistakes.computed import ComputedProgram
 from judge.mistakes.family import Family, Maker
 from judge.problem import Problem
 from judge.problem.solutions import Solution, SolutionKind, read_solutions, usual_first
-from judge.run.result import Behaviour
 
 SHARED = "shared-by-all-objects"
 _CHANGEABLE = (ast.List, ast.Dict, ast.Set, ast.ListComp, ast.DictComp, ast.SetComp, ast.Call)
@@ -93,11 +92,3 @@ def _is_fresh(statement: ast.Assign, own: set[str]) -> bool:
 def _of_file(solution: Solution, words: MistakeText) -> Maker:
     program = ComputedProgram(solution.source, solution.path.name)
     return Maker(solution.name, solution.file, solution.advice or words.told, words, program)
-
-
-def distinct(makers: Sequence[Maker], answers: Sequence[Behaviour]) -> list[list[int]]:
-    """The places of those to compare with, each with all of its mistake's that answer alike: one object."""
-    alike: dict[tuple[str, int], list[int]] = {}
-    for place, (maker, each) in enumerate(zip(makers, answers, strict=True)):
-        alike.setdefault((maker.name, id(each)), []).append(place)
-    return [places for places in alike.values() if any(each.wrong for each in answers[places[0]].values())]

@@ -9,7 +9,6 @@ A mistake that shows only in the second of two calls is no puzzle, nor is one th
 
 from __future__ import annotations
 
-import re
 from collections import Counter
 from collections.abc import Collection, Sequence
 from functools import cached_property
@@ -17,14 +16,12 @@ from functools import cached_property
 from msgspec import Struct
 
 from judge.errors import UsageError, nearest
-from judge.mistakes.family import INNER
 from judge.mistakes.makers import read_makers
 from judge.mistakes.plain import as_written
 from judge.problem import Group, Problem
 from judge.problem.model import LEVELS
 
 HACKED = 12  # programs of a kata that are asked
-_NEUTRAL = "inner"  # what a function is called whose own name would tell that it is right
 
 
 class WrongProgram(Struct, frozen=True, dict=True):
@@ -73,9 +70,8 @@ def read_puzzles(problem: Problem, first: Collection[str] = ()) -> tuple[WrongPr
         fitting = [group for group in groups if group.tolerance == usual]
         group, trusted = (fitting or groups)[0], maker.program.trusted
         source, entry = maker.program.source.decode(), problem.entry if trusted else ""
-        known = re.sub(rf"\b{INNER}\b", _NEUTRAL, source) if entry else source
         found.append(
-            WrongProgram(len(found) + 1, name, known, entry, maker.text, group, not fitting, trusted)
+            WrongProgram(len(found) + 1, name, source, entry, maker.text, group, not fitting, trusted)
         )
     return tuple(found)
 
