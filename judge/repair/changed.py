@@ -103,7 +103,7 @@ class Changed:
 
 
 def moved(cases: Cases, case: Case, *, scale: bool) -> Case | None:
-    """The case with its first point at the origin, or `scale`d to size 1; None where floats cannot hold it."""
+    """The case with its first point at the origin, or at size 1; None where floats cannot hold it."""
     figure, hook = figure_of(cases.data, case), cases.data.module.hooks.figure
     if figure is None or hook is None or (scale and not 0 < figure.size < math.inf):
         return None

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import ast
 import copy
+from itertools import combinations
 
 from judge.repair.expressions import TOLERANCES, Expressions, Facts
 from judge.repair.trees import Edit, NodePlace, Slot, expression, is_small, literal, places
@@ -81,6 +82,8 @@ class _Edits(Expressions):
                 self.put("form", at, node, "list(x or [])", x=value)
             for text in ("[]", "None"):
                 self.put("form", at, node, text)
+        if isinstance(node, ast.Assign | ast.Return | ast.AugAssign) and inside is not None:
+            self._exchanged(node, inside)
         if isinstance(node, ast.Break):
             self.add("early", node, "", (slot, ast.Pass()))
         elif isinstance(node, ast.Return):
@@ -103,6 +106,18 @@ class _Edits(Expressions):
             for each, name in zip(other.args, wanted, strict=True):
                 each.arg = name
             self.add("parameter-order", node, "", (Slot(node, "args"), other))
+
+    def _exchanged(self, statement: Any, inside: Any) -> None:
+        """Two names of numbers, each in place of the other in one statement."""
+        uses: dict[str, list[Slot]] = {}
+        for slot, node, _ in places(statement):
+            loaded = isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load)
+            if loaded and self.stands_for(inside, node, "number"):
+                uses.setdefault(node.id, []).append(slot)
+        for one, other in combinations(sorted(uses), 2):
+            puts = [(slot, ast.Name(other, ast.Load())) for slot in uses[one]]
+            puts += [(slot, ast.Name(one, ast.Load())) for slot in uses[other]]
+            self.add("name", statement, f"{one} {other}", *puts)
 
     def _tolerances(self) -> None:
         """Each alone, those that are equal, and all of them."""
