@@ -9,8 +9,8 @@ from judge.problem.find import find_problem
 def mistaken(problem: str, name: str, line: str = "") -> bytes:
     """The source of the first program that makes the mistake; if a line is given, by it alone, or with it."""
     family = Family(find_problem(problem))
-    choices = [choice for choice, each in family.named if each == name]
+    makers = [each for each in family.mistakes() if each.name == name]
     if line:
-        alone = [choice for choice in choices if line in [each.wrong for each in family.lines(choice)]]
-        choices = alone or [choice for choice in choices if line in family.program(choice)]
-    return family.program(choices[0]).encode()
+        alone = [each for each in makers if each.line == line]
+        makers = alone or [each for each in makers if line in each.program.source.decode()]
+    return makers[0].program.source

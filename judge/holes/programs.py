@@ -139,13 +139,13 @@ def _routes(problem: Problem) -> list[Base]:
     except ProblemError:  # which `judge verify` tells
         return []
     found, plain = [], frozenset[str]()
-    for choice in family.right_ways() if family else ():
-        source = _needed(family.program(choice), problem.entry) if family else ""
-        if not choice.changes:
+    for right in family.right_ways() if family else ():
+        source, place = _needed(right.program.source.decode(), problem.entry), right.file.partition("/")[2]
+        styled = ":" in place  # what is a route as it stands has no line
+        if not styled:
             plain = frozenset(line.strip() for line in source.splitlines())
-        place = family.style_place(choice) if family else ""
-        shared = plain if choice.changes else frozenset[str]()
-        found.append(Base(place.partition("/")[2], source, whole=False, shared=shared))
+        shared = plain if styled else frozenset[str]()
+        found.append(Base(place, source, whole=False, shared=shared))
     return found
 
 

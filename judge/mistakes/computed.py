@@ -56,16 +56,6 @@ class Computer:
             function = entry_of(self._problem, program)
             return {each.name: each.answers(function) for each in self._groups}
 
-    def answer(self, program: ComputedProgram, case: Case, target: Target, exact: ExactOf) -> Outline | None:
-        """The outline of its answer to a case of one's own, None of a right one. Raises ProblemError."""
-        with localcontext(Context()):
-            function = entry_of(self._problem, program)
-            try:
-                raw = encode(function(*self._problem.calls([case])[0]))
-            except Exception as fault:
-                return raised(type(fault).__name__)
-        return wrong_outline(self._problem.answer, raw, target, exact)
-
 
 class _Group:
     """The cases of one group, as they are handed over, and what was decided of each answer to them."""
@@ -123,9 +113,16 @@ class _Group:
         return wrong_outline(type_, raw, group.targets[index], exact)
 
 
-def computed(data: ProblemData, program: ComputedProgram) -> Behaviour:
-    """What one trusted program answers wrongly, as a `Computer` finds it. Raises ProblemError."""
-    return Computer(data).behaviour(program)
+def answered(
+    problem: Problem, function: Callable[..., Any], case: Case, target: Target, exact: ExactOf
+) -> Outline | None:
+    """The outline of what a trusted program answers to a case of one's own, None of a right answer."""
+    with localcontext(Context()):
+        try:
+            raw = encode(function(*problem.calls([case])[0]))
+        except Exception as fault:
+            return raised(type(fault).__name__)
+    return wrong_outline(problem.answer, raw, target, exact)
 
 
 def entry_of(problem: Problem, program: ComputedProgram) -> Callable[..., Any]:

@@ -1,174 +1,140 @@
-"""A problem's mistakes as choices: changes of a right route, and of its input and answer; each is a program.
+"""A problem's mistakes.py as programs: right routes, each change of them, and changes of input and answer.
 
-Every single mistake, and every two that do not touch the same lines, exist without having been written. A
-choice is rendered as the text of a program, and what it answers is what that program answers.
+Every single mistake exists without having been written. It is rendered as the text of a program, and what it
+answers is what that program answers.
 """
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from functools import cached_property
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from judge.mistakes.catalogue import EXAMPLE, Catalogue, MistakeText, read_catalogue
-from judge.mistakes.routes import Change, Route, Routes, read_routes
-from judge.mistakes.transforms import HELPERS, KEPT_BETWEEN_CALLS, transforms
+from judge.mistakes.computed import ComputedProgram
+from judge.mistakes.routes import Change, Route, read_routes
+from judge.mistakes.transforms import ANSWER, HELPERS, INNER, KEPT_BETWEEN_CALLS, Transform, transforms
 from judge.problem import Problem
 from judge.problem.solutions import MISTAKES
 from judge.problem.toml import read_text
 
-INNER = "right_way"  # what a route is called below a transform
-KEPT = MistakeText(state=True, needs=("state",))  # where mistakes.toml says nothing of it
+_KEPT = MistakeText(state=True)  # where mistakes.toml says nothing of it
 
 
-class Variant(Struct, frozen=True):
-    """What is done otherwise: changes of one route and transforms, by their places; -1 is no transform."""
+class Maker(Struct, frozen=True):
+    """A program that makes a known mistake; a right one has no `name`.
 
-    route: int
-    changes: tuple[int, ...] = ()
-    before: int = -1
-    after: int = -1
+    `file` is where it stands, as `count/mistakes.py:12`, or what it does to input and answer; `text` is what
+    is said of whoever makes it, `words` what mistakes.toml says of the mistake, `line` the line that it
+    spoils, where that says something by itself. `equal` is the reason why no case can tell it from a right
+    program. One that is `general` changes input or answer as in any problem; one that is `offered` comes from
+    the types alone: it may be no mistake of this kata, and is a name where no other is nearly as like.
+    """
 
+    name: str
+    file: str
+    text: str
+    words: MistakeText
+    program: ComputedProgram
+    line: str = ""
+    equal: str = ""
+    general: bool = False
+    offered: bool = False
 
-class SpoiledLine(Struct, frozen=True):
-    """A line that a mistake spoils: what stands in a right program, and instead; one of them may be empty."""
+    @property
+    def seen(self) -> str:
+        """What is seen in the answers."""
+        seen = self.words.seen
+        return seen if seen and self.text.startswith(seen) else _first(self.text)
 
-    right: str
-    wrong: str
+    @property
+    def wrong(self) -> str:
+        """What is seen, and an example of it, without what to do instead: that is for the hints."""
+        rest = self.text.removeprefix(self.seen)
+        return self.seen + (_first(rest) if rest.startswith(f" {EXAMPLE}") else "")
 
 
 class Family:
-    """All choices of one problem. Raises ProblemError where its files cannot be read."""
+    """All programs of one problem's mistakes.py. Raises ProblemError where its files cannot be read."""
 
     def __init__(self, problem: Problem, catalogue: Catalogue | None = None) -> None:
         self.problem = problem
-        self.catalogue = read_catalogue(problem) if catalogue is None else catalogue
+        self._catalogue = read_catalogue(problem) if catalogue is None else catalogue
         path = problem.solutions / MISTAKES
         self.where = f"{path.parent.name}/{MISTAKES}"
-        self._routes: Routes = read_routes(read_text(path), self.where)
-        self._transforms = transforms(problem, self.catalogue)
+        read = read_routes(read_text(path), self.where)
+        self.routes: Sequence[Route] = read.routes
+        self._prelude = read.prelude
+        self._transforms = transforms(problem, self._catalogue)
 
     @staticmethod
     def of(problem: Problem, catalogue: Catalogue | None = None) -> Family | None:
         """The family of a problem; None where it has no mistakes.py."""
         return Family(problem, catalogue) if (problem.solutions / MISTAKES).is_file() else None
 
-    @property
-    def routes(self) -> Sequence[Route]:
-        """The right ways, and those that are a mistake in themselves."""
-        return self._routes.routes
-
-    def right_ways(self) -> Iterator[Variant]:
+    def right_ways(self) -> Iterator[Maker]:
         """What must be accepted: every right route, plain and with each of its styles."""
-        for place, route in enumerate(self.routes):
+        for route in self.routes:
             if not route.mistake:
-                yield Variant(place)
-                yield from (Variant(place, (i,)) for i, each in enumerate(route.changes) if not each.name)
+                yield self._of_route(route)
+                yield from (self._of_route(route, each) for each in route.changes if not each.name)
 
-    def singles(self) -> Iterator[Variant]:
+    def mistakes(self) -> Iterator[Maker]:
         """Every mistake alone: on the plain route, and on routes that are one, in each of their styles."""
-        for place, route in enumerate(self.routes):
+        for route in self.routes:
             if route.mistake:
-                yield Variant(place)
-            for i, change in enumerate(route.changes):
-                if change.name or route.mistake:
-                    yield Variant(place, (i,))
-        for i, each in enumerate(self._transforms):
-            yield Variant(0, after=i) if each.after else Variant(0, before=i)
+                yield self._of_route(route)
+            yield from (self._of_route(route, each) for each in route.changes if each.name or route.mistake)
+        yield from map(self._of_transform, self._transforms)
 
-    def names(self, choice: Variant) -> tuple[str, ...]:
-        """The mistakes it makes, in the order of the program."""
-        found = [self._transforms[choice.before].name] if choice.before >= 0 else []
-        found += [self.routes[choice.route].mistake] if self.routes[choice.route].mistake else []
-        found += [change.name for change in self.changes(choice) if change.name]
-        found += [self._transforms[choice.after].name] if choice.after >= 0 else []
-        return tuple(dict.fromkeys(found))
+    def _of_route(self, route: Route, change: Change | None = None) -> Maker:
+        own = change is not None and bool(change.name or not route.mistake)
+        file = f"{self.where}:{change.line}" if change and own else f"{self.where}, {route.name}"
+        made = self._made(
+            route.mistake or (change.name if change else ""),
+            file,
+            (change and change.text) or route.text,
+            self._program(route, change, self.problem.entry),
+        )
+        if change is None:
+            return made
+        return replace(made, line=_spoiled(route, change) if change.name else "", equal=change.equal)
 
-    def changes(self, choice: Variant) -> list[Change]:
-        """What it changes in its route."""
-        return [self.routes[choice.route].changes[place] for place in choice.changes]
-
-    @staticmethod
-    def general(choice: Variant) -> bool:
-        """Whether nothing of this problem's own file is changed, but input or answer as in any problem."""
-        return not choice.changes and (choice.before >= 0 or choice.after >= 0)
-
-    def offered(self, choice: Variant) -> bool:
-        """Whether its name may be said, and no group need reject it: it comes from the types alone."""
-        return any(self._transforms[i].offered for i in (choice.before, choice.after) if i >= 0)
-
-    def words(self, name: str) -> MistakeText:
-        """What mistakes.toml says of a mistake; nothing where it does not know it."""
-        return self.catalogue.get(name, KEPT if name == KEPT_BETWEEN_CALLS else MistakeText())
-
-    def told(self, choice: Variant) -> str:
-        """What is wrong and what to do instead, as it fits this very change."""
-        texts = [change.text for change in self.changes(choice)]
-        texts += [self._transforms[i].text for i in (choice.before, choice.after) if i >= 0]
-        own = next(filter(None, (*texts, self.routes[choice.route].text)), "")
-        words = self.words(self.names(choice)[0])
-        return f"{words.seen} {own}" if own.startswith(EXAMPLE) else own or words.told
-
-    def place(self, choice: Variant) -> str:
-        """Where it stands, as `count/mistakes.py:12`, or what it does to input and answer."""
-        for change in self.changes(choice):
-            if change.name:
-                return f"{self.where}:{change.line}"
-        for i in (choice.before, choice.after):
-            if i >= 0:
-                return self._transforms[i].line
-        return f"{self.where}, {self.routes[choice.route].name}"
-
-    def style_place(self, choice: Variant) -> str:
-        """Where a right way stands: the line of its style, or its route."""
-        changes = self.changes(choice)
-        return (
-            f"{self.where}:{changes[0].line}"
-            if changes
-            else f"{self.where}, {self.routes[choice.route].name}"
+    def _of_transform(self, each: Transform) -> Maker:
+        given = ", ".join(each.name for each in self.problem.parameters)
+        rows = [f"{ANSWER} = {INNER}({given})", f"return {ANSWER}"]
+        rows.insert(1 if each.after else 0, each.line)
+        outer = "\n    ".join([f"def {self.problem.entry}({given}):", *rows])
+        source = "\n\n\n".join([self._program(self.routes[0], None, INNER).rstrip(), HELPERS, outer]) + "\n"
+        return replace(
+            self._made(each.name, each.line, each.text, source), general=True, offered=each.offered
         )
 
-    def equal(self, choice: Variant) -> str:
-        """The reason why no case can tell it from a right program; empty where one must."""
-        return next((change.equal for change in self.changes(choice) if change.equal), "")
+    def _made(self, name: str, file: str, own: str, source: str) -> Maker:
+        """`own` is what fits this very change: what is wrong and what to do instead."""
+        words = self._catalogue.get(name, _KEPT if name == KEPT_BETWEEN_CALLS else MistakeText())
+        text = f"{words.seen} {own}" if own.startswith(EXAMPLE) else own or words.told
+        return Maker(name, file, text, words, ComputedProgram(source.encode(), file, trusted=True))
 
-    def lines(self, choice: Variant) -> tuple[SpoiledLine, ...]:
-        """The lines it spoils, if they are few enough to say something by themselves."""
-        route = self.routes[choice.route]
-        found = []
-        for change in self.changes(choice):
-            for piece in change.pieces:
-                old = [
-                    line for line in route.lines[piece.start : piece.end] if not line.lstrip().startswith("#")
-                ]
-                if change.name and len(old) <= 1 >= len(piece.lines) - 1:
-                    found.append(SpoiledLine("".join(old).strip(), "\n".join(piece.lines).strip()))
-        return tuple(found) if len(found) == 1 else ()
+    def _program(self, route: Route, change: Change | None, entry: str) -> str:
+        """The text of a whole program, in which the route bears that name."""
+        source = route.source(change)
+        source = re.sub(rf"^def {route.name}\(", f"def {entry}(", source, count=1, flags=re.MULTILINE)
+        return "\n\n\n".join(filter(None, (self._prelude, source.rstrip()))) + "\n"
 
-    def program(self, choice: Variant) -> str:
-        """The text of a whole program that makes the choice."""
-        route = self.routes[choice.route]
-        source = route.source(self.changes(choice))
-        inner = INNER if choice.before >= 0 or choice.after >= 0 else self.problem.entry
-        source = re.sub(rf"^def {route.name}\(", f"def {inner}(", source, count=1, flags=re.MULTILINE)
-        parts = [self._routes.prelude, source.rstrip()]
-        if inner == INNER:
-            parts += [HELPERS, self._outer(choice)]
-        return "\n\n\n".join(part for part in parts if part) + "\n"
 
-    def _outer(self, choice: Variant) -> str:
-        given = ", ".join(each.name for each in self.problem.parameters)
-        rows = [f"def {self.problem.entry}({given}):"]
-        if choice.before >= 0:
-            rows.append(f"    {self._transforms[choice.before].line}")
-        rows.append(f"    answer = {INNER}({given})")
-        if choice.after >= 0:
-            rows.append(f"    {self._transforms[choice.after].line}")
-        return "\n".join([*rows, "    return answer"])
+def _spoiled(route: Route, change: Change) -> str:
+    """What stands instead of one right line, or of none, if that is little enough."""
+    found = []
+    for piece in change.pieces:
+        old = [line for line in route.code[piece.start : piece.end] if line is not None]
+        if len(old) <= 1 and len(piece.lines) <= 2:
+            found.append("\n".join(piece.lines).strip())
+    return found[0] if len(found) == 1 else ""
 
-    @cached_property
-    def named(self) -> tuple[tuple[Variant, str], ...]:
-        """Every single choice with its mistake's name."""
-        return tuple((choice, self.names(choice)[0]) for choice in self.singles())
+
+def _first(text: str) -> str:
+    """Its first sentence."""
+    return re.split(r"(?<=[.!?])\s", text, maxsplit=1)[0]

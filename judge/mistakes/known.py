@@ -1,8 +1,7 @@
 """What the known mistakes answer on a problem's data: found once and kept.
 
 <cache folder>/mistakes/<id>-<place>-<seed>-<key>.json
-    {hash of a program: {group: [cases, {case: [form, numbers], …}], …}, …}; in place of what a program before
-    answers as well, that one's hash
+    [[{group: [cases, {case: [form, numbers], …}], …}, …], {hash of a program: which of these it does, …}]
 
 A mistake that is a choice (`judge.mistakes.family`) is computed here: it is the setter's own code, trusted as
 problem.py is. A file of `wrong/` may keep state, loop or read standard input; it is judged in containment.
@@ -26,12 +25,13 @@ from judge.problem import Problem
 from judge.run.result import Answers, Behaviour
 from judge.run.settings import Settings
 
-FORMAT = 4  # raise it when the form of the file changes
+FORMAT = 5  # raise it when the form of the file changes
 
 Progress = Callable[[int, int], None]  # programs done, programs in all
 _CODE = ("run", "sandbox")  # beside the packages that the data depend on
 _WHAT = "the known mistakes' answers"
-_FORM: Any = dict[str, str | dict[str, tuple[int, dict[int, tuple[str, tuple[float, ...]]]]]]
+_OUTLINE: Any = tuple[str, tuple[float, ...]]
+_FORM: Any = tuple[list[dict[str, tuple[int, dict[int, _OUTLINE]]]], dict[str, int]]
 
 
 class KnownAnswers:
@@ -51,20 +51,24 @@ class KnownAnswers:
     def of(
         self, programs: Sequence[ComputedProgram], progress: Progress | None = None
     ) -> tuple[list[Behaviour], str | None]:
-        """The behaviour of each program, and a note for the person where they cannot be kept.
+        """The behaviour of each program, one object for equal ones; a note where they cannot be kept.
 
         Raises ProblemError for a choice that cannot be run, JudgeError where nothing can be.
         """
-        kept = _unshared(self._store.read(*self._place, _FORM) or {})
+        read: tuple[list[dict[str, Any]], dict[str, int]] | None = self._store.read(*self._place, _FORM)
+        plain, kept = read or ([], {})
+        all_: list[Behaviour] = [{name: Answers(*each) for name, each in one.items()} for one in plain]
         missing = {each.key: each for each in programs if each.key not in kept}
+        places = {repr(each): at for at, each in enumerate(all_)} if missing else {}
         note = None
-        if missing:
-            try:
-                kept |= self._learnt(missing, progress)
-            finally:
-                note = self._store.write(*self._place, _shared(kept), _WHAT)
-        first: dict[str, Behaviour] = {}
-        return [first.setdefault(repr(kept[each.key]), kept[each.key]) for each in programs], note
+        try:
+            for key, found in self._learnt(missing, progress):
+                kept[key] = places.setdefault(repr(found), len(all_))
+                all_ += [found] if kept[key] == len(all_) else []
+        finally:
+            if missing:
+                note = self._store.write(*self._place, (all_, kept), _WHAT)
+        return [all_[kept[each.key]] for each in programs], note
 
     def _learnt(
         self, missing: Mapping[str, ComputedProgram], progress: Progress | None
@@ -103,22 +107,3 @@ def _place(problem: Problem, seed: int | None) -> tuple[str, str]:
     """Its name in the store, and the key of all that the behaviours depend on beside the programs."""
     name, key = kept_place("mistakes", problem, seed)
     return name, f"{FORMAT}/{sys.version}/{key}/{code_key(*_CODE)}"
-
-
-def _shared(kept: Mapping[str, Behaviour]) -> dict[str, Any]:
-    """What is written of the behaviours."""
-    firsts: dict[str, str] = {}
-    found = {key: firsts.setdefault(repr(each), key) for key, each in kept.items()}
-    return {key: each if found[key] == key else found[key] for key, each in kept.items()}
-
-
-def _unshared(plain: Mapping[str, Any]) -> dict[str, Behaviour]:
-    """The behaviours that were written."""
-    whole = {
-        key: {group: Answers(*each) for group, each in groups.items()}
-        for key, groups in plain.items()
-        if isinstance(groups, dict)
-    }
-    return whole | {
-        key: whole[first] for key, first in plain.items() if isinstance(first, str) and first in whole
-    }

@@ -7,9 +7,9 @@ failures and those that it alone has. Compared are the first cases of each group
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence, Set
+from typing import NamedTuple
 
-from msgspec import Struct
-
+from judge.mistakes.family import Maker
 from judge.run.result import Behaviour
 from judge.values.outline import Outline, only_digits
 
@@ -22,16 +22,11 @@ Place = tuple[str, int]  # a group, and a case of it
 Wrong = Mapping[Place, Outline]
 
 
-class Known(Struct, frozen=True):
-    """A program that makes a mistake, what it answers, and what is said of whoever writes such a one.
+class Known(NamedTuple):
+    """A program that makes a mistake, and what it answers."""
 
-    It is its `own` kata's, or one of every kata's.
-    """
-
-    name: str
+    maker: Maker
     behaviour: Behaviour
-    text: str = ""
-    own: bool = True
 
 
 class Likeness:
@@ -42,8 +37,8 @@ class Likeness:
         self._reached = {group: min(CASES, answers.reached) for group, answers in does.items()}
         self._known: dict[str, list[tuple[Known, Wrong]]] = {}
         for each in known:
-            self._known.setdefault(each.name, []).append((each, wrong_of(each.behaviour)))
-        self._own = {each.name for each in known if each.own}
+            self._known.setdefault(each.maker.name, []).append((each, wrong_of(each.behaviour)))
+        self._own = {each.maker.name for each in known if not each.maker.general}
 
     @property
     def names(self) -> Collection[str]:

@@ -1,53 +1,21 @@
-"""All that is known to be wrong in a problem: the choices of mistakes.py, and the programs of wrong/."""
+"""All that is known to be wrong in a problem: what mistakes.py makes, and the programs of wrong/."""
 
 from __future__ import annotations
 
 import ast
-import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 
 from msgspec import Struct
 
 from judge.errors import ProblemError
-from judge.mistakes.catalogue import EXAMPLE, MistakeText, read_catalogue
+from judge.mistakes.catalogue import MistakeText, read_catalogue
 from judge.mistakes.computed import ComputedProgram
-from judge.mistakes.family import Family, SpoiledLine, Variant
+from judge.mistakes.family import Family, Maker
 from judge.problem import Problem
 from judge.problem.solutions import Solution, SolutionKind, read_solutions, usual_first
-from judge.run.result import Behaviour
 
 SHARED = "shared-by-all-objects"
 _CHANGEABLE = (ast.List, ast.Dict, ast.Set, ast.ListComp, ast.DictComp, ast.SetComp, ast.Call)
-
-
-class Maker(Struct, frozen=True):
-    """A program that makes a known mistake: a choice, or a file.
-
-    `file` is where it stands, `text` what is said of whoever makes it, `words` what mistakes.toml says of the
-    mistake, `lines` are those that it spoils, where they are known. One that is `offered` comes from the
-    types alone: it may be no mistake of this kata, and is a name where no other is nearly as like.
-    """
-
-    name: str
-    file: str
-    text: str
-    words: MistakeText
-    program: ComputedProgram
-    lines: tuple[SpoiledLine, ...] = ()
-    choice: Variant | None = None
-    offered: bool = False
-
-    @property
-    def seen(self) -> str:
-        """What is seen in the answers."""
-        seen = self.words.seen
-        return seen if seen and self.text.startswith(seen) else _first(self.text)
-
-    @property
-    def wrong(self) -> str:
-        """What is seen, and an example of it, without what to do instead: that is for the hints."""
-        rest = self.text.removeprefix(self.seen)
-        return self.seen + (_first(rest) if rest.startswith(f" {EXAMPLE}") else "")
 
 
 class Makers(Struct, frozen=True):
@@ -74,7 +42,7 @@ def read_makers(problem: Problem) -> Makers:
     except ProblemError as fault:
         catalogue, family, faults = {}, None, (*faults, fault)
     if family is not None:
-        found += [_of_choice(family, choice, name) for choice, name in family.named]
+        found += family.mistakes()
     found += [_of_file(each, catalogue.get(each.name, MistakeText())) for each in usual_first(programs)]
     if problem.methods and SHARED not in {each.name for each in found}:
         found += _of_classes(problem, catalogue.get(SHARED, MistakeText()))
@@ -121,26 +89,6 @@ def _is_fresh(statement: ast.Assign, own: set[str]) -> bool:
     return plain and attributes and any(isinstance(each, _CHANGEABLE) for each in nodes)
 
 
-def _of_choice(family: Family, choice: Variant, name: str) -> Maker:
-    place = family.place(choice)
-    program = ComputedProgram(family.program(choice).encode(), place, trusted=True)
-    words, lines, offered = family.words(name), family.lines(choice), family.offered(choice)
-    return Maker(name, place, family.told(choice), words, program, lines, choice, offered)
-
-
 def _of_file(solution: Solution, words: MistakeText) -> Maker:
     program = ComputedProgram(solution.source, solution.path.name)
     return Maker(solution.name, solution.file, solution.advice or words.told, words, program)
-
-
-def _first(text: str) -> str:
-    """Its first sentence."""
-    return re.split(r"(?<=[.!?])\s", text, maxsplit=1)[0]
-
-
-def distinct(makers: Sequence[Maker], answers: Sequence[Behaviour]) -> list[list[int]]:
-    """The places of those to compare with, each with all of its mistake's that answer alike: one object."""
-    alike: dict[tuple[str, int], list[int]] = {}
-    for place, (maker, each) in enumerate(zip(makers, answers, strict=True)):
-        alike.setdefault((maker.name, id(each)), []).append(place)
-    return [places for places in alike.values() if any(each.wrong for each in answers[places[0]].values())]

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import gc
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import AbstractContextManager, contextmanager
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import AbstractContextManager
 from functools import cached_property, partial
-from typing import NamedTuple
 
 from msgspec.structs import replace
 
@@ -14,19 +12,19 @@ from judge.cache import DISK, Store
 from judge.data.build import target_of
 from judge.data.model import ProblemData
 from judge.errors import told
-from judge.mistakes.catalogue import MistakeText, read_kinds
-from judge.mistakes.computed import Computer
+from judge.mistakes.catalogue import read_kinds
+from judge.mistakes.computed import answered, entry_of
 from judge.mistakes.forms import of_form
 from judge.mistakes.known import KnownAnswers, Progress
 from judge.mistakes.likeness import Known, Likeness
-from judge.mistakes.makers import Maker, distinct, read_makers
+from judge.mistakes.makers import read_makers
 from judge.mistakes.repaired import LIKELY, Repaired, seen_in, with_steps
-from judge.mistakes.rights import right_outlines
 from judge.problem.model import case_of
 from judge.repair.features import LIBRARY
 from judge.repair.search import Repair
 from judge.run.result import Behaviour, Pitfall, Result
 from judge.run.settings import Settings
+from judge.values import outline
 from judge.values.outline import Outline
 
 _FEW = 8  # different right answers, up to which many mistakes have the same wrong ones
@@ -34,13 +32,6 @@ _FEW = 8  # different right answers, up to which many mistakes have the same wro
 _CLEAR = 0.7  # a likeness that stands even if the known program passes the case that is shown
 
 Alone = Callable[[str, int], bool]  # whether a submission fails that case of the group, called for it alone
-
-
-class _Made(NamedTuple):
-    """What makes a mistake, and what it answers."""
-
-    maker: Maker
-    known: Known
 
 
 class Namer:
@@ -61,14 +52,12 @@ class Namer:
         self.notes: list[str] = []
         self._data = data
         self._answers = KnownAnswers(data, seed, settings, store)
-        self._computer = Computer(data)
         self._progress = progress
-        self._made: list[_Made] | None = None
 
     def learn(self) -> None:
         """Find what the mistakes answer while the data are new; later runs have it. Raises JudgeError."""
         if not self._answers.kept:
-            self._ready()
+            _ = self._known
 
     def named(
         self,
@@ -103,8 +92,7 @@ class Namer:
         repair: Callable[[], Repair | None],
     ) -> Result:
         """The result with its name, and with what is proved."""
-        with _collecting_later():
-            result, known = self._named(result, does, has, alone)
+        result, known = self._named(result, does, has, alone)
         if known is None:
             return result
         try:
@@ -129,34 +117,32 @@ class Namer:
             return replace(result, pitfall=formed.pitfall), None
         if formed.unreadable:
             return result, None
-        made = [each for each in self._ready() if _may_be(each.maker.words, has, faulty=formed.faulty)]
-        likeness = Likeness([each.known for each in made], does)
+        made = [each for each in self._known if each.maker.words.form or not formed.faulty]
+        likeness = Likeness(made, does)
         best = likeness.best()
-        if best is None or not self._maker(likeness.nearest(best[0])).offered:  # it must be far ahead
-            likeness = Likeness([each.known for each in made if not each.maker.offered], does)
+        if best is None or not likeness.nearest(best[0]).maker.offered:  # it must be far ahead
+            likeness = Likeness([each for each in made if not each.maker.offered], does)
             best = likeness.best()
         if best is None:
             return result, likeness
         name, share = best
         nearest = likeness.nearest(name)
-        state = self._maker(nearest).words.state and self._steady(does, alone)
+        state = nearest.maker.words.state and self._steady(does, alone)
         if state or (share < _CLEAR and not self._fails(result, nearest)):
             return result, likeness
-        text = nearest.text if share >= LIKELY else seen_in(nearest.text)
+        text = nearest.maker.wrong if share >= LIKELY else seen_in(nearest.maker.wrong)
         return replace(result, pitfall=Pitfall((name,), round(share, 3), (text,))), likeness
-
-    def _maker(self, known: Known) -> Maker:
-        return next(each.maker for each in self._ready() if each.known is known)
 
     def _fails(self, result: Result, known: Known) -> bool:
         """Whether the known program fails the case that is shown, as far as it can be called here."""
-        maker, shown, data = self._maker(known), result.counterexample or result.failure, self._data
+        maker, shown, data = known.maker, result.counterexample or result.failure, self._data
         group = data.problem.group(shown.group or "") if shown else None
         if shown is None or shown.input is None or group is None or not maker.program.trusted:
             return True
         case = case_of(shown.input)
         target = target_of(data.problem, *data.exact(case, group))
-        return self._computer.answer(maker.program, case, target, lambda: data.exact(case, group)) is not None
+        function = entry_of(data.problem, maker.program)
+        return answered(data.problem, function, case, target, lambda: data.exact(case, group)) is not None
 
     def _steady(self, does: Behaviour, alone: Alone) -> bool:
         """Whether a case fails that is called alone too: then nothing is kept between calls."""
@@ -165,39 +151,23 @@ class Namer:
 
     @cached_property
     def _rights(self) -> Mapping[str, Sequence[Outline]]:
-        return right_outlines(self._data)
+        """The outlines of the right answers to every case, by the group's name."""
+        answer = self._data.problem.answer
+        return {
+            each.group.name: [outline.right(answer, target) for target in each.targets]
+            for each in self._data.groups
+        }
 
-    def _ready(self) -> Sequence[_Made]:
-        if self._made is None:
-            read = read_makers(self._data.problem)
-            self.notes += [f"a known mistake is left out: {fault}" for fault in read.faults]
-            with self._progress() as advance:
-                behaviours, note = self._answers.of([each.program for each in read.all], advance)
-            self.notes += [note] if note else []
-            self._made = []
-            for places in distinct(read.all, behaviours):
-                maker = read.all[places[0]]
-                choice, family = maker.choice, read.family
-                own = choice is None or family is None or not family.general(choice)
-                known = Known(maker.name, behaviours[places[0]], maker.wrong, own)
-                self._made.append(_Made(maker, known))
-        return self._made
-
-
-@contextmanager
-def _collecting_later() -> Iterator[None]:
-    """Without the collector of cycles, which looks at hundreds of thousands of tuples again and again: naming
-    makes no cycles. It costs as much time as naming itself."""
-    if not gc.isenabled():
-        yield
-        return
-    gc.disable()
-    try:
-        yield
-    finally:
-        gc.enable()
-
-
-def _may_be(words: MistakeText, has: frozenset[str], *, faulty: bool) -> bool:
-    """Whether the name may be said of a program that has this; of `faulty` forms only what is one."""
-    return (not words.needs or bool(has.intersection(words.needs))) and (words.form or not faulty)
+    @cached_property
+    def _known(self) -> Sequence[Known]:
+        """The programs to compare with: of those of one mistake that answer alike, the first."""
+        read = read_makers(self._data.problem)
+        self.notes += [f"a known mistake is left out: {fault}" for fault in read.faults]
+        with self._progress() as advance:
+            behaviours, note = self._answers.of([each.program for each in read.all], advance)
+        self.notes += [note] if note else []
+        found: dict[tuple[str, int], Known] = {}
+        for maker, does in zip(read.all, behaviours, strict=True):
+            if any(each.wrong for each in does.values()):
+                found.setdefault((maker.name, id(does)), Known(maker, does))
+        return [*found.values()]

@@ -9,7 +9,6 @@ A mistake that shows only in the second of two calls is no puzzle, nor is one th
 
 from __future__ import annotations
 
-import re
 from collections import Counter
 from collections.abc import Collection, Sequence
 from functools import cached_property
@@ -17,14 +16,12 @@ from functools import cached_property
 from msgspec import Struct
 
 from judge.errors import UsageError, nearest
-from judge.mistakes.family import INNER
-from judge.mistakes.makers import Maker, Makers, read_makers
+from judge.mistakes.makers import read_makers
 from judge.mistakes.plain import as_written
 from judge.problem import Group, Problem
 from judge.problem.model import LEVELS
 
 HACKED = 12  # programs of a kata that are asked
-_NEUTRAL = "inner"  # what a function is called whose own name would tell that it is right
 
 
 class WrongProgram(Struct, frozen=True, dict=True):
@@ -64,7 +61,7 @@ def read_puzzles(problem: Problem, first: Collection[str] = ()) -> tuple[WrongPr
     found: list[WrongProgram] = []
     names = dict.fromkeys(name for group in small for name in sorted(group.kills))
     for name in sorted(names, key=lambda name: name not in first):
-        makers = [maker for maker in read.all if maker.name == name and _one_case_tells(read, maker)]
+        makers = [each for each in read.all if each.name == name and not (each.words.state or each.equal)]
         if not makers:
             continue
         beside = [maker for maker in makers if maker.file == makers[0].file]
@@ -72,10 +69,9 @@ def read_puzzles(problem: Problem, first: Collection[str] = ()) -> tuple[WrongPr
         groups = [group for group in small if name in group.kills]
         fitting = [group for group in groups if group.tolerance == usual]
         group, trusted = (fitting or groups)[0], maker.program.trusted
-        source, entry = maker.program.source.decode(), problem.entry if maker.choice else ""
-        known = re.sub(rf"\b{INNER}\b", _NEUTRAL, source) if entry else source
+        source, entry = maker.program.source.decode(), problem.entry if trusted else ""
         found.append(
-            WrongProgram(len(found) + 1, name, known, entry, maker.text, group, not fitting, trusted)
+            WrongProgram(len(found) + 1, name, source, entry, maker.text, group, not fitting, trusted)
         )
     return tuple(found)
 
@@ -94,9 +90,3 @@ def puzzle_called(puzzles: Sequence[WrongProgram], word: str, problem: str) -> W
     meant = nearest(word, [puzzle.mistake for puzzle in puzzles])
     remedy = f"did you mean {meant!r}?" if meant else f"they are numbered from 1 to {len(puzzles)}"
     raise UsageError(f"{problem} has no wrong program {word!r}", remedy=remedy)
-
-
-def _one_case_tells(read: Makers, maker: Maker) -> bool:
-    if maker.words.state:
-        return False
-    return maker.choice is None or read.family is None or not read.family.equal(maker.choice)

@@ -37,10 +37,10 @@ _STRENGTH = {  # how likely a repair of that kind is the mistake itself; 0.6 whe
     **dict.fromkeys(("clamp", "guard-left-out", "whole-division"), 0.95),
     **dict.fromkeys(("near", "guard-same", "guard-zero", "once", "order"), 0.9),
     **dict.fromkeys(("tolerance-scaled", "tolerance-smaller", "tolerance-none", "guard-exact", "size"), 0.87),
-    **dict.fromkeys(("filter", "root", "square", "abs", "room", "doubles", "moved", "scaled"), 0.8),
+    **dict.fromkeys(("filter", "root", "square", "abs", "room", "moved", "scaled"), 0.8),
     **dict.fromkeys(("compare-equal", "compare-turned", "form", "without-round", "without-int"), 0.75),
-    **dict.fromkeys(("sign", "coordinates", "without-float", "without-sorted", "single"), 0.7),
-    **dict.fromkeys(("condition", "measure", "constant", "operator", "dropped", "branch"), 0.45),
+    **dict.fromkeys(("sign", "coordinates", "without-float", "without-sorted"), 0.7),
+    **dict.fromkeys(("condition", "measure", "constant", "operator", "dropped"), 0.45),
 }
 _WIDTHS = ("tolerance", "size", "room")  # a known program has another width, and may pass any case
 _ROOM = (*_WIDTHS, "near")
@@ -148,7 +148,7 @@ class Repaired:
         """What is said of the program of that name that is most alike; where it is not, what is proved."""
         if not one.step.line and self.share(one.name, one.step.gone) < _SAME:
             return self.why(one.step)
-        text = self.nearest(one).text
+        text = self.nearest(one).maker.wrong
         proved = one.name in self.names(_plain(one.step.kind)) or self.share(one.name, one.step.gone) >= _SAME
         return text if proved else seen_in(text)
 

@@ -25,7 +25,7 @@ from __future__ import annotations
 
 import ast
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from itertools import groupby
 
 from msgspec import Struct
@@ -68,14 +68,13 @@ class Route(Struct, frozen=True):
     name: str
     mistake: str
     text: str
-    lines: tuple[str, ...]
     changes: tuple[Change, ...]
     code: tuple[str | None, ...]
 
-    def source(self, changes: Iterable[Change] = ()) -> str:
-        """The function's text with these changes, which do not clash, and without marks."""
+    def source(self, change: Change | None = None) -> str:
+        """The function's text with that change, and without marks."""
         lines = list(self.code)
-        pieces = sorted((piece for each in changes for piece in each.pieces), key=lambda p: (p.start, p.end))
+        pieces = sorted(change.pieces if change else (), key=lambda p: (p.start, p.end))
         for piece in reversed(pieces):
             lines[piece.start : piece.end] = piece.lines
         return "\n".join(line for line in lines if line is not None)
@@ -150,7 +149,7 @@ class _Reader:
         changes = tuple(change for marks in self._grouped() for change in _filled(marks))
         mistake = "" if name.strip() == RIGHT else name.strip().rstrip(".")
         code = tuple(None if _MARK.match(line) else line for line in self._lines)
-        return Route(self._node.name, mistake, " ".join(text.split()), tuple(self._lines), changes, code)
+        return Route(self._node.name, mistake, " ".join(text.split()), changes, code)
 
     def _grouped(self) -> Iterator[list[_Mark]]:
         """Those of one name and tag together, in the order of their first line."""

@@ -74,6 +74,7 @@ _BY_TYPE: dict[type[Type], tuple[tuple[str, str], ...]] = {  # the first that fi
     IntType: (("one-too-many", "answer + 1"), ("one-too-few", "answer - 1")),
 }
 ANSWER = "answer"
+INNER = "inner"  # what a right way is called below such a line
 KEPT_BETWEEN_CALLS = "kept-between-calls"
 
 

@@ -16,7 +16,8 @@ from msgspec import Struct
 
 from judge.data.model import GroupData, ProblemData
 from judge.languages import SUFFIX
-from judge.mistakes.makers import Maker, read_makers
+from judge.mistakes.family import Maker
+from judge.mistakes.makers import read_makers
 from judge.packs.cases import Test
 from judge.packs.driver import as_program, defines, why_not_alone
 from judge.packs.metadata import memory
@@ -139,7 +140,7 @@ class Exporter:
     def _mistakes(self) -> Iterator[list[_Candidate]]:
         """Of each mistake some programs that make it, a file of its name first, then the choices."""
         by_name: dict[str, list[Maker]] = {}
-        for maker in sorted(read_makers(self._problem).all, key=lambda each: each.choice is not None):
+        for maker in sorted(read_makers(self._problem).all, key=lambda each: each.program.trusted):
             if maker.name and not maker.offered:
                 by_name.setdefault(maker.name, []).append(maker)
         for name, makers in by_name.items():

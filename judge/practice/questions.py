@@ -237,7 +237,7 @@ def _drawn(card: Card, content: Drawn, sources: LazyProblems, draw: Draw) -> Que
 
 def _spot(card: Card, content: Spot, sources: LazyProblems, draw: Draw) -> Question:
     """A known wrong program: of the groups to choose from one rejects it, and the others accept it."""
-    from judge.mistakes.computed import ComputedProgram, computed
+    from judge.mistakes.computed import ComputedProgram, Computer
     from judge.mistakes.puzzles import read_puzzles
     from judge.problem.solutions import MISTAKES
 
@@ -253,7 +253,7 @@ def _spot(card: Card, content: Spot, sources: LazyProblems, draw: Draw) -> Quest
         puzzle = draw.choice(puzzles)
         if not _readable(puzzle.source):
             continue
-        does = computed(data, ComputedProgram(puzzle.source, puzzle.mistake, trusted=True))
+        does = Computer(data).behaviour(ComputedProgram(puzzle.source, puzzle.mistake, trusted=True))
         asked = [group for group in problem.groups if group.name in does]
         breaking = [each for each in asked if puzzle.mistake in each.kills and does[each.name].wrong]
         passing = [each for each in asked if not does[each.name].wrong]

@@ -1,8 +1,7 @@
 """Question 1: is the program right where it is asked in another way? No source is needed.
 
-Each call in a process of its own; whole numbers as doubles; the figure moved, so that its first point is the
-origin; the figure scaled to size 1 by a power of two. The exact answer to the other case is known, so that
-nothing need be undone.
+Each call in a process of its own; the figure moved, so that its first point is the origin; the figure scaled
+to size 1 by a power of two. The exact answer to the other case is known, so that nothing need be undone.
 """
 
 from __future__ import annotations
@@ -21,7 +20,7 @@ from judge.sandbox.boundary import Box, Limits, Stop
 from judge.values.answers import Exact, Target
 from judge.values.check import Accepted
 
-WAYS = ("fresh", "doubles", "moved", "scaled", "moved-and-scaled")
+WAYS = ("fresh", "moved", "scaled")
 _WRONG, _RIGHT = 24, 12  # cases of each kind that are asked
 _FIRST = 3  # of the wrong ones: where all are wrong in a process of their own, no more are asked
 _MOST_SECONDS = 4.0  # of all processes, where each takes long
@@ -53,14 +52,16 @@ class Changed:
         """Those in which all of the wrong cases become right, and the right ones stay so."""
         if self._fresh():
             return ("fresh",)
-        found = tuple(way for way in WAYS[1:] if self._one(way))
-        return tuple(way for way in found if way != WAYS[-1]) or found
+        return tuple(way for way in WAYS[1:] if self._one(way))
 
     def _fresh(self) -> bool:
         sample = [*self._wrong[:_FIRST], *self._right[:1], *self._wrong[_FIRST:], *self._right[1:]]
         return bool(self._wrong) and all(
-            self._right_in([_as_it_is(self._cases, each)], [each]) for each in sample
+            self._right_in([(each.case, each.target, self._exact(each))], [each]) for each in sample
         )
+
+    def _exact(self, asked: Asked) -> Exact:
+        return self._cases.data.exact(asked.case, asked.group.group)[0]
 
     def _one(self, way: str) -> bool:
         """Whether it is right in that way, as far as there are such cases."""
@@ -91,72 +92,35 @@ class Changed:
 
     def _other(self, way: str, asked: Asked) -> Other | None:
         """The case so changed; None where it cannot be, exactly, or that changes nothing."""
-        if way == "doubles":
-            case: Case | None = self._doubles(asked.case)
-        else:
-            case = moved(self._cases, asked.case, move="moved" in way, scale="scaled" in way)
+        case = moved(self._cases, asked.case, scale=way == "scaled")
         if case is None or repr(case) == repr(asked.case):
             return None
-        return _solved(self._cases, asked, case)
-
-    def _doubles(self, case: Case) -> Case | None:
-        kinds = [each.type.text for each in self._cases.problem.parameters]
-        if any("integer" in kind or kind.startswith("array") for kind in kinds):
+        try:
+            exact = validate(self._cases.problem, self._cases.data.module, case)
+        except InvalidCase:
             return None
-        return tuple(map(_floated, case))
+        return case, target_of(self._cases.problem, exact, asked.group.group.tolerance), exact
 
 
-def _floated(value: Any) -> Any:
-    if isinstance(value, tuple):
-        return tuple(map(_floated, value))
-    return float(value) if type(value) is int and abs(value) <= 2**53 else value
-
-
-def moved(cases: Cases, case: Case, *, move: bool, scale: bool) -> Case | None:
+def moved(cases: Cases, case: Case, *, scale: bool) -> Case | None:
     """The case with its first point at the origin, or at size 1; None where floats cannot hold it."""
-    hook = cases.data.module.hooks.figure
-    first: list[tuple[Any, ...]] = []
-
-    def note(role: str, _name: str, numbers: tuple[Any, ...]) -> tuple[Any, ...]:
-        if role in ("point", "end"):
-            first.append(numbers)
-        return numbers
-
-    if hook is None or hook(cases.problem, case, note) is None:
+    figure, hook = figure_of(cases.data, case), cases.data.module.hooks.figure
+    if figure is None or hook is None or (scale and not 0 < figure.size < math.inf):
         return None
-    unit = Fraction(1)
-    if scale:
-        figure = figure_of(cases.data, case)
-        size = figure.size if figure else 0.0
-        if not size or not math.isfinite(size):
-            return None
-        unit = Fraction(2) ** -math.frexp(size)[1]
-    origin = [Fraction(x) if move else Fraction(0) for x in first[0]]
+    unit = Fraction(2) ** -math.frexp(figure.size)[1] if scale else Fraction(1)
+    origin: list[Fraction] = []
     exact = True
 
     def change(role: str, _name: str, numbers: tuple[Any, ...]) -> tuple[Any, ...]:
         nonlocal exact
-        shift = origin if role in ("point", "end") else [Fraction(0)] * len(numbers)
-        made = []
-        for x, by in zip(numbers, shift, strict=True):
-            wanted = (Fraction(x) - by) * unit
-            other = int(wanted) if type(x) is int and wanted.denominator == 1 else float(wanted)
-            exact = exact and Fraction(other) == wanted
-            made.append(other)
+        wanted = [Fraction(x) * unit for x in numbers]
+        if role in ("point", "end") and not scale:
+            origin[:] = origin or wanted
+            wanted = [x - by for x, by in zip(wanted, origin, strict=True)]
+        pairs = zip(numbers, wanted, strict=True)
+        made = [int(x) if type(old) is int and x.denominator == 1 else float(x) for old, x in pairs]
+        exact = exact and made == wanted
         return tuple(made)
 
     other = hook(cases.problem, case, change)
     return other if exact else None
-
-
-def _as_it_is(cases: Cases, asked: Asked) -> Other:
-    exact = cases.data.exact(asked.case, asked.group.group)[0]
-    return asked.case, asked.target, exact
-
-
-def _solved(cases: Cases, asked: Asked, case: Case) -> Other | None:
-    try:
-        exact = validate(cases.problem, cases.data.module, case)
-    except InvalidCase:
-        return None
-    return case, target_of(cases.problem, exact, asked.group.group.tolerance), exact

@@ -15,7 +15,7 @@ from judge.values.wire import Raw
 _BESIDE = re.compile(rb"^from (__future__|judge\.repair\.\w+) import .*\n", re.MULTILINE)
 _FILES = [
     get_data("judge.repair", f"{name}.py") or b""
-    for name in ("exact", "trees", "expressions", "edits", "inside", "features")
+    for name in ("exact", "trees", "expressions", "edits", "features", "inside")
 ]
 SOURCE = b"from __future__ import annotations\n" + b"".join(_BESIDE.sub(b"", each) for each in _FILES)
 NAME = "repair.py"

@@ -8,8 +8,9 @@ from __future__ import annotations
 
 import ast
 import copy
+from itertools import combinations
 
-from judge.repair.expressions import UNWRAPPED, WIDTHS, Expressions, Facts, called
+from judge.repair.expressions import TOLERANCES, Expressions, Facts
 from judge.repair.trees import Edit, NodePlace, Slot, expression, is_small, literal, places
 
 TYPE_CHECKING = False
@@ -18,12 +19,11 @@ if TYPE_CHECKING:
 
 # Every kind of edit, the likeliest first; a list from the contained process holds their places in this one.
 KINDS = (
-    *("parameter-order", "room", "near", "tolerance-none", "tolerance-smaller", "tolerance-scaled"),
-    *("tolerance-negative", "size", "guard-exact", "clamp", "compare-equal", "compare-turned", "condition"),
-    *("guard-left-out", "form", "order", "whole-division", "root", "abs", "square", "without-round"),
-    *("without-int", "without-float", "without-sorted", "without-abs", "without-set", "without", "single"),
-    *("coordinates", "turned", "sign", "answers-exchanged", "branch", "statement-left-out", "slice"),
-    *("bound", "early", "measure", "dropped", "operator", "constant", "arguments", "sin-cos", "name"),
+    *("parameter-order", "room", "near", "tolerance-none", "tolerance-smaller", "tolerance-scaled", "size"),
+    *("guard-exact", "clamp", "compare-equal", "compare-turned", "condition", "guard-left-out", "form"),
+    *("order", "whole-division", "root", "abs", "square", "without-round", "without-int", "without-float"),
+    *("without-sorted", "without-abs", "without-set", "without", "coordinates", "turned", "sign"),
+    *("statement-left-out", "slice", "bound", "early", "measure", "dropped", "operator", "constant", "name"),
 )
 MOST_EDITS = 2_000
 _MOST_NODES = 4_000  # of a program that is changed
@@ -54,7 +54,6 @@ class _Edits(Expressions):
             elif not isinstance(getattr(each.node, "ctx", None), ast.Store | ast.Del):
                 self.of_expression(each)
         self._tolerances()
-        self._all_of_one_kind()
 
     # -- statements ------------------------------------------------------------------------------------
 
@@ -78,14 +77,11 @@ class _Edits(Expressions):
             self.add(kind, node, "", (slot, ast.copy_location(copy.copy(rest), node)))
         if isinstance(node, ast.Return) and own:
             value, at = node.value or ast.copy_location(ast.Constant(None), node), Slot(node, "value")
-            forms: tuple[str, ...] = ("(x)[0]", "int(x)", "float(x)", "len(x)", "[]", "None")
             if self.facts.several:
-                forms = ("[]", "None", "[x]", "list(x or [])", "[(p.real, p.imag) for p in x]")
                 self.put("order", at, node, "(x)[::-1]", x=value)
-            for text in forms:
-                self.put("form", at, node, text, x=value)
-            for text in () if self.facts.several else ("2 - (x)", "-(x)", "1 - (x)"):
-                self.put("answers-exchanged", at, node, text, x=value)
+                self.put("form", at, node, "list(x or [])", x=value)
+            for text in ("[]", "None"):
+                self.put("form", at, node, text)
         if isinstance(node, ast.Assign | ast.Return | ast.AugAssign) and inside is not None:
             self._exchanged(node, inside)
         if isinstance(node, ast.Break):
@@ -115,23 +111,16 @@ class _Edits(Expressions):
         """Two names of numbers, each in place of the other in one statement."""
         uses: dict[str, list[Slot]] = {}
         for slot, node, _ in places(statement):
-            if (
-                isinstance(node, ast.Name)
-                and isinstance(node.ctx, ast.Load)
-                and self.stands_for(inside, node, "number")
-            ):
+            loaded = isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load)
+            if loaded and self.stands_for(inside, node, "number"):
                 uses.setdefault(node.id, []).append(slot)
-        both = sorted(uses)
-        for at, one in enumerate(both):
-            for other in both[at + 1 :]:
-                puts = [(slot, ast.Name(other, ast.Load())) for slot in uses[one]]
-                puts += [(slot, ast.Name(one, ast.Load())) for slot in uses[other]]
-                self.add("name", statement, f"{one} {other}", *puts)
-
-    # -- many places at once ---------------------------------------------------------------------------
+        for one, other in combinations(sorted(uses), 2):
+            puts = [(slot, ast.Name(other, ast.Load())) for slot in uses[one]]
+            puts += [(slot, ast.Name(one, ast.Load())) for slot in uses[other]]
+            self.add("name", statement, f"{one} {other}", *puts)
 
     def _tolerances(self) -> None:
-        """Each alone, those of a line, those that are equal, and all of them."""
+        """Each alone, those that are equal, and all of them."""
         small = [
             (slot, node)
             for slot, node, _ in self._all
@@ -140,48 +129,17 @@ class _Edits(Expressions):
                 isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load) and node.id in self._small_names
             )
         ]
-        sets = [[each] for each in small]
-        for key in (
-            lambda node: node.lineno,
-            lambda node: node.id if isinstance(node, ast.Name) else literal(node),
-            lambda _: 0,
-        ):
-            alike: dict[Any, list[tuple[Slot, Any]]] = {}
-            for slot, node in small:
-                alike.setdefault(key(node), []).append((slot, node))
-            sets += [each for each in alike.values() if len(each) > 1 and each not in sets]
-        for each in sets:
+        alike: dict[Any, list[tuple[Slot, Any]]] = {}
+        for slot, node in small:
+            alike.setdefault(node.id if isinstance(node, ast.Name) else literal(node), []).append(
+                (slot, node)
+            )
+        sets = [[each] for each in small] + [each for each in alike.values() if len(each) > 1]
+        for each in [*sets, small] if len(alike) > 1 else sets:
             first = min((node for _, node in each), key=lambda node: (node.lineno, node.col_offset))
-            for text in ("0.0", "1e-12", "-x", *WIDTHS):
-                kind = {
-                    "0.0": "tolerance-none",
-                    "1e-12": "tolerance-smaller",
-                    "-x": "tolerance-negative",
-                }.get(text, "tolerance-smaller" if text == WIDTHS[0] else "tolerance-scaled")
+            for kind, text in TOLERANCES:
                 puts = []
                 for slot, node in each:
-                    sign = "-" if isinstance(node, ast.UnaryOp) and text != "-x" else ""
-                    puts.append((slot, expression(sign + text, x=copy.copy(node))))
+                    sign = "-" if isinstance(node, ast.UnaryOp) else ""
+                    puts.append((slot, expression(sign + text)))
                 self.add(kind, first, f"{text} {len(each)}", *puts)
-
-    def _all_of_one_kind(self) -> None:
-        """Every call of one function left out at once, and every number of a shorter kind."""
-        calls: dict[str, list[NodePlace]] = {}
-        for each in self._all:
-            name = called(each.node)
-            if name in ("round", "int", "float", "abs", "floor", "sorted") and each.node.args:
-                calls.setdefault(name, []).append(each)
-        for name, some in calls.items():
-            inner = {id(node) for place in some for node in ast.walk(place.node) if node is not place.node}
-            if len(some) > 1 and not any(id(place.node) in inner for place in some):
-                puts = [(place.slot, place.node.args[0]) for place in some]
-                self.add(UNWRAPPED[name], some[0].node, "all", *puts)
-        short = [
-            (slot, node)
-            for slot, node, _ in self._all
-            if getattr(node, "attr", getattr(node, "id", "")) in ("float32", "float16", "int32", "int64")
-            and isinstance(node.ctx, ast.Load)
-        ]
-        if short:
-            puts = [(slot, ast.Name("float", ast.Load())) for slot, _ in short]
-            self.add("single", short[0][1], "", *puts)

@@ -7,7 +7,6 @@ stands beside it.
 from __future__ import annotations
 
 import ast
-import copy
 from typing import NamedTuple
 
 from judge.repair.trees import SMALL, Edit, NodePlace, Slot, expression, is_small, literal
@@ -22,6 +21,10 @@ WIDTHS = (  # how wide a tolerance may be, by the size of the figure and the len
     *("1e-10*_size_*_size_*_way_*_way_", "2e-15*_size_*_size_", "2e-15*_size_*_size_*_way_*_way_"),
     "2e-15*_size_*_size_/(_way_*_way_)",
 )
+TOLERANCES = (  # what may stand in place of one
+    *(("tolerance-none", "0.0"), ("tolerance-smaller", "1e-12"), ("tolerance-smaller", WIDTHS[0])),
+    *(("tolerance-scaled", width) for width in WIDTHS[1:]),
+)
 SWAPPED: Mapping[type, type] = {
     ast.Lt: ast.LtE,
     ast.LtE: ast.Lt,
@@ -32,12 +35,11 @@ SWAPPED: Mapping[type, type] = {
 }
 TURNED: Mapping[type, type] = {ast.Lt: ast.Gt, ast.LtE: ast.GtE, ast.Gt: ast.Lt, ast.GtE: ast.LtE}
 SIGNS = {ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">="}
-_OTHERS: Mapping[type, tuple[type, ...]] = {
-    ast.Add: (ast.Sub, ast.Mult),
-    ast.Sub: (ast.Add,),
-    ast.Mult: (ast.Div, ast.Add),
-    ast.Div: (ast.FloorDiv, ast.Mult),
-    ast.FloorDiv: (ast.Div,),
+_OTHERS: Mapping[type, type] = {
+    ast.Add: ast.Sub,
+    ast.Sub: ast.Add,
+    ast.Mult: ast.Div,
+    ast.FloorDiv: ast.Div,
 }
 UNWRAPPED = {
     **{name: f"without-{name}" for name in ("round", "int", "float", "sorted", "abs", "set")},
@@ -45,10 +47,7 @@ UNWRAPPED = {
     **dict.fromkeys(("floor", "ceil", "trunc", "isqrt"), "without-int"),
     **dict.fromkeys(("list", "tuple", "max", "min", "reversed", "sqrt", "Decimal"), "without"),
 }
-_MEASURES = (
-    *("({x})/_way_", "({x})*_way_", "({x})**0.5", "({x})*({x})", "2*({x})", "({x})/2"),
-    *("max(0, ({x}))", "({x})/(_way_*_way_)"),
-)
+_MEASURES = ("(x)/_way_", "(x)*_way_", "(x)**0.5", "(x)*(x)", "2*(x)", "(x)/2")
 
 
 class Facts(NamedTuple):
@@ -113,8 +112,6 @@ class Expressions:
             self._name(place)
         elif isinstance(node, ast.UnaryOp):
             self.add("sign", node, "without", (place.slot, node.operand))
-        elif isinstance(node, ast.IfExp):
-            self.put("branch", place.slot, node, "b if t else a", a=node.body, b=node.orelse, t=node.test)
         elif isinstance(node, ast.List | ast.Tuple):
             self._row(place)
         elif isinstance(node, ast.Subscript):
@@ -139,7 +136,6 @@ class Expressions:
                 for width in WIDTHS:
                     for by in "+-":
                         self.put("room", slot, node, f"(a) {sign} (b) {by} {width}", **sides)
-                self.put("abs", slot, node, f"abs(a) {sign} (b)", **sides)
         elif len(node.ops) == 2 and all(type(each) in TURNED for each in node.ops):
             parts = {"a": node.left, "b": node.comparators[0], "c": node.comparators[1]}
             up = isinstance(node.ops[0], ast.Lt | ast.LtE)
@@ -169,38 +165,14 @@ class Expressions:
             )
         other = ast.Or() if isinstance(node.op, ast.And) else ast.And()
         self.add("condition", node, "other", (slot, ast.BoolOp(other, node.values)))
-        ends = [
-            each
-            for each in node.values
-            if isinstance(each, ast.Compare) and len(each.ops) == 1 and type(each.ops[0]) in TURNED
-        ]
-        if len(ends) < 2:
-            return
-        for width in WIDTHS:
-            for wider in (True, False):
-                values = []
-                for each in node.values:
-                    if each in ends:
-                        by = "+" if isinstance(each.ops[0], ast.Lt | ast.LtE) is wider else "-"
-                        text = f"(a) {SIGNS[type(each.ops[0])]} (b) {by} {width}"
-                        each = expression(text, a=each.left, b=each.comparators[0])
-                    values.append(each)
-                self.add("room", node, f"{width} {wider}", (slot, ast.BoolOp(node.op, values)))
-        swapped = [
-            ast.Compare(each.left, [SWAPPED[type(each.ops[0])]()], each.comparators) if each in ends else each
-            for each in node.values
-        ]
-        self.add("compare-equal", node, "ends", (slot, ast.BoolOp(node.op, swapped)))
 
     def _operation(self, place: NodePlace) -> None:
-        slot, node, inside = place
+        slot, node, _ = place
         sides = (node.left, node.right)
-        for other in _OTHERS.get(type(node.op), ()):
-            if other in (ast.Mult, ast.Add) and any(self._sequence(each, inside) for each in sides):
-                continue  # a list times a large number is never ended
+        if other := _OTHERS.get(type(node.op)):
             kind = "whole-division" if isinstance(node.op, ast.FloorDiv) else "operator"
-            kind = "sign" if other in (ast.Add, ast.Sub) and not isinstance(node.op, ast.Mult) else kind
-            self.add(kind, node, other.__name__, (slot, ast.BinOp(node.left, other(), node.right)))
+            kind = "sign" if isinstance(node.op, ast.Add | ast.Sub) else kind
+            self.add(kind, node, "", (slot, ast.BinOp(node.left, other(), node.right)))
         if isinstance(node.op, ast.Sub):
             self.put("turned", slot, node, "(b) - (a)", a=node.left, b=node.right)
         for at, each in enumerate(sides):
@@ -208,13 +180,6 @@ class Expressions:
         if isinstance(node.op, ast.Mult) and any(map(is_small, sides)):
             for width in WIDTHS:
                 self.put("tolerance-scaled", slot, node, width)
-        if isinstance(node.op, ast.Pow) and literal(node.right) == 0.5:
-            self.put("root", slot, node, "max(0.0, a) ** b", a=node.left, b=node.right)
-
-    def _sequence(self, node: Any, inside: Any) -> bool:
-        if isinstance(node, ast.Name):
-            return not self.stands_for(inside, node, "number")
-        return isinstance(node, ast.List | ast.Tuple | ast.ListComp | ast.Constant) and literal(node) is None
 
     def _call(self, place: NodePlace) -> None:
         slot, node, _ = place
@@ -228,31 +193,18 @@ class Expressions:
         if name in ("max", "hypot", "min") and len(args) > 1:
             self.put("size", slot, node, "_size_")
         if name == "sqrt" and args:
-            for text in ("max(0.0, x)", "abs(x)"):
-                root = ast.Call(node.func, [expression(text, x=args[0])], [])
-                self.add("root", node, text, (slot, root))
+            root = ast.Call(node.func, [expression("max(0.0, x)", x=args[0])], [])
+            self.add("root", node, "", (slot, root))
         if name == "isclose" and len(args) >= 2:
             for width in ("0.0", *WIDTHS):
                 kind = "tolerance-none" if width == "0.0" else "tolerance-scaled"
                 self.put(kind, slot, node, f"abs((a) - (b)) <= {width}", a=args[0], b=args[1])
-        if name in ("sin", "cos"):
-            other = copy.deepcopy(node)
-            setattr(
-                other.func,
-                "id" if isinstance(node.func, ast.Name) else "attr",
-                {"sin": "cos"}.get(name, "sin"),
-            )
-            self.add("sin-cos", node, "", (slot, other))
         for key in node.keywords:
             if key.arg in ("reverse", "key"):
                 kept = [each for each in node.keywords if each is not key]
                 self.add("order", node, key.arg, (slot, ast.Call(node.func, args, kept)))
         if name == "range":
             self._bounds(node, *(Slot(node, "args", at) for at in range(len(args[:2]))))
-        elif name not in ("max", "min", "hypot", "isclose"):
-            for at in range(len(args) - 1):
-                other = [*args[:at], args[at + 1], args[at], *args[at + 2 :]]
-                self.add("arguments", node, f"{at}", (slot, ast.Call(node.func, other, node.keywords)))
 
     def _constant(self, place: NodePlace) -> None:
         slot, node, _ = place
@@ -317,8 +269,6 @@ class Expressions:
         if row and len(items) > 1:
             for at in (0, len(items) - 1):
                 self.add("dropped", node, f"{at}", (slot, ast.List([items[at]], ast.Load())))
-        if row and len(items) == 1:
-            self.add("form", node, "", (slot, items[0]))
 
     def _value(self, place: NodePlace) -> None:
         """A value that is compared, returned, stored or divided."""
@@ -334,4 +284,4 @@ class Expressions:
             self.put("abs", slot, node, "abs(x)", x=node)
         if stored and not isinstance(node, ast.Name):
             for text in _MEASURES:
-                self.put("measure", slot, node, text.format(x="x"), x=node)
+                self.put("measure", slot, node, text, x=node)

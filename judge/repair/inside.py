@@ -16,6 +16,7 @@ import zlib
 from judge.repair.edits import KINDS, listed
 from judge.repair.exact import Foreign, context, lifted, lowered, names
 from judge.repair.expressions import Facts
+from judge.repair.features import LIBRARY, features
 from judge.repair.trees import Edit, counted, shrunk, undo, watched
 
 TYPE_CHECKING = False
@@ -198,19 +199,11 @@ def ask(what: str, *given: Any) -> Any:
         _opened[:] = [_Submission(*text)]
         if chain is not None:
             _opened[0].follow(chain)
-        return _is_plain(_opened[0].tree)
+        return int(LIBRARY not in features(text[0]))
     one = _opened[0]
     if what == "table":
         return [[KINDS.index(each.kind), each.line, _hash(each)] for each in one.edits]
     return getattr(one, what)(*given)
-
-
-def _is_plain(tree: Any) -> int:
-    """1 where it imports nothing but the standard library and numpy, else 0."""
-    found = [node for node in ast.walk(tree) if isinstance(node, ast.Import | ast.ImportFrom)]
-    names = [each.name for node in found if isinstance(node, ast.Import) for each in node.names]
-    names += [node.module or "" for node in found if isinstance(node, ast.ImportFrom)]
-    return int({name.partition(".")[0] for name in names} <= {*sys.stdlib_module_names, "numpy"})
 
 
 def _hash(edit: Edit) -> int:

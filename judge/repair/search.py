@@ -36,20 +36,12 @@ _DEPTH, _BEAM = 3, 2
 _WORTH = 0.1  # of the failures that a step must take away
 _SHRUNK = ("1e-30", "1e-900")  # a tolerance that is next to nothing, and one that is nothing at all
 _ROUNDING = (  # the edits that can matter where no formula is wrong
-    *(
-        "room",
-        "near",
-        "tolerance-none",
-        "tolerance-smaller",
-        "tolerance-scaled",
-        "tolerance-negative",
-        "size",
-    ),
-    *("guard-exact", "compare-equal", "without-round", "without-int", "without-float", "single", "without"),
-    *("whole-division", "root", "without-set", "order"),
+    *("room", "near", "tolerance-none", "tolerance-smaller", "tolerance-scaled", "size", "guard-exact"),
+    *("compare-equal", "without-round", "without-int", "without-float", "without", "whole-division", "root"),
+    *("without-set", "order"),
 )
 _AFTER = ("once", "filter", "order")  # what is asked of the answers themselves
-SURE = ("fresh", "parameter-order", "near", "once", "clamp", "without-round", "whole-division", "single")
+SURE = ("fresh", "parameter-order", "near", "once", "clamp", "without-round", "whole-division")
 
 
 class Step(Struct, frozen=True):

@@ -21,9 +21,9 @@ from judge.data.model import ProblemData
 from judge.data.pins import Kills
 from judge.errors import ProblemError
 from judge.mistakes.catalogue import EXAMPLE, FILE
-from judge.mistakes.computed import ComputedProgram, Computer
-from judge.mistakes.family import Family
-from judge.mistakes.makers import Maker, read_makers
+from judge.mistakes.computed import Computer
+from judge.mistakes.family import Family, Maker
+from judge.mistakes.makers import read_makers
 from judge.problem import Problem
 from judge.run.execute import judge_submission
 from judge.run.result import Behaviour
@@ -65,7 +65,7 @@ def verify_choices(
     family = read.family
     if family is None:
         return ChoicesReport(faults=tuple(faults))
-    choices = [each for each in read.all if each.choice is not None and not each.offered]
+    choices = [each for each in read.all if each.program.trusted and not each.offered]
     warnings: list[Fault] = []
     counts: dict[str, list[_Counted]] = {}
     try:
@@ -75,13 +75,13 @@ def verify_choices(
         for done, maker in enumerate(choices):
             progress("judging mistakes", done, len(choices))
             rejected = [_rejected(maker, computer, data[0], box_factory) for computer in computers]
-            if maker.choice is not None and family.equal(maker.choice):
+            if maker.equal:
                 warnings += _still_told(maker, rejected[0])
             else:
                 counts.setdefault(maker.name, []).append(_Counted(maker, rejected[0], tuple(rejected)))
     except ProblemError as fault:
         faults.append(fault_of(fault, where))
-    kept = {name: _told_apart(each, family) for name, each in counts.items()}
+    kept = {name: _told_apart(each) for name, each in counts.items()}
     faults += [
         Fault(f"{maker.seen!r} of {maker.name} has signs of code", maker.file, _WITHOUT_CODE)
         for maker in choices
@@ -154,9 +154,8 @@ def _on_big_cases(maker: Maker, data: ProblemData, box_factory: BoxFactory) -> B
 
 
 def _wrong_right_ways(family: Family, computer: Computer) -> Iterator[Fault]:
-    for choice in family.right_ways():
-        where = family.style_place(choice)
-        does = computer.behaviour(ComputedProgram(family.program(choice).encode(), where, trusted=True))
+    for right in family.right_ways():
+        where, does = right.file, computer.behaviour(right.program)
         failed = [name for name, answers in does.items() if answers.wrong]
         if failed:
             yield Fault(
@@ -181,15 +180,11 @@ class _Counted(Struct, frozen=True):
         return MistakeReport(self.maker.name, _shown(self.maker), group, worst.get(group, 0))
 
 
-def _told_apart(counted: Sequence[_Counted], family: Family) -> Sequence[_Counted]:
+def _told_apart(counted: Sequence[_Counted]) -> Sequence[_Counted]:
     """Those that are to be rejected. A change that is made in every problem alike may be no mistake in this
     one: it is left out where no case rejects it, and one does another that makes the same mistake.
     """
-    return [
-        each
-        for each in counted
-        if each.rejected or each.maker.choice is None or not family.general(each.maker.choice)
-    ]
+    return [each for each in counted if each.rejected or not each.maker.general]
 
 
 def _still_told(maker: Maker, rejected: Mapping[str, int]) -> Iterator[Fault]:
@@ -198,7 +193,7 @@ def _still_told(maker: Maker, rejected: Mapping[str, int]) -> Iterator[Fault]:
 
 
 def _shown(maker: Maker) -> str:
-    return maker.lines[0].wrong.partition("\n")[0] if maker.lines else maker.file
+    return maker.line.partition("\n")[0] or maker.file
 
 
 # -- the rules of the statement -----------------------------------------------------------------------------

@@ -3,10 +3,6 @@
 from math import atan2, copysign, floor, hypot, sqrt
 
 
-def out(points):
-    return points
-
-
 def wrap(x, bits):
     # a whole number as an integer of so many bits holds it; a float stays
     return x if isinstance(x, float) else (x + (1 << bits - 1)) % (1 << bits) - (1 << bits - 1)
@@ -112,7 +108,7 @@ def geometric(cx, cy, r, A, B):
         # : list.
     if where == 0:
         roots = [m]
-        # ? tangent-unclamped: return out([(ox + ax + m * ux, oy + ay + m * uy)])
+        # ? tangent-unclamped: return [(ox + ax + m * ux, oy + ay + m * uy)]
     else:
         h = sqrt(abs((r - d) * (r + d)))
         # = h = sqrt((r - d) * (r + d))
@@ -166,7 +162,7 @@ def geometric(cx, cy, r, A, B):
     # ? unsorted: points = sorted(((ox + ax + s * ux, oy + ay + s * uy) for s in kept), key=lambda p: atan2(p[1] - cy, p[0] - cx))
     # : The points are put in the order of their angles about the centre, which is not that of the segment.
     # : Sort them by t.
-    return out(points)
+    return points
     # ? none-for-empty@f: return points or False
 
 

@@ -10,7 +10,7 @@ from judging import make_data
 
 from judge.data.load import load_data
 from judge.mistakes import computed as module
-from judge.mistakes.computed import ComputedProgram, Computer, computed
+from judge.mistakes.computed import ComputedProgram, Computer, answered, entry_of
 from judge.problem.load import load_problem
 from judge.values.outline import wrong_outline
 
@@ -80,10 +80,11 @@ def test_a_callers_precision_changes_no_answer():
     alone = Computer(data).behaviour(program)
     with localcontext(Context(prec=3)):
         assert Computer(data).behaviour(program) == alone
-        found = Computer(data).answer(program, group.cases[0], group.targets[0], lambda: None)
+        function = entry_of(data.problem, program)
+        found = answered(data.problem, function, group.cases[0], group.targets[0], lambda: None)
     assert found == alone["one"].wrong[0] == ("count", (142857143.0,))
 
 
 def test_an_exception_is_a_wrong_answer():
-    raising = computed(make_data("one"), program("return 1 // 0"))
+    raising = Computer(make_data("one")).behaviour(program("return 1 // 0"))
     assert {*raising["one"].wrong.values()} == {("raised ZeroDivisionError", ())}

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import pytest
 
+from judge.mistakes.catalogue import MistakeText
+from judge.mistakes.computed import ComputedProgram
+from judge.mistakes.family import Maker
 from judge.mistakes.likeness import CASES, Known, Likeness
 from judge.run.result import Answers
 from judge.values import outline
@@ -14,8 +17,13 @@ def does(cases, answer=1):
     return {"a": Answers(40, {case: ("count", (float(answer),)) for case in cases})}
 
 
+def made(name, answers, general=False):
+    maker = Maker(name, "", "", MistakeText(), ComputedProgram(b"", ""), general=general)
+    return Known(maker, answers)
+
+
 def likeness(ours, **known):
-    return Likeness([Known(name, each) for name, each in known.items()], ours)
+    return Likeness([made(name, each) for name, each in known.items()], ours)
 
 
 @pytest.mark.parametrize(
@@ -61,10 +69,10 @@ def test_a_name_is_given_where_it_is_sure(failing, known, best):
 
 def test_a_name_of_the_katas_own_goes_before_its_twin_of_all_katas():
     ours = does(range(10))
-    twins = [Known("everywhere", ours, own=False), Known("own", ours)]
+    twins = [made("everywhere", ours, general=True), made("own", ours)]
     assert Likeness(twins, ours).best() == ("own", 1.0)
     assert Likeness(twins[::-1], ours).best() == ("own", 1.0)
-    both = [Known("everywhere", ours, own=False), Known("anywhere", ours, own=False)]
+    both = [made("everywhere", ours, general=True), made("anywhere", ours, general=True)]
     assert Likeness(both, ours).best() is None
 
 

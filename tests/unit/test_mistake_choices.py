@@ -33,7 +33,6 @@ WORDS = """
 [floor-division]
 seen = "It rounds the middle down."
 advice = "Divide with /."
-needs = ["//"]
 
 [minus-for-plus]
 seen = "The difference is halved."

@@ -6,7 +6,9 @@ from types import SimpleNamespace
 
 import pytest
 
-from judge.mistakes.catalogue import KindWords
+from judge.mistakes.catalogue import KindWords, MistakeText
+from judge.mistakes.computed import ComputedProgram
+from judge.mistakes.family import Maker
 from judge.mistakes.likeness import Known, Likeness
 from judge.mistakes.repaired import SEEN, Repaired, with_steps
 from judge.problem import Verdict
@@ -31,7 +33,8 @@ def one(count):
 
 
 def known(name, wrong, count=1):
-    return Known(name, {"g": Answers(CASES, {case: one(count) for case in wrong})}, f"why {name}")
+    maker = Maker(name, "", f"why {name}", MistakeText(), ComputedProgram(b"", ""))
+    return Known(maker, {"g": Answers(CASES, {case: one(count) for case in wrong})})
 
 
 def asked(wrong):
