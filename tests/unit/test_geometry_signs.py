@@ -6,7 +6,7 @@ import pytest
 
 from judge.data.draw import Draw, Rejected, seeded
 from judge.geometry import whole
-from judge.geometry.scenes import signs
+from judge.geometry.scenes import signs, tried
 
 REACHES = 6, 100, 10**9
 
@@ -55,7 +55,7 @@ def test_a_point_beside_a_circle(reach, off):
 def test_a_line_that_touches_or_nearly_does(close):
     deltas = [
         whole.discriminant(cx, cy, r, *A, *B).value
-        for cx, cy, r, A, B in drawn(signs.tried(signs.cuts(20, close=close)))
+        for cx, cy, r, A, B in drawn(tried(signs.cuts(20, close=close)))
     ]
     if not close:
         assert set(deltas) == {0}
