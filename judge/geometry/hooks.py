@@ -42,10 +42,10 @@ def hooks(kind: str) -> Hooks:
 
         return compose(kind, shown, page["solve"])
 
-    def simpler(_problem: Problem, case: Case) -> Iterable[Case]:
+    def simpler(problem: Problem, case: Case) -> Iterable[Case]:
         from judge.geometry.simpler import simpler
 
-        return simpler(kind, case)
+        return simpler(kind, problem, case)
 
     def explore(problem: Problem, values: Mapping[str, Any] | None) -> str | None:
         from judge.geometry.explore import explored
