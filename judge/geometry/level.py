@@ -26,7 +26,7 @@ _FINE = 30  # bits of the size where a figure is nudged: 1e-7 of it is 53 units 
 _LEVEL = ("size", "uneven")  # keys of a pose that are the level figure's
 
 
-class Words(NamedTuple):
+class Vocabulary(NamedTuple):
     """The words that a scene knows at one place, and what they are: "a height of a line"."""
 
     what: str
@@ -34,7 +34,7 @@ class Words(NamedTuple):
     numbered: bool = False  # whether digits may follow
 
     @classmethod
-    def of(cls, what: str, known: str, *, numbered: bool = False) -> Words:
+    def of(cls, what: str, known: str, *, numbered: bool = False) -> Vocabulary:
         """The words of a text."""
         return cls(what, known.split(), numbered)
 
@@ -48,8 +48,8 @@ class Words(NamedTuple):
             raise ProblemError(f"{bare!r} is not {self.what}: {', '.join(self.known)}", remedy=remedy)
 
 
-HEIGHT = Words.of("a height of a line", "cut chord through off-centre touch miss dot dot-miss")
-PLACE = Words.of(
+HEIGHT = Vocabulary.of("a height of a line", "cut chord through off-centre touch miss dot dot-miss")
+PLACE = Vocabulary.of(
     "a place on a line", "before in after first last foot close near nearer by far very-far farther remote ="
 )
 
@@ -76,7 +76,7 @@ def maker(drawn: Callable[Concatenate[Draw, P], Case]) -> Callable[P, Scene]:
     return make
 
 
-def parsed(plans: Iterable[str], *known: Words) -> list[list[str]]:
+def parsed(plans: Iterable[str], *known: Vocabulary) -> list[list[str]]:
     """The words of each plan; what its last words may be is the last of `known`. Raises ProblemError."""
     split = [plan.split() for plan in plans]
     for words in split:
@@ -85,7 +85,9 @@ def parsed(plans: Iterable[str], *known: Words) -> list[list[str]]:
     return split
 
 
-def levelled(level: Callable[..., Level], shape: Callable[..., Case], *known: Words) -> Callable[..., Scene]:
+def levelled(
+    level: Callable[..., Level], shape: Callable[..., Case], *known: Vocabulary
+) -> Callable[..., Scene]:
     """A maker of scenes from a level figure: plans, of which a case takes one, and how it is posed.
 
     `level` makes the figure of a draw and the words of a plan, `shape` puts the posed atoms in the order of

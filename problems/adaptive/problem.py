@@ -1,11 +1,11 @@
 """The sign of Δ = r²·a − k² for doubles just as they are: no tolerance, no promise."""
 
 from judge.geometry import whole
-from judge.geometry.hooks import SEVEN, hooks
+from judge.geometry.hooks import hooks
 from judge.geometry.scenes import BIG, FAR, HUGE, OFFSET, PLAIN, SPLIT, TINY, doubles, either, grid, hairlines, lines, tried
 from judge.problem.declare import group
 
-HOOKS = hooks(SEVEN)
+HOOKS = hooks("seven")
 TOUCH = ("touch before after", "touch foot by", "touch ?by ?by")
 seven = doubles.seven
 

@@ -1,11 +1,11 @@
 """The foot of the perpendicular on a horizontal or vertical line: one coordinate of the point, one of the line."""
 
 from judge.geometry import whole
-from judge.geometry.hooks import AXIS_FOOT, hooks
+from judge.geometry.hooks import hooks
 from judge.geometry.scenes import signs, tried
 from judge.problem.declare import group
 
-HOOKS = hooks(AXIS_FOOT)
+HOOKS = hooks("foot on an axis")
 SKILL = "foot on a simple line"
 
 

@@ -1,11 +1,11 @@
 """How many points a circle and a line have in common, in small whole numbers: the sign of one difference."""
 
 from judge.geometry import whole
-from judge.geometry.hooks import LINE, hooks
+from judge.geometry.hooks import hooks
 from judge.geometry.scenes import signs, tried
 from judge.problem.declare import group
 
-HOOKS = hooks(LINE)
+HOOKS = hooks("line")
 SKILL = "count by a sign"
 
 

@@ -3,11 +3,11 @@
 from math import gcd
 
 from judge.geometry import whole
-from judge.geometry.hooks import LINE, hooks
+from judge.geometry.hooks import hooks
 from judge.geometry.scenes import AXIS, PLAIN, either, grid, hairlines, lines, signs, tried
 from judge.problem.declare import group
 
-HOOKS = hooks(LINE)
+HOOKS = hooks("line")
 INT, INT_AXIS, WIDE = {**PLAIN, "numbers": "int"}, {**AXIS, "numbers": "int"}, {**PLAIN, "numbers": "int", "size": 1000}
 
 

@@ -1,11 +1,11 @@
 """The common points of a circle and a closed segment in ints of any size, counted by signs alone."""
 
 from judge.geometry import whole
-from judge.geometry.hooks import COUNT_SEGMENT, hooks
+from judge.geometry.hooks import hooks
 from judge.geometry.scenes import AXIS, PLAIN, either, grid, hairlines, lines, signs, tried
 from judge.problem.declare import group
 
-HOOKS = hooks(COUNT_SEGMENT)
+HOOKS = hooks("count in a segment")
 INT, WIDE = {**PLAIN, "numbers": "int"}, {**PLAIN, "numbers": "int", "size": 1000}
 ENDS = ("chord first in", "chord first after", "chord before first", "chord first last", "chord last after", "chord in last")
 

@@ -24,10 +24,10 @@ from typing import Any
 
 from judge.data.draw import Draw
 from judge.geometry.crowd import DIFFERENCE, INTERSECTION, UNION
-from judge.geometry.level import Case, Level, Nudge, Scene, Words, height, levelled, maker
+from judge.geometry.level import Case, Level, Nudge, Scene, Vocabulary, height, levelled, maker
 from judge.geometry.pose import Atom, Length, Point, Vector
 
-_WORDS = Words.of(
+_WORDS = Vocabulary.of(
     "what happens along a ray",
     "enter exit touch dot cut speck tiny around about beside behind touch-behind dot-behind"
     " copy mirror room within",

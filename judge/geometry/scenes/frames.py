@@ -7,10 +7,10 @@ from fractions import Fraction
 from typing import Any
 
 from judge.data.draw import Draw
-from judge.geometry.level import Case, Scene, Words, maker, near_gap, parsed
+from judge.geometry.level import Case, Scene, Vocabulary, maker, near_gap, parsed
 from judge.geometry.pose import Atom, Length, Point, Vector, posed, root_up
 
-_PLACES = Words.of(
+_PLACES = Vocabulary.of(
     "a place of a circle beside the line",
     "in less even more out low high centre broad dot dot-miss dot-origin dot-again",
 )

@@ -33,7 +33,7 @@ from math import isqrt
 from typing import Any
 
 from judge.data.draw import Draw
-from judge.geometry.level import Case, Scene, Words, height, maker, near_gap, parsed, tried
+from judge.geometry.level import Case, Scene, Vocabulary, height, maker, near_gap, parsed, tried
 from judge.geometry.pose import Atom, Length, Point, Vector, posed
 from judge.geometry.scenes.crowds import Row, circles_of, mixed
 from judge.geometry.scenes.many import any_point
@@ -51,7 +51,7 @@ _SHADES = {
     "straight": (Shade.LIT, Shade.OWN),
 }
 _SHADE = {word: shades for words, shades in _SHADES.items() for word in words.split()}
-_WORDS = Words("a way for a light to shine", tuple(_SHADE))
+_WORDS = Vocabulary("a way for a light to shine", tuple(_SHADE))
 
 Spot = tuple[int, int]
 

@@ -12,7 +12,7 @@ judge.geometry.level. After O the word "anyway" sends the ray in any direction.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import partial
 from typing import Any
 
@@ -24,7 +24,7 @@ from judge.geometry.level import (
     Level,
     Nudge,
     Scene,
-    Words,
+    Vocabulary,
     levelled,
     over_circle,
     parsed,
@@ -32,8 +32,8 @@ from judge.geometry.level import (
 from judge.geometry.pose import Length, Point, Vector, posed
 
 _START = PLACE._replace(known=(*PLACE.known, "anyway"))
-_POINT = Words.of("a place of a point", "in on out close centre far dot-on dot-out")
-_FOOT = Words.of("a place of a foot", "between beyond end on near close same")
+_POINT = Vocabulary.of("a place of a point", "in on out close centre far dot-on dot-out")
+_FOOT = Vocabulary.of("a place of a foot", "between beyond end on near close same")
 
 
 def _level_line(draw: Draw, words: Sequence[str], size: int = 30, uneven: int = 0) -> Level:
@@ -62,19 +62,15 @@ def _level_point(draw: Draw, words: Sequence[str], size: int = 30, uneven: int =
     word = words[0].rstrip("~")
     R = 0 if word.startswith("dot") else draw.integer(max(2, size // 2), size) << uneven
     reach = R or size
-    if word == "in":
-        x = draw.integer(1, max(1, R - 1))
-    elif word == "on":
-        x = R
-    elif word == "close":  # outside, by 2**-2 to 2**-20 of the radius
-        x = R + max(1, R >> draw.integer(2, 20))
-    elif word == "far":
-        x = reach * draw.integer(100, 20_000)
-    elif word in ("out", "dot-out"):
-        x = R + draw.integer(1, 3 * reach)
-    else:  # centre, dot-on
-        x = 0
-    point = Point([x, 0])
+    places: dict[str, Callable[[], int]] = {
+        "in": lambda: draw.integer(1, max(1, R - 1)),
+        "on": lambda: R,
+        "close": lambda: R + max(1, R >> draw.integer(2, 20)),  # outside, by 2**-2 to 2**-20 of the radius
+        "far": lambda: reach * draw.integer(100, 20_000),
+        "out": lambda: R + draw.integer(1, 3 * reach),
+        "centre": lambda: 0,
+    }
+    point = Point([places[{"dot-on": "centre", "dot-out": "out"}.get(word, word)](), 0])
     return [Point([0, 0]), Length([R]), point], [Nudge(point, 0)] if words[0][-1] == "~" else []
 
 

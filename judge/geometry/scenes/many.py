@@ -116,14 +116,12 @@ def inside(draw: Draw, circles: Bounds, rays: Bounds, reach: int, radii: Bounds)
 
 
 @maker
-def clusters(
-    draw: Draw, circles: Bounds, rays: Bounds, reach: int, spread: int, radii: Bounds, large: Bounds
-) -> Case:
-    """A few dense clusters, wide empty room between them, and a few large circles."""
+def clusters(draw: Draw, circles: Bounds, rays: Bounds, reach: int, radii: Bounds, large: Bounds) -> Case:
+    """A few dense clusters, 3 % of the scene wide, empty room between them, and a few large circles."""
     middles = [any_point(draw, reach) for _ in range(draw.integer(3, 6))]
     scene = []
     for _ in range(draw.integer(*circles)):
-        (x, y), (dx, dy) = draw.choice(middles), any_point(draw, spread)
+        (x, y), (dx, dy) = draw.choice(middles), any_point(draw, reach * 3 // 100)
         scene.append((x + dx, y + dy, draw.integer(*radii)))
     for _ in range(draw.integer(2, 4)):
         scene.insert(draw.integer(0, len(scene)), any_circle(draw, 2 * reach, large))

@@ -4,7 +4,7 @@
     walls("graze cap", **BIG)                    (P0, P1, r, A, B)
 
 Of discs, a height and two places say how the first moves as seen from the second: see
-judge.geometry.level; "=" for the second place is no way at all. Words after them:
+judge.geometry.level; "=" for the second place is no way at all. Vocabulary after them:
 
     rest, alone       the second disc rests, or the first
     along, together   both run along one line, or both far in one direction
@@ -32,17 +32,17 @@ from collections.abc import Sequence
 from math import ldexp
 
 from judge.data.draw import Draw
-from judge.geometry.level import HEIGHT, PLACE, Case, Level, Nudge, Words, levelled, maker, over_circle
+from judge.geometry.level import HEIGHT, PLACE, Case, Level, Nudge, Vocabulary, levelled, maker, over_circle
 from judge.geometry.pose import Atom, Length, Point, triple
 
-_DRIFT = Words.of("how discs move", "rest alone along together rush dot tiny grain home")
+_DRIFT = Vocabulary.of("how discs move", "rest alone along together rush dot tiny grain home")
 _FINE = 30  # bits by which a way grows beside grains
-_WHAT = Words.of(
+_WHAT = Vocabulary.of(
     "what happens at a wall",
     "hit fast flat graze slide start end short away past overlap rest shy stop broad",
 )
-_WHERE = Words.of("a place of a wall", "side cap post")
-_HOW = Words.of("how a disc comes to a wall", "dot grain level afar rim home")
+_WHERE = Vocabulary.of("a place of a wall", "side cap post")
+_HOW = Vocabulary.of("how a disc comes to a wall", "dot grain level afar rim home")
 
 
 def _level_balls(draw: Draw, words: Sequence[str], size: int = 30) -> Level:

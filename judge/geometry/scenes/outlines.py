@@ -34,10 +34,10 @@ from math import isqrt
 from typing import Any
 
 from judge.data.draw import Draw
-from judge.geometry.level import Case, Level, Nudge, Scene, Words, levelled, maker
+from judge.geometry.level import Case, Level, Nudge, Scene, Vocabulary, levelled, maker
 from judge.geometry.pose import Length, Point
 
-_PAIR = Words.of(
+_PAIR = Vocabulary.of(
     "a way for two circles to lie",
     "outer inner cross apart within close alike equal same ring dots dot-on dot-off dot-centre slant",
 )
@@ -91,8 +91,8 @@ _CORNERS = (
     "on in out far remote farthest tangent brush leave across level pole short stub skim box again left right"
     " at by slant"
 )
-_CORNER = Words.of("a corner of a polygon", _CORNERS)
-_FIRST = Words.of("a corner of a polygon", f"{_CORNERS} dot")
+_CORNER = Vocabulary.of("a corner of a polygon", _CORNERS)
+_FIRST = Vocabulary.of("a corner of a polygon", f"{_CORNERS} dot")
 _BRUSH = 2048  # parts of the radius: a corner is so few of them away from where its edge touches
 
 

@@ -16,10 +16,10 @@ from sys import byteorder
 from typing import Any
 
 from judge.data.draw import Draw
-from judge.geometry.level import Case, Scene, Words, maker, near_gap, parsed
+from judge.geometry.level import Case, Scene, Vocabulary, maker, near_gap, parsed
 from judge.geometry.pose import Atom, Length, Point, posed
 
-_WORDS = Words.of("how a circle lies to the line", "touch cut miss dot dot-miss")
+_WORDS = Vocabulary.of("how a circle lies to the line", "touch cut miss dot dot-miss")
 _FINE = 18  # bits by which all grows where a circle is just off
 _CHUNK = 2048  # numbers that are drawn at once
 _TRIPLES = ((3, 4, 5), (-4, 3, 5), (5, -12, 13), (8, 15, 17), (-7, 24, 25), (20, 21, 29))
