@@ -167,27 +167,36 @@ def place(draw: Draw, word: str, R: int, h: int, half: int | None, size: int) ->
     turned = {"-": -1, "?": draw.sign() if word[0] == "?" else 1}.get(word[0], 1)
     name, r = word.rstrip("~").lstrip("-?"), R or size
     inner, outer = isqrt(max(0, R * R - h * h - 1)) if abs(h) < R else 0, root_up(max(0, R * R - h * h))
-    if (name == "in" and inner < 1) or (name in ("first", "last") and half is None):
-        draw.reject()
-    places: dict[str, Callable[[], int]] = {
-        "before": lambda: -outer - 1 - draw.integer(0, 2 * r),
-        "after": lambda: outer + 1 + draw.integer(0, 2 * r),
-        "in": lambda: draw.integer(1 - inner, inner - 1),
-        "first": lambda: -(half or 0),
-        "last": lambda: half or 0,
-        "foot": lambda: 0,
-        "near": lambda: (r * draw.integer(1, 20) // 2_000 + 1) * draw.sign(),
-        # on a touch, hardly more than the least way that is clear of the circle
-        "nearer": lambda: r * draw.integer(450, 500) // 10**6 * draw.sign(),
-        "close": lambda: max(1, r >> draw.integer(11, 40)) * draw.sign(),  # by 2**-11 to 2**-40 of the radius
-        "by": lambda: outer + draw.integer(1, 3 * r),
-        "far": lambda: -r * draw.integer(100, 20_000),
-        "very-far": lambda: -r * draw.integer(10**5, 10**6),
-        # so far that only a line through the centre is clear, or a touch
-        "farther": lambda: -r * draw.integer(10**6, 10**7 - 1),
-        "remote": lambda: -r * draw.integer(10**7, 10**8),  # so far that only a touch is clear
-    }
-    return turned * places[name]()
+    if name in ("before", "after"):
+        x = outer + 1 + draw.integer(0, 2 * r)
+        x = -x if name == "before" else x
+    elif name == "in":
+        if inner < 1:
+            draw.reject()
+        x = draw.integer(1 - inner, inner - 1)
+    elif name in ("first", "last"):
+        if half is None:
+            draw.reject()
+        x = -half if name == "first" else half
+    elif name == "near":
+        x = (r * draw.integer(1, 20) // 2_000 + 1) * draw.sign()
+    elif name == "nearer":  # on a touch, hardly more than the least way that is clear of the circle
+        x = r * draw.integer(450, 500) // 10**6 * draw.sign()
+    elif name == "close":  # by 2**-11 to 2**-40 of the radius
+        x = max(1, r >> draw.integer(11, 40)) * draw.sign()
+    elif name == "by":
+        x = outer + draw.integer(1, 3 * r)
+    elif name == "far":
+        x = -r * draw.integer(100, 20_000)
+    elif name == "very-far":
+        x = -r * draw.integer(10**5, 10**6)
+    elif name == "farther":  # so far that only a line through the centre is clear, or a touch
+        x = -r * draw.integer(10**6, 10**7 - 1)
+    elif name == "remote":  # so far that only a touch is clear
+        x = -r * draw.integer(10**7, 10**8)
+    else:  # foot
+        x = 0
+    return turned * x
 
 
 def over_circle(

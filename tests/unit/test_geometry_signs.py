@@ -31,7 +31,7 @@ def numbers(case):
 @pytest.mark.parametrize("reach", REACHES)
 def test_a_point_beside_a_line(reach):
     for off, found in ((0, {0}), (1, {1, 2, -1, -2}), (-3, {3, 6, -3, -6})):
-        cases = drawn(signs.beside_line(reach, off))
+        cases = drawn(signs.beside_line((reach,), off))
         assert {whole.cross(*case) for case in cases} <= found
         assert max(map(abs, numbers(sum(cases, ())))) <= reach
 
@@ -39,13 +39,13 @@ def test_a_point_beside_a_line(reach):
 @pytest.mark.parametrize("reach", REACHES)
 @pytest.mark.parametrize("off", [0, 1, -2])
 def test_a_right_angle(reach, off):
-    assert {whole.dot(*case) for case in drawn(signs.right_angles(reach, off))} == {off}
+    assert {whole.dot(*case) for case in drawn(signs.right_angles((reach,), off))} == {off}
 
 
 @pytest.mark.parametrize("reach", REACHES)
 @pytest.mark.parametrize("off", [0, 1, -1])
 def test_a_point_beside_a_circle(reach, off):
-    cases = drawn(signs.beside_circle(reach, off))
+    cases = drawn(signs.beside_circle((reach,), off))
     assert {whole.square((cx, cy), P) - r * r for cx, cy, r, P in cases} == {off}
     if reach == 10**9:
         assert max(r for _, _, r, _ in cases) > 10**8

@@ -4,7 +4,7 @@
     hairlines(10**30, off=(1, -1))     k = r·|D| ± 1
     least(10**30)                      Δ = 1 or -1
     nearly(10**30)                     the line passes the circle by 1e-13 to 0.9 of the radius
-    ends(10**30, 1, -1)                |A − C|² − r² = ±1, and B anywhere
+    ends((10**30,), 1, -1)             |A − C|² − r² = ±1, and B anywhere
 
 Each draws (cx, cy, r, A, B) with coordinates within ±size, or one of several sizes.
 """
@@ -67,9 +67,9 @@ def nearly(draw: Draw, *sizes: int) -> Case:
 
 
 @maker
-def ends(draw: Draw, size: int | Sequence[int], *off: int) -> Case:
+def ends(draw: Draw, sizes: Sequence[int], *off: int) -> Case:
     """Segments with an end for which |A − C|² − r² is one of `off`: 1, 0, -1. The other end is anywhere."""
-    reach = size if isinstance(size, int) else draw.choice(size)
+    reach = draw.choice(sizes)
     x, y, r = near_circle(draw, reach // 8, draw.choice(off))
     far = draw.choice((r, 3 * r))
     end = draw.integer(-far, far), draw.integer(-far, far)

@@ -1,14 +1,14 @@
 """Scenes of whole numbers: what decides is 0, or as small as whole numbers allow.
 
     scattered("nrp", 9)                ints up to 9, in any shape
-    beside_line(reach, 0)              (A, B, P), P on the line
-    beside_line(reach, 1, -1)          (A, B, P), the cross product of B − A and P − A is 1 or -1
-    right_angles(reach, 0)             (A, B, P), P on the circle with the diameter AB
-    beside_circle(reach, 0)            (cx, cy, r, P), |P − C|² − r² is 0
-    level(reach)                       (A, B, P), the line AB is horizontal or vertical
-    cuts(reach, 0)                     (cx, cy, r, A, B), r²·|D|² − k² is 0
+    beside_line((reach,), 0)           (A, B, P), P on the line
+    beside_line((reach,), 1, -1)       (A, B, P), the cross product of B − A and P − A is 1 or -1
+    right_angles((reach,), 0)          (A, B, P), P on the circle with the diameter AB
+    beside_circle((reach,), 0)         (cx, cy, r, P), |P − C|² − r² is 0
+    level((reach,))                    (A, B, P), the line AB is horizontal or vertical
+    cuts(reach, close=False)           (cx, cy, r, A, B), r²·|D|² − k² is 0
 
-All coordinates are ints within ±reach, or one of several reaches.
+All coordinates are ints within ±reach, which is one of several.
 """
 
 from __future__ import annotations
@@ -23,12 +23,6 @@ from judge.geometry.level import Case, Scene, maker
 from judge.geometry.pose import triple
 
 Whole = tuple[int, int]
-Reach = int | Sequence[int]
-
-
-def reached(draw: Draw, reach: Reach) -> int:
-    """The reach of a case."""
-    return reach if isinstance(reach, int) else draw.choice(reach)
 
 
 def fitted(draw: Draw, reach: int, points: Sequence[Whole]) -> list[Whole]:
@@ -94,9 +88,9 @@ def ints(drawn: Scene) -> Scene:
 
 
 @maker
-def beside_line(draw: Draw, reach: Reach, *off: int) -> Case:
+def beside_line(draw: Draw, reaches: Sequence[int], *off: int) -> Case:
     """A, B and P, where (B − A) × (P − A) is one of `off`, or twice that."""
-    size = reached(draw, reach)
+    size = draw.choice(reaches)
     way, times = direction(draw, size), draw.choice((1, 1, 1, 2))
     P = across(way, draw.choice(off), draw.integer(-1, 1))
     points = fitted(draw, size, [(0, 0), (times * way[0], times * way[1]), P])
@@ -104,9 +98,9 @@ def beside_line(draw: Draw, reach: Reach, *off: int) -> Case:
 
 
 @maker
-def right_angles(draw: Draw, reach: Reach, *off: int) -> Case:
+def right_angles(draw: Draw, reaches: Sequence[int], *off: int) -> Case:
     """A, B and P, where (A − P)·(B − P) is one of `off`, or B is P."""
-    size = reached(draw, reach)
+    size = draw.choice(reaches)
     way = direction(draw, size)
     x, y = across(way, draw.choice(off), draw.integer(-1, 1))
     A, B, P = fitted(
@@ -118,9 +112,9 @@ def right_angles(draw: Draw, reach: Reach, *off: int) -> Case:
 
 
 @maker
-def beside_circle(draw: Draw, reach: Reach, *off: int) -> Case:
+def beside_circle(draw: Draw, reaches: Sequence[int], *off: int) -> Case:
     """A circle and P with |P − C|² − r² one of 1, 0 and -1."""
-    size = reached(draw, reach)
+    size = draw.choice(reaches)
     x, y, r = near_circle(draw, size // 2, draw.choice(off))
     (cx, cy), P = fitted(draw, size, [(0, 0), (x, y)])
     return cx, cy, r, P
@@ -149,9 +143,11 @@ def near_circle(draw: Draw, size: int, off: int) -> tuple[int, int, int]:
 
 
 @maker
-def level(draw: Draw, reach: Reach, drawn: Callable[[Draw, int], tuple[int, int, int]] | None = None) -> Case:
+def level(
+    draw: Draw, reaches: Sequence[int], drawn: Callable[[Draw, int], tuple[int, int, int]] | None = None
+) -> Case:
     """A and B on a horizontal or vertical line, and P anywhere; `drawn` draws where they are along it."""
-    size = reached(draw, reach)
+    size = draw.choice(reaches)
     a, b, p = drawn(draw, size) if drawn else tuple(draw.integer(-size, size) for _ in "ABP")
     if a == b:
         draw.reject()
