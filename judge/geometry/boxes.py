@@ -13,7 +13,7 @@ from math import inf, sqrt
 from typing import Any
 
 from judge.exact.signs import two_root_sign
-from judge.geometry.crowd import PLACES
+from judge.geometry.crowd import apart
 from judge.geometry.line import Line
 from judge.geometry.sure import Sure
 from judge.problem.declare import InvalidCase
@@ -97,7 +97,7 @@ class Boxes:
         if which:
             index, line = lines[0]
             return index, line.time(which)
-        return _first(lines, sure)
+        return _first(lines)
 
     def _met(
         self, index: int, O: IntPoint, D: IntPoint, length: float, margin: float
@@ -132,23 +132,19 @@ class Boxes:
         return x0, x1, y0, y1, None, self._box(indices[:half]), self._box(indices[half:])
 
 
-def _first(lines: Sequence[tuple[int, Line]], sure: Sure) -> Exact:
+def _first(lines: Sequence[tuple[int, Line]]) -> Exact:
     """The same among these few, in integers."""
     hits = [(index, line, line.first()) for index, line in lines]
     met = [(index, line, which) for index, line, which in hits if which is not None]
     if not met:
         return None
-
-    def beside(one: tuple[int, Line, int], other: tuple[int, Line, int]) -> int:
-        (_, p, w), (_, q, v) = one, other
-        return sure.sign(p.b - q.b, v, q.delta, -w, p.delta, per=p.a, what=PLACES)
-
     best = met[0]
     for each in met[1:]:
         p, q = best[1], each[1]
         if two_root_sign(p.b - q.b, each[2], q.delta, -best[2], p.delta) < 0:
             best = each
-    answers = [(each[0], each[1].time(each[2])) for each in met if each is best or not beside(best, each)]
+    ties = [each for each in met if each is best or not apart(*best[1:], *each[1:])]
+    answers = [(index, line.time(which)) for index, line, which in ties]
     return answers[0] if len(answers) == 1 else AnyOf(answers)
 
 

@@ -13,12 +13,11 @@ from math import isqrt
 from typing import NamedTuple
 
 from judge.exact.surd import integers, make
-from judge.geometry.quadratic import Number, Quadratic, on_circle
+from judge.geometry.quadratic import ORIGIN, Number, Point, Quadratic
 from judge.geometry.sure import BITS, DecisionWords, Sure
 from judge.problem.declare import InvalidCase
 from judge.values.answers import Real
 
-Point = tuple[Number, Number]
 Circle = tuple[Number, Number, Number]
 
 UNION, INTERSECTION, DIFFERENCE = -1, -2, -3
@@ -56,10 +55,9 @@ class Crowd:
         if not dx and not dy:
             raise InvalidCase("D is (0, 0). There must be a ray.")
         self.sure = Sure(max(map(abs, chain(*seen, *self.points))))
-        self.circles = [Quadratic((x, y), (dx, dy), r, self.sure, shift=shift) for x, y, r in seen]
-        ends = on_circle("O"), on_circle("O + D")
-        for circle in self.circles:
-            circle.ends = ends
+        self.circles = [
+            Quadratic((x, y), (dx, dy), r, self.sure, shift=shift, ends=ORIGIN) for x, y, r in seen
+        ]
 
     def hits(self) -> list[Hit]:
         """The hits with t >= 0 in order of t, those at one place in any order.
@@ -81,7 +79,8 @@ class Crowd:
         """The same, those at one place together."""
         found: list[list[Hit]] = []
         for hit in self.hits():
-            if found and not self._apart(found[-1][0], hit):
+            last = found[-1][0] if found else None
+            if last and not apart(self.circles[last.circle], last.which, self.circles[hit.circle], hit.which):
                 found[-1].append(hit)
             else:
                 found.append([hit])
@@ -118,10 +117,10 @@ class Crowd:
                 start = None
         return found
 
-    def _apart(self, one: Hit, other: Hit) -> int:
-        """Whether two hits are at different places."""
-        p, q = self.circles[one.circle], self.circles[other.circle]
-        return self.sure.sign(p.b - q.b, other.which, q.delta, -one.which, p.delta, per=p.a, what=PLACES)
+
+def apart(p: Quadratic, one: int, q: Quadratic, other: int) -> int:
+    """Whether two common points, of circles and the same ray, are at different places."""
+    return p.sure.sign(p.b - q.b, other, q.delta, -one, p.delta, per=p.a, what=PLACES)
 
 
 def program_fault(program: Sequence[int], discs: int) -> str | None:

@@ -8,7 +8,7 @@ are those of the parameters, `answers` the exact answer and the submission's.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from decimal import Decimal
 from itertools import pairwise
 from typing import Any
@@ -45,11 +45,17 @@ def _disc(view: View, cx: Decimal, cy: Decimal, r: Decimal, name: str = "C") -> 
     view.name((cx, cy), name if r else f"{name} (r = 0)")
 
 
-def circle_and_line(cx, cy, r, A, B, part="line", names=(), **_: Any) -> View:
-    """A circle and a line through two points, or the segment between them."""
+def _beside(cx: Decimal, cy: Decimal, r: Decimal, points: Sequence[Place]) -> View:
+    """A circle, and e of it and the points beside it."""
     view = View()
     _disc(view, cx, cy, r)
-    view.measure((cx, cy), [A, B], r)
+    view.measure((cx, cy), points, r)
+    return view
+
+
+def circle_and_line(cx, cy, r, A, B, part="line", names=(), **_: Any) -> View:
+    """A circle and a line through two points, or the segment between them."""
+    view = _beside(cx, cy, r, [A, B])
     segment = part == "segment"
     _two_points(view, A, B, segment, names[-2:])
     return view
@@ -75,9 +81,7 @@ def seven_numbers(cx, cy, r, *ends, **_: Any) -> View:
 
 def circle_and_ray(cx, cy, r, O, D, **_: Any) -> View:
     """A circle and a ray."""
-    view = View()
-    _disc(view, cx, cy, r)
-    view.measure((cx, cy), [O], r)
+    view = _beside(cx, cy, r, [O])
     _shoot(view, O, D)
     return view
 
@@ -110,9 +114,7 @@ def sphere_and_ray(C, r, O, D, **_: Any) -> View:
 
 def circle_and_point(cx, cy, r, P, names=("", "", "", "P"), **_: Any) -> View:
     """A circle and a point."""
-    view = View()
-    _disc(view, cx, cy, r)
-    view.measure((cx, cy), [P], r)
+    view = _beside(cx, cy, r, [P])
     view.name(P, names[3], decides=on_circle(names[3]))
     return view
 
@@ -236,10 +238,8 @@ def light(circles, O, D, L, **_: Any) -> View:
 
 def polygon(cx, cy, r, V, **_: Any) -> View:
     """A circle and a closed polygon."""
-    view = View()
-    _disc(view, cx, cy, r)
+    view = _beside(cx, cy, r, V)
     view.rings[:] = [Ring(cx, cy, r, decides=EDGE)]
-    view.measure((cx, cy), V, r)
     few = len(V) <= 12
     for number, (start, end) in enumerate(zip(V, [*V[1:], V[0]], strict=True)):
         view.ways.append(Way(start, minus(end, start), arrow=few, decides=True))

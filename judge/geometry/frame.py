@@ -29,11 +29,6 @@ class Frame:
     across: Decimal
     axis: Place = (Decimal(1), Decimal(0))
 
-    @classmethod
-    def square(cls, middle: Place, unit: Decimal) -> Frame:
-        """A window at true scale."""
-        return cls(middle, unit, unit)
-
     def turned(self, way: Place) -> Place:
         """A vector, in panels."""
         size = length(self.axis)

@@ -6,11 +6,9 @@ from collections.abc import Sequence
 from fractions import Fraction
 
 from judge.exact.surd import integers
+from judge.geometry.quadratic import Number, Point
 from judge.geometry.sure import DecisionWords, Sure
 from judge.problem.declare import InvalidCase
-
-Number = int | float
-Point = tuple[Number, Number]
 
 FIRST = DecisionWords(
     "In the first frame the line is almost a tangent",

@@ -13,27 +13,12 @@ if TYPE_CHECKING:
     from judge.data.draw import Draw
     from judge.drawing import Picture
 
-# What a case shows: the names of `judge.geometry.views.VIEWS`.
-LINE, POINTS, SEGMENT, COUNT_SEGMENT, CHORD = "line", "points", "segment", "count in a segment", "chord"
-RAY, NORMAL, REFLECTION, SPHERE = "ray", "normal", "reflection", "sphere"
-POINT, TANGENTS, PAIR, COMMON = "point", "tangents", "pair", "common tangents"
-FOOT, NORMAL_FORM, HITS, SPANS, LIGHT = "foot", "normal form", "hits", "spans", "light"
-POLYGON, BALLS, WALL, FRAMES, ROWS, MANY, SEVEN = (
-    "polygon",
-    "balls",
-    "wall",
-    "frames",
-    "rows",
-    "many",
-    "seven",
-)
-TWO_POINTS, SIDE, DIAMETER, AXIS_FOOT = "two points", "side", "diameter", "foot on an axis"
-
 
 def hooks(kind: str) -> Hooks:
-    """The hooks of a kata whose cases are of that kind; what they need is imported when it is wanted.
+    """The hooks of a kata whose cases are of that kind, a key of `judge.geometry.views.VIEWS`.
 
-    They ask the `solve` of the problem.py that calls this: it is not run again for a picture.
+    What they need is imported when it is wanted. They ask the `solve` of the problem.py that calls this: it
+    is not run again for a picture.
     """
     page = sys._getframe(1).f_globals
 
@@ -42,10 +27,10 @@ def hooks(kind: str) -> Hooks:
 
         return compose(kind, shown, page["solve"])
 
-    def simpler(_problem: Problem, case: Case) -> Iterable[Case]:
+    def simpler(problem: Problem, case: Case) -> Iterable[Case]:
         from judge.geometry.simpler import simpler
 
-        return simpler(kind, case)
+        return simpler(kind, problem, case)
 
     def explore(problem: Problem, values: Mapping[str, Any] | None) -> str | None:
         from judge.geometry.explore import explored

@@ -9,64 +9,97 @@ from __future__ import annotations
 
 import difflib
 from collections.abc import Callable, Iterable, Sequence
+from contextlib import suppress
 from fractions import Fraction
 from math import ceil, isqrt
-from typing import Any, NamedTuple
+from typing import Any, Concatenate, NamedTuple, ParamSpec
 
 from judge.data.draw import Draw, Rejected
 from judge.errors import ProblemError
 from judge.geometry.pose import Atom, Length, Point, Vector, posed, root_up, triple
 
-Scene = Callable[[Draw], tuple[Any, ...]]
-HEIGHTS = ("cut", "chord", "through", "off-centre", "touch", "miss", "dot", "dot-miss")
-PLACES = (
-    "before",
-    "in",
-    "after",
-    "first",
-    "last",
-    "foot",
-    "close",
-    "near",
-    "nearer",
-    "by",
-    "far",
-    "very-far",
-    "farther",
-    "remote",
-    "=",
-)
+Case = tuple[Any, ...]
+Scene = Callable[[Draw], Case]
+P = ParamSpec("P")
+
 _FINE = 30  # bits of the size where a figure is nudged: 1e-7 of it is 53 units and more
 _LEVEL = ("size", "uneven")  # keys of a pose that are the level figure's
+
+
+class Vocabulary(NamedTuple):
+    """The words that a scene knows at one place, and what they are: "a height of a line"."""
+
+    what: str
+    known: Sequence[str]
+    numbered: bool = False  # whether digits may follow
+
+    @classmethod
+    def of(cls, what: str, known: str, *, numbered: bool = False) -> Vocabulary:
+        """The words of a text."""
+        return cls(what, known.split(), numbered)
+
+    def check(self, word: str) -> None:
+        """Refuse a word that is none; "~", "-" and "?" around it do not count. Raises ProblemError."""
+        bare = word.rstrip("~").lstrip("-?")
+        bare = bare.rstrip("0123456789") if self.numbered else bare
+        if bare not in self.known:
+            near = difflib.get_close_matches(bare, self.known, 1)
+            remedy = f"did you mean {near[0]!r}?" if near else "use one of these"
+            raise ProblemError(f"{bare!r} is not {self.what}: {', '.join(self.known)}", remedy=remedy)
+
+
+HEIGHT = Vocabulary.of("a height of a line", "cut chord through off-centre touch miss dot dot-miss")
+PLACE = Vocabulary.of(
+    "a place on a line", "before in after first last foot close near nearer by far very-far farther remote ="
+)
 
 
 class Nudge(NamedTuple):
     """This coordinate is put just off: `times` the gap, to one side, or to either where `side` is 0."""
 
-    atom: int
+    atom: Atom
     coordinate: int
     side: int = 0
     times: Fraction | int = 1
 
 
-Level = Callable[..., tuple[list[Atom], list[Nudge]]]  # (draw, words, size=…) to a level figure
+Level = tuple[list[Atom], list[Nudge]]
 
 
-def scene(level: Level, shape: Callable[..., tuple[Any, ...]], check: Callable[[list[str]], None]) -> Any:
-    """A maker of draws from a level figure: plans, of which a case takes one, and how it is posed.
+def maker(drawn: Callable[Concatenate[Draw, P], Case]) -> Callable[P, Scene]:
+    """A maker of scenes from a function of a draw and what the scene is given."""
 
-    `shape` puts the posed atoms in the order of the call; `check` refuses words that are none. With `least=7`
-    what is just off is so by 0.7e-7 of its size, too, where that is clear after the turn.
+    def make(*given: P.args, **named: P.kwargs) -> Scene:
+        return lambda draw: drawn(draw, *given, **named)
+
+    make.__doc__ = drawn.__doc__
+    return make
+
+
+def parsed(plans: Iterable[str], *known: Vocabulary) -> list[list[str]]:
+    """The words of each plan; what its last words may be is the last of `known`. Raises ProblemError."""
+    split = [plan.split() for plan in plans]
+    for words in split:
+        for at, word in enumerate(words):
+            known[min(at, len(known) - 1)].check(word)
+    return split
+
+
+def levelled(
+    level: Callable[..., Level], shape: Callable[..., Case], *known: Vocabulary
+) -> Callable[..., Scene]:
+    """A maker of scenes from a level figure: plans, of which a case takes one, and how it is posed.
+
+    `level` makes the figure of a draw and the words of a plan, `shape` puts the posed atoms in the order of
+    the call. With `least=7` what is just off is so by 0.7e-7 of its size, too, where that is clear after the
+    turn.
     """
 
     def make(*plans: str, **how: Any) -> Scene:
         kept = {key: how.pop(key) for key in _LEVEL if key in how}
-        least = how.pop("least", 10)
-        split = [plan.split() for plan in plans]
-        for words in split:
-            check(words)
+        least, split = how.pop("least", 10), parsed(plans, *known)
 
-        def draw_case(draw: Draw) -> tuple[Any, ...]:
+        def draw_case(draw: Draw) -> Case:
             atoms, nudges = level(draw, draw.choice(split), **kept)
             if nudges:
                 _nudge(draw, atoms, nudges, least)
@@ -77,34 +110,26 @@ def scene(level: Level, shape: Callable[..., tuple[Any, ...]], check: Callable[[
     return make
 
 
-def either(*scenes: Scene) -> Scene:
+@maker
+def either(draw: Draw, *scenes: Scene) -> Case:
     """One of several scenes."""
-    return lambda draw: draw.choice(scenes)(draw)
+    return draw.choice(scenes)(draw)
 
 
-def telling(drawn: Scene, plain: Callable[..., Any], tolerant: Callable[..., Any], tries: int = 40) -> Scene:
-    """Only cases on which a plain program's answer has another form than a tolerant one's."""
-
-    def draw_case(draw: Draw) -> tuple[Any, ...]:
-        for _ in range(tries):
-            try:
-                case = drawn(draw)
-            except Rejected:
-                continue
-            if plain(*case) != tolerant(*case):
+@maker
+def tried(draw: Draw, drawn: Scene, fits: Callable[[Case], bool] = bool, tries: int = 40) -> Case:
+    """The first of so many draws that is a case and fits."""
+    for _ in range(tries):
+        with suppress(Rejected):
+            case = drawn(draw)
+            if fits(case):
                 return case
-        return draw.reject()
-
-    return draw_case
+    return draw.reject()
 
 
-def checked(word: str, known: Iterable[str], what: str) -> None:
-    """Refuse a word that is none; "~", "-" and "?" around it do not count. Raises ProblemError."""
-    bare = word.rstrip("~").lstrip("-?")
-    if bare not in known:
-        near = difflib.get_close_matches(bare, list(known), 1)
-        remedy = f"did you mean {near[0]!r}?" if near else "use one of these"
-        raise ProblemError(f"{bare!r} is not {what}: {', '.join(known)}", remedy=remedy)
+def telling(drawn: Scene, plain: Callable[..., Any], tolerant: Callable[..., Any]) -> Scene:
+    """Only cases on which a plain program's answer has another form than a tolerant one's."""
+    return tried(drawn, lambda case: plain(*case) != tolerant(*case))
 
 
 # -- a line over a circle -----------------------------------------------------------------------------
@@ -177,8 +202,7 @@ def place(draw: Draw, word: str, R: int, h: int, half: int | None, size: int) ->
 def over_circle(
     draw: Draw, words: Sequence[str], size: int = 30, dimension: int = 2, uneven: int = 0
 ) -> tuple[int, list[Point], list[Nudge]]:
-    """The radius, the points at the places of `words`, whose first is the height, and the nudges, of which
-    the atoms are counted from the first point."""
+    """The radius, the points at the places of `words`, whose first is the height, and the nudges."""
     R, h, half = height(draw, words[0].rstrip("~"), size)
     R, h, half = R << uneven, h << uneven, half if half is None else half << uneven
     xs: list[int] = []
@@ -187,20 +211,15 @@ def over_circle(
     if uneven and len(xs) > 1:  # split: only the way from the first point has more bits than a double
         most = size >> draw.choice((0, 24))
         xs[1] = xs[0] + (1 if xs[1] > xs[0] else -1) * draw.integer(most // 2, most)
-    rest = [0] * (dimension - 2)
-    points = [Point([x, h, *rest]) for x in xs]
-    side = draw.sign()
-    nudges = [Nudge(at, 1, side) for at in range(len(xs)) if words[0][-1] == "~"]
-    ends = [at for at, word in enumerate(words[1:]) if word[-1] == "~"]
-    off = draw.sign()
-    for at in ends:
-        # Across the circle a step along the line counts half/R of itself, and none at a touch.
-        times = Fraction(R, half) if half else 1
-        nudges += (
-            [Nudge(i, 0, off, times) for i, x in enumerate(xs) if x == xs[at]]
-            if "=" in words
-            else [Nudge(at, 0, off, times)]
-        )
+    points = [Point([x, h, *[0] * (dimension - 2)]) for x in xs]
+    side, off = draw.sign(), draw.sign()
+    nudges = [Nudge(point, 1, side) for point in points] if words[0][-1] == "~" else []
+    for word, end in zip(words[1:], points, strict=True):
+        if word[-1] == "~":
+            # Across the circle a step along the line counts half/R of itself, and none at a touch.
+            times = Fraction(R, half) if half else 1
+            moved = [point for point in points if point[0] == end[0]] if "=" in words else [end]
+            nudges += [Nudge(point, 0, off, times) for point in moved]
     return R, points, nudges
 
 
@@ -213,11 +232,10 @@ def _nudge(draw: Draw, atoms: list[Atom], nudges: Sequence[Nudge], least: int) -
     for each in atoms:
         if not isinstance(each, Vector):
             each[:] = [n * fine for n in each]
-    size = max(reach) * fine
-    gap = near_gap(draw, size, least)
+    gap = near_gap(draw, max(reach) * fine, least)
     for nudge in nudges:
         side = nudge.side or draw.sign()
-        atoms[nudge.atom][nudge.coordinate] += side * ceil(nudge.times * gap)
+        nudge.atom[nudge.coordinate] += side * ceil(nudge.times * gap)
 
 
 def _way(end: Point, start: Point) -> int:
@@ -237,66 +255,63 @@ def near_gap(draw: Draw, size: int, lowest: int = 10) -> int:
 # -- plain numbers ------------------------------------------------------------------------------------
 
 
-def grid(shape: str, reach: int) -> Scene:
+@maker
+def grid(draw: Draw, shape: str, reach: int) -> Case:
     """Whole numbers up to `reach`: n a number, r a radius, p a point, P a point in space, d a direction.
 
     So small that everything special comes up by itself; now and then a number is that of another argument, or
     a point is the origin.
     """
-    return _shaped(shape, lambda draw: draw.integer(-reach, reach), again=True)
+    return _shaped(draw, shape, lambda: draw.integer(-reach, reach), again=True)
 
 
-def whole(shape: str, bits: int) -> Scene:
+@maker
+def whole(draw: Draw, shape: str, bits: int) -> Case:
     """Ints up to 2**bits."""
-    return _shaped(shape, lambda draw: draw.integer(-(1 << bits), 1 << bits))
+    return _shaped(draw, shape, lambda: draw.integer(-(1 << bits), 1 << bits))
 
 
-def corners(shape: str, bits: int) -> Scene:
+@maker
+def corners(draw: Draw, shape: str, bits: int) -> Case:
     """Ints at ±2**bits, a few of them 0 or off by 1: a difference has a bit more, a sum of squares three."""
 
-    def number(draw: Draw) -> int:
+    def number() -> int:
         return ((1 << bits) - (draw.integer(0, 7) == 7)) * draw.sign() if draw.integer(0, 5) else 0
 
-    return _shaped(shape, number)
+    return _shaped(draw, shape, number)
 
 
-def uniform(shape: str, *reaches: float) -> Scene:
+@maker
+def uniform(draw: Draw, shape: str, *reaches: float) -> Case:
     """Doubles and ints up to one of `reaches`."""
+    reach = draw.choice(reaches)
 
-    def number(draw: Draw, reach: float) -> int | float:
+    def number() -> int | float:
         if draw.integer(0, 3) == 0:
             return draw.integer(-int(reach), int(reach))
         return draw.integer(-(2**40), 2**40) / 2**40 * reach
 
-    def draw_case(draw: Draw) -> tuple[Any, ...]:
-        reach = draw.choice(reaches)
-        return _shaped(shape, lambda draw: number(draw, reach))(draw)
-
-    return draw_case
+    return _shaped(draw, shape, number)
 
 
-def _shaped(shape: str, number: Callable[[Draw], Any], *, again: bool = False) -> Scene:
+def _shaped(draw: Draw, shape: str, number: Callable[[], Any], *, again: bool = False) -> Case:
     sizes = {"n": 1, "r": 1, "p": 2, "d": 2, "P": 3, "D": 3}
-
-    def draw_case(draw: Draw) -> tuple[Any, ...]:
-        kind = draw.choice(("int", "float", "mixed")) if again else ""
-        case: list[Any] = []
-        for letter in shape:
-            numbers = [number(draw) for _ in range(sizes[letter])]
-            if again and draw.integer(0, 11) == 0:
-                numbers = [0] * len(numbers)
-            earlier = [each for each in case if isinstance(each, tuple) and len(each) == len(numbers)]
-            if again and earlier and letter in "pP" and draw.integer(0, 11) == 0:
-                case.append(draw.choice(earlier))
-                continue
-            if kind:
-                numbers = [_typed(draw, kind, each) for each in numbers]
-            if letter == "r":
-                numbers = [abs(numbers[0])]
-            case.append(numbers[0] if letter in "nr" else tuple(numbers))
-        return tuple(case)
-
-    return draw_case
+    kind = draw.choice(("int", "float", "mixed")) if again else ""
+    case: list[Any] = []
+    for letter in shape:
+        numbers = [number() for _ in range(sizes[letter])]
+        if again and draw.integer(0, 11) == 0:
+            numbers = [0] * len(numbers)
+        earlier = [each for each in case if isinstance(each, tuple) and len(each) == len(numbers)]
+        if again and earlier and letter in "pP" and draw.integer(0, 11) == 0:
+            case.append(draw.choice(earlier))
+            continue
+        if kind:
+            numbers = [_typed(draw, kind, each) for each in numbers]
+        if letter == "r":
+            numbers = [abs(numbers[0])]
+        case.append(numbers[0] if letter in "nr" else tuple(numbers))
+    return tuple(case)
 
 
 def _typed(draw: Draw, kind: str, number: int) -> int | float:

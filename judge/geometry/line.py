@@ -9,14 +9,11 @@ from __future__ import annotations
 from fractions import Fraction
 
 from judge.exact.surd import Surd, integers, make
-from judge.geometry.quadratic import LEAST_RADIUS, Number, Quadratic, Vector, on_circle
+from judge.geometry.quadratic import LEAST_RADIUS, ORIGIN, Number, Point, Quadratic, Vector, on_circle
 from judge.geometry.sure import Sure
 from judge.values.answers import Real
 
-Point = tuple[Number, Number]
-
 _A_AND_B = on_circle("A"), on_circle("B")
-_ORIGIN = on_circle("O"), on_circle("O + D")
 _POINT = on_circle("P"), on_circle("P")
 
 
@@ -33,25 +30,20 @@ class Line(Quadratic):
         (x, y, radius, ax, ay, bx, by), shift = integers(cx, cy, r, *A, *B)
         size = max(radius, abs(ax - x), abs(ay - y), abs(bx - x), abs(by - y))
         f, d = (ax - x, ay - y), (bx - ax, by - ay)
-        line = cls(f, d, radius, Sure(size), centre=(x, y), shift=shift)
-        line.ends = _A_AND_B
-        return line
+        return cls(f, d, radius, Sure(size), centre=(x, y), shift=shift, ends=_A_AND_B)
 
     @classmethod
     def ray(cls, cx: Number, cy: Number, r: Number, O: Point, D: Point) -> Line:
         """The ray O + t·D; e = max(r, |O − C|∞), and D has no part in it."""
-        (x, y, radius, ox, oy, dx, dy), shift = integers(cx, cy, r, *O, *D)
+        (x, y, radius, ox, oy, *d), shift = integers(cx, cy, r, *O, *D)
         f = (ox - x, oy - y)
-        line = cls(f, (dx, dy), radius, Sure(max(radius, *map(abs, f))), centre=(x, y), shift=shift)
-        line.ends = _ORIGIN
-        return line
+        sure = Sure(max(radius, *map(abs, f)))
+        return cls(f, d, radius, sure, centre=(x, y), shift=shift, ends=ORIGIN)
 
     @classmethod
     def point(cls, cx: Number, cy: Number, r: Number, P: Point) -> Line:
         """The point P, and no line; e = max(r, |P − C|∞)."""
-        (x, y, radius, px, py), shift = integers(cx, cy, r, *P)
-        f = (px - x, py - y)
-        line = cls(f, (0, 0), radius, Sure(max(radius, *map(abs, f))), centre=(x, y), shift=shift)
+        line = cls.ray(cx, cy, r, P, (0, 0))
         line.ends = _POINT
         return line
 

@@ -52,11 +52,12 @@ def chord(view: View, answer: Plain, role: Role) -> None:
         view.name(step(foot or way.start, way.along, half), _numbered(role, number, 2 if answer else 1), role)
 
 
-def listed(view: View, answer: Plain, role: Role) -> None:
-    """Every point in the answer."""
+def listed(view: View, answer: Plain, role: Role) -> list[Place]:
+    """Every point in the answer, which it returns."""
     found = points(answer)[:_MOST]
     for number, at in enumerate(found, 1):
         view.name(at, _numbered(role, number, len(found)), role)
+    return found
 
 
 def _numbered(role: Role, number: int, of: int) -> str:
@@ -65,21 +66,23 @@ def _numbered(role: Role, number: int, of: int) -> str:
 
 def touching(view: View, answer: Plain, role: Role) -> None:
     """Points of tangents through P."""
-    listed(view, answer, role)
     P = view.spots[1].at
-    kind = Role.LINE if role is Role.WANTED else Role.BEYOND
-    view.ways += [Way(P, minus(at, P), role=kind, arrow=False) for at in points(answer)[:_MOST] if at != P]
+    for at in listed(view, answer, role):
+        if at != P:
+            view.ways.append(Way(P, minus(at, P), role=_beside(role), arrow=False))
 
 
 def across(view: View, answer: Plain, role: Role) -> None:
     """Points of circle 1 on common tangents."""
-    listed(view, answer, role)
     C = view.spots[0].at
-    kind = Role.LINE if role is Role.WANTED else Role.BEYOND
-    for at in points(answer)[:_MOST]:
+    for at in listed(view, answer, role):
         u, v = minus(at, C)
         if u or v:
-            view.ways.append(Way(at, (-v, u), None, None, kind, arrow=False))
+            view.ways.append(Way(at, (-v, u), None, None, _beside(role), arrow=False))
+
+
+def _beside(role: Role) -> Role:
+    return Role.LINE if role is Role.WANTED else Role.BEYOND
 
 
 def on_ray(view: View, answer: Plain, role: Role) -> None:

@@ -13,12 +13,10 @@ from typing import NamedTuple
 
 from judge.exact.signs import root_sign, two_root_sign
 from judge.exact.surd import integers, make
-from judge.geometry.quadratic import Number, Quadratic
+from judge.geometry.quadratic import Number, Point, Quadratic
 from judge.geometry.sure import DecisionWords, Sides, Sure
 from judge.problem.declare import InvalidCase
 from judge.values.answers import Real
-
-Point = tuple[Number, Number]
 
 LEAST_MOTION = 1_000  # the way is 0, or at least size/LEAST_MOTION
 LEAST_WALL = 10_000  # a wall is a point, or at least size/LEAST_WALL long

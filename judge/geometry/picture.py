@@ -144,7 +144,8 @@ def _window(view: View) -> Frame:
     middle, half = _span(core)
     near = [at for at in (spot.at for spot in view.spots) if _apart(at, middle) <= 2 * _FAR * half]
     middle, half = _span([*core, *near])
-    return Frame.square(middle, (half or view.size or Decimal(1)) * _MARGIN)
+    unit = (half or view.size or Decimal(1)) * _MARGIN
+    return Frame(middle, unit, unit)
 
 
 def _span(points: list[Place]) -> tuple[Place, Decimal]:
@@ -256,7 +257,7 @@ def _lens(view: View, found: list[Contact], window: Frame) -> Panel | None:
     if sight is None:
         return None
     unit = sight.size * _ROOM
-    frame, bars = Frame.square(sight.at, unit), [_bar(unit / e, "")]
+    frame, bars = Frame(sight.at, unit, unit), [_bar(unit / e, "")]
     touch = sight.touch
     if touch is not None and touch.along is not None and touch.r > 4 * unit:
         frame = Frame(sight.at, (2 * touch.r * unit).sqrt(), unit, touch.along)

@@ -11,9 +11,7 @@ from itertools import pairwise
 from math import copysign, sqrt
 
 from judge.geometry.crowd import inside
-from judge.geometry.quadratic import Number
-
-Point = tuple[Number, Number]
+from judge.geometry.quadratic import Number, Point
 
 MISS, AT_ORIGIN, AHEAD = "miss", "at the origin", "ahead"
 _NEAR = 1e-9  # of the size: what counts as at the origin, after the program has decided
@@ -25,6 +23,11 @@ def _length(*parts: Number) -> float:
     for part in parts:
         total += part * part
     return sqrt(total)
+
+
+def _past(f: Point, d: Point, length: float) -> tuple[float, float]:
+    """How far the line f + t·d passes the origin, and the way from f to the foot of the perpendicular."""
+    return abs(d[0] * f[1] - d[1] * f[0]) / length, -(f[0] * d[0] + f[1] * d[1]) / length
 
 
 def count(cx: Number, cy: Number, r: Number, A: Point, B: Point, *, tolerance: float = 0.0) -> int | None:
@@ -97,8 +100,7 @@ def hits(
     edge = tolerance * max(max(r, abs(x - O[0]), abs(y - O[1])) for x, y, r in circles)
     length, found = _length(*D), []
     for index, (x, y, r) in enumerate(circles):
-        fx, fy = O[0] - x, O[1] - y
-        across, foot = abs(D[0] * fy - D[1] * fx) / length, -(fx * D[0] + fy * D[1]) / length
+        across, foot = _past((O[0] - x, O[1] - y), D, length)
         if across - r > edge:
             continue
         half = sqrt(max(0.0, (r - across) * (r + across)))
@@ -122,8 +124,8 @@ def spans(
     edge = tolerance * max(max(r, abs(x - O[0]), abs(y - O[1])) for x, y, r in circles)
     length, ends = _length(*D), []
     for x, y, r in circles:
-        fx, fy = O[0] - x, O[1] - y
-        across, foot = abs(D[0] * fy - D[1] * fx) / length, -(fx * D[0] + fy * D[1]) / length / length
+        across, foot = _past((O[0] - x, O[1] - y), D, length)
+        foot /= length
         half = sqrt((r - across) * (r + across)) / length if r - across > edge else 0.0
         ends.append((max(0.0, foot - half), max(0.0, foot + half)) if half else (0.0, 0.0))
     cuts: list[float] = []
@@ -141,11 +143,11 @@ def crossings(cx: Number, cy: Number, r: Number, V: Sequence[Point], *, toleranc
     """The edges at whose line's points a plain program sees a polygon's boundary cross a circle."""
     edge, found = tolerance * max(r, *(max(abs(x - cx), abs(y - cy)) for x, y in V)), []
     for number, ((ax, ay), (bx, by)) in enumerate(zip(V, (*V[1:], V[0]), strict=True)):
-        fx, fy, dx, dy = ax - cx, ay - cy, bx - ax, by - ay
-        length = _length(dx, dy)
+        d = bx - ax, by - ay
+        length = _length(*d)
         if length == 0:
             return []
-        across, foot = abs(dx * fy - dy * fx) / length, -(fx * dx + fy * dy) / length
+        across, foot = _past((ax - cx, ay - cy), d, length)
         if across - r > edge:
             continue
         half = sqrt(max(0.0, (r - across) * (r + across)))
@@ -190,7 +192,7 @@ def _first(f: Point, d: Point, r: Number, edge: float) -> float | None:
     way = _length(*d)
     if not way:
         return None
-    across, foot = abs(d[0] * f[1] - d[1] * f[0]) / way, -(f[0] * d[0] + f[1] * d[1]) / way
+    across, foot = _past(f, d, way)
     if across - r > edge:
         return None
     return (foot - (sqrt((r - across) * (r + across)) if r - across > edge else 0.0)) / way

@@ -5,10 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from judge.exact.surd import integers
-from judge.geometry.quadratic import Number, Quadratic, Vector, on_circle, tangent
+from judge.geometry.quadratic import Number, Point, Quadratic, Vector, on_circle, tangent
 from judge.geometry.sure import Sure
-
-Point = tuple[Number, Number]
 
 EDGE = tangent("An edge")
 _CORNER = on_circle("A corner")

@@ -18,6 +18,7 @@ from judge.geometry.sure import DecisionWords, Sure
 from judge.values.answers import Real
 
 Number = int | float
+Point = tuple[Number, Number]
 Vector = tuple[Real, ...]
 
 LEAST_RADIUS = 10_000  # a radius that answers are divided by is 0, or at least size/LEAST_RADIUS
@@ -45,6 +46,7 @@ def tangent(line: str, of: str = "the circle") -> DecisionWords:
 
 
 TANGENT = tangent("The line")
+ORIGIN = on_circle("O"), on_circle("O + D")
 
 
 class Quadratic:
@@ -73,6 +75,7 @@ class Quadratic:
         *,
         centre: Sequence[int] | None = None,
         shift: int = 0,
+        ends: tuple[DecisionWords, DecisionWords] | None = None,
     ) -> None:
         if r < 0:
             raise ValueError("the radius is negative")
@@ -82,6 +85,7 @@ class Quadratic:
             b += x * y
             square += x * x
         self.f, self.d, self.r, self.sure, self.shift = f, d, r, sure, shift
+        self.ends = ends or self.ends
         self.centre = [0] * len(f) if centre is None else centre
         self.a, self.b, self.square = a, b, square
         self.delta = b * b - a * (square - r * r)

@@ -12,8 +12,8 @@ from collections.abc import Sequence
 from enum import Enum
 
 from judge.exact.signs import root_sign
-from judge.geometry.crowd import Circle, Crowd, Hit, Point
-from judge.geometry.quadratic import LEAST_RADIUS, Quadratic, on_circle, tangent
+from judge.geometry.crowd import Circle, Crowd, Hit
+from judge.geometry.quadratic import LEAST_RADIUS, Point, Quadratic, on_circle, tangent
 from judge.geometry.sure import DecisionWords, Root, Sure
 
 GRAZE = 1_000_000  # L is at least size/GRAZE off the tangent at P
@@ -70,10 +70,9 @@ class _Scene:
         self.crowd, self.hit = crowd, hit
         own = self.own = crowd.circles[hit.circle]
         self.root, self.sure = own.delta, Sure(crowd.sure.size * own.a)
-        outward = own.parts(hit.which)
         if own.parts(1)[0][1] == own.parts(1)[1][1] == 0:
             self.root = 0  # √Δ is a whole number
-        self.outward = [(p, q) for p, q in outward]
+        self.outward = own.parts(hit.which)
         self.way = [
             (own.a * (x + f) - p, -q) for x, f, (p, q) in zip(light, own.f, self.outward, strict=True)
         ]
@@ -108,7 +107,8 @@ class _Scene:
         ]  # P as seen from its centre
         way, radius, one = self.way, circle.r * a, Root(1)
         here = self.sure.nested(self._root(self._dot(away, away)), radius, one, zero=False, what=_HIT)
-        cross = self._minus(self._times(way[0], away[1]), self._times(way[1], away[0]))
+        (p, q), (u, v) = self._times(way[0], away[1]), self._times(way[1], away[0])
+        cross = p - u, q - v
         length, along = self._dot(way, way), self._dot(away, way)
         far = self.sure.nested(
             self._root(self._times(cross, cross)), radius, self._root(length), zero=False, what=_WAY
@@ -127,9 +127,6 @@ class _Scene:
     def _times(self, one: tuple[int, int], other: tuple[int, int]) -> tuple[int, int]:
         (p, q), (u, v) = one, other
         return p * u + q * v * self.root, p * v + q * u
-
-    def _minus(self, one: tuple[int, int], other: tuple[int, int]) -> tuple[int, int]:
-        return one[0] - other[0], one[1] - other[1]
 
     def _dot(self, one: Sequence[tuple[int, int]], other: Sequence[tuple[int, int]]) -> tuple[int, int]:
         (p, q), (u, v) = (self._times(x, y) for x, y in zip(one, other, strict=True))

@@ -5,12 +5,14 @@ Nothing here need be right: a candidate counts only if it is valid and the submi
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from decimal import Context, Decimal, localcontext
+from functools import partial
 from itertools import permutations
-from typing import Any
+from typing import Any, NamedTuple
 
-from judge.problem.model import Case
+from judge.geometry.replaced import replaced
+from judge.problem import Case, Problem
 from judge.values.atoms import Number
 
 _DIGITS = 60  # of the roots taken here: whatever a double holds, and the narrowest gaps
@@ -19,52 +21,33 @@ _ZERO = Decimal(0)
 
 Pair = tuple[Decimal, Decimal]
 
-# Of each kind the letters of its arguments, and the points or vectors that may become the x axis: a pair of
-# points "01" by their places, a vector "v". P is a point, V a vector, c the two numbers of a point, r a
-# length, + a list of what comes next, . anything else. The first point of each becomes the origin.
-_LINE, _RAY = ("crPP", ("12",)), ("crPV", ("v",))
-_SHAPES: dict[str, tuple[str, tuple[str, ...]]] = {
-    **dict.fromkeys(("line", "points", "segment", "count in a segment", "chord"), _LINE),
-    **dict.fromkeys(("ray", "normal", "reflection"), _RAY),
-    "seven": ("crcc", ("12",)),
-    "point": ("crP", ("01",)),
-    "tangents": ("crP", ("01",)),
-    "diameter": ("PPP", ("01",)),
-    "side": ("PPP", ("01",)),
-    "foot": ("PPP", ("01",)),
-    "pair": ("crcr", ("01",)),
-    "common tangents": ("crcr", ("01",)),
-    "hits": ("+crPV", ("v",)),
-    "spans": ("+crPV.", ("v",)),
-    "light": ("+crPVP", ("v",)),
-    "frames": ("+crPV.", ("v",)),
-    "polygon": ("cr+P", ("12",)),
-    "balls": ("PPrPPr", ("01", "23")),
-    "wall": ("PPrPP", ("23", "01")),
+_LINES = ("line", "points", "segment", "count in a segment", "chord", "seven")
+_RAYS = ("ray", "normal", "reflection")
+# Of each kind what may become the x axis: two of its points by their places, or its vector "v".
+_AXES: dict[str, tuple[str, ...]] = {
+    **dict.fromkeys((*_LINES, "polygon"), ("12",)),
+    **dict.fromkeys((*_RAYS, "hits", "spans", "light", "frames"), ("v",)),
+    **dict.fromkeys(("point", "tangents", "diameter", "side", "foot", "pair", "common tangents"), ("01",)),
+    "balls": ("01", "23"),
+    "wall": ("23", "01"),
 }
-_ORIGINS = {
-    "hits": -1,
-    "spans": -1,
-    "frames": -1,
-    "light": -2,
-    "balls": 2,
-    "wall": 2,
-}  # of the points, if not 0
+# Of its points the one that becomes the origin, where that is not the first.
+_ORIGINS = {"hits": -1, "spans": -1, "frames": -1, "light": -2, "balls": 2, "wall": 2}
 
 
-def simpler(kind: str, case: Case) -> Iterator[Case]:
+def simpler(kind: str, problem: Problem, case: Case) -> Iterator[Case]:
     """Cases that are simpler as a whole."""
     if kind == "sphere":
         yield from _spheres(case)
         return
-    if kind not in _SHAPES:
+    if kind not in _AXES:
         return
     yield from _fewer(kind, case)
-    letters, axes = _SHAPES[kind]
     floats = any(isinstance(each, float) for each in _numbers(case))
     with localcontext(Context(prec=_DIGITS)):
-        for axis in (*axes, None):
-            laid = _laid(letters, case, _ORIGINS.get(kind, 0), axis)
+        read = _read(problem, case)
+        for axis in (*_AXES[kind], None):
+            laid = _laid(read, _ORIGINS.get(kind, 0), axis)
             if laid is None:
                 continue
             variants = [laid]
@@ -72,10 +55,10 @@ def simpler(kind: str, case: Case) -> Iterator[Case]:
                 variants.insert(0, _above(laid))
             if kind == "balls":
                 variants.insert(0, _one_moves(laid))
-            if letters in ("crPP", "crPV", "crcc") and axis:
+            if kind in (*_LINES, *_RAYS) and axis:
                 variants.append(_across_the_centre(laid))
             for variant in variants:
-                yield from _rounded(variant, floats)
+                yield from _rounded(variant, partial(_built, problem, case), floats)
 
 
 def _numbers(value: Any) -> Iterator[Any]:
@@ -98,93 +81,58 @@ def _fewer(kind: str, case: Case) -> Iterator[Case]:
 # -- a case laid out ---------------------------------------------------------------------------------------
 
 
-class _Laid:
-    """A case with its points and vectors seen from the origin, along the axis and to its left."""
+class _Laid(NamedTuple):
+    """The points, the vectors and the lengths of a case, in their order."""
 
-    def __init__(self, points: list[Pair], vectors: list[Pair], lengths: list[Decimal], build: Any) -> None:
-        self.points, self.vectors, self.lengths, self.build = points, vectors, lengths, build
-
-    def moved(self, points: list[Pair], lengths: list[Decimal] | None = None) -> _Laid:
-        """The same with other points, and perhaps other lengths."""
-        return _Laid(points, self.vectors, self.lengths if lengths is None else lengths, self.build)
+    points: list[Pair]
+    vectors: list[Pair]
+    lengths: list[Decimal]
 
 
-def _laid(letters: str, case: Case, origin: int, axis: str | None) -> _Laid | None:
-    """The case about the origin, with that axis level; None where the axis has no length."""
-    points: list[Pair] = []
-    vectors: list[Pair] = []
-    lengths: list[Decimal] = []
-    build = _reader(letters, case, points, vectors, lengths)
-    ox, oy = points[origin]
+def _read(problem: Problem, case: Case) -> _Laid:
+    found = _Laid([], [], [])
+
+    def change(role: str, _name: str, numbers: tuple[Any, ...]) -> tuple[Any, ...]:
+        x, *y = map(Decimal, numbers)
+        if role == "length":
+            found.lengths.append(x)
+        else:
+            (found.vectors if role == "way" else found.points).append((x, *y))  # type: ignore[arg-type]
+        return numbers
+
+    replaced(problem, case, change)
+    return found
+
+
+def _laid(read: _Laid, origin: int, axis: str | None) -> _Laid | None:
+    """The case seen from that point, along the axis and to its left; None where the axis has no length."""
+    ox, oy = read.points[origin]
     u, v = Decimal(1), _ZERO
     if axis == "v":
-        u, v = vectors[0]
+        u, v = read.vectors[0]
     elif axis:
-        (ax, ay), (bx, by) = points[int(axis[0])], points[int(axis[1])]
+        (ax, ay), (bx, by) = read.points[int(axis[0])], read.points[int(axis[1])]
         u, v = bx - ax, by - ay
     size = (u * u + v * v).sqrt()
     if not size:
         return None
-    seen = [(x - ox, y - oy) for x, y in points]
-    turned = [[((x * u + y * v) / size, (u * y - v * x) / size) for x, y in each] for each in (seen, vectors)]
-    return _Laid(turned[0], turned[1], lengths, build)
-
-
-def _reader(
-    letters: str, case: Case, points: list[Pair], vectors: list[Pair], lengths: list[Decimal]
-) -> Callable[..., Case]:
-    """Read a case into those lists; what comes back builds a case from others in their order."""
-    plan: list[tuple[str, int, Any]] = []  # letters of an argument, how many in a list or -1, and the rest
-    values, at = list(case), 0
-
-    def read(letter: str, value: Any) -> None:
-        if letter == "r":
-            lengths.append(Decimal(value))
-        elif letter in "PVc":
-            (vectors if letter == "V" else points).append((Decimal(value[0]), Decimal(value[1])))
-
-    letters = letters.replace("+cr", "C").replace("+P", "L")
-    for letter in letters:
-        value = values[at] if letter != "c" else values[at : at + 2]
-        at += 2 if letter == "c" else 1
-        plan.append((letter, len(value) if letter in "CL" else -1, value))
-        if letter == "C":
-            for x, y, r in value:
-                read("P", (x, y))
-                read("r", r)
-        elif letter == "L":
-            for each in value:
-                read("P", each)
-        else:
-            read(letter, value)
-
-    def build(places: Sequence[Any], ways: Sequence[Any], sizes: Sequence[Any]) -> Case:
-        p, w, s = iter(places), iter(ways), iter(sizes)
-        made: list[Any] = []
-        for letter, many, value in plan:
-            if letter == "C":
-                made.append(tuple((*next(p), next(s)) for _ in range(many)))
-            elif letter == "L":
-                made.append(tuple(next(p) for _ in range(many)))
-            elif letter == "c":
-                made.extend(next(p))
-            else:
-                made.append({"P": p, "V": w, "r": s}[letter].__next__() if letter in "PVr" else value)
-        return tuple(made)
-
-    return build
+    seen = [(x - ox, y - oy) for x, y in read.points]
+    points, vectors = (
+        [((x * u + y * v) / size, (u * y - v * x) / size) for x, y in each] for each in (seen, read.vectors)
+    )
+    return _Laid(points, vectors, read.lengths)
 
 
 def _above(laid: _Laid) -> _Laid:
     """Circles straight above the line: their distances are all that counts."""
-    return laid.moved([(_ZERO, abs(y)) for _, y in laid.points])
+    return laid._replace(points=[(_ZERO, abs(y)) for _, y in laid.points])
 
 
 def _one_moves(laid: _Laid) -> _Laid:
     """One disc of both radii moves, and the other is a point that rests."""
     p0, p1, q0, q1 = laid.points
     end = p1[0] - q1[0] + q0[0], p1[1] - q1[1] + q0[1]
-    return laid.moved([p0, end, q0, q0], [sum(laid.lengths, _ZERO), _ZERO])
+    return laid._replace(points=[p0, end, q0, q0], lengths=[sum(laid.lengths, _ZERO), _ZERO])
 
 
 def _across_the_centre(laid: _Laid) -> _Laid:
@@ -192,54 +140,59 @@ def _across_the_centre(laid: _Laid) -> _Laid:
     r, (_, height) = laid.lengths[0], laid.points[1]
     square = r * r - height * height
     half = square.sqrt() if square > 0 else _ZERO
-    return laid.moved(
-        [laid.points[0], *((x - half + r if x > 0 else x + half - r, _ZERO) for x, _ in laid.points[1:])]
-    )
+    ends = [(x - half + r if x > 0 else x + half - r, _ZERO) for x, _ in laid.points[1:]]
+    return laid._replace(points=[laid.points[0], *ends])
 
 
 # -- fewer digits ------------------------------------------------------------------------------------------
 
 
-def _rounded(laid: _Laid, floats: bool) -> Iterator[Case]:
+def _rounded(laid: _Laid, build: Callable[..., Case], floats: bool) -> Iterator[Case]:
     """Cases of few digits like this one: of each number, of all alike, and in integers."""
-    everything = [*laid.points, *laid.vectors]
-    size = max((abs(x) for pair in everything for x in pair), default=_ZERO)
-    size = max([size, *laid.lengths])
+    size = max([abs(x) for pair in (*laid.points, *laid.vectors) for x in pair] + laid.lengths)
     if not size:
         return
-    flipped = laid.moved([(x, -y) for x, y in laid.points])
+    flipped = laid._replace(points=[(x, -y) for x, y in laid.points])
     for kept in range(1, _FINEST + 1):
-        for each in (laid, flipped):
-            yield _built(each, lambda value, _: _few(value, kept), floats)  # noqa: B023
+        few = partial(_few, digits=kept)
+        yield build(laid, few, few, floats)
+        yield build(flipped, few, few, floats)
+        fine = partial(_quantized, unit=_power(size.adjusted() + 1 - kept))
         for coarse in {1, kept}:
-            fine, rough = (_power(size.adjusted() + 1 - digits) for digits in (kept, coarse))
-            yield _built(laid, lambda value, along: value.quantize(rough if along else fine), floats)  # noqa: B023
+            rough = partial(_quantized, unit=_power(size.adjusted() + 1 - coarse))
+            yield build(laid, rough, fine, floats)
         if laid.lengths and laid.lengths[0] and size / laid.lengths[0] < 10**9:
             scale = _power(kept) / laid.lengths[0]
-            yield _built(laid, lambda value, _: _whole(value, scale), False)  # noqa: B023
-            yield _built(
-                laid,
-                lambda value, along: _few(_whole(value, scale), 1) if along else _whole(value, scale),  # noqa: B023
-                False,
-            )
+            for digits in (_DIGITS, 1):
+                along = partial(_whole, scale=scale, digits=digits)
+                yield build(laid, along, partial(_whole, scale=scale), False)
 
 
-def _whole(value: Decimal, scale: Decimal) -> Decimal:
-    return (value * scale).quantize(Decimal(1))
+def _quantized(value: Decimal, unit: Decimal) -> Decimal:
+    return value.quantize(unit)
 
 
-def _built(laid: _Laid, round_: Callable[[Decimal, bool], Decimal], floats: bool) -> Case:
+def _whole(value: Decimal, scale: Decimal, digits: int = _DIGITS) -> Decimal:
+    return _few((value * scale).quantize(Decimal(1)), digits)
+
+
+def _built(
+    problem: Problem,
+    case: Case,
+    laid: _Laid,
+    along: Callable[[Decimal], Decimal],
+    across: Callable[[Decimal], Decimal],
+    floats: bool,
+) -> Case:
     """The case with each number rounded; those along the axis are told apart."""
 
-    def plain(value: Decimal, *, along: bool = False) -> Number:
-        value = round_(value, along)
+    def plain(value: Decimal) -> Number:
         return float(value) if floats and value else int(value.to_integral_value())
 
-    places, ways = (
-        [(plain(x, along=True), plain(y)) for x, y in each] for each in (laid.points, laid.vectors)
-    )
-    case: Case = laid.build(places, ways, [plain(each) for each in laid.lengths])
-    return case
+    places, ways = ([(plain(along(x)), plain(across(y))) for x, y in each] for each in laid[:2])
+    parts = {"way": iter(ways), "length": iter([(plain(across(each)),) for each in laid.lengths])}
+    points = iter(places)
+    return replaced(problem, case, lambda role, *_: next(parts.get(role, points))) or case
 
 
 def _few(value: Decimal, digits: int) -> Decimal:

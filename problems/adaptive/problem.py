@@ -1,11 +1,11 @@
 """The sign of Δ = r²·a − k² for doubles just as they are: no tolerance, no promise."""
 
 from judge.geometry import whole
-from judge.geometry.hooks import SEVEN, hooks
-from judge.geometry.scenes import BIG, FAR, HUGE, OFFSET, PLAIN, SPLIT, TINY, doubles, either, grid, hairlines, lines, signs
+from judge.geometry.hooks import hooks
+from judge.geometry.scenes import BIG, FAR, HUGE, OFFSET, PLAIN, SPLIT, TINY, doubles, either, grid, hairlines, lines, tried
 from judge.problem.declare import group
 
-HOOKS = hooks(SEVEN)
+HOOKS = hooks("seven")
 TOUCH = ("touch before after", "touch foot by", "touch ?by ?by")
 seven = doubles.seven
 
@@ -29,11 +29,11 @@ PRODUCTION = [  # the same, where rounding bites
     group("turned", "Touches turned by angles that no double holds: Δ is what rounding made of 0.", doubles.turned(seven(lines(*TOUCH, **BIG))), skills="trust a double, or do not"),
     group("through", "Lines through C but for rounding, r being 0 or nearly so.", doubles.small_radius(either(seven(lines("dot before after", "dot foot after", **SPLIT)), doubles.turned(seven(lines("dot before after", **BIG))))), cases=120, skills="the sharp discriminant"),
     group("far", "Far from the origin, or A and B far along the line.", either(seven(lines(*TOUCH, "cut by ?by", **OFFSET)), seven(lines("touch far by", "touch remote by", "cut far -far", **FAR)), seven(lines("touch far by", **{**BIG, "shift": (0, -60)}))), cases=90, skills="the sharp discriminant"),
-    group("nearly", "The line passes the circle by 1e-13 to 0.9 of the radius, in every direction.", doubles.rounded(signs.tried(hairlines.nearly(10**20, 10**25))), cases=200, skills="full precision"),
+    group("nearly", "The line passes the circle by 1e-13 to 0.9 of the radius, in every direction.", doubles.rounded(tried(hairlines.nearly(10**20, 10**25))), cases=200, skills="full precision"),
     group("huge", "Ints and doubles up to 2**64 to 2**97: what no int of 64 bits holds.", doubles.huge, skills="integers of any size"),
     group("tiny", "Numbers of about 1e-20, some of them a unit in their last place off.", doubles.ulps(seven(lines(*TOUCH, **TINY)), 1), skills="no absolute epsilon"),
     group("one-place", "Touches at the same place of the same circle, the other end a unit off or not.", doubles.one_place, skills="nothing kept between calls"),
     group("spread", "Numbers of 1e28 and of 1e-28 in one case: Δ is 1 where r²·a has 120 digits.", doubles.spread, skills="full precision"),
-    group("vanishing", "Doubles make k nothing at all, and it is nearly the most that three roundings can lose; or the other way round.", signs.tried(doubles.vanishing), skills="the sharp discriminant"),
+    group("vanishing", "Doubles make k nothing at all, and it is nearly the most that three roundings can lose; or the other way round.", tried(doubles.vanishing), skills="the sharp discriminant"),
     group("easy", "Twenty thousand lines that doubles decide: to be exact from the start costs too much.", doubles.easy, cases=20_000, points=24, time_limit=2.5, limits={"cpu_seconds": 10}, skills="trust a double, or do not"),
 ]

@@ -1,11 +1,11 @@
 """The foot of the perpendicular on a horizontal or vertical line: one coordinate of the point, one of the line."""
 
 from judge.geometry import whole
-from judge.geometry.hooks import AXIS_FOOT, hooks
-from judge.geometry.scenes import signs
+from judge.geometry.hooks import hooks
+from judge.geometry.scenes import signs, tried
 from judge.problem.declare import group
 
-HOOKS = hooks(AXIS_FOOT)
+HOOKS = hooks("foot on an axis")
 SKILL = "foot on a simple line"
 
 
@@ -28,9 +28,9 @@ def rounded(draw, size):
 
 
 GROUPS = [
-    group("small", "All coordinates up to 4.", signs.level(4), cases=140, skills=SKILL),
+    group("small", "All coordinates up to 4.", signs.level((4,)), cases=140, skills=SKILL),
     group("beyond", "The foot is not between A and B, or just at one of them.", signs.level((6, 100), beyond), cases=80, skills=SKILL),
     group("large", "Coordinates of up to 1,000,000,000.", signs.level((100, 10**4, 10**9)), skills=SKILL),
-    group("rounded", "A part of the way to the foot is rounded in floats.", signs.tried(signs.level((10**4, 10**9), rounded)), skills=SKILL),
-    group("repeated", "Neighbouring calls differ in one point.", signs.level(3), turns=True, skills=SKILL),
+    group("rounded", "A part of the way to the foot is rounded in floats.", tried(signs.level((10**4, 10**9), rounded)), skills=SKILL),
+    group("repeated", "Neighbouring calls differ in one point.", signs.level((3,)), turns=True, skills=SKILL),
 ]

@@ -4,14 +4,14 @@ from functools import partial
 from math import asin, atan2, cos, hypot, pi, sin, sqrt
 
 from judge.geometry.boxes import scan
-from judge.geometry.hooks import MANY, hooks
+from judge.geometry.hooks import hooks
 from judge.geometry.scenes import either, telling
 from judge.geometry.scenes.close import narrow
 from judge.geometry.scenes.growth import arcs
 from judge.geometry.scenes.many import FASTEST, any_circle, any_point, any_way, besides, scanned, scans, touches, turned, wraps
 from judge.problem.declare import group
 
-HOOKS = hooks(MANY)
+HOOKS = hooks("many")
 
 
 def solve(circles, O, dirs):

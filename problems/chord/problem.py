@@ -3,11 +3,11 @@
 from functools import partial
 
 from judge.geometry import Line, plain
-from judge.geometry.hooks import CHORD, hooks
+from judge.geometry.hooks import hooks
 from judge.geometry.scenes import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TILTED, TINY, closed_up, corners, either, grid, lines, telling, uniform, whole
 from judge.problem.declare import group
 
-HOOKS = hooks(CHORD)
+HOOKS = hooks("chord")
 TOUCHES = ("touch before after", "touch foot after", "touch ?by ?near")
 TELLING = plain.count, partial(plain.count, tolerance=1e-10)
 

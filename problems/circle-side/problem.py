@@ -1,11 +1,11 @@
 """Whether a point is inside a circle, on it or outside: two squares of whole numbers compared."""
 
 from judge.geometry import whole
-from judge.geometry.hooks import POINT, hooks
+from judge.geometry.hooks import hooks
 from judge.geometry.scenes import signs
 from judge.problem.declare import group
 
-HOOKS = hooks(POINT)
+HOOKS = hooks("point")
 SKILL = "compare squares"
 
 

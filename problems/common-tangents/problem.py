@@ -3,11 +3,11 @@
 from functools import partial
 
 from judge.geometry import Pair, plain
-from judge.geometry.hooks import COMMON, hooks
+from judge.geometry.hooks import hooks
 from judge.geometry.scenes import AXIS, BIG, HUGE, NEAR, OFFSET, PLAIN, SPLIT, TINY, either, grid, pairs, telling, uniform, whole
 from judge.problem.declare import group
 
-HOOKS = hooks(COMMON)
+HOOKS = hooks("common tangents")
 TELLING = plain.lie, partial(plain.lie, tolerance=1e-10)
 
 

@@ -4,11 +4,11 @@ from functools import partial
 from math import hypot
 
 from judge.geometry import Crowd, plain
-from judge.geometry.hooks import SPANS, hooks
+from judge.geometry.hooks import hooks
 from judge.geometry.scenes import BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, aligned, anywhere, crowd_of, crowds, either, solids, telling
 from judge.problem.declare import group
 
-HOOKS = hooks(SPANS)
+HOOKS = hooks("spans")
 FULL = {**HUGE, "size": 2**36}
 OVERLAP = "cut cut", "enter1 exit3 enter2", "cut1 enter2 cut3", "around cut exit2"
 ABUT = "exit2 enter2", "exit3 exit3 enter1", "enter2 enter2", "exit2 enter2 enter2", "enter1 copy exit2"

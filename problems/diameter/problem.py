@@ -1,11 +1,11 @@
 """Whether a point is inside the circle with a given diameter, on it or outside, in whole numbers."""
 
 from judge.geometry import whole
-from judge.geometry.hooks import DIAMETER, hooks
+from judge.geometry.hooks import hooks
 from judge.geometry.scenes import signs
 from judge.problem.declare import group
 
-HOOKS = hooks(DIAMETER)
+HOOKS = hooks("diameter")
 SKILL = "doubled, not halved"
 
 

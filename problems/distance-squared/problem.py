@@ -1,11 +1,11 @@
 """The distance of two points, squared: whole numbers of any sign, no root."""
 
 from judge.geometry import whole
-from judge.geometry.hooks import TWO_POINTS, hooks
+from judge.geometry.hooks import hooks
 from judge.geometry.scenes import signs
 from judge.problem.declare import group
 
-HOOKS = hooks(TWO_POINTS)
+HOOKS = hooks("two points")
 SKILL = "distance squared"
 
 

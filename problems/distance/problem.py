@@ -1,11 +1,11 @@
 """The distance of a point from a line: |D × f| / |D| for D = B − A and f = A − P."""
 
 from judge.geometry import Line
-from judge.geometry.hooks import FOOT, hooks
+from judge.geometry.hooks import hooks
 from judge.geometry.scenes import AXIS, BIG, OFFSET, PLAIN, STEEP, TILTED, TINY, corners, either, feet, grid, uniform, whole
 from judge.problem.declare import group
 
-HOOKS = hooks(FOOT)
+HOOKS = hooks("foot")
 ANYWHERE = ("between", "beyond", "end")
 
 

@@ -5,12 +5,12 @@ from itertools import chain, permutations, product
 from math import factorial, ldexp, prod
 
 from judge.geometry import Crowd, plain
-from judge.geometry.hooks import HITS, hooks
+from judge.geometry.hooks import hooks
 from judge.geometry.pose import triple
 from judge.geometry.scenes import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, aligned, anywhere, crowd_of, crowds, either, telling
 from judge.problem.declare import AnyOf, InvalidCase, group
 
-HOOKS = hooks(HITS)
+HOOKS = hooks("hits")
 TAGS = {-1: "enter", 0: "touch", 1: "exit"}
 FULL = {**HUGE, "size": 2**36}
 MANY = "cut", "cut", "around", "behind", "beside"

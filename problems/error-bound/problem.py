@@ -1,11 +1,11 @@
 """An enclosure of Δ = r²·a − k² for doubles as they are, no wider than careful doubles make it."""
 
 from judge.geometry import whole
-from judge.geometry.hooks import SEVEN, hooks
-from judge.geometry.scenes import BIG, FAR, HUGE, OFFSET, PLAIN, SPLIT, STEEP, TINY, doubles, either, grid, hairlines, lines, signs
+from judge.geometry.hooks import hooks
+from judge.geometry.scenes import BIG, FAR, HUGE, OFFSET, PLAIN, SPLIT, STEEP, TINY, doubles, either, grid, hairlines, lines, tried
 from judge.problem.declare import group
 
-HOOKS = hooks(SEVEN)
+HOOKS = hooks("seven")
 TOUCH = ("touch before after", "touch foot by", "touch ?by ?by")
 seven = doubles.seven
 
@@ -41,11 +41,11 @@ PRODUCTION = [  # the same, where rounding bites
     group("worst", "Of a hundred lines the one that doubles get most wrong.", doubles.worst(either(doubles.easy, doubles.small_radius(doubles.easy), doubles.turned(seven(lines(*TOUCH, **BIG)))), 100), skills="bound every rounding"),
     group("through", "Lines through C but for rounding, r being 0 or nearly so.", doubles.small_radius(either(seven(lines("dot before after", "dot foot after", **SPLIT)), doubles.turned(seven(lines("dot before after", "dot far after", "dot far after", **BIG))))), cases=120, skills="the sharp discriminant"),
     group("far", "Far from the origin, or A and B far along the line.", either(seven(lines(*TOUCH, "cut by ?by", **OFFSET)), seven(lines("touch far by", "touch remote by", "cut far -far", **FAR))), skills="the sharp discriminant"),
-    group("nearly", "The line passes the circle by 1e-13 to 0.9 of the radius, in every direction.", doubles.rounded(signs.tried(hairlines.nearly(10**20, 10**25))), cases=160, skills="full precision"),
+    group("nearly", "The line passes the circle by 1e-13 to 0.9 of the radius, in every direction.", doubles.rounded(tried(hairlines.nearly(10**20, 10**25))), cases=160, skills="full precision"),
     group("huge", "Ints and doubles up to 2**64 to 2**97: what no int of 64 bits holds.", doubles.huge, skills="integers of any size"),
     group("uneven", "Each number has a size of its own: of thirty lines the one that doubles get most wrong.", doubles.worst(either(doubles.uneven, doubles.small_radius(doubles.uneven)), 30), skills="bound every rounding"),
     group("tiny", "Numbers of about 1e-20, some of them a unit in their last place off.", doubles.ulps(seven(lines(*TOUCH, **TINY)), 1), skills="no absolute epsilon"),
     group("centre", "The line runs through C or nearly so, and along an axis or nearly so: Δ is r²·a, and no other term widens it.", either(seven(lines("through ?by ?by", "off-centre ?by ?by", **{**BIG, "turn": "axis"})), seven(lines("through ?by ?by", **STEEP))), skills="bound every rounding"),
-    group("all-lost", "dx and fy lose nearly half a unit of their last place to one side, and their product another: r is 0 or nothing beside k.", signs.tried(one_sided), skills="bound every rounding"),
-    group("vanishing", "Doubles make k nothing at all, and it is nearly the most that three roundings can lose; or the other way round.", signs.tried(doubles.vanishing), cases=90, skills="the sharp discriminant"),
+    group("all-lost", "dx and fy lose nearly half a unit of their last place to one side, and their product another: r is 0 or nothing beside k.", tried(one_sided), skills="bound every rounding"),
+    group("vanishing", "Doubles make k nothing at all, and it is nearly the most that three roundings can lose; or the other way round.", tried(doubles.vanishing), cases=90, skills="the sharp discriminant"),
 ]

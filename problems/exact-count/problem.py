@@ -3,11 +3,11 @@
 from math import gcd
 
 from judge.geometry import whole
-from judge.geometry.hooks import LINE, hooks
-from judge.geometry.scenes import AXIS, PLAIN, either, grid, hairlines, lines, signs
+from judge.geometry.hooks import hooks
+from judge.geometry.scenes import AXIS, PLAIN, either, grid, hairlines, lines, signs, tried
 from judge.problem.declare import group
 
-HOOKS = hooks(LINE)
+HOOKS = hooks("line")
 INT, INT_AXIS, WIDE = {**PLAIN, "numbers": "int"}, {**AXIS, "numbers": "int"}, {**PLAIN, "numbers": "int", "size": 1000}
 
 
@@ -67,5 +67,5 @@ PRODUCTION = [  # the same, where rounding bites
     group("slid", "A and B are close together and 1e20 to 1e60 lengths away along the line.", hairlines.hairlines(10**3, 10**6, off=(0, 1, -1), away=10**70, slid=(20, 40, 60)), skills="integers of any size"),
     group("radius-zero-huge", "The circle is a point at 1e6 and 1e40: on the line, or next to it.", hairlines.hairlines(10**6, 10**40, off=(0, 1, -1), radius=0), skills="integers of any size"),
     group("axis-huge", "Upright and level lines at 1e6 and 1e40.", level, skills="integers of any size"),
-    group("nearly", "The line passes the circle by 1e-13 to 0.9 of the radius, in every direction.", signs.tried(hairlines.nearly(10**20, 10**40)), cases=160, skills="no slopes"),
+    group("nearly", "The line passes the circle by 1e-13 to 0.9 of the radius, in every direction.", tried(hairlines.nearly(10**20, 10**40)), cases=160, skills="no slopes"),
 ]

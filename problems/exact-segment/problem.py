@@ -1,11 +1,11 @@
 """The common points of a circle and a closed segment in ints of any size, counted by signs alone."""
 
 from judge.geometry import whole
-from judge.geometry.hooks import COUNT_SEGMENT, hooks
-from judge.geometry.scenes import AXIS, PLAIN, either, grid, hairlines, lines, signs
+from judge.geometry.hooks import hooks
+from judge.geometry.scenes import AXIS, PLAIN, either, grid, hairlines, lines, signs, tried
 from judge.problem.declare import group
 
-HOOKS = hooks(COUNT_SEGMENT)
+HOOKS = hooks("count in a segment")
 INT, WIDE = {**PLAIN, "numbers": "int"}, {**PLAIN, "numbers": "int", "size": 1000}
 ENDS = ("chord first in", "chord first after", "chord before first", "chord first last", "chord last after", "chord in last")
 
@@ -61,6 +61,6 @@ PRODUCTION = [  # the same, where rounding bites
     group("near-touch", "The least that ints allow: r²a − k² is 1 or -1, the foot on the segment or not.", hairlines.least(10**3, 10**5, 10**6, 10**9, 10**50, 10**119), cases=160, skills="exact count for integers"),
     group("near-touch-huge", "The same at 1e119, the foot on the segment: products of up to 480 digits.", over_foot, skills="integers of any size"),
     group("hairline", "The line cuts or misses by a hair at 1e8 to 1e14: k is r·|D| ± 1.", hairlines.hairlines(10**8, 10**10, 10**12, 10**14, off=(1, -1, 2, -2)), cases=160, skills="exact count for integers"),
-    group("nearly", "The line passes the circle by 1e-13 to 0.9 of the radius, in every direction.", signs.tried(hairlines.nearly(10**20, 10**40)), cases=200, skills="exact count for integers"),
+    group("nearly", "The line passes the circle by 1e-13 to 0.9 of the radius, in every direction.", tried(hairlines.nearly(10**20, 10**40)), cases=200, skills="exact count for integers"),
     group("large", "All of it at 1e30 to 1e100: beyond any fixed number of digits.", either(hairlines.hairlines(10**30, 10**100, off=(0, 1, -1)), hairlines.least(10**30, 10**100, 10**119), hairlines.ends((10**30, 10**100), 0, 1, -1), brink), cases=160, skills="integers of any size"),
 ]

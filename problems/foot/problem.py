@@ -1,11 +1,11 @@
 """The foot of the perpendicular on a line: t = (C − A)·D / D·D and A + t·D, both rational."""
 
 from judge.geometry import Line
-from judge.geometry.hooks import FOOT, hooks
+from judge.geometry.hooks import hooks
 from judge.geometry.scenes import AXIS, BIG, OFFSET, PLAIN, STEEP, TILTED, TINY, corners, either, feet, grid, uniform, whole
 from judge.problem.declare import group
 
-HOOKS = hooks(FOOT)
+HOOKS = hooks("foot")
 ANYWHERE = ("between", "beyond", "end")
 
 

@@ -1,11 +1,11 @@
 """The normal form of a line: its left unit normal, and the origin's signed distance."""
 
 from judge.geometry import Line
-from judge.geometry.hooks import NORMAL_FORM, hooks
+from judge.geometry.hooks import hooks
 from judge.geometry.scenes import AXIS, BIG, OFFSET, PLAIN, STEEP, TILTED, TINY, corners, either, feet, grid, uniform, whole
 from judge.problem.declare import group
 
-HOOKS = hooks(NORMAL_FORM)
+HOOKS = hooks("normal form")
 
 
 def solve(A, B):

@@ -3,11 +3,11 @@
 from functools import partial
 
 from judge.geometry import Line, plain
-from judge.geometry.hooks import NORMAL, hooks
+from judge.geometry.hooks import hooks
 from judge.geometry.scenes import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TILTED, TINY, either, grid, rays, telling, uniform, whole
 from judge.problem.declare import group
 
-HOOKS = hooks(NORMAL)
+HOOKS = hooks("normal")
 TOUCHES = ("touch before", "touch before", "touch near", "touch after")
 ON_CIRCLE = ("chord first", "chord last", "chord first anyway", "touch foot")
 STRETCHED = {**PLAIN, "shift": (-17, -60), "stretch": tuple(range(-39, 90, 8))}

@@ -3,11 +3,11 @@
 from math import frexp
 
 from judge.geometry import Line
-from judge.geometry.hooks import POINT, hooks
+from judge.geometry.hooks import hooks
 from judge.geometry.scenes import AXIS, BIG, HUGE, NEAR, OFFSET, PLAIN, SPLIT, TINY, corners, either, grid, points, uniform, whole
 from judge.problem.declare import group
 
-HOOKS = hooks(POINT)
+HOOKS = hooks("point")
 CLEAR = {**NEAR, "least": 7}
 
 

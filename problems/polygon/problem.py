@@ -3,12 +3,12 @@
 from functools import partial
 
 from judge.geometry import plain
-from judge.geometry.hooks import POLYGON, hooks
+from judge.geometry.hooks import hooks
 from judge.geometry.polygon import crossings
 from judge.geometry.scenes import AXIS, BIG, FAR, HUGE, NEAR, OFFSET, PLAIN, STEEP, TINY, cornered, either, grid, polygons, polygons_of, telling, uniform, whole
 from judge.problem.declare import group
 
-HOOKS = hooks(POLYGON)
+HOOKS = hooks("polygon")
 FULL = {**HUGE, "size": 2**35, "move": 49}
 WHOLE = {**BIG, "shift": 0, "numbers": "int"}
 LEVEL = {**FULL, "turn": "axis"}

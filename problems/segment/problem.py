@@ -4,12 +4,12 @@ from functools import partial
 from math import copysign, hypot, sqrt
 
 from judge.geometry import Line, plain
-from judge.geometry.hooks import SEGMENT, hooks
+from judge.geometry.hooks import hooks
 from judge.geometry.pose import triple
 from judge.geometry.scenes import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TILTED, TINY, closed_up, either, grid, lines, points, telling, uniform, whole
 from judge.problem.declare import group
 
-HOOKS = hooks(SEGMENT)
+HOOKS = hooks("segment")
 TOUCHES = ("touch before after", "touch foot after", "touch ?by ?near")
 BEYOND = ("touch after after", "touch before before", "touch foot by")
 ENDS = ("chord first in", "chord first after", "chord before first", "chord first last", "chord last after", "chord in last")

@@ -1,11 +1,11 @@
 """Whether a light reaches the first hit of a ray: exactly, and nothing is nearly a tie."""
 
-from judge.geometry.hooks import LIGHT, hooks
+from judge.geometry.hooks import hooks
 from judge.geometry.scenes import AXIS, BIG, NEAR, OFFSET, PLAIN, TILTED, TINY, anywhere, either, home, lights, shaded, topped
 from judge.geometry.shadow import Shade, shade
 from judge.problem.declare import group
 
-HOOKS = hooks(LIGHT)
+HOOKS = hooks("light")
 ANSWERS = {Shade.NOTHING: None, Shade.LIT: "lit"}
 ABOUT = {"others": (0, 2)}
 FINE = {**BIG, "size": 2**26, "move": 0, "shift": (0, -20, -40)}

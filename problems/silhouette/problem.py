@@ -1,11 +1,11 @@
 """A line held against a circle that moves: 1 or 0 for each frame, steadily."""
 
 from judge.geometry.frames import steady
-from judge.geometry.hooks import FRAMES, hooks
+from judge.geometry.hooks import hooks
 from judge.geometry.scenes import AXIS, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, anything, either, frames
 from judge.problem.declare import group
 
-HOOKS = hooks(FRAMES)
+HOOKS = hooks("frames")
 ALL = "in", "less", "more", "out", "centre"
 FULL = {**HUGE, "size": 2**32}
 CLOSE = {**NEAR, "size": 40, "least": 7}

@@ -4,11 +4,11 @@ from functools import partial
 from math import hypot
 
 from judge.geometry import Sphere, plain
-from judge.geometry.hooks import SPHERE, hooks
+from judge.geometry.hooks import hooks
 from judge.geometry.scenes import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, TINY, either, grid, rays, spheres, telling, uniform, whole
 from judge.problem.declare import group
 
-HOOKS = hooks(SPHERE)
+HOOKS = hooks("sphere")
 TOUCHES = ("touch before", "touch before", "touch near", "touch after")
 ON_SPHERE = ("chord first", "chord last", "chord first anyway", "touch foot")
 FLAT = rays("touch before", "touch before", "touch before", "touch foot", **{**SPLIT, "uneven": 18})

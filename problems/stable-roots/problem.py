@@ -1,7 +1,7 @@
 """The real roots of a·t² + 2·b·t + c = 0 for the numbers as they are, to the last digits."""
 
 from judge.geometry import whole
-from judge.geometry.scenes import either, equations, signs
+from judge.geometry.scenes import either, equations, tried
 from judge.problem.declare import group
 
 
@@ -10,7 +10,7 @@ def solve(a, b, c):
 
 
 INTERVIEW = [
-    group("plain", "No roots, or two of similar size, in small numbers; a of either sign.", signs.tried(equations.plain(50)), cases=80, skills="every kind of equation"),
+    group("plain", "No roots, or two of similar size, in small numbers; a of either sign.", tried(equations.plain(50)), cases=80, skills="every kind of equation"),
     group("cancellation", "b² is up to 2**52 times larger than |a·c|: −b and √Δ agree in nearly all digits.", equations.cancellation(4, 52), cases=80, skills="stable root"),
     group("both-signs", "The same with a, b and c of either sign: where −b + √Δ adds, −b − √Δ subtracts, and the other way round.", equations.cancellation(24, 52), skills="stable root"),
     group("b-zero", "b is 0, also as 0.0 or −0.0: two roots of opposite signs, or none, or 0.", equations.b_zero(60), skills="zero has no sign"),
@@ -18,16 +18,16 @@ INTERVIEW = [
     group("linear", "a is 0: one root, none, or every t.", equations.linear(99), skills="every kind of equation"),
     group("zeros", "Two of the numbers are 0, or all of them.", equations.zeros(99), skills="every kind of equation"),
     group("double", "The discriminant is 0: one root, given once.", equations.double(30), skills="every kind of equation"),
-    group("repeated", "Neighbouring calls differ in one argument.", signs.tried(equations.plain(20)), turns=True, skills="nothing kept between calls"),
+    group("repeated", "Neighbouring calls differ in one argument.", tried(equations.plain(20)), turns=True, skills="nothing kept between calls"),
 ]
 
 PRODUCTION = [  # the same, where rounding bites
-    group("b-small", "b is a quarter to 2**-52 of √|a·c|: it is far smaller than √Δ, and counts.", signs.tried(equations.b_small()), skills="full precision"),
+    group("b-small", "b is a quarter to 2**-52 of √|a·c|: it is far smaller than √Δ, and counts.", tried(equations.b_small()), skills="full precision"),
     group("full", "Three numbers of 53 bits and of similar size.", equations.full(), cases=120, skills="full precision"),
-    group("near-double", "b² and a·c agree in up to 104 bits, and a double holds 53 of each.", signs.tried(equations.near_double(8, 25)), skills="full precision"),
-    group("hairline", "Discriminants of either sign, from the size of b² down to 1e-30 of it.", signs.tried(equations.near_double(2, 25)), cases=160, skills="full precision"),
-    group("finest", "Δ is 1 beside a b² of 1e31 and more: the roots are within a few units of their last place, and two.", signs.tried(equations.finest()), skills="full precision"),
-    group("wide", "Numbers of about 2**±560 and beyond: their squares are no doubles.", signs.tried(equations.wide((-596, -560, 540, 560), equations.plain(99), equations.cancellation(6, 50), equations.b_zero(99), equations.c_zero(99), equations.double(99), equations.near_double(4, 17), equations.linear(99))), skills="scale by powers of two"),
-    group("brink", "Near-double roots of hundreds of bits, and where b² is a double, but not what rounding leaves of it.", signs.tried(equations.wide((-546, -543, -540, 461, 515, 530, 545, 550), equations.finest(), equations.near_double(22, 25))), cases=80, skills="scale by powers of two"),
-    group("uneven", "One of b² and a·c is hundreds of binary orders larger than the other, and neither need be a double.", signs.tried(either(equations.uneven(-586, 586, 9999), equations.uneven(100, 586, 9999), equations.uneven(-586, -100, 9999))), skills="scale by powers of two"),
+    group("near-double", "b² and a·c agree in up to 104 bits, and a double holds 53 of each.", tried(equations.near_double(8, 25)), skills="full precision"),
+    group("hairline", "Discriminants of either sign, from the size of b² down to 1e-30 of it.", tried(equations.near_double(2, 25)), cases=160, skills="full precision"),
+    group("finest", "Δ is 1 beside a b² of 1e31 and more: the roots are within a few units of their last place, and two.", tried(equations.finest()), skills="full precision"),
+    group("wide", "Numbers of about 2**±560 and beyond: their squares are no doubles.", tried(equations.wide((-596, -560, 540, 560), equations.plain(99), equations.cancellation(6, 50), equations.b_zero(99), equations.c_zero(99), equations.double(99), equations.near_double(4, 17), equations.linear(99))), skills="scale by powers of two"),
+    group("brink", "Near-double roots of hundreds of bits, and where b² is a double, but not what rounding leaves of it.", tried(equations.wide((-546, -543, -540, 461, 515, 530, 545, 550), equations.finest(), equations.near_double(22, 25))), cases=80, skills="scale by powers of two"),
+    group("uneven", "One of b² and a·c is hundreds of binary orders larger than the other, and neither need be a double.", tried(either(equations.uneven(-586, 586, 9999), equations.uneven(100, 586, 9999), equations.uneven(-586, -100, 9999))), skills="scale by powers of two"),
 ]

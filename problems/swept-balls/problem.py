@@ -4,12 +4,12 @@ from functools import partial
 from math import ldexp
 
 from judge.geometry import plain
-from judge.geometry.hooks import BALLS, hooks
+from judge.geometry.hooks import hooks
 from judge.geometry.motion import balls_meeting
 from judge.geometry.scenes import AXIS, BIG, DECIMALS, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, balls, either, grid, meeting, telling, uniform, whole
 from judge.problem.declare import group
 
-HOOKS = hooks(BALLS)
+HOOKS = hooks("balls")
 FULL = {**HUGE, "size": 2**36}
 GRAZES = "touch before after", "touch before after rest", "touch before after along", "touch before after alone"
 STARTS = "chord last after", "chord first before", "touch foot after", "chord last after rest", "chord last after dot"

@@ -4,13 +4,13 @@ from functools import partial
 from math import copysign, hypot, ldexp, sqrt
 
 from judge.geometry import plain
-from judge.geometry.hooks import WALL, hooks
+from judge.geometry.hooks import hooks
 from judge.geometry.motion import wall_meeting
 from judge.geometry.pose import triple
 from judge.geometry.scenes import AXIS, BIG, DECIMALS, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, either, grid, meeting, telling, uniform, walls, whole
 from judge.problem.declare import group
 
-HOOKS = hooks(WALL)
+HOOKS = hooks("wall")
 BIGGER = {**BIG, "size": 2**14}
 FULL = {**HUGE, "size": 2**34}
 CLEAR = {**NEAR, "least": 7}

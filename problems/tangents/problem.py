@@ -1,12 +1,12 @@
 """Where the tangents through a point touch a circle, the point left of P→C first."""
 
 from judge.geometry import Line
-from judge.geometry.hooks import TANGENTS, hooks
+from judge.geometry.hooks import hooks
 from judge.geometry.pose import triple
 from judge.geometry.scenes import AXIS, BIG, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TINY, either, grid, points, uniform, whole
 from judge.problem.declare import group
 
-HOOKS = hooks(TANGENTS)
+HOOKS = hooks("tangents")
 
 
 def solve(cx, cy, r, P):

@@ -4,12 +4,12 @@ from functools import partial
 from math import ldexp
 
 from judge.geometry import plain
-from judge.geometry.hooks import ROWS, hooks
+from judge.geometry.hooks import hooks
 from judge.geometry.rows import counts
 from judge.geometry.scenes import BIG, DECIMALS, HUGE, NEAR, OFFSET, PLAIN, TINY, any_columns, columns, either, million, telling
 from judge.problem.declare import group
 
-HOOKS = hooks(ROWS)
+HOOKS = hooks("rows")
 ALL = "cut", "cut", "touch", "miss"
 TELLING = plain.counts, partial(plain.counts, tolerance=1e-10)
 

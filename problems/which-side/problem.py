@@ -1,11 +1,11 @@
 """The side of a line that a point is on: the sign of a cross product of whole numbers."""
 
 from judge.geometry import whole
-from judge.geometry.hooks import SIDE, hooks
+from judge.geometry.hooks import hooks
 from judge.geometry.scenes import signs
 from judge.problem.declare import group
 
-HOOKS = hooks(SIDE)
+HOOKS = hooks("side")
 SKILL = "which side of a line"
 
 

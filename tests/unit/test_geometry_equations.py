@@ -7,14 +7,14 @@ from fractions import Fraction
 import pytest
 
 from judge.data.draw import Draw, seeded
-from judge.geometry.scenes import equations, signs
+from judge.geometry.scenes import equations, tried
 from judge.geometry.whole import enclosure
 
 
 def drawn(scene, count=80):
     """What the scene draws from that many seeds."""
-    tried = signs.tried(scene, 400)
-    found = [tried(Draw(seeded(f"equations/{seed}"))) for seed in range(count)]
+    drawn_once = tried(scene, tries=400)
+    found = [drawn_once(Draw(seeded(f"equations/{seed}"))) for seed in range(count)]
     assert all(int(float(x)) == x for case in found for x in case if isinstance(x, int))
     return [tuple(map(Fraction, case)) for case in found]
 

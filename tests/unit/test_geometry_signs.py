@@ -6,7 +6,7 @@ import pytest
 
 from judge.data.draw import Draw, Rejected, seeded
 from judge.geometry import whole
-from judge.geometry.scenes import signs
+from judge.geometry.scenes import signs, tried
 
 REACHES = 6, 100, 10**9
 
@@ -31,7 +31,7 @@ def numbers(case):
 @pytest.mark.parametrize("reach", REACHES)
 def test_a_point_beside_a_line(reach):
     for off, found in ((0, {0}), (1, {1, 2, -1, -2}), (-3, {3, 6, -3, -6})):
-        cases = drawn(signs.beside_line(reach, off))
+        cases = drawn(signs.beside_line((reach,), off))
         assert {whole.cross(*case) for case in cases} <= found
         assert max(map(abs, numbers(sum(cases, ())))) <= reach
 
@@ -39,13 +39,13 @@ def test_a_point_beside_a_line(reach):
 @pytest.mark.parametrize("reach", REACHES)
 @pytest.mark.parametrize("off", [0, 1, -2])
 def test_a_right_angle(reach, off):
-    assert {whole.dot(*case) for case in drawn(signs.right_angles(reach, off))} == {off}
+    assert {whole.dot(*case) for case in drawn(signs.right_angles((reach,), off))} == {off}
 
 
 @pytest.mark.parametrize("reach", REACHES)
 @pytest.mark.parametrize("off", [0, 1, -1])
 def test_a_point_beside_a_circle(reach, off):
-    cases = drawn(signs.beside_circle(reach, off))
+    cases = drawn(signs.beside_circle((reach,), off))
     assert {whole.square((cx, cy), P) - r * r for cx, cy, r, P in cases} == {off}
     if reach == 10**9:
         assert max(r for _, _, r, _ in cases) > 10**8
@@ -55,7 +55,7 @@ def test_a_point_beside_a_circle(reach, off):
 def test_a_line_that_touches_or_nearly_does(close):
     deltas = [
         whole.discriminant(cx, cy, r, *A, *B).value
-        for cx, cy, r, A, B in drawn(signs.tried(signs.cuts(20, close=close)))
+        for cx, cy, r, A, B in drawn(tried(signs.cuts(20, close=close)))
     ]
     if not close:
         assert set(deltas) == {0}

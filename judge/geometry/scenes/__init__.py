@@ -7,7 +7,7 @@
 The words are those of judge.geometry.level and of each scene, the poses those of judge.geometry.pose.
 """
 
-from judge.geometry.level import corners, either, grid, telling, uniform, whole
+from judge.geometry.level import corners, either, grid, telling, tried, uniform, whole
 from judge.geometry.pose import (
     AXIS,
     BIG,
@@ -29,51 +29,3 @@ from judge.geometry.scenes.lines import closed_up, feet, lines, points, rays, sp
 from judge.geometry.scenes.motion import balls, meeting, walls
 from judge.geometry.scenes.outlines import cornered, pairs, polygons, polygons_of
 from judge.geometry.scenes.rows import any_columns, columns, million
-
-__all__ = [
-    "AXIS",
-    "BIG",
-    "DECIMALS",
-    "FAR",
-    "HUGE",
-    "NEAR",
-    "OFFSET",
-    "PLAIN",
-    "SPLIT",
-    "STEEP",
-    "TILTED",
-    "TINY",
-    "aligned",
-    "any_columns",
-    "anything",
-    "anywhere",
-    "balls",
-    "closed_up",
-    "columns",
-    "cornered",
-    "corners",
-    "crowd_of",
-    "crowds",
-    "either",
-    "feet",
-    "frames",
-    "grid",
-    "home",
-    "lights",
-    "lines",
-    "meeting",
-    "million",
-    "pairs",
-    "points",
-    "polygons",
-    "polygons_of",
-    "rays",
-    "shaded",
-    "solids",
-    "spheres",
-    "telling",
-    "topped",
-    "uniform",
-    "walls",
-    "whole",
-]

@@ -8,11 +8,10 @@ far away makes. Directions are irrational, for there whole numbers come nearer t
 from __future__ import annotations
 
 from math import gcd, isqrt
-from typing import Any
 
 from judge.data.draw import Draw
 from judge.geometry.boxes import IntCircle, IntPoint
-from judge.geometry.level import Scene, near_gap
+from judge.geometry.level import Case, maker, near_gap
 from judge.geometry.scenes.many import (
     FASTEST,
     TRIPLES,
@@ -30,23 +29,20 @@ _FINE = 1 << 20  # parts of a unit in which a near miss is drawn
 _TRIES = 60
 
 
-def nearly(rays: Bounds, reach: int) -> Scene:
+@maker
+def nearly(draw: Draw, rays: Bounds, reach: int) -> Case:
     """Rays from anywhere that nearly touch a circle, nearly begin on one, or meet two at nearly one place."""
-
-    def draw_case(draw: Draw) -> tuple[Any, ...]:
-        far = draw.integer(900_000, WIDE) * draw.sign()
-        scene: list[IntCircle] = [(far, 0, 1)]
-        found: list[Ray] = []
-        for _ in range(draw.integer(*rays)):
-            O = any_point(draw, WIDE // 20)
-            way, rows = draw.choice((_just_off, _just_off, _just_beside, _just_behind))(
-                draw, reach, abs(far - O[0])
-            )
-            scene += [(O[0] + x, O[1] + y, r) for x, y, r in rows]
-            found.append((O, way))
-        return tuple(scene), tuple(found)
-
-    return draw_case
+    far = draw.integer(900_000, WIDE) * draw.sign()
+    scene: list[IntCircle] = [(far, 0, 1)]
+    found: list[Ray] = []
+    for _ in range(draw.integer(*rays)):
+        O = any_point(draw, WIDE // 20)
+        way, rows = draw.choice((_just_off, _just_off, _just_beside, _just_behind))(
+            draw, reach, abs(far - O[0])
+        )
+        scene += [(O[0] + x, O[1] + y, r) for x, y, r in rows]
+        found.append((O, way))
+    return tuple(scene), tuple(found)
 
 
 def _just_off(draw: Draw, reach: int, size: int) -> tuple[IntPoint, list[IntCircle]]:
@@ -97,17 +93,14 @@ def _anyhow(draw: Draw, way: IntPoint, rows: list[IntCircle]) -> tuple[IntPoint,
     return turned((way[0], side * way[1]), quarters), rows[:: draw.sign()]  # type: ignore[return-value]
 
 
-def narrow(beams: Bounds, reach: int) -> Scene:
+@maker
+def narrow(draw: Draw, beams: Bounds, reach: int) -> Case:
     """Beams that nearly touch a circle, or meet two at nearly one place; often one far off makes the size."""
-
-    def draw_case(draw: Draw) -> tuple[Any, ...]:
-        far = draw.choice((0, 0, 0, draw.integer(900_000, WIDE) * draw.sign()))
-        scene: list[IntCircle] = [(far, draw.integer(9, 99) * 4_000, 1)] if far else []
-        ways: list[IntPoint] = []
-        for _ in range(draw.integer(*beams)):
-            (p, q), rows = draw.choice((_just_off, _just_off, _just_behind))(draw, reach, abs(far))
-            scene += rows
-            ways.append((p, q) if p * rows[0][0] + q * rows[0][1] > 0 else (-p, -q))
-        return scanned(scene, any_point(draw, reach), ways)
-
-    return draw_case
+    far = draw.choice((0, 0, 0, draw.integer(900_000, WIDE) * draw.sign()))
+    scene: list[IntCircle] = [(far, draw.integer(9, 99) * 4_000, 1)] if far else []
+    ways: list[IntPoint] = []
+    for _ in range(draw.integer(*beams)):
+        (p, q), rows = draw.choice((_just_off, _just_off, _just_behind))(draw, reach, abs(far))
+        scene += rows
+        ways.append((p, q) if p * rows[0][0] + q * rows[0][1] > 0 else (-p, -q))
+    return scanned(scene, any_point(draw, reach), ways)

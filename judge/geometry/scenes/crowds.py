@@ -24,26 +24,14 @@ from typing import Any
 
 from judge.data.draw import Draw
 from judge.geometry.crowd import DIFFERENCE, INTERSECTION, UNION
-from judge.geometry.level import Nudge, Scene, checked, height, scene
+from judge.geometry.level import Case, Level, Nudge, Scene, Vocabulary, height, levelled, maker
 from judge.geometry.pose import Atom, Length, Point, Vector
 
-_WORDS = (
-    *(
-        "enter",
-        "exit",
-        "touch",
-        "dot",
-        "cut",
-        "speck",
-        "tiny",
-        "around",
-        "about",
-        "beside",
-        "behind",
-        "touch-behind",
-        "dot-behind",
-    ),
-    *("copy", "mirror", "room", "within"),
+_WORDS = Vocabulary.of(
+    "what happens along a ray",
+    "enter exit touch dot cut speck tiny around about beside behind touch-behind dot-behind"
+    " copy mirror room within",
+    numbered=True,
 )
 _STEPS = {
     "union": (UNION,),
@@ -57,9 +45,7 @@ _TINY = (100, 20_000), (10**6, 5 * 10**6)  # radii that a tiny circle is away: n
 Row = tuple[int, int, int]  # a level circle
 
 
-def _level(
-    draw: Draw, words: Sequence[str], size: int = 30, uneven: int = 0
-) -> tuple[list[Atom], list[Nudge]]:
+def _level(draw: Draw, words: Sequence[str], size: int = 30, uneven: int = 0) -> Level:
     """The ray along the x axis from (0, 0), and the circles; one of them is `uneven` powers of two larger."""
     slots = [0]
     for _ in range(_SLOTS):
@@ -67,7 +53,7 @@ def _level(
     fresh = iter(range(1, _SLOTS + 1))
     large = draw.integer(0, len(words) - 1) if uneven else -1
     circles: list[Row] = []
-    nudges = []
+    just_off = []
     for word in words:
         name = word.rstrip("~")
         kind = name.rstrip("0123456789")
@@ -76,11 +62,11 @@ def _level(
         at = slots[int(slot or next(fresh))] if placed else 0
         circles.append(_circle(draw, kind, at, size << (uneven if len(circles) == large else 0), circles))
         if word[-1] == "~":
-            nudges.append(Nudge(2 * len(circles), 1 if kind in ("touch", "dot") else 0))
+            just_off.append((len(circles), 1 if kind in ("touch", "dot") else 0))
     atoms: list[Atom] = [Point([0, 0]), Vector([draw.integer(1, 9), 0])]
     for x, y, r in circles:
         atoms += [Point([x, y]), Length([r])]
-    return atoms, nudges
+    return atoms, [Nudge(atoms[2 * at], axis) for at, axis in just_off]
 
 
 def _circle(draw: Draw, kind: str, at: int, size: int, before: Sequence[Row]) -> Row:
@@ -114,46 +100,37 @@ def _circle(draw: Draw, kind: str, at: int, size: int, before: Sequence[Row]) ->
     return rows[kind]()
 
 
-def _check(words: list[str]) -> None:
-    for word in words:
-        checked(word.rstrip("~").rstrip("0123456789"), _WORDS, "what happens along a ray")
-
-
 def circles_of(rest: Sequence[Any]) -> tuple[tuple[Any, ...], ...]:
     """The circles of posed centres and radii."""
     return tuple((*centre, r) for centre, r in zip(rest[::2], rest[1::2], strict=True))
 
 
-_shuffled = scene(_level, lambda O, D, *rest: (circles_of(rest), O, D), _check)
+_in_order = levelled(_level, lambda O, D, *rest: (circles_of(rest), O, D), _WORDS)
 
 
 def crowds(*plans: str, **how: Any) -> Scene:
     """Circles and a ray; the circles are in any order."""
-    drawn = _shuffled(*plans, **how)
-
-    def draw_case(draw: Draw) -> tuple[Any, ...]:
-        circles, O, D = drawn(draw)
-        return mixed(draw, circles), O, D
-
-    return draw_case
+    return _mixed(_in_order(*plans, **how))
 
 
-def crowd_of(*words: str, count: tuple[int, int], first: str = "", **how: Any) -> Scene:
+@maker
+def _mixed(draw: Draw, drawn: Scene) -> Case:
+    circles, O, D = drawn(draw)
+    return mixed(draw, circles), O, D
+
+
+@maker
+def crowd_of(draw: Draw, /, *words: str, count: tuple[int, int], first: str, **how: Any) -> Case:
     """As many circles as `count` bounds, each of one of the words; those of `first` come besides."""
-
-    def draw_case(draw: Draw) -> tuple[Any, ...]:
-        plan = [first] * bool(first) + [
-            f"{word}{draw.integer(1, _SLOTS)}"
-            if word in ("cut", "beside", "behind", "enter", "exit")
-            else word
-            for word in (draw.choice(words) for _ in range(draw.integer(*count)))
-        ]
-        return crowds(" ".join(plan), **how)(draw)
-
-    return draw_case
+    plan = [
+        f"{word}{draw.integer(1, _SLOTS)}" if word in ("cut", "beside", "behind", "enter", "exit") else word
+        for word in (draw.choice(words) for _ in range(draw.integer(*count)))
+    ]
+    return crowds(" ".join([first, *plan]), **how)(draw)
 
 
-def solids(drawn: Scene, steps: str = "any", form: str = "row") -> Scene:
+@maker
+def solids(draw: Draw, drawn: Scene, steps: str = "any", form: str = "row") -> Case:
     """A solid of the discs that `drawn` draws: (circles, O, D, program). Now and then one is not used.
 
     Args:
@@ -162,26 +139,22 @@ def solids(drawn: Scene, steps: str = "any", form: str = "row") -> Scene:
             "stack" puts all discs on the stack first, "holes" takes the union of all others from the first.
     """
     kinds = _STEPS[steps]
-
-    def draw_case(draw: Draw) -> tuple[Any, ...]:
-        circles, O, D = drawn(draw)
-        discs = list(mixed(draw, range(len(circles))))
-        if len(discs) > 1 and not draw.integer(0, 7):
-            discs.pop()
-        if form == "row":
-            program = [discs[0], *chain(*((disc, draw.choice(kinds)) for disc in discs[1:]))]
-        elif form == "stack":
-            program = [*discs, *(draw.choice(kinds) for _ in discs[1:])]
-        elif form == "holes":
-            # the largest disc is the one with holes
-            first = max(discs, key=lambda disc: circles[disc][2])
-            others = [disc for disc in discs if disc != first]
-            program = [first, *others, *[UNION] * (len(others) - 1), DIFFERENCE]
-        else:
-            program = _tree(draw, [*discs, *(draw.choice(discs) for _ in discs[::3])], kinds)
-        return circles, O, D, tuple(program)
-
-    return draw_case
+    circles, O, D = drawn(draw)
+    discs = list(mixed(draw, range(len(circles))))
+    if len(discs) > 1 and not draw.integer(0, 7):
+        discs.pop()
+    if form == "row":
+        program = [discs[0], *chain(*((disc, draw.choice(kinds)) for disc in discs[1:]))]
+    elif form == "stack":
+        program = [*discs, *(draw.choice(kinds) for _ in discs[1:])]
+    elif form == "holes":
+        # the largest disc is the one with holes
+        first = max(discs, key=lambda disc: circles[disc][2])
+        others = [disc for disc in discs if disc != first]
+        program = [first, *others, *[UNION] * (len(others) - 1), DIFFERENCE]
+    else:
+        program = _tree(draw, [*discs, *(draw.choice(discs) for _ in discs[::3])], kinds)
+    return circles, O, D, tuple(program)
 
 
 def _tree(draw: Draw, discs: Sequence[int], kinds: Sequence[int]) -> list[int]:
@@ -191,7 +164,7 @@ def _tree(draw: Draw, discs: Sequence[int], kinds: Sequence[int]) -> list[int]:
     return [*_tree(draw, discs[:at], kinds), *_tree(draw, discs[at:], kinds), draw.choice(kinds)]
 
 
-def mixed(draw: Draw, rows: Sequence[Any]) -> tuple[Any, ...]:
+def mixed(draw: Draw, rows: Sequence[Any]) -> Case:
     """The rows in any order."""
     left, found = list(rows), []
     while left:
@@ -199,39 +172,34 @@ def mixed(draw: Draw, rows: Sequence[Any]) -> tuple[Any, ...]:
     return tuple(found)
 
 
+@maker
 def anywhere(
-    reach: int, count: tuple[int, int], radii: tuple[int, int] = (0, 0), light: bool = False
-) -> Scene:
+    draw: Draw, reach: int, count: tuple[int, int], radii: tuple[int, int] = (0, 0), light: bool = False
+) -> Case:
     """Circles and a ray in whole numbers up to `reach`; with `light` a fourth argument, a point.
 
     `radii` bounds the radii, else they go up to `reach` too.
     """
+
+    def pair() -> tuple[int, int]:
+        return draw.integer(-reach, reach), draw.integer(-reach, reach)
+
     low, high = radii[0], radii[1] or reach
-
-    def draw_case(draw: Draw) -> tuple[Any, ...]:
-        def pair() -> tuple[int, int]:
-            return draw.integer(-reach, reach), draw.integer(-reach, reach)
-
-        circles = tuple((*pair(), draw.integer(low, high)) for _ in range(draw.integer(*count)))
-        way = pair()
-        if not any(way):
-            draw.reject()
-        return circles, pair(), way, *([pair()] if light else [])
-
-    return draw_case
+    circles = tuple((*pair(), draw.integer(low, high)) for _ in range(draw.integer(*count)))
+    way = pair()
+    if not any(way):
+        draw.reject()
+    return circles, pair(), way, *([pair()] if light else [])
 
 
-def aligned(reach: int, count: tuple[int, int]) -> Scene:
+@maker
+def aligned(draw: Draw, reach: int, count: tuple[int, int]) -> Case:
     """Circles through the origin of a ray, with centres that are all on a level with it, or all upright."""
-
-    def draw_case(draw: Draw) -> tuple[Any, ...]:
-        (ox, oy), (dx, dy) = ((draw.integer(-reach, reach), draw.integer(-reach, reach)) for _ in range(2))
-        radii = [draw.integer(1, reach) for _ in range(draw.integer(*count))]
-        rows = [(ox + r * draw.sign(), oy, r) for r in radii]
-        if not (dx or dy):
-            draw.reject()
-        if draw.boolean():
-            return tuple(rows), (ox, oy), (dx, dy)
-        return tuple((y, x, r) for x, y, r in rows), (oy, ox), (dy, dx)
-
-    return draw_case
+    (ox, oy), (dx, dy) = ((draw.integer(-reach, reach), draw.integer(-reach, reach)) for _ in range(2))
+    radii = [draw.integer(1, reach) for _ in range(draw.integer(*count))]
+    rows = [(ox + r * draw.sign(), oy, r) for r in radii]
+    if not (dx or dy):
+        draw.reject()
+    if draw.boolean():
+        return tuple(rows), (ox, oy), (dx, dy)
+    return tuple((y, x, r) for x, y, r in rows), (oy, ox), (dy, dx)

@@ -10,12 +10,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import suppress
 from fractions import Fraction
 from math import cos, inf, isqrt, ldexp, nextafter, sin, ulp
-from typing import Any
 
 from judge.data.draw import Draw, Rejected
-from judge.geometry.level import Scene
+from judge.geometry.level import Case, Scene, maker
 from judge.geometry.whole import discriminant
 
 _U = 2.0**-53
@@ -24,35 +24,29 @@ _FINE = 1 << 240  # squares are taken to half of these digits
 _TRIES, _PACE = 400, 648_887  # of a walk through numbers without a pattern
 
 
-def seven(drawn: Scene) -> Scene:
+@maker
+def seven(draw: Draw, drawn: Scene) -> Case:
     """The same with seven numbers, each of which a double holds."""
-
-    def draw_case(draw: Draw) -> tuple[Any, ...]:
-        cx, cy, r, A, B = drawn(draw)
-        numbers = (cx, cy, r, *A, *B)
-        if any(isinstance(x, int) and int(float(x)) != x for x in numbers):
-            draw.reject()
-        return numbers
-
-    return draw_case
+    cx, cy, r, A, B = drawn(draw)
+    numbers = (cx, cy, r, *A, *B)
+    if any(isinstance(x, int) and int(float(x)) != x for x in numbers):
+        draw.reject()
+    return numbers
 
 
-def rounded(drawn: Scene) -> Scene:
+@maker
+def rounded(draw: Draw, drawn: Scene) -> Case:
     """Seven numbers, seen from the centre and rounded to doubles."""
-
-    def draw_case(draw: Draw) -> tuple[Any, ...]:
-        cx, cy, r, A, B = drawn(draw)
-        return (
-            0,
-            0.0,
-            float(r),
-            *(float(x - c) for point in (A, B) for x, c in zip(point, (cx, cy), strict=True)),
-        )
-
-    return draw_case
+    cx, cy, r, A, B = drawn(draw)
+    return (
+        0,
+        0.0,
+        float(r),
+        *(float(x - c) for point in (A, B) for x, c in zip(point, (cx, cy), strict=True)),
+    )
 
 
-def plain(draw: Draw) -> tuple[Any, ...]:
+def plain(draw: Draw) -> Case:
     """Everything anywhere within 128: ints, or doubles of 46 bits."""
     if draw.integer(0, 2) == 0:
         return (
@@ -63,65 +57,56 @@ def plain(draw: Draw) -> tuple[Any, ...]:
     return easy(draw)
 
 
-def easy(draw: Draw) -> tuple[Any, ...]:
+def easy(draw: Draw) -> Case:
     """Everything anywhere within 128: doubles of 46 bits."""
     top = (1 << 46) - 1
     return tuple(ldexp(draw.integer(0 if at == 2 else -top, top), -39) for at in range(7))
 
 
-def huge(draw: Draw) -> tuple[Any, ...]:
+def huge(draw: Draw) -> Case:
     """Everything anywhere up to 2**64 to 2**97, in ints, in doubles of 53 bits, or in both."""
     up, kinds = draw.integer(12, 45), draw.choice(((int,), (float,), (int, float)))
     return tuple(draw.choice(kinds)(draw.integer(0 if at == 2 else -_ONE, _ONE) << up) for at in range(7))
 
 
-def uneven(draw: Draw) -> tuple[Any, ...]:
+def uneven(draw: Draw) -> Case:
     """Each number of a size of its own, 2**-50 to 2**90."""
     return tuple(
         ldexp(draw.integer(0 if at == 2 else -_ONE, _ONE), draw.integer(-100, 38)) for at in range(7)
     )
 
 
-def ulps(drawn: Scene, *steps: int) -> Scene:
+@maker
+def ulps(draw: Draw, drawn: Scene, *steps: int) -> Case:
     """One of the numbers is so many units in its last place off."""
-
-    def draw_case(draw: Draw) -> tuple[Any, ...]:
-        numbers, at = [float(x) for x in drawn(draw)], draw.integer(0, 6)
-        if not numbers[at]:
-            draw.reject()
-        sign, many = draw.sign(), draw.choice(steps)
-        value = numbers[at]
-        numbers[at] = value + sign * many * ulp(value) if many > 1 else nextafter(value, sign * inf)
-        return tuple(numbers)
-
-    return draw_case
+    numbers, at = [float(x) for x in drawn(draw)], draw.integer(0, 6)
+    if not numbers[at]:
+        draw.reject()
+    sign, many = draw.sign(), draw.choice(steps)
+    value = numbers[at]
+    numbers[at] = value + sign * many * ulp(value) if many > 1 else nextafter(value, sign * inf)
+    return tuple(numbers)
 
 
-def turned(drawn: Scene) -> Scene:
+@maker
+def turned(draw: Draw, drawn: Scene) -> Case:
     """The figure turned by an angle that no double holds, and rounded."""
-
-    def draw_case(draw: Draw) -> tuple[Any, ...]:
-        cx, cy, r, ax, ay, bx, by = drawn(draw)
-        angle = draw.integer(1, 6_283) / 1000
-        p, q = cos(angle), sin(angle)
-        (cx, cy), A, B = ((p * x - q * y, q * x + p * y) for x, y in ((cx, cy), (ax, ay), (bx, by)))
-        return cx, cy, float(r), *A, *B
-
-    return draw_case
+    cx, cy, r, ax, ay, bx, by = drawn(draw)
+    angle = draw.integer(1, 6_283) / 1000
+    p, q = cos(angle), sin(angle)
+    (cx, cy), A, B = ((p * x - q * y, q * x + p * y) for x, y in ((cx, cy), (ax, ay), (bx, by)))
+    return cx, cy, float(r), *A, *B
 
 
-def small_radius(drawn: Scene) -> Scene:
+@maker
+def small_radius(draw: Draw, drawn: Scene) -> Case:
     """The radius is 0 or a part of the rounding of the other numbers."""
-
-    def draw_case(draw: Draw) -> tuple[Any, ...]:
-        cx, cy, _, *rest = drawn(draw)
-        size = float(max(map(abs, (cx, cy, *rest))))
-        return (cx, cy, draw.choice((0, 1, 1, 1)) * draw.integer(1, 12) * ulp(size) / 8, *rest)
-
-    return draw_case
+    cx, cy, _, *rest = drawn(draw)
+    size = float(max(map(abs, (cx, cy, *rest))))
+    return (cx, cy, draw.choice((0, 1, 1, 1)) * draw.integer(1, 12) * ulp(size) / 8, *rest)
 
 
-def one_place(draw: Draw) -> tuple[Any, ...]:
+def one_place(draw: Draw) -> Case:
     """A touch at one place of one of three circles, the other end off by a unit in its last place or not."""
     x, y, r = draw.choice(((3, 4, 5), (5, 12, 13), (7, 24, 25)))
     times = draw.sign() * draw.integer(1, 99) * 2 ** draw.integer(0, 30)
@@ -130,9 +115,7 @@ def one_place(draw: Draw) -> tuple[Any, ...]:
     return 0, 0.0, r, x, y, *b
 
 
-def spread(
-    draw: Draw, large: tuple[int, int] = (76, 92), little: tuple[int, int] = (-98, -80)
-) -> tuple[Any, ...]:
+def spread(draw: Draw, large: tuple[int, int] = (76, 92), little: tuple[int, int] = (-98, -80)) -> Case:
     """A line through a point of the circle, or next to it, with numbers of about 2**large and 2**little."""
     up, down = draw.integer(*large), draw.integer(*little)
     r, dx = (draw.integer(1, 99) << up for _ in range(2))
@@ -145,7 +128,7 @@ def spread(
     return cx, cy, float(r), *A, *B
 
 
-def vanishing(draw: Draw) -> tuple[Any, ...]:
+def vanishing(draw: Draw) -> Case:
     """k is nearly 3·2**-53 of dx·fy and dy·fx, |D|·r just below, and 0 in doubles; or it is the reverse."""
     step = 1 << draw.integer(22, 26)
     beyond = round(draw.choice((0.98, -2.03)) * _ONE / step) - step
@@ -157,7 +140,7 @@ def vanishing(draw: Draw) -> tuple[Any, ...]:
     return draw.reject()
 
 
-def _crossed(draw: Draw, numbers: Sequence[int]) -> tuple[Any, ...]:
+def _crossed(draw: Draw, numbers: Sequence[int]) -> Case:
     """D and f of doubles (dx, fy, dy, fx) above 1, rounded so that k is too small."""
     dx, fy, dy, fx = (number / _ONE for number in numbers)
     off = -draw.integer(9900, 9999) / 10000 * _U
@@ -171,24 +154,20 @@ def _crossed(draw: Draw, numbers: Sequence[int]) -> tuple[Any, ...]:
     return tuple(scale * x for x in (-fx, -fy, r, off, -off, dx, dy))
 
 
-def worst(drawn: Scene, of: int) -> Scene:
+@maker
+def worst(draw: Draw, drawn: Scene, of: int) -> Case:
     """Of so many draws the one whose Δ in doubles is most off, as a part of `Discriminant.width`."""
+    found = []
+    for _ in range(of):
+        with suppress(Rejected):
+            found.append(drawn(draw))
+    return max(found, key=_error) if found else draw.reject()
 
-    def error(case: tuple[Any, ...]) -> float:
-        cx, cy, r, ax, ay, bx, by = map(float, case)
-        dx, dy, fx, fy = bx - ax, by - ay, ax - cx, ay - cy
-        k = dx * fy - dy * fx
-        found = r * r * (dx * dx + dy * dy) - k * k
-        exact = discriminant(*case)
-        return float(abs(Fraction(found) - exact.value) / (exact.width or 1))
 
-    def draw_case(draw: Draw) -> tuple[Any, ...]:
-        found = []
-        for _ in range(of):
-            try:
-                found.append(drawn(draw))
-            except Rejected:
-                continue
-        return max(found, key=error) if found else draw.reject()
-
-    return draw_case
+def _error(case: Case) -> float:
+    cx, cy, r, ax, ay, bx, by = map(float, case)
+    dx, dy, fx, fy = bx - ax, by - ay, ax - cx, ay - cy
+    k = dx * fy - dy * fx
+    found = r * r * (dx * dx + dy * dy) - k * k
+    exact = discriminant(*case)
+    return float(abs(Fraction(found) - exact.value) / (exact.width or 1))

@@ -6,16 +6,13 @@ Of the cases a third are ints where they are whole, a third floats, a third both
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from math import gcd, isqrt, ldexp
-from typing import Any, Concatenate, ParamSpec
 
 from judge.data.draw import Draw
-from judge.geometry.level import Scene
+from judge.geometry.level import Scene, maker
 
 Number = int | float
 Coefficients = tuple[Number, Number, Number]
-P = ParamSpec("P")
 
 _MANTISSA = 53
 _LONGEST = 600  # bits of a number before the point
@@ -26,17 +23,7 @@ _FINEST = 3_200_000_000_000_000  # the least b whose square is more than 1e31
 _SIMILAR = 3  # roots of similar size: neither is more than so many times the other
 
 
-def _scene(drawn: Callable[Concatenate[Draw, P], Any]) -> Callable[P, Scene]:
-    """A maker of scenes from a function of a draw and what the scene is given."""
-
-    def make(*given: P.args, **named: P.kwargs) -> Scene:
-        return lambda draw: tuple(drawn(draw, *given, **named))
-
-    make.__doc__ = drawn.__doc__
-    return make
-
-
-@_scene
+@maker
 def plain(draw: Draw, size: int) -> Coefficients:
     """No roots, or two of similar size, so that no way of finding them loses digits."""
     a, b, c = (draw.integer(-size, size) for _ in range(3))
@@ -46,7 +33,7 @@ def plain(draw: Draw, size: int) -> Coefficients:
     return _typed(draw, (a, b, c), draw.choice((0, 0, -3)))
 
 
-@_scene
+@maker
 def cancellation(draw: Draw, least: int, most: int) -> Coefficients:
     """b² is 2**least to 2**most times larger than |a·c|: −b and √Δ are nearly alike."""
     lost = draw.integer(least, most)
@@ -60,7 +47,7 @@ def cancellation(draw: Draw, least: int, most: int) -> Coefficients:
     return _typed(draw, (a * draw.sign(), b * draw.sign(), c * draw.sign()), draw.choice((0, 0, -7, 5)))
 
 
-@_scene
+@maker
 def b_zero(draw: Draw, size: int) -> Coefficients:
     """b = 0: two roots of opposite signs, or none, or 0 alone; as a float, b is 0.0 or −0.0."""
     a = draw.integer(1, size) * draw.sign()
@@ -70,7 +57,7 @@ def b_zero(draw: Draw, size: int) -> Coefficients:
     return first, -zero if draw.boolean() else zero, last
 
 
-@_scene
+@maker
 def b_small(draw: Draw) -> Coefficients:
     """b is 2**-2 to 2**-52 of √|a·c|, and not 0: it still counts in the last digits of both roots."""
     bits = draw.integer(1, _MANTISSA)
@@ -79,7 +66,7 @@ def b_small(draw: Draw) -> Coefficients:
     return ldexp(a, shift + apart), ldexp(b, shift - draw.integer(2, 52)), ldexp(c, shift - apart)
 
 
-@_scene
+@maker
 def full(draw: Draw) -> Coefficients:
     """Three numbers of 53 bits and of similar size: digits are lost, but few."""
     least = draw.choice((52, 44))  # all of one binade, or not
@@ -89,14 +76,14 @@ def full(draw: Draw) -> Coefficients:
     return a, b, c
 
 
-@_scene
+@maker
 def c_zero(draw: Draw, size: int) -> Coefficients:
     """c = 0: one of the roots is 0."""
     a, b = (draw.integer(1, size) * draw.sign() for _ in range(2))
     return _typed(draw, (a, b, 0), draw.choice((0, -3)))
 
 
-@_scene
+@maker
 def linear(draw: Draw, size: int) -> Coefficients:
     """a = 0: one root; with b = 0 as well none, and all of them 0 no equation."""
     kind = draw.choice(("root", "root", "zero", "none", "all"))
@@ -105,7 +92,7 @@ def linear(draw: Draw, size: int) -> Coefficients:
     return _typed(draw, (0, b, c), draw.choice((0, -3)))
 
 
-@_scene
+@maker
 def zeros(draw: Draw, size: int) -> Coefficients:
     """One of the three is not 0, or none is; as a float, 0 may be −0.0."""
     whole = [0, 0, 0]
@@ -117,14 +104,14 @@ def zeros(draw: Draw, size: int) -> Coefficients:
     return a, b, c
 
 
-@_scene
+@maker
 def double(draw: Draw, size: int) -> Coefficients:
     """Δ = 0: k·(p·t + q)²."""
     p, q, k = draw.integer(1, size), draw.integer(0, size) * draw.sign(), draw.integer(1, 9) * draw.sign()
     return _typed(draw, (k * p * p, k * p * q, k * q * q), draw.choice((0, -5)))
 
 
-@_scene
+@maker
 def near_double(draw: Draw, least: int, most: int) -> Coefficients:
     """Δ = ±j², small beside b², which has about 2**least to 2**most of twice the bits.
 
@@ -147,7 +134,7 @@ def near_double(draw: Draw, least: int, most: int) -> Coefficients:
     return _typed(draw, (sign * a, draw.sign() * b, sign * c), draw.choice((0, -20)))
 
 
-@_scene
+@maker
 def finest(draw: Draw) -> Coefficients:
     """Δ = 1 beside a b² of 1e31 and more: two roots that differ in their last digits only.
 
@@ -164,7 +151,7 @@ def finest(draw: Draw) -> Coefficients:
     return _typed(draw, (sign * a, draw.sign() * b, sign * c), draw.choice((0, -20)))
 
 
-@_scene
+@maker
 def wide(draw: Draw, exponents: tuple[int, ...], *scenes: Scene) -> Coefficients:
     """Equations in whole numbers times 2**e, or a times it and c divided by it."""
     found = draw.choice(scenes)(draw)
@@ -179,7 +166,7 @@ def wide(draw: Draw, exponents: tuple[int, ...], *scenes: Scene) -> Coefficients
     return _scaled(a, exponent), b, _scaled(c, -exponent)  # the roots are divided by 2**e
 
 
-@_scene
+@maker
 def uneven(draw: Draw, low: int, high: int, size: int) -> Coefficients:
     """Each number times a power of two of its own: b² and a·c are hundreds of binary orders apart."""
     ea, eb, ec = (draw.integer(low, high) for _ in range(3))

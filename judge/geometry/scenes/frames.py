@@ -7,12 +7,12 @@ from fractions import Fraction
 from typing import Any
 
 from judge.data.draw import Draw
-from judge.geometry.level import Scene, checked, near_gap
+from judge.geometry.level import Case, Scene, Vocabulary, maker, near_gap, parsed
 from judge.geometry.pose import Atom, Length, Point, Vector, posed, root_up
 
-_PLACES = (
-    *("in", "less", "even", "more", "out", "low", "high", "centre", "broad"),
-    *("dot", "dot-miss", "dot-origin", "dot-again"),
+_PLACES = Vocabulary.of(
+    "a place of a circle beside the line",
+    "in less even more out low high centre broad dot dot-miss dot-origin dot-again",
 )
 _BROAD = 34  # bits by which a broad circle is larger than the others
 _SHARES = 0.01, 0.02, 0.05, 0.1, 0.2, 0.25, 0.4
@@ -53,10 +53,9 @@ def frames(
         least: of what is just off, see judge.geometry.level.scene.
         how: the pose.
     """
-    for word in (*words, *first):
-        checked(word, _PLACES, "a place of a circle beside the line")
+    parsed((*words, *first), _PLACES)
 
-    def draw_case(draw: Draw) -> tuple[Any, ...]:
+    def draw_case(draw: Draw) -> Case:
         h = draw.integer(1, _PARTS // 2 - 1) / _PARTS if exact else draw.choice(_SHARES)
         unit = _PARTS << (_FINE if any(word[-1] == "~" for word in (*words, *first)) else 0)
         radius = unit * draw.integer(size // 4 + 1, size)
@@ -105,14 +104,12 @@ def _distance(draw: Draw, word: str, r: int, h: Fraction) -> int:
     return int(places.get(word.rstrip("~"), int)())
 
 
-def anything(reach: int, most: int) -> Scene:
+@maker
+def anything(draw: Draw, reach: int, most: int) -> Case:
     """Any whole numbers up to `reach`, in at most so many frames."""
 
-    def draw_case(draw: Draw) -> tuple[Any, ...]:
-        def pair() -> tuple[int, int]:
-            return draw.integer(-reach, reach), draw.integer(-reach, reach)
+    def pair() -> tuple[int, int]:
+        return draw.integer(-reach, reach), draw.integer(-reach, reach)
 
-        circles = tuple((*pair(), draw.integer(0, reach)) for _ in range(draw.integer(1, most)))
-        return circles, pair(), pair(), draw.integer(1, _PARTS // 2 - 1) / _PARTS
-
-    return draw_case
+    circles = tuple((*pair(), draw.integer(0, reach)) for _ in range(draw.integer(1, most)))
+    return circles, pair(), pair(), draw.integer(1, _PARTS // 2 - 1) / _PARTS

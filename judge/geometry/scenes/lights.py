@@ -29,44 +29,38 @@ A word says what the light L is to the point P that the ray hits first.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from math import isqrt
 from typing import Any
 
-from judge.data.draw import Draw, Rejected
-from judge.geometry.level import Scene, checked, height, near_gap
+from judge.data.draw import Draw
+from judge.geometry.level import Case, Scene, Vocabulary, height, maker, near_gap, parsed, tried
 from judge.geometry.pose import Atom, Length, Point, Vector, posed
 from judge.geometry.scenes.crowds import Row, circles_of, mixed
 from judge.geometry.scenes.many import any_point
 from judge.geometry.shadow import Shade, shade
 from judge.problem.declare import InvalidCase
 
-_BLOCKED = ("blocked", "gap", "around-light", "around-point", "skin", "sill", "pillar", "moat")
-_SHADES: dict[str, tuple[Shade, ...]] = {
+_SHADES = {
     "miss": (Shade.NOTHING,),
-    "candle": (Shade.LIT,),
-    **dict.fromkeys(
-        ("open", "brink", "torch", "room", "court", "beyond", "behind", "level-open", "level-far", "ledge"),
-        (Shade.LIT,),
-    ),
-    **dict.fromkeys(("back", "level-back", "outdoors"), (Shade.BACK,)),
-    **dict.fromkeys(("wall", "level-wall"), (Shade.OWN,)),
-    **dict.fromkeys(_BLOCKED, (Shade.BLOCKED,)),
-    **dict.fromkeys(("lamp", "lamp-thin", "close", "close-early", "close-large"), (Shade.LIT, Shade.BLOCKED)),
+    "candle open brink torch room court beyond behind level-open level-far ledge": (Shade.LIT,),
+    "back level-back outdoors": (Shade.BACK,),
+    "wall level-wall": (Shade.OWN,),
+    "blocked gap around-light around-point skin sill pillar moat": (Shade.BLOCKED,),
+    "lamp lamp-thin close close-early close-large": (Shade.LIT, Shade.BLOCKED),
     "first-close": (Shade.LIT, Shade.BACK, Shade.BLOCKED),
     "straight": (Shade.LIT, Shade.OWN),
 }
-_TRIES = 40
+_SHADE = {word: shades for words, shades in _SHADES.items() for word in words.split()}
+_WORDS = Vocabulary("a way for a light to shine", tuple(_SHADE))
 
 Spot = tuple[int, int]
 
 
 def lights(*words: str, others: tuple[int, int] = (0, 0), size: int = 60, **how: Any) -> Scene:
     """A light of one of these words; `others` bounds how many circles stand about."""
-    for word in words:
-        checked(word, _SHADES, "a way for a light to shine")
+    parsed(words, _WORDS)
 
-    def draw_case(draw: Draw) -> tuple[Any, ...]:
+    def draw_case(draw: Draw) -> Case:
         word = draw.choice(words)
         rows, light = _laid(draw, word, size)
         rows = list(mixed(draw, [*rows, *(_about(draw, size) for _ in range(draw.integer(*others)))]))
@@ -74,32 +68,24 @@ def lights(*words: str, others: tuple[int, int] = (0, 0), size: int = 60, **how:
         for x, y, r in rows:
             atoms += [Point([x, y]), Length([r])]
         O, D, L, *rest = posed(draw, atoms, **how)
-        return _wanted(draw, (circles_of(rest), O, D, L), _SHADES[word])
+        case = circles_of(rest), O, D, L
+        return case if _shade(case) in _SHADE[word] else draw.reject()
 
     return draw_case
 
 
-def shaded(drawn: Scene, *shades: str) -> Scene:
+@maker
+def shaded(draw: Draw, drawn: Scene, *shades: str) -> Case:
     """Only cases in which the light is one of these: "nothing", "lit", "back", "own" or "blocked"."""
-
-    def draw_case(draw: Draw) -> tuple[Any, ...]:
-        wanted = Shade(draw.choice(shades))
-        for _ in range(_TRIES):
-            try:
-                return _wanted(draw, drawn(draw), (wanted,))
-            except Rejected:
-                continue
-        return draw.reject()
-
-    return draw_case
+    wanted = Shade(draw.choice(shades))
+    return tried(drawn, lambda case: _shade(case) is wanted)(draw)
 
 
-def _wanted(draw: Draw, case: tuple[Any, ...], shades: Sequence[Shade]) -> tuple[Any, ...]:
+def _shade(case: Case) -> Shade | None:
     try:
-        found = shade(*case)
+        return shade(*case)
     except InvalidCase:
-        return draw.reject()
-    return case if found in shades else draw.reject()
+        return None
 
 
 def _laid(draw: Draw, word: str, size: int) -> tuple[list[Row], Spot]:
@@ -231,34 +217,28 @@ def _about(draw: Draw, size: int) -> Row:
     return x, y, draw.integer(max(1, size // 20), max(2, size // 3))
 
 
-def topped(reach: int) -> Scene:
+@maker
+def topped(draw: Draw, reach: int) -> Case:
     """Rays in whole numbers to the top of a circle, or its bottom, left or right; L is anywhere."""
-
-    def draw_case(draw: Draw) -> tuple[Any, ...]:
-        (px, py), (dx, dy) = any_point(draw, reach), any_point(draw, 9)
-        r, k = draw.integer(1, reach) * draw.sign(), draw.integer(1, max(1, reach // 9))
-        case = ((px, py - r, abs(r)),), (px - k * dx, py - k * dy), (dx, dy), any_point(draw, reach)
-        if draw.boolean():
-            return case
-        (circle,), *rest = case
-        return ((circle[1], circle[0], circle[2]),), *((y, x) for x, y in rest)
-
-    return draw_case
+    (px, py), (dx, dy) = any_point(draw, reach), any_point(draw, 9)
+    r, k = draw.integer(1, reach) * draw.sign(), draw.integer(1, max(1, reach // 9))
+    case = ((px, py - r, abs(r)),), (px - k * dx, py - k * dy), (dx, dy), any_point(draw, reach)
+    if draw.boolean():
+        return case
+    (circle,), *rest = case
+    return ((circle[1], circle[0], circle[2]),), *((y, x) for x, y in rest)
 
 
-def home(reach: int) -> Scene:
+@maker
+def home(draw: Draw, reach: int) -> Case:
     """Rays in whole numbers or steep ones from inside a circle; C, O and L are level or upright, or one."""
+    r, axis, far = draw.integer(2, reach), draw.integer(0, 1), draw.choice((0, 0, reach))
+    O = any_point(draw, far)
 
-    def draw_case(draw: Draw) -> tuple[Any, ...]:
-        r, axis, far = draw.integer(2, reach), draw.integer(0, 1), draw.choice((0, 0, reach))
-        O = any_point(draw, far)
+    def beside(most: int) -> Spot:
+        by = draw.choice((0, 0, draw.integer(-most, most), draw.integer(-1, 1)))
+        return (O[0] + by, O[1]) if axis else (O[0], O[1] + by)
 
-        def beside(most: int) -> Spot:
-            by = draw.choice((0, 0, draw.integer(-most, most), draw.integer(-1, 1)))
-            return (O[0] + by, O[1]) if axis else (O[0], O[1] + by)
-
-        steep = draw.integer(-9, 9) * 2.0 ** -draw.integer(10, 30)
-        D = draw.choice((0, draw.integer(-9, 9), steep)), draw.integer(1, 9) * draw.sign()
-        return ((*beside(r - 1), r),), O, D[:: draw.sign()], beside(2 * r)
-
-    return draw_case
+    steep = draw.integer(-9, 9) * 2.0 ** -draw.integer(10, 30)
+    D = draw.choice((0, draw.integer(-9, 9), steep)), draw.integer(1, 9) * draw.sign()
+    return ((*beside(r - 1), r),), O, D[:: draw.sign()], beside(2 * r)

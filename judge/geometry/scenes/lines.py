@@ -12,29 +12,40 @@ judge.geometry.level. After O the word "anyway" sends the ray in any direction.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from functools import partial
 from typing import Any
 
 from judge.data.draw import Draw
-from judge.geometry.level import HEIGHTS, PLACES, Nudge, Scene, checked, over_circle, scene
-from judge.geometry.pose import Atom, Length, Point, Vector, posed
+from judge.geometry.level import (
+    HEIGHT,
+    PLACE,
+    Case,
+    Level,
+    Nudge,
+    Scene,
+    Vocabulary,
+    levelled,
+    over_circle,
+    parsed,
+)
+from judge.geometry.pose import Length, Point, Vector, posed
 
-_POINTS = ("in", "on", "out", "close", "centre", "far", "dot-on", "dot-out")
-_FEET = ("between", "beyond", "end", "on", "near", "close", "same")
-_Level = tuple[list[Atom], list[Nudge]]
+_START = PLACE._replace(known=(*PLACE.known, "anyway"))
+_POINT = Vocabulary.of("a place of a point", "in on out close centre far dot-on dot-out")
+_FOOT = Vocabulary.of("a place of a foot", "between beyond end on near close same")
 
 
-def _level_line(draw: Draw, words: Sequence[str], size: int = 30, uneven: int = 0) -> _Level:
+def _level_line(draw: Draw, words: Sequence[str], size: int = 30, uneven: int = 0) -> Level:
     R, (start, end), nudges = over_circle(draw, words, size, uneven=uneven)
     if start == end and "=" not in words:
         draw.reject()
-    atoms: list[Atom] = [Point([0, 0]), Length([R]), start, end]
-    return atoms, [nudge._replace(atom=nudge.atom + 2) for nudge in nudges]
+    return [Point([0, 0]), Length([R]), start, end], nudges
 
 
 def _level_ray(
     draw: Draw, words: Sequence[str], size: int = 30, uneven: int = 0, dimension: int = 2
-) -> _Level:
+) -> Level:
     R, (start,), nudges = over_circle(draw, words[:2], size, dimension, uneven)
     rest = [0] * (dimension - 2)
     if words[-1] == "anyway":
@@ -43,36 +54,27 @@ def _level_ray(
             draw.reject()
     else:
         way = [draw.integer(1, 9), 0, *rest]
-    atoms: list[Atom] = [Point([0, 0, *rest]), Length([R]), start, Vector(way)]
-    return atoms, [nudge._replace(atom=nudge.atom + 2) for nudge in nudges]
+    return [Point([0, 0, *rest]), Length([R]), start, Vector(way)], nudges
 
 
-def _level_sphere(draw: Draw, words: Sequence[str], size: int = 30, uneven: int = 0) -> _Level:
-    return _level_ray(draw, words, size, uneven, 3)
-
-
-def _level_point(draw: Draw, words: Sequence[str], size: int = 30, uneven: int = 0) -> _Level:
+def _level_point(draw: Draw, words: Sequence[str], size: int = 30, uneven: int = 0) -> Level:
     """A circle, and a point on the x axis."""
     word = words[0].rstrip("~")
     R = 0 if word.startswith("dot") else draw.integer(max(2, size // 2), size) << uneven
     reach = R or size
-    if word == "in":
-        x = draw.integer(1, max(1, R - 1))
-    elif word == "on":
-        x = R
-    elif word == "close":  # outside, by 2**-2 to 2**-20 of the radius
-        x = R + max(1, R >> draw.integer(2, 20))
-    elif word == "far":
-        x = reach * draw.integer(100, 20_000)
-    elif word in ("out", "dot-out"):
-        x = R + draw.integer(1, 3 * reach)
-    else:  # centre, dot-on
-        x = 0
-    nudges = [Nudge(2, 0)] if words[0][-1] == "~" else []
-    return [Point([0, 0]), Length([R]), Point([x, 0])], nudges
+    places: dict[str, Callable[[], int]] = {
+        "in": lambda: draw.integer(1, max(1, R - 1)),
+        "on": lambda: R,
+        "close": lambda: R + max(1, R >> draw.integer(2, 20)),  # outside, by 2**-2 to 2**-20 of the radius
+        "far": lambda: reach * draw.integer(100, 20_000),
+        "out": lambda: R + draw.integer(1, 3 * reach),
+        "centre": lambda: 0,
+    }
+    point = Point([places[{"dot-on": "centre", "dot-out": "out"}.get(word, word)](), 0])
+    return [Point([0, 0]), Length([R]), point], [Nudge(point, 0)] if words[0][-1] == "~" else []
 
 
-def _level_foot(draw: Draw, words: Sequence[str], size: int = 30, uneven: int = 0) -> _Level:
+def _level_foot(draw: Draw, words: Sequence[str], size: int = 30, uneven: int = 0) -> Level:
     """A and B on the x axis, and P at a place of the line between or beyond them, and at a height."""
     length = draw.integer(1, size) << uneven
     end = 0 if "same" in words else length
@@ -89,41 +91,18 @@ def _level_foot(draw: Draw, words: Sequence[str], size: int = 30, uneven: int = 
     return [Point([at, high]), Point([start, 0]), Point([last, 0])], []
 
 
-def _check_line(words: list[str]) -> None:
-    checked(words[0], HEIGHTS, "a height of a line")
-    for word in words[1:]:
-        checked(word, PLACES, "a place on a line")
-
-
-def _check_ray(words: list[str]) -> None:
-    _check_line([word for word in words if word != "anyway"])
-
-
-def _check_point(words: list[str]) -> None:
-    for word in words:
-        checked(word, _POINTS, "a place of a point")
-
-
-def _check_foot(words: list[str]) -> None:
-    for word in words:
-        checked(word, _FEET, "a place of a foot")
-
-
-lines = scene(_level_line, lambda C, r, A, B: (*C, r, A, B), _check_line)
-rays = scene(_level_ray, lambda C, r, O, D: (*C, r, O, D), _check_ray)
-spheres = scene(_level_sphere, lambda C, r, O, D: (C, r, O, D), _check_ray)
-points = scene(_level_point, lambda C, r, P: (*C, r, P), _check_point)
-feet = scene(_level_foot, lambda P, A, B: (A, B, P), _check_foot)
+lines = levelled(_level_line, lambda C, r, A, B: (*C, r, A, B), HEIGHT, PLACE)
+rays = levelled(_level_ray, lambda C, r, O, D: (*C, r, O, D), HEIGHT, _START)
+spheres = levelled(partial(_level_ray, dimension=3), lambda *case: case, HEIGHT, _START)
+points = levelled(_level_point, lambda C, r, P: (*C, r, P), _POINT)
+feet = levelled(_level_foot, lambda P, A, B: (A, B, P), _FOOT)
 
 
 def closed_up(*plans: str, **how: Any) -> Scene:
     """Lines of which A and B are close together: 1 part in 2 to 2**48 of the size, and exact."""
-    split = [plan.split() for plan in plans]
-    for words in split:
-        _check_line(words)
-    size = how.pop("size", 30)
+    split, size = parsed(plans, HEIGHT, PLACE), how.pop("size", 30)
 
-    def draw_case(draw: Draw) -> tuple[Any, ...]:
+    def draw_case(draw: Draw) -> Case:
         shift = draw.integer(1, 40)
         R, (start,), _ = over_circle(draw, draw.choice(split), size)
         start, radius = Point([start[0] << shift, start[1] << shift]), R << shift

@@ -4,7 +4,7 @@
     walls("graze cap", **BIG)                    (P0, P1, r, A, B)
 
 Of discs, a height and two places say how the first moves as seen from the second: see
-judge.geometry.level; "=" for the second place is no way at all. Words after them:
+judge.geometry.level; "=" for the second place is no way at all. Vocabulary after them:
 
     rest, alone       the second disc rests, or the first
     along, together   both run along one line, or both far in one direction
@@ -30,24 +30,22 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from math import ldexp
-from typing import Any
 
 from judge.data.draw import Draw
-from judge.geometry.level import HEIGHTS, PLACES, Nudge, Scene, checked, over_circle, scene
+from judge.geometry.level import HEIGHT, PLACE, Case, Level, Nudge, Vocabulary, levelled, maker, over_circle
 from judge.geometry.pose import Atom, Length, Point, triple
 
-_DRIFTS = ("rest", "alone", "along", "together", "rush")
-_RADII = ("dot", "tiny", "grain")
+_DRIFT = Vocabulary.of("how discs move", "rest alone along together rush dot tiny grain home")
 _FINE = 30  # bits by which a way grows beside grains
-_WHAT = (
-    *("hit", "fast", "flat", "graze", "slide", "start", "end", "short", "away", "past", "overlap", "rest"),
-    *("shy", "stop", "broad"),
+_WHAT = Vocabulary.of(
+    "what happens at a wall",
+    "hit fast flat graze slide start end short away past overlap rest shy stop broad",
 )
-_WHERE = ("side", "cap", "post")
-_HOW = ("dot", "grain", "level", "afar", "rim", "home")
+_WHERE = Vocabulary.of("a place of a wall", "side cap post")
+_HOW = Vocabulary.of("how a disc comes to a wall", "dot grain level afar rim home")
 
 
-def _level_balls(draw: Draw, words: Sequence[str], size: int = 30) -> tuple[list[Atom], list[Nudge]]:
+def _level_balls(draw: Draw, words: Sequence[str], size: int = 30) -> Level:
     """The way of P as seen from Q along the x axis; Q begins at (0, 0) and moves as it likes."""
     R, (start, end), nudges = over_circle(draw, words[:3], size)
     if start == end and words[2] != "=":
@@ -56,20 +54,21 @@ def _level_balls(draw: Draw, words: Sequence[str], size: int = 30) -> tuple[list
         start[0], end[0] = start[0] << _FINE, end[0] << _FINE
         R = draw.integer(10, 12) * max(abs(start[0]), abs(end[0] - start[0])) // 10**8 + 1
     if "rush" in words:
-        end = Point([-2 * start[0], start[1]])
+        end[:] = [-2 * start[0], start[1]]
     far = draw.integer(20, 100) * size
-    way = {
+    ways = {
         "rest": (0, 0),
         "alone": (start[0] - end[0], start[1] - end[1]),
         "along": (draw.integer(-3, 3) * (end[0] - start[0]) or size, 0),
         "rush": (2 * start[0], 0),
         "together": (far * draw.sign(), far * draw.integer(-1, 1)),
-        "": (draw.choice((0, draw.integer(-2 * size, 2 * size))), draw.integer(-2 * size, 2 * size)),
-    }[next((word for word in words if word in _DRIFTS), "")]
+    }
+    any_way = draw.choice((0, draw.integer(-2 * size, 2 * size))), draw.integer(-2 * size, 2 * size)
+    way = next((ways[word] for word in words if word in ways), any_way)
     r = 0 if "dot" in words else R // draw.integer(100, 1000) if "tiny" in words else draw.integer(0, R)
     r = R - r if draw.boolean() else r
-    last = Point([end[0] + way[0], end[1] + way[1]])
-    atoms: list[Atom] = [start, last, Length([r]), Point([0, 0]), Point(way), Length([R - r])]
+    end[:] = [end[0] + way[0], end[1] + way[1]]
+    atoms: list[Atom] = [start, end, Length([r]), Point([0, 0]), Point(way), Length([R - r])]
     if "home" in words:
         _home(draw, atoms, (0, 1, 3))
     return atoms, nudges
@@ -83,7 +82,7 @@ def _home(draw: Draw, atoms: list[Atom], those: Sequence[int]) -> None:
             each[:] = [each[0] - x, each[1] - y]
 
 
-def _level_wall(draw: Draw, words: Sequence[str], size: int = 30) -> tuple[list[Atom], list[Nudge]]:
+def _level_wall(draw: Draw, words: Sequence[str], size: int = 30) -> Level:
     """The wall from (0, 0) to (W, 0). The touch is laid out first, and the way goes through it."""
     what, where, near = words[0].rstrip("~"), words[1], words[0][-1] == "~"
     W = 0 if where == "post" else draw.integer(1, 3 * size)
@@ -146,7 +145,12 @@ def _level_wall(draw: Draw, words: Sequence[str], size: int = 30) -> tuple[list[
     outwards = draw.sign() if what in ("graze", "slide", "end", "start") else 1
     moved = {"graze": (0, 1), "slide": (0, 1), "end": (1,), "start": (0,)}.get(what, ()) if near else ()
     along = way if "level" in words and not R else away  # a point is just off on its own line
-    nudges = [Nudge(at, i, outwards * (1 if n > 0 else -1)) for at in moved for i, n in enumerate(along) if n]
+    nudges = [
+        Nudge((start, end)[at], i, outwards * (1 if n > 0 else -1))
+        for at in moved
+        for i, n in enumerate(along)
+        if n
+    ]
     ends = [Point([0, 0]), Point([W, 0])]
     atoms: list[Atom] = [start, end, Length([R]), *(ends if draw.boolean() else ends[::-1])]
     if "home" in words:
@@ -169,41 +173,23 @@ def _way(draw: Draw, away: Sequence[int], what: str) -> tuple[int, int]:
     return (x, y) if towards < 0 else (-x, -y)
 
 
-def _check_balls(words: list[str]) -> None:
-    checked(words[0], HEIGHTS, "a height of a line")
-    for word in words[1:3]:
-        checked(word, PLACES, "a place on a line")
-    for word in words[3:]:
-        checked(word, (*_DRIFTS, *_RADII, "home"), "how discs move")
+balls = levelled(_level_balls, lambda *case: case, HEIGHT, PLACE, PLACE, _DRIFT)
+walls = levelled(_level_wall, lambda *case: case, _WHAT, _WHERE, _HOW)
 
 
-def _check_wall(words: list[str]) -> None:
-    checked(words[0], _WHAT, "what happens at a wall")
-    checked(words[1], _WHERE, "a place of a wall")
-    for word in words[2:]:
-        checked(word, _HOW, "how a disc comes to a wall")
-
-
-balls = scene(_level_balls, lambda P0, P1, r, Q0, Q1, s: (P0, P1, r, Q0, Q1, s), _check_balls)
-walls = scene(_level_wall, lambda P0, P1, r, A, B: (P0, P1, r, A, B), _check_wall)
-
-
-def meeting(bits: int) -> Scene:
+@maker
+def meeting(draw: Draw, bits: int) -> Case:
     """Two points that run to one place: whole numbers of any size up to 2**bits, or doubles of 53 bits."""
+    whole = draw.boolean()
 
-    def draw_case(draw: Draw) -> tuple[Any, ...]:
-        whole = draw.boolean()
+    def point() -> list[int | float]:
+        large = draw.choice((3, bits, draw.integer(0, bits)))
+        if whole:
+            return [draw.sign() * draw.integer(0, 1 << large) for _ in range(2)]
+        return [ldexp(draw.sign() * draw.integer(0, 1 << 53), large - 53) for _ in range(2)]
 
-        def point() -> list[int | float]:
-            large = draw.choice((3, bits, draw.integer(0, bits)))
-            if whole:
-                return [draw.sign() * draw.integer(0, 1 << large) for _ in range(2)]
-            return [ldexp(draw.sign() * draw.integer(0, 1 << 53), large - 53) for _ in range(2)]
-
-        P, Q, X = point(), point(), point()
-        axis = draw.integer(0, 2)
-        if axis < 2:  # close together along it
-            P[axis], Q[axis] = draw.choice((0, draw.integer(-9, 9))), draw.integer(-9, 9)
-        return tuple(P), tuple(X), 0, tuple(Q), tuple(X), 0
-
-    return draw_case
+    P, Q, X = point(), point(), point()
+    axis = draw.integer(0, 2)
+    if axis < 2:  # close together along it
+        P[axis], Q[axis] = draw.choice((0, draw.integer(-9, 9))), draw.integer(-9, 9)
+    return tuple(P), tuple(X), 0, tuple(Q), tuple(X), 0

@@ -34,18 +34,16 @@ from math import isqrt
 from typing import Any
 
 from judge.data.draw import Draw
-from judge.geometry.level import Nudge, Scene, checked, scene
-from judge.geometry.pose import Atom, Length, Point
+from judge.geometry.level import Case, Level, Nudge, Scene, Vocabulary, levelled, maker
+from judge.geometry.pose import Length, Point
 
-_PAIRS = (
-    *("outer", "inner", "cross", "apart", "within", "close", "alike", "equal", "same", "ring"),
-    *("dots", "dot-on", "dot-off", "dot-centre"),
+_PAIR = Vocabulary.of(
+    "a way for two circles to lie",
+    "outer inner cross apart within close alike equal same ring dots dot-on dot-off dot-centre slant",
 )
 
 
-def _level_pair(
-    draw: Draw, words: Sequence[str], size: int = 30, uneven: int = 0
-) -> tuple[list[Atom], list[Nudge]]:
+def _level_pair(draw: Draw, words: Sequence[str], size: int = 30, uneven: int = 0) -> Level:
     """Two circles with their centres on the x axis; one is `uneven` powers of two larger."""
     word, near = words[0].rstrip("~"), words[0][-1] == "~"
     a = draw.integer(size // 4 + 1, size) << uneven
@@ -80,46 +78,21 @@ def _level_pair(
         a, b, d = 0, 0, draw.choice((0, a))
     if word.startswith("dot-"):
         a, b = (0, a) if draw.boolean() else (a, 0)
-    nudges = [Nudge(3 if word == "same" else 2, 0)] if near else []
-    centre = Point([d, 0])
-    if "slant" in words:
-        x, y, c = draw.choice(((20, 21, 29), (119, 120, 169)))
-        a, b, centre = a * c, b * c, Point([d * x, d * y])
-        nudges = [Nudge(1, 0, times=Fraction(3, 4))] if near else []
-    return [Point([0, 0]), Length([a]), centre, Length([b])], nudges
+    x, y, c = draw.choice(((20, 21, 29), (119, 120, 169))) if "slant" in words else (1, 0, 1)
+    one, centre, other = Length([a * c]), Point([d * x, d * y]), Length([b * c])
+    nudge = Nudge(other, 0) if word == "same" else Nudge(centre, 0)
+    nudge = Nudge(one, 0, times=Fraction(3, 4)) if "slant" in words else nudge
+    return [Point([0, 0]), one, centre, other], [nudge] if near else []
 
 
-def _check(words: list[str]) -> None:
-    for word in words:
-        checked(word, (*_PAIRS, "slant"), "a way for two circles to lie")
-
-
-pairs = scene(_level_pair, lambda C1, r1, C2, r2: (*C1, r1, *C2, r2), _check)
+pairs = levelled(_level_pair, lambda C1, r1, C2, r2: (*C1, r1, *C2, r2), _PAIR)
 
 _CORNERS = (
-    "on",
-    "in",
-    "out",
-    "far",
-    "remote",
-    "farthest",
-    "tangent",
-    "brush",
-    "leave",
-    "across",
-    "level",
-    "pole",
-    "short",
-    "stub",
-    "skim",
-    "box",
-    "again",
-    "left",
-    "right",
-    "at",
-    "by",
-    "slant",
+    "on in out far remote farthest tangent brush leave across level pole short stub skim box again left right"
+    " at by slant"
 )
+_CORNER = Vocabulary.of("a corner of a polygon", _CORNERS)
+_FIRST = Vocabulary.of("a corner of a polygon", f"{_CORNERS} dot")
 _BRUSH = 2048  # parts of the radius: a corner is so few of them away from where its edge touches
 
 
@@ -135,7 +108,7 @@ def _spots(radius: int) -> list[tuple[int, int]]:
     ]
 
 
-def _level_polygon(draw: Draw, words: Sequence[str], size: int = 30) -> tuple[list[Atom], list[Nudge]]:
+def _level_polygon(draw: Draw, words: Sequence[str], size: int = 30) -> Level:
     """A circle about (0, 0) and the corners of a polygon; a word adds one corner, or as many as it says."""
     radius = 5 * 13 * 17 if size > 5 * 13 * 17 else 5 * 5  # with 36 points in whole numbers, or 20
     k = draw.integer(max(1, size // radius // 2), max(1, size // radius))
@@ -144,13 +117,13 @@ def _level_polygon(draw: Draw, words: Sequence[str], size: int = 30) -> tuple[li
     points: list[Point] = []
     nudges: list[Nudge] = []
     for word in words[dot:]:
-        name, first = word.rstrip("~"), len(points)
         x, y = (k * each for each in draw.choice(_spots(radius)))
-        points += _corners(draw, name, x, y, points)
+        found = _corners(draw, word.rstrip("~"), x, y, points)
+        points += found
         if word[-1] == "~":
             away = draw.sign()
-            for at in range(first, len(points)):
-                nudges += [Nudge(at + 2, i, away * (1 if n > 0 else -1)) for i, n in ((0, x), (1, y)) if n]
+            for point in found:
+                nudges += [Nudge(point, i, away * (1 if n > 0 else -1)) for i, n in ((0, x), (1, y)) if n]
     return [Point([0, 0]), Length([0 if dot else radius * k]), *points], nudges
 
 
@@ -218,31 +191,19 @@ def _corners(draw: Draw, name: str, x: int, y: int, before: Sequence[Point]) -> 
     return [found[name]()]
 
 
-def _check_corners(words: list[str]) -> None:
-    for word in words[words[0] == "dot" :]:
-        checked(word, _CORNERS, "a corner of a polygon")
+polygons = levelled(_level_polygon, lambda C, r, *V: (*C, r, V), _FIRST, _CORNER)
 
 
-polygons = scene(_level_polygon, lambda C, r, *V: (*C, r, V), _check_corners)
-
-
-def polygons_of(*words: str, count: tuple[int, int], turns: bool = False, **how: Any) -> Scene:
+@maker
+def polygons_of(draw: Draw, /, *words: str, count: tuple[int, int], turns: bool = False, **how: Any) -> Case:
     """Polygons of as many of these words as `count` bounds; with `turns` they take turns."""
-
-    def draw_case(draw: Draw) -> tuple[Any, ...]:
-        number = draw.integer(*count)
-        plan = [words[at % len(words)] if turns else draw.choice(words) for at in range(number)]
-        drawn: Scene = polygons(" ".join(plan), **how)
-        return drawn(draw)
-
-    return draw_case
+    number = draw.integer(*count)
+    plan = [words[at % len(words)] if turns else draw.choice(words) for at in range(number)]
+    return polygons(" ".join(plan), **how)(draw)
 
 
-def cornered(make: Callable[..., Scene], count: tuple[int, int], *how: Any) -> Scene:
+@maker
+def cornered(draw: Draw, make: Callable[..., Scene], count: tuple[int, int], *how: Any) -> Case:
     """A circle and a polygon of any numbers that `make` draws for a shape, such as `grid`."""
-
-    def draw_case(draw: Draw) -> tuple[Any, ...]:
-        case = make("nnr" + "p" * draw.integer(*count), *how)(draw)
-        return *case[:3], case[3:]
-
-    return draw_case
+    case = make("nnr" + "p" * draw.integer(*count), *how)(draw)
+    return *case[:3], case[3:]

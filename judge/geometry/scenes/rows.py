@@ -16,10 +16,10 @@ from sys import byteorder
 from typing import Any
 
 from judge.data.draw import Draw
-from judge.geometry.level import Scene, checked, near_gap
+from judge.geometry.level import Case, Scene, Vocabulary, maker, near_gap, parsed
 from judge.geometry.pose import Atom, Length, Point, posed
 
-_WORDS = ("touch", "cut", "miss", "dot", "dot-miss")
+_WORDS = Vocabulary.of("how a circle lies to the line", "touch cut miss dot dot-miss")
 _FINE = 18  # bits by which all grows where a circle is just off
 _CHUNK = 2048  # numbers that are drawn at once
 _TRIPLES = ((3, 4, 5), (-4, 3, 5), (5, -12, 13), (8, 15, 17), (-7, 24, 25), (20, 21, 29))
@@ -40,11 +40,10 @@ def columns(
         along: how many sizes A and B are apart, at most.
         how: the pose.
     """
-    for word in words:
-        checked(word, _WORDS, "how a circle lies to the line")
+    parsed(words, _WORDS)
     fine = _FINE if any(word[-1] == "~" for word in words) else 0
 
-    def draw_case(draw: Draw) -> tuple[Any, ...]:
+    def draw_case(draw: Draw) -> Case:
         end = (draw.integer(1, size * along) * draw.sign()) << fine
         atoms: list[Atom] = [Point([0, 0]), Point([end, 0])]
         for _ in range(draw.integer(*count)):
@@ -78,52 +77,47 @@ def _row(draw: Draw, word: str, size: int, end: int, fine: int) -> tuple[list[in
     return [x, y], r
 
 
-def any_columns(reach: int, count: int) -> Scene:
+@maker
+def any_columns(draw: Draw, reach: int, count: int) -> Case:
     """So many circles and a line in whole numbers up to `reach`."""
 
-    def draw_case(draw: Draw) -> tuple[Any, ...]:
-        def number() -> int:
-            return draw.integer(-reach, reach)
+    def number() -> int:
+        return draw.integer(-reach, reach)
 
-        rows = [(number(), number(), draw.integer(0, reach)) for _ in range(count)]
-        return _columns(rows, (number(), number()), (number(), number()))
-
-    return draw_case
+    rows = [(number(), number(), draw.integer(0, reach)) for _ in range(count)]
+    return _columns(rows, (number(), number()), (number(), number()))
 
 
-def million(count: int, radius: int, every: int, bits: int) -> Scene:
+@maker
+def million(draw: Draw, count: int, radius: int, every: int, bits: int) -> Case:
     """So many circles anywhere on a grid of 2**16 places each way; all of it times a power of two.
 
     One of `every` so many touches the line, or is off by 2e-7 to 1e-5 of its own size. All is moved by
     numbers of so many bits, so that single precision has no room for the figure.
     """
-
-    def draw_case(draw: Draw) -> tuple[Any, ...]:
-        p, q, h = draw.choice(_TRIPLES)
-        unit = 2.0 ** draw.integer(-9, 3)
-        xs, ys, rs = (list(_shorts(draw, count)) for _ in range(3))
-        start = draw.integer(-9999, 9999), draw.integer(-9999, 9999)
-        end = start[0] + 500 * p, start[1] + 500 * q
-        radii: list[float] = [abs(r) % radius for r in rs]
-        for place in range(draw.integer(0, every - 1), count, every):
-            along, off, side = draw.integer(-1000, 1000), draw.integer(1, 99), draw.sign()
-            x, y = start[0] + along * p - side * off * q, start[1] + along * q + side * off * p
-            reach = max(off * h, *(abs(v) for at in (start, end) for v in (at[0] - x, at[1] - y)))
-            share = draw.choice((0, draw.sign())) * draw.integer(20, 99) * 10.0 ** draw.integer(-8, -7)
-            xs[place], ys[place], radii[place] = x, y, off * h + share * reach
-        dx, dy = (draw.sign() * draw.integer((1 << bits) // 2, 1 << bits) for _ in range(2))
-        return (
-            tuple([(x + dx) * unit for x in xs]),
-            tuple([(y + dy) * unit for y in ys]),
-            tuple([r * unit for r in radii]),
-            ((start[0] + dx) * unit, (start[1] + dy) * unit),
-            ((end[0] + dx) * unit, (end[1] + dy) * unit),
-        )
-
-    return draw_case
+    p, q, h = draw.choice(_TRIPLES)
+    unit = 2.0 ** draw.integer(-9, 3)
+    xs, ys, rs = (list(_shorts(draw, count)) for _ in range(3))
+    start = draw.integer(-9999, 9999), draw.integer(-9999, 9999)
+    end = start[0] + 500 * p, start[1] + 500 * q
+    radii: list[float] = [abs(r) % radius for r in rs]
+    for place in range(draw.integer(0, every - 1), count, every):
+        along, off, side = draw.integer(-1000, 1000), draw.integer(1, 99), draw.sign()
+        x, y = start[0] + along * p - side * off * q, start[1] + along * q + side * off * p
+        reach = max(off * h, *(abs(v) for at in (start, end) for v in (at[0] - x, at[1] - y)))
+        share = draw.choice((0, draw.sign())) * draw.integer(20, 99) * 10.0 ** draw.integer(-8, -7)
+        xs[place], ys[place], radii[place] = x, y, off * h + share * reach
+    dx, dy = (draw.sign() * draw.integer((1 << bits) // 2, 1 << bits) for _ in range(2))
+    return (
+        tuple([(x + dx) * unit for x in xs]),
+        tuple([(y + dy) * unit for y in ys]),
+        tuple([r * unit for r in radii]),
+        ((start[0] + dx) * unit, (start[1] + dy) * unit),
+        ((end[0] + dx) * unit, (end[1] + dy) * unit),
+    )
 
 
-def _columns(rows: Sequence[tuple[float, ...]], A: Any, B: Any) -> tuple[Any, ...]:
+def _columns(rows: Sequence[tuple[float, ...]], A: Any, B: Any) -> Case:
     cx, cy, r = (tuple(float(row[place]) for row in rows) for place in range(3))
     return cx, cy, r, A, B
 

@@ -1,14 +1,14 @@
 """Scenes of whole numbers: what decides is 0, or as small as whole numbers allow.
 
     scattered("nrp", 9)                ints up to 9, in any shape
-    beside_line(reach, 0)              (A, B, P), P on the line
-    beside_line(reach, 1, -1)          (A, B, P), the cross product of B − A and P − A is 1 or -1
-    right_angles(reach, 0)             (A, B, P), P on the circle with the diameter AB
-    beside_circle(reach, 0)            (cx, cy, r, P), |P − C|² − r² is 0
-    level(reach)                       (A, B, P), the line AB is horizontal or vertical
-    cuts(reach, 0)                     (cx, cy, r, A, B), r²·|D|² − k² is 0
+    beside_line((reach,), 0)           (A, B, P), P on the line
+    beside_line((reach,), 1, -1)       (A, B, P), the cross product of B − A and P − A is 1 or -1
+    right_angles((reach,), 0)          (A, B, P), P on the circle with the diameter AB
+    beside_circle((reach,), 0)         (cx, cy, r, P), |P − C|² − r² is 0
+    level((reach,))                    (A, B, P), the line AB is horizontal or vertical
+    cuts(reach, close=False)           (cx, cy, r, A, B), r²·|D|² − k² is 0
 
-All coordinates are ints within ±reach, or one of several reaches.
+All coordinates are ints within ±reach, which is one of several.
 """
 
 from __future__ import annotations
@@ -18,17 +18,11 @@ from functools import cache
 from math import gcd, isqrt
 from typing import Any
 
-from judge.data.draw import Draw, Rejected
-from judge.geometry.level import Scene
+from judge.data.draw import Draw
+from judge.geometry.level import Case, Scene, maker
 from judge.geometry.pose import triple
 
 Whole = tuple[int, int]
-Reach = int | Sequence[int]
-
-
-def reached(draw: Draw, reach: Reach) -> int:
-    """The reach of a case."""
-    return reach if isinstance(reach, int) else draw.choice(reach)
 
 
 def fitted(draw: Draw, reach: int, points: Sequence[Whole]) -> list[Whole]:
@@ -67,24 +61,21 @@ def across(way: Whole, product: int, steps: int) -> Whole:
     return x + steps * p, y + steps * q
 
 
-def scattered(shape: str, *reaches: int) -> Scene:
+@maker
+def scattered(draw: Draw, shape: str, *reaches: int) -> Case:
     """Ints within one of `reaches`, a third of them near its ends: n a number, r one from 1 on, p a point."""
+    size = draw.choice(reaches)
 
-    def draw_case(draw: Draw) -> tuple[Any, ...]:
-        size = draw.choice(reaches)
+    def number() -> int:
+        far = size if draw.integer(0, 2) else min(size, 9)
+        return (size - draw.integer(0, far)) * draw.sign() if far < size else draw.integer(-size, size)
 
-        def number() -> int:
-            far = size if draw.integer(0, 2) else min(size, 9)
-            return (size - draw.integer(0, far)) * draw.sign() if far < size else draw.integer(-size, size)
-
-        kinds: dict[str, Callable[[], Any]] = {
-            "n": number,
-            "r": lambda: abs(number()) or 1,
-            "p": lambda: (number(), number()) if draw.integer(0, 11) else (0, 0),
-        }
-        return tuple(kinds[kind]() for kind in shape)
-
-    return draw_case
+    kinds: dict[str, Callable[[], Any]] = {
+        "n": number,
+        "r": lambda: abs(number()) or 1,
+        "p": lambda: (number(), number()) if draw.integer(0, 11) else (0, 0),
+    }
+    return tuple(kinds[kind]() for kind in shape)
 
 
 def ints(drawn: Scene) -> Scene:
@@ -96,60 +87,37 @@ def ints(drawn: Scene) -> Scene:
     return lambda draw: tuple(whole(part) for part in drawn(draw))
 
 
-def tried(drawn: Scene, tries: int = 40) -> Scene:
-    """The first of so many draws that is a case."""
-
-    def draw_case(draw: Draw) -> tuple[Any, ...]:
-        for _ in range(tries):
-            try:
-                return drawn(draw)
-            except Rejected:
-                continue
-        return draw.reject()
-
-    return draw_case
-
-
-def beside_line(reach: Reach, *off: int) -> Scene:
+@maker
+def beside_line(draw: Draw, reaches: Sequence[int], *off: int) -> Case:
     """A, B and P, where (B − A) × (P − A) is one of `off`, or twice that."""
-
-    def draw_case(draw: Draw) -> tuple[Any, ...]:
-        size = reached(draw, reach)
-        way, times = direction(draw, size), draw.choice((1, 1, 1, 2))
-        P = across(way, draw.choice(off), draw.integer(-1, 1))
-        points = fitted(draw, size, [(0, 0), (times * way[0], times * way[1]), P])
-        return tuple(points if draw.boolean() else (points[1], points[0], points[2]))
-
-    return draw_case
+    size = draw.choice(reaches)
+    way, times = direction(draw, size), draw.choice((1, 1, 1, 2))
+    P = across(way, draw.choice(off), draw.integer(-1, 1))
+    points = fitted(draw, size, [(0, 0), (times * way[0], times * way[1]), P])
+    return tuple(points if draw.boolean() else (points[1], points[0], points[2]))
 
 
-def right_angles(reach: Reach, *off: int) -> Scene:
+@maker
+def right_angles(draw: Draw, reaches: Sequence[int], *off: int) -> Case:
     """A, B and P, where (A − P)·(B − P) is one of `off`, or B is P."""
-
-    def draw_case(draw: Draw) -> tuple[Any, ...]:
-        size = reached(draw, reach)
-        way = direction(draw, size)
-        x, y = across(way, draw.choice(off), draw.integer(-1, 1))
-        A, B, P = fitted(
-            draw, size, [way, (y, -x), (0, 0)]
-        )  # a quarter turn makes a dot product of a cross product
-        if A == B:
-            draw.reject()
-        return (A, B, P) if draw.boolean() else (B, A, P)
-
-    return draw_case
+    size = draw.choice(reaches)
+    way = direction(draw, size)
+    x, y = across(way, draw.choice(off), draw.integer(-1, 1))
+    A, B, P = fitted(
+        draw, size, [way, (y, -x), (0, 0)]
+    )  # a quarter turn makes a dot product of a cross product
+    if A == B:
+        draw.reject()
+    return (A, B, P) if draw.boolean() else (B, A, P)
 
 
-def beside_circle(reach: Reach, *off: int) -> Scene:
+@maker
+def beside_circle(draw: Draw, reaches: Sequence[int], *off: int) -> Case:
     """A circle and P with |P − C|² − r² one of 1, 0 and -1."""
-
-    def draw_case(draw: Draw) -> tuple[Any, ...]:
-        size = reached(draw, reach)
-        x, y, r = near_circle(draw, size // 2, draw.choice(off))
-        (cx, cy), P = fitted(draw, size, [(0, 0), (x, y)])
-        return cx, cy, r, P
-
-    return draw_case
+    size = draw.choice(reaches)
+    x, y, r = near_circle(draw, size // 2, draw.choice(off))
+    (cx, cy), P = fitted(draw, size, [(0, 0), (x, y)])
+    return cx, cy, r, P
 
 
 def near_circle(draw: Draw, size: int, off: int) -> tuple[int, int, int]:
@@ -174,39 +142,35 @@ def near_circle(draw: Draw, size: int, off: int) -> tuple[int, int, int]:
     return x, y, r
 
 
-def level(reach: Reach, drawn: Callable[[Draw, int], tuple[int, int, int]] | None = None) -> Scene:
+@maker
+def level(
+    draw: Draw, reaches: Sequence[int], drawn: Callable[[Draw, int], tuple[int, int, int]] | None = None
+) -> Case:
     """A and B on a horizontal or vertical line, and P anywhere; `drawn` draws where they are along it."""
-
-    def draw_case(draw: Draw) -> tuple[Any, ...]:
-        size = reached(draw, reach)
-        a, b, p = drawn(draw, size) if drawn else tuple(draw.integer(-size, size) for _ in "ABP")
-        if a == b:
-            draw.reject()
-        y = draw.integer(-size, size)
-        points = [(a, y), (b, y), (p, draw.integer(-size, size))]
-        return tuple(points if draw.boolean() else [(v, u) for u, v in points])
-
-    return draw_case
+    size = draw.choice(reaches)
+    a, b, p = drawn(draw, size) if drawn else tuple(draw.integer(-size, size) for _ in "ABP")
+    if a == b:
+        draw.reject()
+    y = draw.integer(-size, size)
+    points = [(a, y), (b, y), (p, draw.integer(-size, size))]
+    return tuple(points if draw.boolean() else [(v, u) for u, v in points])
 
 
-def cuts(reach: int, *, close: bool) -> Scene:
+@maker
+def cuts(draw: Draw, reach: int, *, close: bool) -> Case:
     """A circle and a line in small numbers that touch, or miss touching by as little as can be."""
-
-    def draw_case(draw: Draw) -> tuple[Any, ...]:
-        if close:
-            found = _narrowest(draw.choice((0, draw.integer(1, 2 * reach))), reach)
-            way, product, r = found[draw.integer(0, draw.choice((0, 1, len(found) - 1)))]
-        else:
-            p, q, c = (1, 0, 1) if draw.integer(0, 3) == 0 else triple(draw, max(5, reach))
-            r = draw.integer(1, reach)
-            way, product = (p, q), c * r
-        start = across(way, product * draw.sign(), draw.integer(-1, 0))
-        times = draw.choice((1, -1)) if max(way) * 2 > reach else draw.choice((1, 1, -1, 2))
-        end = start[0] + times * way[0], start[1] + times * way[1]
-        (cx, cy), A, B = fitted(draw, reach, [(0, 0), start, end])
-        return cx, cy, r, A, B
-
-    return draw_case
+    if close:
+        found = _narrowest(draw.choice((0, draw.integer(1, 2 * reach))), reach)
+        way, product, r = found[draw.integer(0, draw.choice((0, 1, len(found) - 1)))]
+    else:
+        p, q, c = (1, 0, 1) if draw.integer(0, 3) == 0 else triple(draw, max(5, reach))
+        r = draw.integer(1, reach)
+        way, product = (p, q), c * r
+    start = across(way, product * draw.sign(), draw.integer(-1, 0))
+    times = draw.choice((1, -1)) if max(way) * 2 > reach else draw.choice((1, 1, -1, 2))
+    end = start[0] + times * way[0], start[1] + times * way[1]
+    (cx, cy), A, B = fitted(draw, reach, [(0, 0), start, end])
+    return cx, cy, r, A, B
 
 
 @cache
