@@ -55,8 +55,6 @@ class NativeBox(ContainerBox):
     """One submission in another language."""
 
     stderr_bytes = 32 << 10  # what says why comes before a hundred frames of the stack
-    _recipe: Recipe
-    _sources: Sources
 
     def __init__(
         self, order: Callable[[], Order], boxes: Containment, store: ArtifactStore, *, idle: bool = True
@@ -74,13 +72,25 @@ class NativeBox(ContainerBox):
         self._raised: list[str] = []  # what its calls have raised
         self._closing = ExitStack()
 
+    @cached_property
+    def _ordered(self) -> Order:  # by the first use, which may be before it is entered
+        return self._order()
+
+    @property
+    def _recipe(self) -> Recipe:
+        return self._ordered[0]
+
+    @property
+    def _sources(self) -> Sources:
+        return self._ordered[1]
+
     @property
     def name(self) -> str:
         """The language's."""
         return self._recipe.name
 
     def __enter__(self) -> NativeBox:
-        self._recipe, self._sources = self._order()
+        _ = self._ordered
         return self
 
     def __exit__(self, *exc: object) -> None:
