@@ -1,7 +1,8 @@
 """Question 1: is the program right where it is asked in another way? No source is needed.
 
-Each call in a process of its own; the figure moved, so that its first point is the origin; the figure scaled
-to size 1 by a power of two. The exact answer to the other case is known, so that nothing need be undone.
+Each call in a process of its own; whole numbers as doubles; the figure moved, so that its first point is the
+origin; the figure scaled to size 1 by a power of two. The exact answer to the other case is known, so that
+nothing need be undone.
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ from judge.sandbox.boundary import Box, Limits, Stop
 from judge.values.answers import Exact, Target
 from judge.values.check import Accepted
 
-WAYS = ("fresh", "moved", "scaled")
+WAYS = ("fresh", "doubles", "moved", "scaled")
 _WRONG, _RIGHT = 24, 12  # cases of each kind that are asked
 _FIRST = 3  # of the wrong ones: where all are wrong in a process of their own, no more are asked
 _MOST_SECONDS = 4.0  # of all processes, where each takes long
@@ -92,7 +93,11 @@ class Changed:
 
     def _other(self, way: str, asked: Asked) -> Other | None:
         """The case so changed; None where it cannot be, exactly, or that changes nothing."""
-        case = moved(self._cases, asked.case, scale=way == "scaled")
+        whole = any("integer" in each.type.text for each in self._cases.problem.parameters)
+        if way == "doubles":
+            case: Case | None = None if whole else _floated(asked.case)
+        else:
+            case = moved(self._cases, asked.case, scale=way == "scaled")
         if case is None or repr(case) == repr(asked.case):
             return None
         try:
@@ -100,6 +105,12 @@ class Changed:
         except InvalidCase:
             return None
         return case, target_of(self._cases.problem, exact, asked.group.group.tolerance), exact
+
+
+def _floated(value: Any) -> Any:
+    if isinstance(value, tuple):
+        return tuple(map(_floated, value))
+    return float(value) if type(value) is int and abs(value) <= 2**53 else value
 
 
 def moved(cases: Cases, case: Case, *, scale: bool) -> Case | None:

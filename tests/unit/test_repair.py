@@ -137,6 +137,12 @@ def test_what_reads_standard_input_is_asked_the_first_question_alone(kata):
     assert (made.ways, made.whole, told) == (("scaled",), (), [("scaled", 0)])
 
 
+def test_whole_numbers_that_wrap_are_right_as_doubles(kata):
+    wrapped = "((x + 2**15) % 2**16 - 2**15 if type(x) is int else x for x in (ax, ay, bx, by))"
+    text = PROGRAMS["count"].replace("    size =", f"    ax, ay, bx, by = {wrapped}\n    size =")
+    assert "doubles" in repair(kata("count"), text)[0].ways
+
+
 FOOT = """\
 def foot(A, B, C):
     dx, dy = B[0] - A[0], B[1] - A[1]
