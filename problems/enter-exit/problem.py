@@ -29,11 +29,17 @@ def solve(circles, O, D):
     return AnyOf(orders) if len(orders) > 1 else orders[0]
 
 
-def leaning(draw):
+def leaning(draw, least=20, most=2000):
     """As `aligned`, with a ray nearly along the tangent at its origin."""
     circles, O, _ = aligned(2**20, (1, 3))(draw)
-    D = draw.sign(), draw.integer(20, 2000)
+    D = draw.sign(), draw.integer(least, most)
     return circles, O, D if circles[0][1] == O[1] else D[::-1]
+
+
+def outwards(draw):
+    """As `aligned`, with a ray nearly along the normal at its origin."""
+    circles, O, D = leaning(draw, 1 << 21, 1 << 29)
+    return circles, O, (D[1] * draw.sign(), D[0])
 
 
 def grazing(draw):
@@ -66,7 +72,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("ties-full", "Hits at one place that floats put in order, and touches that they miss.", crowds("exit2 enter2 touch", "cut1 mirror copy", "enter3 touch3 exit3", "dot cut", "dot2 dot", "dot0 enter dot", "enter2 dot2", "dot0 touch", "dot0 touch", "dot0 touch touch", "dot0 exit0 touch", **FULL), cases=160, skills=("hits at one place", "a tangent has a width")),
     group("origin-full", "The origin on a circle, and rounding puts it beside.", telling(crowds(*ORIGIN, "exit0", "touch0", "touch0 behind", **FULL), *TELLING), skills="origin on the circle"),
     group("origin-touch", "The ray touches a circle at its origin, and rounding puts that behind.", crowds("touch0", "touch0 behind", "touch0 exit0", **BIG), cases=90, skills="origin on the circle"),
-    group("origin-level", "The origin on circles, level with their centres or upright, and the ray any way or nearly along them, or it touches a circle further on.", either(telling(either(aligned(20, (1, 3)), aligned(2**28, (1, 3))), *TELLING), *2 * [telling(grazing, *TELLING)], leaning), cases=150, skills="origin on the circle"),
+    group("origin-level", "The origin on circles, level with their centres or upright, and the ray any way or nearly along them, or it touches a circle further on.", either(telling(either(aligned(20, (1, 3)), aligned(2**28, (1, 3))), *TELLING), *2 * [telling(grazing, *TELLING)], leaning, telling(outwards, *TELLING)), cases=150, skills="origin on the circle"),
     group("near", "Nearly a touch: 1e-7 of the figure away.", either(crowds("touch~ cut", "touch~ touch~", "around touch~", "dot~ cut", **{**NEAR, "least": 7}), crowds("touch9~", "touch9~ cut", **{**NEAR, "least": 7})), cases=100, skills="nearly is not touching"),
     group("ties-near", "Two hits nearly at one place: their order counts.", crowds("exit2~ enter2", "enter2 enter2~", "exit2~ exit2", "touch2 enter2~", **NEAR), skills="hits in order"),
     group("origin-near", "The origin is just off a circle, inside or outside.", crowds("exit0~ enter", "enter0~ cut", "exit0~", "enter0~ exit0~", **NEAR), skills="origin on the circle"),

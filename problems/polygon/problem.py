@@ -1,6 +1,7 @@
 """Where the boundary of a polygon crosses a circle: exactly, edge by edge."""
 
 from functools import partial
+from math import sqrt
 
 from judge.geometry import plain
 from judge.geometry.hooks import hooks
@@ -22,6 +23,18 @@ def solve(cx, cy, r, V):
     return crossings(cx, cy, r, V)
 
 
+def between(cx, cy, r, V, tolerance=0):
+    """How many crossings are between the corners of their edges, as ways from the foot."""
+    corners = [complex(x - cx, y - cy) for x, y in V]
+    near, found = tolerance * max(r, *map(abs, corners)), 0
+    for start, end in zip(corners, [*corners[1:], corners[0]], strict=True):
+        way = end - start
+        turned = -start * (way / abs(way)).conjugate()
+        half = sqrt(max(0, (r - abs(turned.imag)) * (r + abs(turned.imag))))
+        found += sum(near < turned.real + side * half < abs(way) - near for side in (-1, 1))
+    return found
+
+
 INTERVIEW = [
     group("grid", "Small whole numbers: everything that can happen.", cornered(grid, (3, 5), 3), cases=120, skills="the small grid"),
     group("stars", "Corners inside and outside all around: most edges cross once.", either(polygons(*STARS, **PLAIN), polygons(*STARS, **AXIS)), skills="edge by edge"),
@@ -38,7 +51,7 @@ INTERVIEW = [
 PRODUCTION = [  # the same, where rounding bites
     group("turned", "A touch that squares cannot see.", polygons(*TOUCHES, **BIG), skills="a tangent has a width"),
     group("touch-full", "A touch that no formula in floats can see.", telling(polygons(*TOUCHES, **FULL), *TELLING), skills="a tangent has a width"),
-    group("corner-full", "Corners on the circle, and rounding puts them beside.", telling(either(polygons(*ON, **FULL), polygons("on level out", "level on out", "on level on", **FULL), polygons_of("on", "by", "leave", count=(30, 45), turns=True, **BIG), polygons("on level out", "level on out", **LEVEL), polygons_of("on", "pole", "level", count=(12, 20), turns=True, **LEVEL)), *TELLING), cases=72, skills="a corner is met once"),
+    group("corner-full", "Corners on the circle, and rounding puts them beside.", either(*3 * [telling(either(polygons(*ON, **FULL), polygons("on level out", "level on out", "on level on", **FULL), polygons_of("on", "by", "leave", count=(30, 45), turns=True, **BIG), polygons("on level out", "level on out", **LEVEL), polygons_of("on", "pole", "level", count=(12, 20), turns=True, **LEVEL)), *TELLING)], telling(polygons("at on out", "at out on", "at on in", "in at on", "out at on", "on at out", **FULL), between, partial(between, tolerance=1e-10))), cases=84, skills="a corner is met once"),
     group("short-edge", "An edge of a ten millionth to an eighth of the figure has an end on the circle.", either(polygons("short out", "short in out", "short short", **FULL), polygons_of("stub", "in", count=(20, 42), turns=True, **FULL), polygons_of("skim", "in", "skim", "out", count=(7, 12), turns=True, **FULL)), cases=54, skills="a corner is met once"),
     group("near-touch", "Nearly a touch: 1e-7 of the figure away.", polygons("tangent~ out", "tangent~ tangent~", "in tangent~", "brush~ out", **{**NEAR, "least": 7}), skills="nearly is not touching"),
     group("near-corner", "Corners just inside or just outside the circle.", polygons("on~ out on~ in", "on~ in on~ out", "on~ on on~", **{**NEAR, "least": 7}), skills="nearly is not on it"),

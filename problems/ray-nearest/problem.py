@@ -4,7 +4,7 @@ from functools import partial
 
 from judge.geometry import Line, plain
 from judge.geometry.hooks import hooks
-from judge.geometry.scenes import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TILTED, TINY, either, grid, rays, telling, uniform, whole
+from judge.geometry.scenes import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TILTED, TINY, either, grid, rays, skimming, telling, uniform, whole
 from judge.problem.declare import group
 
 HOOKS = hooks("ray")
@@ -49,7 +49,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("turned", "A touch that squares cannot see.", rays(*TOUCHES, **BIG), skills="a tangent has a width"),
     group("full", "A touch that no formula in floats can see.", either(rays(*TOUCHES, "touch nearer", "touch nearer", **HUGE), rays(*TOUCHES, **SPLIT)), skills="a tangent has a width"),
     group("near", "Nearly a touch: 1e-7 of the figure away.", rays("touch~ before", "touch~ before", "touch~ foot", **CLEAR), skills="nearly is not touching"),
-    group("on-full", "The origin is on the circle, and rounding puts it beside.", either(telling(rays(*ON_CIRCLE, **HUGE), *TELLING), telling(rays(*ON_CIRCLE, **BIG), *BY_POWER), telling(rays("through first", "through last", "through first anyway", **HUGE), *BY_POWER), *[telling(rays("touch foot", **HUGE), *TELLING)] * 3, rays("through first anyway", "through last anyway", **{**HUGE, "turn": "axis"})), cases=190, skills="origin on the circle"),
+    group("on-full", "The origin is on the circle, and rounding puts it beside.", either(telling(rays(*ON_CIRCLE, **HUGE), *TELLING), telling(rays(*ON_CIRCLE, **BIG), *BY_POWER), telling(rays("through first", "through last", "through first anyway", **HUGE), *BY_POWER), *[telling(rays("touch foot", **HUGE), *TELLING)] * 3, rays("through first anyway", "through last anyway", **{**HUGE, "turn": "axis"}), skimming), cases=190, skills="origin on the circle"),
     group("on-near", "The origin is just off the circle, inside or outside.", rays("chord first~", "chord last~", "chord last~ anyway", "through first~", "through first~", "through last~", "through last~", **CLEAR), cases=100, skills="origin on the circle"),
     group("direction-length", "Directions up to 1e12 times shorter than the figure, or 1e24 times longer.", either(rays("cut before", "cut in", "cut after", "miss before", "dot-miss before", "touch before", "chord last", "chord last anyway", "chord first~", "chord last~", "touch~ before", **STRETCHED), rays("chord first~", "chord last~", "touch~ before", "touch~ after", **{**NEAR, "shift": 0, "stretch": (20, 40)}), rays("miss before", "cut after", "cut in", "touch after", **{**PLAIN, "shift": -60, "stretch": (60, 75, 90)})), cases=120, skills=("t is not a distance", "scale invariance")),
     group("tiny", "All of it tiny, down to 1e-29.", either(rays("touch before", "touch~ before", "chord first~", "cut before", "touch after", "cut after", **TINY), rays("touch before", "cut before", **{**TINY, "turn": "axis"})), skills=("no absolute epsilon", "scale invariance")),

@@ -14,6 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from functools import partial
+from math import copysign, sqrt
 from typing import Any
 
 from judge.data.draw import Draw
@@ -29,7 +30,7 @@ from judge.geometry.level import (
     over_circle,
     parsed,
 )
-from judge.geometry.pose import Length, Point, Vector, posed
+from judge.geometry.pose import HUGE, Length, Point, Vector, posed
 
 _START = PLACE._replace(known=(*PLACE.known, "anyway"))
 _POINT = Vocabulary.of("a place of a point", "in on out close centre far dot-on dot-out")
@@ -112,3 +113,20 @@ def closed_up(*plans: str, **how: Any) -> Scene:
         return cx, cy, r, A, B
 
     return draw_case
+
+
+def skimming(draw: Draw) -> Case:
+    """A ray that begins on a circle and nearly touches it there, and rounding puts its origin behind."""
+    for _ in range(12):
+        cx, cy, r, O = _ON(draw)
+        lean, turn = draw.integer(1 << 10, 1 << 14) / (1 << 21) * draw.sign(), draw.sign()
+        fx, fy = O[0] - cx, O[1] - cy
+        dx, dy = lean * fx - turn * fy, lean * fy + turn * fx
+        a, b, k = dx * dx + dy * dy, fx * dx + fy * dy, abs(dx * fy - dy * fx)
+        root = (fx * fx + fy * fy - r * r) / (b + copysign(sqrt(max(0, r * r * a - k * k)), b))
+        if root * sqrt(a) > 3e-10 * abs(k / sqrt(a) - r):
+            return cx, cy, r, O, (dx, dy)
+    return draw.reject()
+
+
+_ON = points("on", **{**HUGE, "size": 2**30, "shift": -40})
