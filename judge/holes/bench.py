@@ -219,7 +219,7 @@ class Bench:
         if len(self._memo) > _MOST_KNOWN:
             self._memo.clear()
         found = None
-        with suppressed_after(1.0), decisions() as told:
+        with suppressed_after(0.3), decisions() as told:
             exact = validate(self.problem, self.module, case)
             gaps: dict[str, float] = {}
             for each in told:

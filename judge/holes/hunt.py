@@ -41,7 +41,7 @@ _PROGRAMS = "no holes are looked for: it asks for programs, and has no function 
 _UNJUDGED = "there was no time to judge all of its mutants; the same command goes on"
 _SAVED = 5.0  # seconds between two times that a search is kept
 _TURNS = 64  # of a batch of cases, at most
-_AT_ONCE = 40_000  # calls of a batch of cases
+_SECONDS = 4  # of CPU that a batch of cases may take
 _ROUNDS = 20  # of steps to a shorter case
 _SHORTER = 120  # cases that are tried for a shorter one in a round
 _MOST_SHOWN = 64  # witnesses of which the fewest are chosen
@@ -226,10 +226,11 @@ class _Hunt:
                 self._progress("looking for holes", int(now - begun), int(search.seconds) + 1)
                 batch: list[FoundCase] = []
                 asked = len(left) - len(self._found)
-                for _ in range(_TURNS):
-                    batch += (each for each in stream.turn() if bench.solved(each.case) is not None)
-                    if len(batch) * asked >= _AT_ONCE or bench.late:
+                for each in chain.from_iterable(stream.turn() for _ in range(_TURNS)):
+                    if bench.late or len(batch) * asked >= _SECONDS * bench.crowd.most:
                         break
+                    if bench.solved(each.case) is not None:
+                        batch.append(each)
                 if not batch:
                     break
                 kept.cases += len(batch)

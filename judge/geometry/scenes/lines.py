@@ -14,7 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from functools import partial
-from math import copysign, sqrt
+from math import copysign, hypot, sqrt
 from typing import Any
 
 from judge.data.draw import Draw
@@ -116,15 +116,25 @@ def closed_up(*plans: str, **how: Any) -> Scene:
 
 
 def skimming(draw: Draw) -> Case:
-    """A ray that begins on a circle and nearly touches it there, and rounding puts its origin behind."""
+    """A ray that begins on a circle and nearly touches it there, and rounding puts its origin behind: in the
+    quadratic, or on the way from the foot.
+    """
+    framed = draw.boolean()
     for _ in range(12):
         cx, cy, r, O = _ON(draw)
-        lean, turn = draw.integer(1 << 10, 1 << 14) / (1 << 21) * draw.sign(), draw.sign()
+        lean, turn = draw.integer(1 << 10, 1 << draw.choice((11, 11, 14))) / (1 << 21), draw.sign()
+        lean *= draw.sign()
         fx, fy = O[0] - cx, O[1] - cy
         dx, dy = lean * fx - turn * fy, lean * fy + turn * fx
-        a, b, k = dx * dx + dy * dy, fx * dx + fy * dy, abs(dx * fy - dy * fx)
-        root = (fx * fx + fy * fy - r * r) / (b + copysign(sqrt(max(0, r * r * a - k * k)), b))
-        if root * sqrt(a) > 3e-10 * abs(k / sqrt(a) - r):
+        length = hypot(dx, dy)
+        ux, uy = dx / length, dy / length
+        foot, off = -(fx * ux + fy * uy), abs(ux * fy - uy * fx)
+        half = copysign(sqrt(max(0, (r - off) * (r + off))), foot)
+        if framed:
+            behind = half - foot > 2e-10 * abs(half)
+        else:
+            behind = (fx * fx + fy * fy - r * r) / -(foot + half) > 3e-10 * abs(off - r)
+        if behind:
             return cx, cy, r, O, (dx, dy)
     return draw.reject()
 
