@@ -6,6 +6,7 @@ example = "`//` drops everything behind the point"  # what the code may do, told
 advice = "Divide with `/`."
 state = true               # it is one only if a case passes when it is called alone
 form = true                # the answer's form is wrong, and that is the mistake itself
+needs = ["//", "whole"]    # a program has one of these, or does not make it (judge.repair.features)
 edits = { "b = 2 * b" = "…" }  # lines that make it before the call of a right way, or after it where they
                            # assign `answer`, in each problem with these parameters; what is said of each
 
@@ -33,6 +34,7 @@ from judge.cache import DISK, digest
 from judge.errors import ProblemError, meant
 from judge.problem import Problem
 from judge.problem.toml import parse_toml, read_text
+from judge.repair.features import FEATURES
 
 FILE = "mistakes.toml"
 _USUAL = "usual.toml"
@@ -48,6 +50,7 @@ class MistakeText(Struct, frozen=True):
     advice: str = ""
     state: bool = False
     form: bool = False
+    needs: tuple[str, ...] = ()
     edits: Mapping[str, str] = {}
 
     @property
@@ -127,7 +130,12 @@ def _words(name: str, table: Any, problem: str, where: str) -> MistakeText:
         remedy = meant(key, MistakeText.__struct_fields__, "the keys are")
         raise ProblemError(f"unknown key {key!r} in [{name}]", where=where, remedy=remedy)
     try:
-        return msgspec.convert(merged, MistakeText)
+        words = msgspec.convert(merged, MistakeText)
     except msgspec.ValidationError as why:
-        remedy = "the first three keys are texts, edits is a table, the others true or false"
+        remedy = "the first three keys are texts, needs is a list, edits a table, the others true or false"
         raise ProblemError(f"in [{name}]: {why}", where=where, remedy=remedy) from None
+    for feature in words.needs:
+        if feature not in FEATURES:
+            remedy = meant(feature, sorted(FEATURES), "it is one of")
+            raise ProblemError(f"[{name}] needs {feature!r}, which nobody finds", where=where, remedy=remedy)
+    return words

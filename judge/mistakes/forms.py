@@ -12,7 +12,6 @@ from collections.abc import Iterator, Mapping, Sequence
 from msgspec import Struct
 
 from judge.data.model import ProblemData
-from judge.repair.features import PRINT
 from judge.run.result import Behaviour, Pitfall, Result
 from judge.values import outline
 from judge.values.outline import UNREADABLE, Outline, only_digits
@@ -107,7 +106,7 @@ def _prints(
 ) -> bool:
     """Whether a function prints, and answers None to all that it is asked; a program would print `none`."""
     returned = result.failure is not None and result.failure.got == "None"
-    if not (returned and PRINT in has and forms["none"] == forms.total()):
+    if not (returned and "print" in has and forms["none"] == forms.total()):
         return False
     return all(form == "none" for form, _ in _passed(does, rights))
 

@@ -12,7 +12,7 @@ from judge.cache import DISK, Store
 from judge.data.build import target_of
 from judge.data.model import ProblemData
 from judge.errors import told
-from judge.mistakes.catalogue import read_kinds
+from judge.mistakes.catalogue import MistakeText, read_kinds
 from judge.mistakes.computed import answered, entry_of
 from judge.mistakes.forms import of_form
 from judge.mistakes.known import KnownAnswers, Progress
@@ -117,7 +117,7 @@ class Namer:
             return replace(result, pitfall=formed.pitfall), None
         if formed.unreadable:
             return result, None
-        made = [each for each in self._known if each.maker.words.form or not formed.faulty]
+        made = [each for each in self._known if _may_be(each.maker.words, has, faulty=formed.faulty)]
         likeness = Likeness(made, does)
         best = likeness.best()
         if best is None or not likeness.nearest(best[0]).maker.offered:  # it must be far ahead
@@ -171,3 +171,8 @@ class Namer:
             if any(each.wrong for each in does.values()):
                 found.setdefault((maker.name, id(does)), Known(maker, does))
         return [*found.values()]
+
+
+def _may_be(words: MistakeText, has: frozenset[str], *, faulty: bool) -> bool:
+    """Whether the name may be said of a program that has this; of `faulty` forms only what is one."""
+    return (not words.needs or bool(has.intersection(words.needs))) and (words.form or not faulty)

@@ -7,7 +7,7 @@ from functools import cached_property
 
 from judge.problem.solutions import LONGEST
 from judge.repair.child import NAME, SOURCE
-from judge.repair.features import LIBRARY, PRINT
+from judge.repair.features import FEATURES, LIBRARY
 from judge.sandbox.boundary import Box, BoxFactory, Limits, Stop
 from judge.values.wire import word
 
@@ -50,6 +50,6 @@ class Beside:
             return frozenset()
         (reply,) = self.box.call("features", [(self.text,)], _LIMITS).replies[:1]
         said = reply.answer if reply.stop is Stop.ANSWERED and isinstance(reply.answer, list) else []
-        found = {PRINT, LIBRARY} & {word(each) for each in said}
+        found = {*FEATURES, LIBRARY} & {word(each) for each in said}
         self.text = None if LIBRARY in found else self.text
         return frozenset(found)

@@ -23,7 +23,8 @@ KINDS = (
     *("guard-exact", "clamp", "compare-equal", "compare-turned", "condition", "guard-left-out", "form"),
     *("order", "whole-division", "root", "abs", "square", "without-round", "without-int", "without-float"),
     *("without-sorted", "without-abs", "without-set", "without", "coordinates", "turned", "sign"),
-    *("statement-left-out", "slice", "bound", "early", "measure", "dropped", "operator", "constant", "name"),
+    *("statement-left-out", "slice", "bound", "early", "measure", "dropped", "operator", "constant"),
+    *("arguments", "name"),
 )
 MOST_EDITS = 2_000
 _MOST_NODES = 4_000  # of a program that is changed

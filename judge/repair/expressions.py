@@ -205,6 +205,10 @@ class Expressions:
                 self.add("order", node, key.arg, (slot, ast.Call(node.func, args, kept)))
         if name == "range":
             self._bounds(node, *(Slot(node, "args", at) for at in range(len(args[:2]))))
+        elif name not in ("max", "min", "hypot", "isclose"):
+            for at in range(len(args) - 1):
+                other = [*args[:at], args[at + 1], args[at], *args[at + 2 :]]
+                self.add("arguments", node, f"{at}", (slot, ast.Call(node.func, other, node.keywords)))
 
     def _constant(self, place: NodePlace) -> None:
         slot, node, _ = place

@@ -11,6 +11,7 @@ from judge.errors import ProblemError
 from judge.mistakes.catalogue import read_catalogue
 from judge.mistakes.routes import read_routes
 from judge.problem.find import find_problem
+from judge.repair.features import features
 
 TEXT = '''"""How the middle goes wrong."""
 
@@ -118,7 +119,7 @@ def catalogue(tmp_path):
     ("text", "what"),
     [
         ("[a]\nseen = 3\n", "in [a]"),
-        ("[a]\nneed = 'slope'\n", "unknown key 'need' in [a]"),
+        ("[a]\nneeds = ['slope']\n", "[a] needs 'slope'"),
     ],
 )
 def test_a_fault_of_the_words_is_told(catalogue, text, what):
@@ -126,3 +127,19 @@ def test_a_fault_of_the_words_is_told(catalogue, text, what):
         catalogue(text)
     assert what in caught.value.what
     assert caught.value.where.startswith("solutions/mistakes.toml")
+
+
+@pytest.mark.parametrize(
+    ("source", "has", "lacks"),
+    [
+        ("def f(a):\n    return a // 2\n", {"//", "whole"}, {"/", "root", "state"}),
+        ("def f(a):\n    return a ** 0.5\n", {"root", "float"}, {"/"}),
+        ("seen = {}\ndef f(a):\n    seen[a] = 1\n    return a\n", {"state"}, {"root"}),
+        ("def f(a):\n    seen = {}\n    seen[a] = 1\n    return a\n", set(), {"state"}),
+        ("import numpy as np\ndef f(a):\n    return np.float32(a)\n", {"float32"}, {"decimal"}),
+    ],
+)
+def test_features_of_a_program(source, has, lacks):
+    found = set(features(source))
+    assert has <= found
+    assert not lacks & found
