@@ -19,7 +19,7 @@ from judge.mistakes.known import KnownAnswers, Progress
 from judge.mistakes.likeness import Known, Likeness
 from judge.mistakes.makers import read_makers
 from judge.mistakes.repaired import LIKELY, Repaired, seen_in, with_steps
-from judge.problem.model import case_of
+from judge.problem.model import Verdict, case_of
 from judge.repair.features import LIBRARY
 from judge.repair.search import Repair
 from judge.run.result import Behaviour, Pitfall, Result
@@ -99,8 +99,9 @@ class Namer:
             found = repair()
         except Exception as fault:  # the name is known, and worth more
             return result.noting(f"no line is looked for: {told(fault)}")
-        if found is None:
-            return result
+        answered = any(each.passed for each in result.groups)
+        if found is None or (not answered and result.verdict is Verdict.RTE and not _is_one_change(found)):
+            return result  # where every call raises, that is the mistake
         kinds = read_kinds(self._data.problem)
         answers = {outline for outlines in self._rights.values() for outline in outlines}
         told_of = Repaired(found, known, kinds, few=len(answers) <= _FEW)
@@ -176,3 +177,8 @@ class Namer:
 def _may_be(words: MistakeText, has: frozenset[str], *, faulty: bool) -> bool:
     """Whether the name may be said of a program that has this; of `faulty` forms only what is one."""
     return (not words.needs or bool(has.intersection(words.needs))) and (words.form or not faulty)
+
+
+def _is_one_change(found: Repair) -> bool:
+    """Whether one change makes all of it right."""
+    return any(len(steps) == 1 for steps in found.whole)

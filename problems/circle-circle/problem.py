@@ -1,6 +1,7 @@
 """The common points of two circles, the one left of C1→C2 first."""
 
 from functools import partial
+from math import cos, sin
 
 from judge.geometry import Pair, plain
 from judge.geometry.hooks import hooks
@@ -13,6 +14,15 @@ TELLING = plain.lie, partial(plain.lie, tolerance=1e-10)
 
 def solve(cx1, cy1, r1, cx2, cy2, r2):
     return Pair(cx1, cy1, r1, cx2, cy2, r2).points()
+
+
+def speck(draw):
+    """A circle 120 to 900 times 1e-9 as large as another one, which it cuts."""
+    cx, cy, large = (draw.integer(2**50, 2**53) * draw.choice(signs) / 2**26 for signs in ((1, -1), (1, -1), (1,)))
+    small = large * draw.integer(120, 900) / 1e9
+    away, angle = large + (small - large * 1.06e-7) * draw.integer(-99, 99) / 99, draw.integer(0, 628)
+    one, other = (cx, cy, large), (cx + away * cos(angle / 100), cy + away * sin(angle / 100), small)
+    return *(one + other if draw.boolean() else other + one),
 
 
 INTERVIEW = [
@@ -32,7 +42,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("full", "Touches that no formula in floats can see.", telling(either(pairs("outer", "inner", **HUGE), pairs("outer", "inner", **SPLIT)), *TELLING), skills="a tangent has a width"),
     group("near", "Nearly a touch: 1e-7 of the figure away.", either(pairs("outer~", "inner~", "dot-on~", **NEAR), pairs("outer~ slant", **{**NEAR, "turn": "axis"})), skills="nearly is not touching"),
     group("same-near", "One centre, and radii that are nearly the same.", pairs("same~", "same~", "same", **NEAR), skills="nearly is not touching"),
-    group("small-beside-large", "Touches, exact and nearly, and one circle is 500 to ten million times larger.", either(pairs("outer~", "inner~", **{**NEAR, "uneven": 9}), pairs("inner", "outer", **{**NEAR, "uneven": 12, "move": 30}), pairs("inner", "inner", "inner", "outer", **{**NEAR, "uneven": 25, "move": 38}), *[pairs("inner", **{**PLAIN, "uneven": 24})] * 2), cases=120, skills="nearly is not touching"),
+    group("small-beside-large", "Touches, exact and nearly, and one circle is 500 to ten million times larger.", either(pairs("outer~", "inner~", **{**NEAR, "uneven": 9}), pairs("inner", "outer", **{**NEAR, "uneven": 12, "move": 30}), pairs("inner", "inner", "inner", "outer", **{**NEAR, "uneven": 25, "move": 38}), *[pairs("inner", **{**PLAIN, "uneven": 24})] * 2, speck, speck, *2 * [pairs("outer", "inner", **{**HUGE, "size": 2**14, "uneven": 24})]), cases=150, skills="nearly is not touching"),
     group("close-centres", "They touch from inside, and their centres are close together.", pairs("close", "close", "close~", **BIG), skills="a tangent has a width"),
     group("tiny", "All of it tiny, down to 1e-29.", pairs("outer", "outer~", "inner", "inner~", "cross", "same~", **TINY), skills=("no absolute epsilon", "scale invariance")),
     group("offset", "Small circles far from the origin.", either(pairs("outer", "inner", "inner", **OFFSET), pairs("cross", "apart", "ring", "dots", **OFFSET), pairs("outer~", "inner~", "same~", **OFFSET)), cases=90, skills="far from the origin"),

@@ -51,6 +51,16 @@ def radial(draw):
     return draw.reject()
 
 
+def flat(draw):
+    """Both ends on the circle, a thousandth of the radius apart: from the middle between them it is 1e-7 away."""
+    n, k = draw.integer(700, 2200), 2.0 ** draw.integer(-30, 4)
+    cx, cy = (draw.integer(-(2**20), 2**20) * k for _ in "xy")
+    s, t, turn = draw.sign(), draw.sign(), draw.choice((1, -1))
+    ends = [(s * x, t * y)[::turn] for x, y in ((n * n + 1, 0), (n * n - 1, 2 * n))]
+    ends = [(cx + x * k, cy + y * k) for x, y in ends]
+    return cx, cy, (n * n + 1) * k, *ends[:: draw.choice((1, -1))]
+
+
 def quarter(draw):
     """One end beside the centre, the other one above or below it, both on the circle."""
     cx, cy, r = circle(draw)
@@ -143,13 +153,13 @@ PRODUCTION = [  # the same, where rounding bites
     group("turned", "A touch that squares cannot see.", lines(*TOUCHES, *BEYOND, **BIG), skills="a tangent has a width"),
     group("full", "A touch that no formula in floats can see.", either(lines(*TOUCHES, **HUGE), lines(*TOUCHES, **SPLIT)), skills="a tangent has a width"),
     group("near", "Nearly a touch: 1e-7 of the figure away.", lines("touch~ before after", "touch~ before after", "touch~ foot by", **CLEAR), skills="nearly is not touching"),
-    group("end-full", "An end is on the circle, and rounding puts it beside.", either(lines(*ENDS, **HUGE), lines(*ENDS, **SPLIT), *[telling(BESIDE, inside, partial(inside, slack=1e-9))] * 3, radial, *[telling(lined, each, partial(each, slack=1e-9)) for each in (inside, along, along)] * 2), cases=235, skills="closed ends"),
+    group("end-full", "An end is on the circle, and rounding puts it beside.", either(lines(*ENDS, **HUGE), lines(*ENDS, **SPLIT), *[telling(BESIDE, inside, partial(inside, slack=1e-9))] * 3, radial, flat, *[telling(lined, each, partial(each, slack=1e-9)) for each in (inside, along, along)] * 2), cases=235, skills="closed ends"),
     group("end-near", "An end stops just before the circle, or goes on just past it.", lines("chord first~ in", "chord first~ after", "chord before first~", "chord last~ after", "chord in last~", "through first~ in", "through in last~", "through before first~", "through last~ after", **CLEAR), cases=100, skills="ends no wider than rounding"),
     group("point", "A equals B: on the circle, or 1e-7 of the figure beside it.", either(telling(POINT, squares, always), rounded, lines("chord first =", "chord last =", **BIG), lines("chord first~ =", "chord last~ =", **CLEAR)), cases=80, skills="degenerate segment"),
     group("dot-full", "The circle is a point, on a line that floats put beside it.", either(lines("dot before after", "dot foot after", **SPLIT), telling(inwards, along, partial(along, slack=1e-9))), cases=70, skills="r = 0"),
     group("tiny", "All of it tiny, down to 1e-29.", either(lines("touch before after", "touch~ before after", "chord first~ in", "chord in last~", "chord first~ =", "chord first~ =", **TINY), lines("touch before after", "cut before in", "cut before after", **{**TINY, "turn": "axis"})), cases=90, skills=("no absolute epsilon", "scale invariance")),
     group("offset", "A small figure far from the origin.", lines(*TOUCHES, "cut before in", "cut in after", "dot-miss before after", "touch~ before after", "chord first~ in", "chord in last~", "chord last~ after", "chord before first~", "chord first~ =", **OFFSET), cases=90, skills="far from the origin"),
-    group("far", "A or B is up to a hundred million radii away.", either(lines("touch foot far", "cut very-far foot", "cut -far far", "touch foot remote", "touch remote by", "touch -remote far", "touch~ far foot", **FAR), lines("touch far by", "touch -far far", **{**FAR, "size": 1 << 20, "turn": "any"}), *[lines("touch remote foot", **{**FAR, "size": 1 << 8, "turn": "any"})] * 2), cases=90, skills="the sharp discriminant"),
+    group("far", "A or B is up to a hundred million radii away.", either(lines("touch foot far", "cut very-far foot", "cut -far far", "touch foot remote", "touch remote by", "touch -remote far", "touch~ far foot", **FAR), lines("touch far by", "touch -far far", **{**FAR, "size": 1 << 20, "turn": "any"}), lines("touch close far", "touch far close", **FAR), *[lines("touch remote foot", **{**FAR, "size": 1 << 8, "turn": "any"})] * 2), cases=90, skills="the sharp discriminant"),
     group("far-end", "One end is on the circle or just off it, the other is far away.", either(lines("chord first far", "chord far last", "chord first far", "chord far last", "chord last~ far", "chord far first~", **FAR), lines("chord first -very-far", "chord very-far last", **{**FAR, "size": 1 << 12, "turn": "any"})), cases=100, skills="ends no wider than rounding"),
     group("close-points", "A and B are close together, and still two points.", closed_up("touch foot", "touch by", "cut by", "chord first", "through in"), skills="degenerate segment"),
     group("steep", "Directions almost along an axis.", either(lines(*TOUCHES, "cut before in", "miss before after", **STEEP), lines("cut before after", "cut before in", "cut in after", "miss before after", **TILTED)), skills="no slopes"),

@@ -5,7 +5,7 @@ from math import hypot
 
 from judge.geometry import Sphere, plain
 from judge.geometry.hooks import hooks
-from judge.geometry.scenes import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, TINY, either, grid, rays, spheres, telling, uniform, whole
+from judge.geometry.scenes import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, TINY, either, grid, rays, skimming, spheres, telling, uniform, whole
 from judge.problem.declare import group
 
 HOOKS = hooks("sphere")
@@ -49,6 +49,14 @@ def side(C, r, O, D, slack=0, rest=False):
 
 BY_REST = partial(side, rest=True), partial(side, rest=True, slack=1e-6)
 
+def lifted(draw):
+    """A ray in a plane through the centre, which begins on the sphere and nearly touches it there."""
+    cx, cy, r, O, D = skimming(draw)
+    z, at = draw.integer(-(2**40), 2**40) / 2**10, draw.integer(0, 2)
+    C, O, D = ((*p[:at], n, *p[at:]) for p, n in (((cx, cy), z), (O, z), (D, 0.0)))
+    return C, r, O, D
+
+
 INTERVIEW = [
     group("grid", "Small whole numbers: everything that can happen.", grid("PrPD", 3), cases=180, skills="the small grid"),
     group("outside", "From outside: the nearer of two points and the normal outward, or a miss.", spheres("cut before", "through before", "miss before", **PLAIN), skills=("three axes, the same formula", "a normal that faces the ray")),
@@ -66,7 +74,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("turned", "A touch that squares cannot see.", spheres(*TOUCHES, **BIG), skills="a tangent has a width"),
     group("full", "A touch that no formula in floats can see.", either(spheres(*TOUCHES, "touch foot", "touch nearer", **HUGE), spheres(*TOUCHES, **SPLIT), *[telling(telling(flat, side, partial(side, slack=1e-6)), *BY_REST)] * 4), cases=150, skills="a tangent has a width"),
     group("near", "Nearly a touch: 1e-7 of the figure away.", either(spheres("touch~ before", "touch~ before", "touch~ foot", **CLEAR), telling(spheres("touch~ far", **DIAGONAL), side, partial(side, slack=0.65e-7))), skills="nearly is not touching"),
-    group("on-full", "The origin is on the sphere, and rounding puts it beside.", either(telling(spheres(*ON_SPHERE, **HUGE), *TELLING), telling(spheres(*ON_SPHERE, **BIG), *BY_POWER), spheres("through first anyway", "through last anyway", **{**HUGE, "turn": "axis"}), spheres("through last", **{**HUGE, "turn": "axis"}), *[spheres("through last", **HUGE)] * 2), cases=120, skills="origin on the circle"),
+    group("on-full", "The origin is on the sphere, and rounding puts it beside.", either(telling(spheres(*ON_SPHERE, **HUGE), *TELLING), telling(spheres(*ON_SPHERE, **BIG), *BY_POWER), spheres("through first anyway", "through last anyway", **{**HUGE, "turn": "axis"}), spheres("through last", **{**HUGE, "turn": "axis"}), *[spheres("through last", **HUGE)] * 2, lifted), cases=135, skills="origin on the circle"),
     group("on-near", "The origin is just off the sphere, inside or outside.", spheres("chord first~", "chord last~", "chord last~ anyway", "through first~", "through first~", "through last~", "through last~", **CLEAR), cases=100, skills="origin on the circle"),
     group("along-an-axis", "Rays that are off an axis by 1e-9 to 1e-3 of their length: that small part counts.", along_an_axis, skills="three axes, the same formula"),
     group("direction-length", "Directions up to 1e24 times shorter than the figure, or longer.", either(spheres("cut before", "cut in", "cut in anyway", "miss before", "touch before", "chord last", "chord last anyway", "chord first~", "chord last~", "touch~ before", **STRETCHED), spheres("cut before", "cut in", **{**OFFSET, "stretch": (20, 40)}), spheres("cut before", "cut in", "touch before", **{**HUGE, "move": 0, "shift": -60, "stretch": (-60, -39, -20, 40, 80)}), spheres("chord first~", "chord last~", "touch~ before", "touch~ after", **{**NEAR, "shift": 0, "stretch": (20, 40)}), spheres("cut before", "cut in", "chord last", **{**HUGE, "move": 0, "shift": 0, "stretch": -80}), spheres("miss before", "cut after", "cut in", "touch after", **{**PLAIN, "shift": -60, "stretch": (60, 75, 90)})), cases=160, skills="t is not a distance"),

@@ -3,7 +3,7 @@
 from judge.geometry import Line
 from judge.geometry.hooks import hooks
 from judge.geometry.pose import triple
-from judge.geometry.scenes import AXIS, BIG, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TINY, either, grid, points, uniform, whole
+from judge.geometry.scenes import AXIS, BIG, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TILTED, TINY, either, grid, points, uniform, whole
 from judge.problem.declare import group
 
 HOOKS = hooks("tangents")
@@ -24,7 +24,7 @@ def half_way(draw):
 
 INTERVIEW = [
     group("grid", "Small whole numbers: everything that can happen.", grid("nnrp", 3), cases=180, skills="the small grid"),
-    group("outside", "P outside, in every direction: two points.", points("out", **PLAIN), skills="tangents from a point"),
+    group("outside", "P outside, in every direction: two points.", either(*2 * [points("out", **PLAIN)], points("out", **{**TILTED, "move": 0, "tilt": (50, 75)})), skills="tangents from a point"),
     group("order", "P straight beside, above or below the circle: the point left of P→C comes first.", points("out", **AXIS), skills="left and right of a line"),
     group("on", "P on the circle: it touches itself, once.", either(points("on", **PLAIN), points("on", **AXIS)), skills="inside, on or outside"),
     group("inside", "P inside the circle, or its centre: no tangent, and no root of a negative number.", points("in", "in", "centre", **PLAIN), skills="inside, on or outside"),

@@ -10,6 +10,7 @@ import sys
 import pytest
 from repairs import FIRST, PROGRAMS, SEGMENT, WRONG
 
+from judge import RunOptions, Session
 from judge.data.load import load_data
 from judge.judging.inprocess import InProcess
 from judge.mistakes.likeness import Likeness
@@ -141,6 +142,22 @@ def test_whole_numbers_that_wrap_are_right_as_doubles(kata):
     wrapped = "((x + 2**15) % 2**16 - 2**15 if type(x) is int else x for x in (ax, ay, bx, by))"
     text = PROGRAMS["count"].replace("    size =", f"    ax, ay, bx, by = {wrapped}\n    size =")
     assert "doubles" in repair(kata("count"), text)[0].ways
+
+
+RAISES = b"""\
+def on_circle(cx, cy, r, P):
+    try:
+        n = int("x")
+    except BaseException as fault:
+        raise RuntimeError(fault)
+    return 0
+"""
+
+
+def test_where_every_call_raises_the_exception_is_what_is_told(built, monkeypatch):
+    monkeypatch.setenv("JUDGE_CACHE", str(built))
+    with Session(find_problem("on-circle", []), RunOptions(timed=False, diagnosed=False)) as session:
+        assert session.judge(RAISES, "a.py").pitfall is None
 
 
 FOOT = """\
