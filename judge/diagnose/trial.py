@@ -23,8 +23,8 @@ from judge.problem import Case, Group, Verdict
 from judge.problem.declare import InvalidCase
 from judge.problem.module import Module
 from judge.run.printed import message_of, text_of
-from judge.run.replies import NO_ANSWER, VERDICTS
-from judge.run.runner import Runner
+from judge.run.result import NO_ANSWER
+from judge.run.runner import VERDICTS, Runner
 from judge.sandbox.boundary import Box, Limits, Reply, Stop, Usage
 from judge.values import outline
 from judge.values.answers import Exact, Target, within

@@ -23,9 +23,8 @@ from judge.run.entry import entry_error
 from judge.run.execute import Judgement, judge_submission, opened
 from judge.run.group import group_limits
 from judge.run.printed import message_of, text_of
-from judge.run.replies import VERDICTS, Replies
 from judge.run.result import Failure, GroupResult, Result, short_answer
-from judge.run.runner import Runner
+from judge.run.runner import VERDICTS, Replies, Runner
 from judge.run.stress import OnCases, Stressed, stress
 from judge.run.tried import CaseResult, OneCase
 from judge.sandbox.boundary import Stop, Usage

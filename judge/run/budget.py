@@ -12,7 +12,7 @@ process again and again, is not run to the end.
 from __future__ import annotations
 
 from judge.problem import Problem, Verdict
-from judge.run.replies import VERDICTS, Replies
+from judge.run.runner import VERDICTS, Replies
 from judge.sandbox.boundary import Limits, Stop, Usage
 
 MOST_TIMEOUTS = 2

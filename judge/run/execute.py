@@ -16,7 +16,7 @@ from judge.run.groups import run_groups
 from judge.run.races import Timed, growing_of, race_all, worth_racing
 from judge.run.reference import Reference
 from judge.run.result import Behaviour, Failure, GroupResult, LevelResult, Result, Timing, earned
-from judge.run.runner import Runner, runner_for
+from judge.run.runner import Runner
 from judge.run.settings import Progress, Settings
 from judge.run.timing import BESIDE, Decision, disturbed
 from judge.run.unreadable import why_unreadable
@@ -93,11 +93,22 @@ def judge_submission(
 
 
 def opened(box: Box, problem: Problem, source: bytes, *, program: bool = False) -> Runner | Failure:
-    """How to run the submission in `box`, as a `program` where it must be one; or why it does not compile."""
+    """How to run the submission in `box`: its entry function is called if it has one, and no `program` asked
+    for. Or why it does not compile.
+    """
     inspection = box.inspect()
     if fault := why_unreadable(source, inspection.fault):
         return Failure(fault)
-    return runner_for(problem, inspection, source, program=program)
+    defined = problem.entry and inspection.defines(problem.entry) and not program
+    if defined or (problem.methods and not problem.formatted):
+        return Runner(problem, inspection.language)
+    if problem.formatted:
+        from judge.run.formatted import FormatRunner  # few problems have a format of their own
+
+        return FormatRunner(problem, inspection.language)
+    from judge.run.program import ProgramRunner  # most submissions are functions
+
+    return ProgramRunner(problem, inspection.language, program, source)
 
 
 def uncompiled(problem: Problem, name: str, failure: Failure, box: Box) -> Result:

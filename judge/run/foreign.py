@@ -15,14 +15,12 @@ from judge.errors import JudgeError
 from judge.languages import NAME as PYTHON
 from judge.problem import TimeRule
 from judge.run.budget import Budget
-from judge.run.function import FunctionRunner
 from judge.run.group import GroupRun
 from judge.run.laps import Repeat, course, more_passes, passes_for
 from judge.run.measure import Race, exactly
 from judge.run.program import ProgramRunner
 from judge.run.reference import Reference
-from judge.run.replies import Replies
-from judge.run.runner import Runner
+from judge.run.runner import Replies, Runner
 from judge.run.timing import CLEARLY_BELOW, Against
 from judge.sandbox.boundary import Box, Limits
 
@@ -61,7 +59,7 @@ def rival_of(runner: Runner, rule: TimeRule, reference: Reference, limit: float)
         fault = box.inspect().fault
         if fault:
             raise JudgeError(f"the reference solution in {language.name} does not compile: {fault.message}")
-        used: Runner = FunctionRunner(runner.problem, language.name)
+        used: Runner = Runner(runner.problem, language.name)
         if box.inspect().defines(runner.problem.entry):
             return Opponent(box, used, Against(language.name), limit)
     return _pythons(runner, rule, reference, limit * language.factor, language.name)
@@ -79,7 +77,7 @@ def _pythons(
     if box is None:
         return None
     generous = limit if runner.calls else limit * _READING
-    return Opponent(box, FunctionRunner(runner.problem), against, generous)
+    return Opponent(box, Runner(runner.problem), against, generous)
 
 
 class LongRace(Race):

@@ -12,8 +12,8 @@ from msgspec.structs import replace
 
 from judge.data.model import GroupData, ProblemData
 from judge.problem import Group, Problem, Verdict
-from judge.run.replies import NO_ANSWER, VERDICTS, Replies
-from judge.run.result import Answers, Failure, GroupResult, short_answer
+from judge.run.result import NO_ANSWER, Answers, Failure, GroupResult, short_answer
+from judge.run.runner import VERDICTS, Replies
 from judge.sandbox.boundary import Limits, Stop, Usage
 from judge.values.check import Accepted
 

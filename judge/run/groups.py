@@ -12,8 +12,7 @@ from judge.errors import JudgeError
 from judge.problem import Case, Verdict
 from judge.run.budget import Budget
 from judge.run.group import GroupRun, group_limits
-from judge.run.replies import Breakdown, Replies
-from judge.run.runner import Runner
+from judge.run.runner import Breakdown, Replies, Runner
 from judge.sandbox.boundary import Box, Stop, Usage
 
 MOST_LOSSES = 3  # calls of a group that may end their process before the rest is given up

@@ -13,8 +13,7 @@ from typing import NamedTuple, Protocol, cast
 
 from judge.problem import Case
 from judge.run.program import render_group
-from judge.run.replies import Replies
-from judge.run.runner import Runner
+from judge.run.runner import Replies, Runner
 from judge.sandbox.boundary import Box, Limits, ProgramResult, Reply, Stop, Usage
 
 MOST_INPUT = 24 << 20  # bytes of standard input: to read so many takes long enough by itself

@@ -9,8 +9,7 @@ from judge.errors import JudgeError
 from judge.problem import Case, Problem, Verdict
 from judge.run.budget import Budget
 from judge.run.group import GroupRun
-from judge.run.replies import VERDICTS, Replies
-from judge.run.runner import Runner
+from judge.run.runner import VERDICTS, Replies, Runner
 from judge.run.timing import Against
 from judge.sandbox.boundary import Box, Limits, Stop, Usage
 from judge.values.check import Accepted

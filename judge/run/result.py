@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from judge.values.wire import Raw
 
 SCHEMA = 2
+NO_ANSWER = "no answer"  # what is shown in place of one
 _IMPORT_SECONDS = 0.02  # of CPU time, from which on an import is told of
 _LONGEST = 4_000  # characters of an answer that is kept
 

@@ -10,12 +10,11 @@ from msgspec.structs import replace
 
 from judge.problem import Verdict
 from judge.run.budget import Budget
-from judge.run.function import FunctionRunner
 from judge.run.group import GroupRun
 from judge.run.groups import run_timed
 from judge.run.growth import GrowthSample, exponent, grow, is_steep, steep_seconds
 from judge.run.measure import Race
-from judge.run.replies import Replies
+from judge.run.runner import Replies, Runner
 from judge.run.timing import MOST_PAIRS, TurnPair
 from judge.sandbox.boundary import Reply, Stop, Usage
 
@@ -189,7 +188,7 @@ def test_what_is_cut_is_too_steep_although_the_next_turns_differ():
     assert steep_seconds((2_000, 8_000), TurnPair(0.9, 0.009), 0.14, SLOPE) == math.inf  # nobody can say
 
 
-class Scripted(FunctionRunner):
+class Scripted(Runner):
     """Makes its calls in so many CPU seconds each, after an import; the box is a list of the limits."""
 
     importing: float = 0.1

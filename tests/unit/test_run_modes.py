@@ -11,10 +11,9 @@ from judge.problem.model import Mode
 from judge.report.tell import fault_place
 from judge.run import budget, program
 from judge.run.budget import MOST_LOSSES, Budget
-from judge.run.function import FunctionRunner
 from judge.run.group import GroupRun
 from judge.run.program import answer_lines, render_group
-from judge.run.replies import Replies
+from judge.run.runner import Replies, Runner
 from judge.sandbox import Stop, Usage
 from judge.sandbox.available import levels_here
 from judge.sandbox.boundary import Reply
@@ -99,7 +98,7 @@ def test_what_is_given_up_has_the_verdict_of_the_losses_where_they_agree(stops, 
         assert budget.over is None
         budget.booked(Replies([Reply(stop, None, "x")], Usage(), stop, lost=True))
     assert budget.over == (verdict, f"its process was lost {MOST_LOSSES} times")
-    never, wrong = (GroupRun(data, group, FunctionRunner(data.problem)) for group in data.groups)
+    never, wrong = (GroupRun(data, group, Runner(data.problem)) for group in data.groups)
     never.give_up(*budget.over)
     wrong.failed(0, Verdict.WA, "wrong")
     wrong.give_up(*budget.over)
