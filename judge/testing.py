@@ -39,11 +39,9 @@ from judge.repair.features import features
 from judge.report.tell import tell
 from judge.report.words import counted, printable
 from judge.run.group import GroupRun, group_limits, one_case
-from judge.run.reference import Reference
 from judge.run.result import Behaviour, Result, earned
 from judge.run.runner import Runner
-from judge.run.settings import Progress, Settings
-from judge.sandbox.boundary import Usage
+from judge.run.settings import Progress, Reference, Settings
 from judge.sandbox.encode import encode
 from judge.values import parameters, show
 from judge.values.check import is_right
@@ -312,7 +310,7 @@ class _Watched:
         for each in data.groups:
             if each.group.name in groups:
                 box, run = self._box(), GroupRun(data, each, runner)
-                run.take(runner.ask(box, each.cases, group_limits(data.problem, each.group, Usage())))
+                run.take(runner.ask(box, each.cases, group_limits(data.problem, each.group)))
                 if run.reached < len(run.cases):
                     run.give_up(Verdict.TLE, self._clock.told)
                 if run.verdict is Verdict.RTE and not any(one.failure for one in runs):

@@ -31,9 +31,9 @@ from judge.diagnose.simplify import rounded, simplified
 from judge.diagnose.trial import LIMITED, FailingCase, SearchBudget, Trial, TrialOutcome, answer_class
 from judge.problem import Case, Group, Problem, Verdict
 from judge.problem.model import EXAMPLES
-from judge.run.reference import Reference
 from judge.run.result import Failure, Result, short_answer
 from judge.run.runner import Runner
+from judge.run.settings import Reference
 from judge.sandbox.boundary import Box
 from judge.sandbox.encode import in_call
 from judge.values.atoms import IntType

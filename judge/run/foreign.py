@@ -14,13 +14,13 @@ from typing import NamedTuple
 from judge.errors import JudgeError
 from judge.languages import NAME as PYTHON
 from judge.problem import TimeRule
-from judge.run.budget import Budget
 from judge.run.group import GroupRun
+from judge.run.groups import Judging
 from judge.run.laps import Repeat, course, more_passes, passes_for
 from judge.run.measure import Race, exactly
 from judge.run.program import ProgramRunner
-from judge.run.reference import Reference
 from judge.run.runner import Replies, Runner
+from judge.run.settings import Reference
 from judge.run.timing import CLEARLY_BELOW, Against
 from judge.sandbox.boundary import Box, Limits
 
@@ -87,14 +87,12 @@ class LongRace(Race):
     on. A function's answers are compared in every pass.
     """
 
-    def __init__(
-        self, runner: Runner, runs: Sequence[GroupRun], submission: Box, rival: Opponent, budget: Budget
-    ) -> None:
-        super().__init__(runner, runs, submission, rival.box, rival.limit, budget)
+    def __init__(self, judging: Judging, runs: Sequence[GroupRun], rival: Opponent) -> None:
+        super().__init__(judging, runs, rival.box, rival.limit)
         self.against, self._whose = rival.against, rival.against.language
-        self._mine = course(runner, submission, self._cases)
+        self._mine = course(judging.runner, judging.box, self._cases)
         self._theirs = course(rival.runner, rival.box, self._cases)
-        self._same = runner.language == rival.runner.language
+        self._same = judging.runner.language == rival.runner.language
         self._start = 0.0  # CPU seconds that the rival's language takes to begin, in the turn of now
         self._cold = 0.0  # of the rival's first pass
         self._last = 0.0  # of the rival's latest turn
@@ -166,8 +164,9 @@ class LongRace(Race):
 
     def _turn(self, passes: int) -> float | None:
         """CPU seconds of so many passes; of a single one, from then on, where it cannot make several."""
-        lap = self._mine.run(passes, self._budget.within(self._within()))
-        self._booked(Replies((), lap.usage))
+        budget = self._judging.budget
+        lap = self._mine.run(passes, budget.within(self._within()))
+        budget.booked(self._taking(Replies((), lap.usage)))
         if passes > 1 and (lap.trouble or not (self._runner.calls or self._all_as_once(lap))):
             self._own_passes = 1
             return self._turn(1)
@@ -183,7 +182,7 @@ class LongRace(Race):
 
     def _plainly(self) -> float | None:
         """One pass as when it was judged, so that it is told what has become of which case."""
-        replies = self._asked(self._within())
+        replies = self._taking(self._judging.ask(self._cases, self._within()))
         return replies.usage.cpu_seconds if self._as_before(replies) else None
 
     def _within(self) -> Limits:

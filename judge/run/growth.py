@@ -42,8 +42,8 @@ class GrowthSample(Struct, frozen=True):
 
     name: str
     size: int
-    submission: Run
-    reference: Run
+    submission: Run = lambda: None
+    reference: Run = lambda: None
     limit: float | None = None
     cases: int = 1
     ended: bool = True
@@ -82,16 +82,26 @@ def grow(
             break
         if not cautious or number >= ROUNDS:
             waiting = _unclear(courses, pairs, slope)
-    counting = _counting(courses, pairs)
     decisions = {
         each.name: replace(decide(pairs[each.name], each.limit, cautious=cautious), limit=each.limit)
         for each in courses
         if each.limit is not None
     }
-    if len({each.size for each in counting}) < 2:
+    counting = _counting(courses, pairs)
+    if not _differ(counting):
         return Grown(None, False, decisions)
-    growth, too_steep = _judged(counting, pairs, slope)
-    return Grown(growth, too_steep, decisions)
+    steepest, by_medians, by_least = _steepest(counting, pairs)
+    reference = exponent([(each.size, _least(pairs[each.name]).reference / each.cases) for each in steepest])
+    growth = Growth(
+        reference + by_medians,
+        reference,
+        slope,
+        tuple(each.name for each in steepest),
+        max(len(pairs[each.name]) for each in steepest),
+        borderline=slope - GREY < max(by_medians, by_least) and min(by_medians, by_least) < slope + GREY,
+        points=tuple(_point(each, _least(pairs[each.name])) for each in counting),
+    )
+    return Grown(growth, by_medians > slope and by_least > slope, decisions)
 
 
 def _unclear(
@@ -100,7 +110,7 @@ def _unclear(
     """The courses of which more pairs are needed."""
     counting = _counting(courses, pairs)
     grey = False
-    if len({each.size for each in counting}) >= 2:
+    if _differ(counting):
         steepest, by_medians, by_least = _steepest(counting, pairs)
         largest = pairs[max(steepest, key=lambda each: each.size).name]
         hasty = len(largest) < (ROUNDS if _least(largest).submission >= SHORT_SECONDS else ROUNDS_OF_SHORT)
@@ -148,23 +158,9 @@ def _counting(courses: Sequence[GrowthSample], pairs: dict[str, list[TurnPair]])
     return [each for each in courses if _least(pairs[each.name]).reference >= LEAST_SECONDS]
 
 
-def _judged(
-    counting: Sequence[GrowthSample], pairs: dict[str, list[TurnPair]], slope: float
-) -> tuple[Growth, bool]:
-    courses, by_medians, by_least = _steepest(counting, pairs)
-    too_steep = by_medians > slope and by_least > slope
-    many = max(len(pairs[each.name]) for each in courses)
-    reference = exponent([(each.size, _least(pairs[each.name]).reference / each.cases) for each in courses])
-    growth = Growth(
-        reference + by_medians,
-        reference,
-        slope,
-        tuple(each.name for each in courses),
-        many,
-        borderline=slope - GREY < max(by_medians, by_least) and min(by_medians, by_least) < slope + GREY,
-        points=tuple(_point(each, _least(pairs[each.name])) for each in counting),
-    )
-    return growth, too_steep
+def _differ(courses: Sequence[GrowthSample]) -> bool:
+    """Whether they are of two sizes at least."""
+    return len({each.size for each in courses}) > 1
 
 
 def _point(course: GrowthSample, least: TurnPair) -> GrowthPoint:
@@ -178,7 +174,7 @@ def _steepest(
     """All courses, or those that ended where these grow faster; by how much their exponent exceeds."""
     ended = [each for each in counting if each.ended]
     every = (counting, *_slopes(counting, pairs))
-    if len(ended) == len(counting) or len({each.size for each in ended}) < 2:
+    if len(ended) == len(counting) or not _differ(ended):
         return every
     return max(every, (ended, *_slopes(ended, pairs)), key=lambda fit: fit[1])
 

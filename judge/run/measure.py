@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import marshal
 from collections.abc import Sequence
+from functools import partial
 
 from judge.errors import JudgeError
 from judge.problem import Case, Problem, Verdict
-from judge.run.budget import Budget
 from judge.run.group import GroupRun
+from judge.run.groups import Judging
 from judge.run.runner import VERDICTS, Replies, Runner
 from judge.run.timing import Against
 from judge.sandbox.boundary import Box, Limits, Stop, Usage
@@ -36,22 +37,13 @@ class Race:
 
     against: Against | None = None
 
-    def __init__(
-        self,
-        runner: Runner,
-        runs: Sequence[GroupRun],
-        submission: Box,
-        rival: Box,
-        limit: float,
-        budget: Budget,
-    ) -> None:
+    def __init__(self, judging: Judging, runs: Sequence[GroupRun], rival: Box, limit: float) -> None:
         self.limit = limit
         self.imported = 0.0  # CPU seconds that the submission's import took, the least of all turns
         self.theirs_took: list[Usage] = []  # of the reference's turns, with its language's start
-        self._runner = runner
-        self._submission = submission
+        self._judging = judging
+        self._runner = runner = judging.runner
         self._rival = rival
-        self._budget = budget
         every = [(run, index) for run in runs for index in range(len(run.cases))]
         self._places = every[:: 1 + (len(every) - 1) // _MOST_CASES]
         self._cases = [run.cases[index] for run, index in self._places]
@@ -69,7 +61,7 @@ class Race:
     def mine(self) -> float | None:
         """The submission's turn in CPU seconds; None where it is no longer accepted."""
         first = self._taken == Usage()
-        replies = self._asked(self._tighter)
+        replies = self._taking(self._judging.ask(self._cases, self._tighter))
         spent = replies.imported.cpu_seconds
         self.imported = spent if first else min(self.imported, spent)
         self._importing += spent
@@ -87,13 +79,9 @@ class Race:
         # a busy machine lets it wait too, but hardly for more than twice as long as it works
         return self._taken.waiting_seconds <= _LONG_WAIT_SECONDS + 2 * self._taken.cpu_seconds
 
-    def _asked(self, limits: Limits) -> Replies:
-        """One pass as when it was judged."""
-        return self._booked(self._runner.ask(self._submission, self._cases, self._budget.within(limits)))
-
-    def _booked(self, replies: Replies) -> Replies:
+    def _taking(self, replies: Replies) -> Replies:
         self._taken += replies.usage + replies.imported
-        return self._budget.booked(replies)
+        return replies
 
     def _as_before(self, replies: Replies) -> bool:
         """Whether all answers are accepted as when they were judged; the first that is not is recorded."""
@@ -108,7 +96,7 @@ class Race:
             if reply.stop is not Stop.ANSWERED:
                 run.unsteady(index, VERDICTS[reply.stop], f"{reply.detail}, {_AGAIN}")
                 return False
-            outcome = self._runner.decide(reply.answer, run.targets[index], run.exact(index))
+            outcome = self._runner.decide(reply.answer, run.targets[index], partial(run.exact, index))
             if not isinstance(outcome, Accepted):
                 run.unsteady(index, Verdict.WA, f"{outcome.message}, {_AGAIN}", outcome.got)
                 return False

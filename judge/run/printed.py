@@ -12,7 +12,6 @@ from msgspec.structs import replace
 
 from judge.errors import printable
 from judge.problem import Verdict
-from judge.sandbox.boundary import Usage
 from judge.values.wire import cut
 
 if TYPE_CHECKING:
@@ -37,7 +36,7 @@ def with_printed(result: Result, data: ProblemData, runner: Runner, box: Box) ->
     from judge.run.group import group_limits  # only after a failure
 
     group = next(group for group in data.groups if group.group.name == failure.group)
-    limits = group_limits(data.problem, group.group, Usage())
+    limits = group_limits(data.problem, group.group)
     printed = text_of(runner.ask(box, [group.cases[failure.case - 1]], limits).printed)
     message = message_of(failure.message, failure.got or "", printed)
     return replace(result, failure=replace(failure, printed=printed, message=message))

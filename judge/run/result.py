@@ -161,6 +161,11 @@ class Growth(Struct, frozen=True):
         return f"it grows {self.law}, the reference like n^{self.reference:.1f}"
 
     @property
+    def too_steep(self) -> str:
+        """Why a submission that grows so is rejected."""
+        return f"{self}; its exponent may exceed that by {self.slope:g}"
+
+    @property
     def law(self) -> str:
         """`like n^2.0`; of a submission that was stopped on one of the sizes, `at least` like that."""
         if all(point.ended for point in self.points if point.group in self.groups):

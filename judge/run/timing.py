@@ -15,7 +15,7 @@ from typing import NamedTuple
 from msgspec import Struct
 from msgspec.structs import replace
 
-from judge.run.result import Ratio
+from judge.run.result import Growth, Ratio
 from judge.sandbox.boundary import Usage
 
 CLEARLY_BELOW = 0.8  # of the limit, for a single pair
@@ -51,6 +51,7 @@ class Decision(Struct, frozen=True):
 
     `imported` is the CPU time of the submission's import, which the pairs are without. `against` says whose
     time the pairs are of, where the submission is not in Python; `limit` is what the ratio was held to.
+    `growth` is there where the problem has a rule of it.
     """
 
     ratio: Ratio | None
@@ -59,6 +60,7 @@ class Decision(Struct, frozen=True):
     imported: float = 0.0
     against: Against | None = None
     limit: float = 0.0
+    growth: Growth | None = None
 
 
 class TurnPair(Struct, frozen=True):

@@ -12,14 +12,14 @@ from msgspec.structs import replace
 from judge.errors import JudgeError, UsageError
 from judge.problem import TimeRule, Verdict
 from judge.problem.find import find_problem
-from judge.run.budget import Budget
 from judge.run.foreign import LONG_SECONDS
 from judge.run.group import GroupRun
+from judge.run.groups import Judging
 from judge.run.laps import passes_for
 from judge.run.program import ProgramRunner
 from judge.run.races import measure
-from judge.run.reference import Reference, check_needs
 from judge.run.runner import Replies, Runner
+from judge.run.settings import Reference, check_needs
 from judge.run.timing import TurnPair, decide
 from judge.sandbox.boundary import Inspection, ProgramResult, Reply, SourceFault, Stop, Usage
 
@@ -103,7 +103,7 @@ def raced(data, rule, mine, boxes, *, program=False):
     runner = ProgramRunner(problem, language="Go") if program else Runner(problem, "Go")
     run = GroupRun(data, data.groups[0], runner)
     run.passed = len(run.cases)
-    decision = measure(runner, [run], mine, Library(problem, boxes), Budget(problem))
+    decision = measure(Judging(runner, mine), [run], Library(problem, boxes))
     return decision, run
 
 

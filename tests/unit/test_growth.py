@@ -9,9 +9,8 @@ from judging import COUNTS, LIMITS, make_data
 from msgspec.structs import replace
 
 from judge.problem import Verdict
-from judge.run.budget import Budget
 from judge.run.group import GroupRun
-from judge.run.groups import run_timed
+from judge.run.groups import Judging
 from judge.run.growth import GrowthSample, exponent, grow, is_steep, steep_seconds
 from judge.run.measure import Race
 from judge.run.runner import Replies, Runner
@@ -212,7 +211,7 @@ def test_a_first_case_that_is_cut_is_run_again_whole(importing, told):
     run = GroupRun(
         data, replace(data.groups[0], cases=data.groups[0].cases[-1:], targets=COUNTS[-1:]), runner
     )
-    pieces = [*run_timed(runner, limits, run, Budget(data.problem), first=1.0)]
+    pieces = [*Judging(runner, limits).timed(run, first=1.0)]
     case = run.cases[:1]
     assert [(each.cases, each.usage.cpu_seconds, each.cut) for each in pieces] == [
         (case, told, True),  # of an import that is cut nothing is charged
@@ -225,10 +224,9 @@ def test_a_first_case_that_is_cut_is_run_again_whole(importing, told):
 def test_a_long_import_may_take_as_long_when_the_group_is_raced():
     data = make_data("one", limits=replace(LIMITS, cpu_seconds=9.0))
     runner, limits = Scripted(data.problem, importing=3.0, calling=0.1), []
-    run = GroupRun(data, data.groups[0], runner)
-    assert [each.cut for each in run_timed(runner, limits, run, Budget(data.problem))] == [False]
-    duel = Race(runner, [run], limits, None, 1.0, Budget(data.problem))
-    assert duel.mine() == 0.1
+    run, judging = GroupRun(data, data.groups[0], runner), Judging(runner, limits)
+    assert [each.cut for each in judging.timed(run)] == [False]
+    assert Race(judging, [run], None, 1.0).mine() == 0.1
     assert limits[1][1] < 9.0
 
 

@@ -27,8 +27,7 @@ from judge.problem import Verdict
 from judge.problem.find import find_problem
 from judge.problem.module import load_module
 from judge.run.execute import judge_submission, opened
-from judge.run.reference import Reference
-from judge.run.settings import Settings
+from judge.run.settings import Reference, Settings
 from judge.sandbox import open_box
 
 pytestmark = pytest.mark.slow
