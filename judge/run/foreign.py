@@ -17,11 +17,10 @@ from judge.problem import TimeRule
 from judge.run.group import GroupRun
 from judge.run.groups import Judging
 from judge.run.laps import Repeat, course, more_passes, passes_for
-from judge.run.measure import Race, exactly
 from judge.run.program import ProgramRunner
 from judge.run.runner import Replies, Runner
 from judge.run.settings import Reference
-from judge.run.timing import CLEARLY_BELOW, Against
+from judge.run.timing import CLEARLY_BELOW, Against, Race, exactly
 from judge.sandbox.boundary import Box, Limits
 
 LONG_SECONDS = 0.1  # of CPU time beyond the start, for the reference's turn

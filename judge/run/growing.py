@@ -16,10 +16,9 @@ from judge.problem import Case, Verdict
 from judge.run.group import GroupRun
 from judge.run.groups import Judging, TimedPart
 from judge.run.growth import LEAST_SECONDS, SHORT_SECONDS, GrowthSample, grow, is_steep, steep_seconds
-from judge.run.measure import limits_of, theirs_on, time_limit
 from judge.run.races import too_slow
 from judge.run.settings import Reference
-from judge.run.timing import Decision, TurnPair, decide, is_sure
+from judge.run.timing import Decision, TurnPair, decide, is_sure, limits_of, theirs_on, time_limit
 from judge.sandbox.boundary import Usage
 
 

@@ -14,9 +14,8 @@ from msgspec.structs import replace
 from judge.problem import Problem, Verdict
 from judge.run.group import GroupRun
 from judge.run.groups import Judging
-from judge.run.measure import Race, limits_of, time_limit
 from judge.run.settings import Reference
-from judge.run.timing import Against, Decision, busy, disturbed, race
+from judge.run.timing import Against, Decision, Race, busy, disturbed, limits_of, race, time_limit
 
 if TYPE_CHECKING:
     from judge.run.growth import Grown

@@ -12,9 +12,8 @@ from judge.problem import Verdict
 from judge.run.group import GroupRun
 from judge.run.groups import Judging
 from judge.run.growth import GrowthSample, exponent, grow, is_steep, steep_seconds
-from judge.run.measure import Race
 from judge.run.runner import Replies, Runner
-from judge.run.timing import MOST_PAIRS, TurnPair
+from judge.run.timing import MOST_PAIRS, Race, TurnPair
 from judge.sandbox.boundary import Reply, Stop, Usage
 
 SLOPE = 0.4
