@@ -28,7 +28,7 @@ from judge.data.model import GroupData, ProblemData
 from judge.diagnose.candidates import candidates, items_of, measure, sized, usual_group
 from judge.diagnose.replay import LONGEST, encode
 from judge.diagnose.simplify import rounded, simplified
-from judge.diagnose.trial import LIMITED, FailingCase, SearchBudget, Trial, TrialOutcome, answer_class
+from judge.diagnose.trial import LIMITED, FailingCase, SearchBudget, Trial, answer_class
 from judge.problem import Case, Group, Problem, Verdict
 from judge.problem.model import EXAMPLES
 from judge.run.result import Failure, Result, short_answer
@@ -95,7 +95,7 @@ def shrink(
         first = trial.alone(case, group_data.group) if verdict in LIMITED else None
     if verdict not in LIMITED:
         asked = [trial.ask(case, group_data.group) for _ in range(2)]  # twice: it may answer at random
-        if verdict is Verdict.WA and any(answer.outcome is TrialOutcome.PASSES for answer in asked):
+        if verdict is Verdict.WA and any(answer.ended is Verdict.AC for answer in asked):
             return replace(failure, input=problem.named(case), message=_PASSING)
         first = asked[0].failing if asked[1].failing else None
     if first is None:
@@ -182,7 +182,7 @@ class _Search(NamedTuple):
         """What is shown fails under the problem's own limits too; the search was less patient."""
         trial = self.trial
         best = trial.ask(found.case, found.group).failing or self.first
-        replay = encode(self.trial.runner.problem, best.group, best.case)
+        replay = encode(trial.runner.problem, best.group, best.case)
         if len(replay) > LONGEST:  # nobody would look at it, nor type it
             return None
         message, cut_short = best.message, trial.budget.cut_short
@@ -195,7 +195,7 @@ class _Search(NamedTuple):
             message,
             group=best.group.name,
             case=None,
-            input=self.trial.runner.problem.named(best.case),
+            input=trial.runner.problem.named(best.case),
             expected=best.expected,
             got=best.got,
             given=short_answer(best.given),

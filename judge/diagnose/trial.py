@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterable, Sequence
-from enum import Enum
 from itertools import islice
 from math import inf
 from typing import NamedTuple
@@ -108,23 +107,14 @@ class FailingCase(Struct, frozen=True):
         return self.measure < other.measure
 
 
-class TrialOutcome(Enum):
-    """What a trial says of a case."""
-
-    FAILS = "fails"
-    PASSES = "passes"
-    UNDECIDED = "undecided"
-
-
 class TrialAnswer(NamedTuple):
-    """The outcome of a trial, and the case where it fails; of one that is undecided, how else it ended."""
+    """What a trial says of a case: it passes, it fails, as `failing` says, or that is undecided."""
 
-    outcome: TrialOutcome
+    ended: Verdict  # AC where it passes, JE where no call was made
     failing: FailingCase | None = None
-    ended: Verdict = Verdict.AC
 
 
-_RIGHT = TrialAnswer(TrialOutcome.PASSES)
+_RIGHT = TrialAnswer(Verdict.AC)
 
 
 class Trial(Struct):
@@ -181,7 +171,7 @@ class Trial(Struct):
         that builds a table. Once that is known, a call that never ends is waited for a second; what is shown
         says how long.
         """
-        (answer,) = self._run(self.box, [case], group, whole=True) or [TrialAnswer(TrialOutcome.UNDECIDED)]
+        (answer,) = self._run(self.box, [case], group, whole=True) or [TrialAnswer(Verdict.JE)]
         if answer.ended not in LIMITED:
             cpu, waiting = self._used.cpu_seconds, self._used.slept_seconds
             waiting *= waiting > _SLOW * _WAITING
@@ -334,9 +324,8 @@ class Trial(Struct):
         return self._wrong(FailingCase(case, group, verdict, wanted, got, detail, told, printed=printed))
 
     def _wrong(self, found: FailingCase) -> TrialAnswer:
-        if found.verdict is self.verdict and self._class in (None, found.failure_class):
-            return TrialAnswer(TrialOutcome.FAILS, found, found.verdict)
-        return TrialAnswer(TrialOutcome.UNDECIDED, None, found.verdict)
+        counts = found.verdict is self.verdict and self._class in (None, found.failure_class)
+        return TrialAnswer(found.verdict, found if counts else None)
 
 
 def _key(case: Case, group: Group) -> tuple[str, str]:
