@@ -50,33 +50,23 @@ def rival_of(runner: Runner, rule: TimeRule, reference: Reference, limit: float)
     """
     from judge.languages.model import language_called
 
-    language = language_called(runner.language)
+    problem, language = runner.problem, language_called(runner.language)
     assert language is not None
-    own = rule.references.get(language.id) if runner.calls else None
-    box = reference.open(own)
-    if own and box is not None:
-        fault = box.inspect().fault
-        if fault:
+    box = reference.open(rule.references.get(language.id)) if runner.calls else None
+    if box is not None:
+        if fault := box.inspect().fault:
             raise JudgeError(f"the reference solution in {language.name} does not compile: {fault.message}")
-        used: Runner = Runner(runner.problem, language.name)
-        if box.inspect().defines(runner.problem.entry):
-            return Opponent(box, used, Against(language.name), limit)
-    return _pythons(runner, rule, reference, limit * language.factor, language.name)
-
-
-def _pythons(
-    runner: Runner, rule: TimeRule, reference: Reference, limit: float, name: str
-) -> Opponent | None:
+        if box.inspect().defines(problem.entry):
+            return Opponent(box, Runner(problem, language.name), Against(language.name), limit)
+    limit *= language.factor
     what = "reference" if runner.calls else "reference program"
-    against = Against(PYTHON, f"no {what} in {name}: held to Python's")
+    against = Against(PYTHON, f"no {what} in {language.name}: held to Python's")
     box = None if runner.calls else reference.open(rule.program)
     if box is not None:
-        return Opponent(box, ProgramRunner(runner.problem), against, limit)
+        return Opponent(box, ProgramRunner(problem), against, limit)
     box = reference.open(rule.function)
-    if box is None:
-        return None
     generous = limit if runner.calls else limit * _READING
-    return Opponent(box, Runner(runner.problem), against, generous)
+    return None if box is None else Opponent(box, Runner(problem), against, generous)
 
 
 class LongRace(Race):

@@ -20,6 +20,7 @@ from judge.problem.declare import Format
 from judge.problem.formats import input_of, output_of
 from judge.problem.model import Mode, case_of
 from judge.problem.module import load_module
+from judge.run.group import limits_after
 from judge.run.program import text_of
 from judge.run.result import NOTHING, Behaviour, Failure
 from judge.run.runner import OWN_ENDS, Replies, Runner
@@ -58,11 +59,7 @@ class FormatRunner(Runner, frozen=True, dict=True):
         """A run for each case, until one is ended by force."""
         replies, used, stop = list[Reply](), Usage(), Stop.ANSWERED
         for case in cases:
-            left = limits._replace(
-                cpu_seconds=max(_LEAST, limits.cpu_seconds - used.cpu_seconds),
-                wall_seconds=max(_LEAST, limits.wall_seconds - used.wall_seconds),
-                waiting_seconds=max(_LEAST, limits.waiting_seconds - used.waiting_seconds),
-            )
+            left = limits_after(limits, used, _LEAST)
             if self.problem.talks:
                 talk = Talk(self.problem, self._own, case)
                 result = box.run_program(talk, left)

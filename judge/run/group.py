@@ -195,11 +195,15 @@ def one_case(data: ProblemData, group: str, case: int) -> ProblemData:
 
 def group_limits(problem: Problem, group: Group, used: Usage = Usage()) -> Limits:  # noqa: B008 - a tuple
     """What is left of a group's limits once `used` of its time has gone."""
-    limits = problem.limits_of(group)
-    return Limits(
-        max(0.0, limits.cpu_seconds - used.cpu_seconds),
-        max(0.0, limits.wall_seconds - used.wall_seconds),
-        limits.memory_bytes,
-        limits.output_bytes,
-        items=problem.answer.items,
+    own, items = problem.limits_of(group), problem.answer.items
+    limits = Limits(own.cpu_seconds, own.wall_seconds, own.memory_bytes, own.output_bytes, items=items)
+    return limits_after(limits, used)
+
+
+def limits_after(limits: Limits, used: Usage, least: float = 0.0) -> Limits:
+    """The limits of what comes after this was used; of each time so many seconds are left at `least`."""
+    return limits._replace(
+        cpu_seconds=max(least, limits.cpu_seconds - used.cpu_seconds),
+        wall_seconds=max(least, limits.wall_seconds - used.wall_seconds),
+        waiting_seconds=max(least, limits.waiting_seconds - used.waiting_seconds),
     )

@@ -36,9 +36,10 @@ _CRASHES = (Stop.EXCEPTION, Stop.EXITED)
 
 
 class Budget:
-    """The account of one submission."""
+    """The account of one submission; whatever is left, it is used up once `stop` says so."""
 
-    def __init__(self, problem: Problem) -> None:
+    def __init__(self, problem: Problem, stop: Callable[[], bool] = lambda: False) -> None:
+        self._stop = stop
         self._timeouts = self._losses = 0
         self._lost_by: set[Verdict] = set()
         self._at_once = False
@@ -79,6 +80,8 @@ class Budget:
     @property
     def over(self) -> tuple[Verdict, str] | None:
         """The verdict of what is not run any more, and why; None while there is something left."""
+        if self._stop():
+            return Verdict.TLE, "the time is up"
         if self._timeouts >= MOST_TIMEOUTS:
             one = "the first case of a group used up all its time"
             return Verdict.TLE, one if self._at_once else f"{MOST_TIMEOUTS} groups ran out of time"

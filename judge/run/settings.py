@@ -2,19 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from importlib.util import find_spec
 
 from msgspec import Struct, field
 
+from judge.data.model import Progress as Progress
 from judge.errors import UsageError
 from judge.problem import Problem
 from judge.problem.solutions import accepted_source
 from judge.run.alone import MeasureLock
 from judge.sandbox.boundary import Box, BoxFactory
 from judge.sandbox.factory import Containment
-
-Progress = Callable[[int, int], None]  # cases done, cases in all
 
 
 def check_needs(problem: Problem) -> None:

@@ -16,7 +16,7 @@ from msgspec.structs import replace
 
 from judge.data.build import Fresh
 from judge.data.model import GroupData, ProblemData
-from judge.problem import Problem, Verdict
+from judge.problem import Verdict
 from judge.run.alone import MeasureLock
 from judge.run.execute import opened, uncompiled
 from judge.run.group import GroupRun
@@ -78,12 +78,8 @@ def stress(
     runner = opened(box, data.problem, source)
     if isinstance(runner, Failure):
         return Stressed(uncompiled(data.problem, name, runner, box), fresh.seed, 0.0)
-    run, lock, begun, interrupted = (
-        _Run(data, runner, box, clock, seconds),
-        lock or MeasureLock(),
-        clock(),
-        False,
-    )
+    run, lock = _Run(data, runner, box, clock, seconds), lock or MeasureLock()
+    begun, interrupted = clock(), False
     series = fresh.series()
     try:
         while not run.over:
@@ -96,19 +92,6 @@ def stress(
         run.close()
     result = run.result(name, [group.name for group in fresh.groups])
     return Stressed(result, fresh.seed, clock() - begun, run.cases, interrupted, run.broken, runner)
-
-
-class _Turn(Budget):
-    """What a few series may cost together; their turn is over too once the stress is."""
-
-    def __init__(self, problem: Problem, stop: Callable[[], bool]) -> None:
-        super().__init__(problem)
-        self._stop = stop
-
-    @property
-    def over(self) -> tuple[Verdict, str] | None:
-        """As of any budget."""
-        return (Verdict.TLE, "the time is up") if self._stop() else super().over
 
 
 class _Run:
@@ -136,8 +119,8 @@ class _Run:
         self._now = [
             (each, GroupRun(self._data, each, self._runner)) for each in islice(series, self._at_once)
         ]
-        turn = _Turn(self._data.problem, lambda: self.over)
-        Judging(self._runner, self._box, turn).run([run for _, run in self._now])
+        budget = Budget(self._data.problem, lambda: self.over)
+        Judging(self._runner, self._box, budget).run([run for _, run in self._now])
         self.close()
         took = self._clock() - begun
         if took < _SHORT:
