@@ -18,6 +18,7 @@ from judge.run.result import Behaviour, Failure, GroupResult, LevelResult, Resul
 from judge.run.runner import Runner
 from judge.run.settings import Progress, Reference, Settings
 from judge.run.timing import BESIDE, Decision, disturbed
+from judge.run.unreadable import why_unreadable
 from judge.sandbox import Box, Usage
 
 if TYPE_CHECKING:
@@ -103,11 +104,8 @@ def opened(box: Box, problem: Problem, source: bytes, *, program: bool = False) 
     for. Or why it does not compile.
     """
     inspection = box.inspect()
-    if inspection.fault or b'"nbformat"' in source:
-        from judge.run.unreadable import why_unreadable  # most can be read
-
-        if fault := why_unreadable(source, inspection.fault):
-            return Failure(fault)
+    if fault := why_unreadable(source, inspection.fault):
+        return Failure(fault)
     defined = problem.entry and inspection.defines(problem.entry) and not program
     if defined or (problem.methods and not problem.formatted):
         return Runner(problem, inspection.language)

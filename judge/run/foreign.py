@@ -16,7 +16,7 @@ from judge.languages import NAME as PYTHON
 from judge.problem import TimeRule
 from judge.run.group import GroupRun
 from judge.run.groups import Judging
-from judge.run.laps import Repeat, course, more_passes, passes_for
+from judge.run.laps import course, more_passes, passes_for
 from judge.run.program import ProgramRunner
 from judge.run.runner import Replies, Runner
 from judge.run.settings import Reference
@@ -156,7 +156,8 @@ class LongRace(Race):
         budget = self._judging.budget
         lap = self._mine.run(passes, budget.within(self._within()))
         budget.booked(self._taking(Replies((), lap.usage)))
-        if passes > 1 and (lap.trouble or not (self._runner.calls or self._all_as_once(lap))):
+        alike = self._runner.calls or all(exactly(each) == self._accepted for each in lap.answers)
+        if passes > 1 and (lap.trouble or not alike):
             self._own_passes = 1
             return self._turn(1)
         if lap.trouble:
@@ -165,9 +166,6 @@ class LongRace(Race):
             return None
         own = self._start if self._same else self._mine.start
         return max(0.0, lap.usage.cpu_seconds - own)
-
-    def _all_as_once(self, lap: Repeat) -> bool:
-        return all(exactly(each) == self._accepted for each in lap.answers)
 
     def _plainly(self) -> float | None:
         """One pass as when it was judged, so that it is told what has become of which case."""

@@ -149,11 +149,6 @@ class GroupRun:
         self.passed -= 1
         self.failed(index, verdict, message, got)
 
-    def explain(self, why: str) -> None:
-        """Add to the reason of a failure."""
-        if self.failure is not None:
-            self.failure = replace(self.failure, message=f"{self.failure.message}; {why}")
-
     @property
     def out_of_cpu_time(self) -> bool:
         """Whether it failed because its CPU time, not only the wall clock's, is used up."""

@@ -24,9 +24,13 @@ if TYPE_CHECKING:
 def worth_racing(problem: Problem, runs: Sequence[GroupRun]) -> bool:
     """Whether the verdict may still hang on the time: accepted, or out of CPU time in a group that grows."""
     names = problem.growth.groups if problem.growth else ()
-    return any(not run.given_up for run in runs) and all(
-        run.verdict is Verdict.AC or _out_of_time(run, names) for run in runs
-    )
+
+    def may_be(run: GroupRun) -> bool:
+        if run.given_up:  # for the time that others took
+            return run.verdict is Verdict.TLE
+        return run.verdict is Verdict.AC or (run.group.name in names and run.out_of_cpu_time)
+
+    return all(map(may_be, runs)) and not all(run.given_up for run in runs)
 
 
 def race_all(judging: Judging, runs: Sequence[GroupRun], reference: Reference) -> Decision:
@@ -62,7 +66,8 @@ def race_all(judging: Judging, runs: Sequence[GroupRun], reference: Reference) -
         # The growth is the reason of what is too slow already; else of the largest group, where it will be.
         slow = [run for run in growing if run.verdict is not Verdict.AC]
         for run in slow:
-            run.explain(str(grown.growth))
+            if run.failure is not None:
+                run.failure = replace(run.failure, message=f"{run.failure.message}; {grown.growth}")
         if not slow:
             growing[-1].failed_whole(Verdict.TLE, grown.growth.too_steep)
     return replace(decision, growth=grown.growth, against=against)
@@ -114,12 +119,6 @@ def growing_of(problem: Problem, runs: Sequence[GroupRun]) -> list[GroupRun]:
         return []
     by_name = {run.group.name: run for run in runs if not run.given_up}
     return [by_name[name] for name in problem.growth.groups if name in by_name]
-
-
-def _out_of_time(run: GroupRun, names: Sequence[str]) -> bool:
-    if run.given_up:  # for the time that others took
-        return run.verdict is Verdict.TLE
-    return run.group.name in names and run.out_of_cpu_time
 
 
 def _grown(

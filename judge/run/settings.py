@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import AbstractContextManager
 from importlib.util import find_spec
 
 from msgspec import Struct, field
@@ -25,7 +26,7 @@ def check_needs(problem: Problem) -> None:
             )
 
 
-class Reference:
+class Reference(AbstractContextManager["Reference"]):
     """The solutions that set the time limit, each opened once in a box of its own and raced again and again.
 
     A context manager, its boxes end with it; one race at a time may use them.
@@ -35,9 +36,6 @@ class Reference:
         self._problem = problem
         self._box_factory = box_factory
         self._boxes: dict[str, Box | None] = {}
-
-    def __enter__(self) -> Reference:
-        return self
 
     def __exit__(self, *exc: object) -> None:
         self.close()
