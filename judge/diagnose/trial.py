@@ -18,7 +18,7 @@ from msgspec import Struct
 from judge.data.build import target_of, validate
 from judge.diagnose.candidates import Simplicity, measure
 from judge.errors import ProblemError
-from judge.problem import Case, Group, Verdict
+from judge.problem import Case, Group, Problem, Verdict
 from judge.problem.declare import InvalidCase
 from judge.problem.module import Module
 from judge.run.printed import message_of, text_of
@@ -137,6 +137,11 @@ class Trial(Struct):
     _used: Usage = Usage()  # by the last process
     _slow: Usage = Usage()  # what every process needs before its first answer, where that is much
     _patience: float = inf  # until it is known what an answer takes
+
+    @property
+    def problem(self) -> Problem:
+        """Whose cases they are."""
+        return self.runner.problem
 
     def look_for(self, failing: FailingCase | None) -> None:
         """From now on only cases that fail in this way count: another mistake would explain nothing.
@@ -258,8 +263,8 @@ class Trial(Struct):
         key = _key(case, group)
         if key not in self._wanted:
             try:
-                exact = validate(self.runner.problem, self.module, case)
-                self._wanted[key] = exact, target_of(self.runner.problem, exact, group.tolerance)
+                exact = validate(self.problem, self.module, case)
+                self._wanted[key] = exact, target_of(self.problem, exact, group.tolerance)
             except InvalidCase as fault:
                 self._wanted[key] = fault
         found = self._wanted[key]
@@ -269,14 +274,14 @@ class Trial(Struct):
 
     def _limits(self, cases: int, *, whole: bool) -> Limits:
         """What calls of so many cases may use: the same on every machine."""
-        usual, slow = self.runner.problem.limits, self._slow
+        usual, slow = self.problem.limits, self._slow
         cpu, waiting = usual.cpu_seconds, 1e9
         if not whole or self.verdict in LIMITED:
             quick = _SHORT_SECONDS + _QUICK_SECONDS * (0 if self.verdict is Verdict.TLE else cases)
             cpu = min(cpu, 2 * slow.cpu_seconds + (self._patience if whole else quick))
             waiting = 2 * slow.waiting_seconds + _WAITING + cpu
         most = usual.wall_seconds, usual.memory_bytes, usual.output_bytes
-        return Limits(cpu, *most, waiting, items=self.runner.problem.answer.items)
+        return Limits(cpu, *most, waiting, items=self.problem.answer.items)
 
     def _run(
         self, box: Box, cases: Sequence[Case], group: Group, *, whole: bool = False
@@ -291,7 +296,7 @@ class Trial(Struct):
         cpu, waiting, wall = limits.cpu_seconds, limits.waiting_seconds, limits.wall_seconds
         lost = {Stop.CPU: cpu, Stop.WAITING: waiting, Stop.WALL: wall}
         made = max(1, len(replies.replies))
-        runs = _RUNS_COST * made if self.runner.problem.formatted and not self.runner.calls else 1
+        runs = _RUNS_COST * made if self.problem.formatted and not self.runner.calls else 1
         self.budget.asked(made, lost.get(replies.stop, 0.0), replies.usage, runs)
         if replies.breakdown is not None:
             verdict, detail, _, got, _ = replies.breakdown
@@ -308,8 +313,8 @@ class Trial(Struct):
         outcome = self.runner.decide(given, target, lambda: (within(exact, group.name), group.tolerance))
         if not isinstance(outcome, Rejection):
             return _RIGHT
-        right, got = outline.right(self.runner.problem.answer, target), self.runner.outline(given)
-        lengths = not self.coarse or self.runner.problem.answer.measured  # whether these tell mistakes apart
+        right, got = outline.right(self.problem.answer, target), self.runner.outline(given)
+        lengths = not self.coarse or self.problem.answer.measured  # whether these tell mistakes apart
         told = _failure_class(right, got, coarse=self.coarse, lengths=lengths)
         told += ("off" if outcome.where and lengths else "other",)
         message, raw = message_of(outcome.message, outcome.got, printed), self.runner.raw(given)
