@@ -38,12 +38,10 @@ from judge.problem.model import chosen_groups
 from judge.repair.features import features
 from judge.report.tell import tell
 from judge.report.words import counted, printable
-from judge.run.function import FunctionRunner
 from judge.run.group import GroupRun, group_limits, one_case
-from judge.run.reference import Reference
 from judge.run.result import Behaviour, Result, earned
-from judge.run.settings import Progress, Settings
-from judge.sandbox.boundary import Usage
+from judge.run.runner import Runner
+from judge.run.settings import Progress, Reference, Settings
 from judge.sandbox.encode import encode
 from judge.values import parameters, show
 from judge.values.check import is_right
@@ -308,11 +306,11 @@ class _Watched:
         runs: list[GroupRun] = []
         raised = None
         data = data or self._data
-        runner = FunctionRunner(data.problem)
+        runner = Runner(data.problem)
         for each in data.groups:
             if each.group.name in groups:
                 box, run = self._box(), GroupRun(data, each, runner)
-                run.take(runner.ask(box, each.cases, group_limits(data.problem, each.group, Usage())))
+                run.take(runner.ask(box, each.cases, group_limits(data.problem, each.group)))
                 if run.reached < len(run.cases):
                     run.give_up(Verdict.TLE, self._clock.told)
                 if run.verdict is Verdict.RTE and not any(one.failure for one in runs):
@@ -336,7 +334,7 @@ class _Watched:
         )
         if first is None or result.cut_short:
             return result
-        runner, budget = FunctionRunner(self._data.problem), SearchBudget(wall=min(_SEARCH, self._clock.left))
+        runner, budget = Runner(self._data.problem), SearchBudget(wall=min(_SEARCH, self._clock.left))
         with Reference(self._data.problem, InProcess) as reference:
             found = shrink(self._data, self._box(), runner, result, reference=reference, budget=budget)
         result = replace(result, counterexample=found and runner.explained(found))
@@ -369,7 +367,7 @@ class _Watched:
             yield learnt
 
         namer = Namer(self._data, None, Settings(measured=False), learning)
-        repair = partial(otherwise, self._data, does, FunctionRunner(self._data.problem), self._box())
+        repair = partial(otherwise, self._data, does, Runner(self._data.problem), self._box())
         return namer.named(result, does, has, alone, repair)
 
 

@@ -20,8 +20,8 @@ from judge.batch.model import Task, WorkerResult
 from judge.errors import ProblemError, UsageError
 from judge.judging.session import Session
 from judge.problem.find import find_problem
-from judge.run.reference import check_needs
 from judge.run.result import judge_fault
+from judge.run.settings import check_needs
 
 _WARM = 4  # problems whose data, reference and known mistakes a worker keeps at a time
 _sessions: OrderedDict[Task, Session] = OrderedDict()  # that was used longest ago first

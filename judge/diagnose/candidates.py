@@ -179,27 +179,28 @@ def usual_group(problem: Problem) -> Group:
     return next((group for group in groups if group.name == "grid"), groups[0])
 
 
-def numbers_of(case: Case) -> Iterator[Number]:
-    """The numbers of a case, in order, however deep in it; texts, bools and None are none."""
+def _pieces(case: Case) -> Iterator[Any]:
+    """What a case is made of, in order, however deep in it."""
     for argument in case:
         if isinstance(argument, tuple):
-            yield from numbers_of(argument)
-        elif type(argument) in _NUMBERS:  # no bool
+            yield from _pieces(argument)
+        else:
             yield argument
+
+
+def numbers_of(case: Case) -> Iterator[Number]:
+    """The numbers of a case, in order; texts, bools and None are none."""
+    return (each for each in _pieces(case) if type(each) in _NUMBERS)  # no bool
+
+
+def texts_of(case: Case) -> Iterator[str | bool]:
+    """The texts and bools of a case, in order."""
+    return (each for each in _pieces(case) if isinstance(each, str | bool))
 
 
 def items_of(case: Case) -> int:
     """How many items its lists and points have, however deep in it: as many in all cases of one shape."""
     return sum(len(argument) + items_of(argument) for argument in case if isinstance(argument, tuple))
-
-
-def texts_of(case: Case) -> Iterator[str | bool]:
-    """The texts and bools of a case, in order, however deep in it."""
-    for argument in case:
-        if isinstance(argument, tuple):
-            yield from texts_of(argument)
-        elif isinstance(argument, str | bool):
-            yield argument
 
 
 def with_numbers(case: Case, numbers: Iterable[Number]) -> Case:

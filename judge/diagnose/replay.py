@@ -22,6 +22,7 @@ from judge.problem import Case, Group, Problem
 from judge.problem.declare import InvalidCase
 from judge.problem.module import Module
 from judge.values import parameters
+from judge.values.wire import cut
 
 if TYPE_CHECKING:
     from judge.values.answers import Exact
@@ -89,8 +90,7 @@ def decode(replay: str, problem: Problem, module: Module) -> Decoded:
 def _parts(replay: str) -> tuple[str, str, str, str, str]:
     found = _ID.fullmatch(replay) if len(replay) <= LONGEST else None
     if found is None:
-        shown = replay if len(replay) <= 60 else f"{replay[:60]}…"
-        raise UsageError(f"{shown!r} is no replay id", remedy="copy the one that `judge run` shows")
+        raise UsageError(f"{cut(replay, 60)!r} is no replay id", remedy="copy the one that `judge run` shows")
     problem, group, form, payload, check = found.groups()
     return problem, group, form, payload, check
 

@@ -28,12 +28,12 @@ from judge.data.model import GroupData, ProblemData
 from judge.diagnose.candidates import candidates, items_of, measure, sized, usual_group
 from judge.diagnose.replay import LONGEST, encode
 from judge.diagnose.simplify import rounded, simplified
-from judge.diagnose.trial import LIMITED, FailingCase, SearchBudget, Trial, TrialOutcome, answer_class
+from judge.diagnose.trial import LIMITED, FailingCase, SearchBudget, Trial, answer_class
 from judge.problem import Case, Group, Problem, Verdict
 from judge.problem.model import EXAMPLES
-from judge.run.reference import Reference
 from judge.run.result import Failure, Result, short_answer
 from judge.run.runner import Runner
+from judge.run.settings import Reference
 from judge.sandbox.boundary import Box
 from judge.sandbox.encode import in_call
 from judge.values.atoms import IntType
@@ -95,7 +95,7 @@ def shrink(
         first = trial.alone(case, group_data.group) if verdict in LIMITED else None
     if verdict not in LIMITED:
         asked = [trial.ask(case, group_data.group) for _ in range(2)]  # twice: it may answer at random
-        if verdict is Verdict.WA and any(answer.outcome is TrialOutcome.PASSES for answer in asked):
+        if verdict is Verdict.WA and any(answer.ended is Verdict.AC for answer in asked):
             return replace(failure, input=problem.named(case), message=_PASSING)
         first = asked[0].failing if asked[1].failing else None
     if first is None:
@@ -128,9 +128,9 @@ class _Search(NamedTuple):
     def run(self) -> Failure | None:
         """The best of what the stages find; None where it is too long for an id."""
         trial, best = self.trial, self.first
-        if not trial.runner.problem.parameters:  # there is one case
+        if not trial.problem.parameters:  # there is one case
             return self._told(best)
-        under = usual = usual_group(trial.runner.problem)
+        under = usual = usual_group(trial.problem)
         levels, again = tee(self._levels())
         found = self._candidate(levels, usual)
         if found is not None:
@@ -140,7 +140,7 @@ class _Search(NamedTuple):
                 best = self._by_parameters()
             under = usual if usual.tolerance == self.data.group.tolerance else self.data.group
             best = min(best, simplified(trial, best, under))
-        pieces = sized(trial.runner.problem)  # which every mistake needs few of
+        pieces = sized(trial.problem)  # which every mistake needs few of
         if _is_long(best, SIMPLE if pieces else HARD):
             trial.look_for(None)
             other = self._candidate(again, usual)
@@ -152,7 +152,7 @@ class _Search(NamedTuple):
 
     def _levels(self) -> Iterator[list[Case]]:
         """The cases of each level that are simpler than the first one that failed."""
-        problem, size = self.trial.runner.problem, self.first.measure
+        problem, size = self.trial.problem, self.first.measure
         for level in candidates(problem):
             cases = (case for each in level for case in each.cases(problem))
             yield [case for case in cases if measure(case) < size]
@@ -182,11 +182,11 @@ class _Search(NamedTuple):
         """What is shown fails under the problem's own limits too; the search was less patient."""
         trial = self.trial
         best = trial.ask(found.case, found.group).failing or self.first
-        replay = encode(self.trial.runner.problem, best.group, best.case)
+        replay = encode(trial.problem, best.group, best.case)
         if len(replay) > LONGEST:  # nobody would look at it, nor type it
             return None
         message, cut_short = best.message, trial.budget.cut_short
-        if trial.runner.problem.methods and (place := trial.stopped_at(best)):
+        if trial.problem.methods and (place := trial.stopped_at(best)):
             name, *given = best.case[-1][place - 1]
             message += in_call(place, name, *given)
         if best.case == self.first.case and cut_short and trial.slow_seconds:
@@ -195,7 +195,7 @@ class _Search(NamedTuple):
             message,
             group=best.group.name,
             case=None,
-            input=self.trial.runner.problem.named(best.case),
+            input=trial.problem.named(best.case),
             expected=best.expected,
             got=best.got,
             given=short_answer(best.given),

@@ -31,8 +31,8 @@ def simplified(trial: Trial, start: FailingCase, group: Group) -> FailingCase:
     """The simplest failing case that steps from `start` lead to, judged under `group`'s tolerance."""
     simpler, best = trial.module.hooks.simpler, start
     if simpler is not None:
-        best = _better(trial, best, group, simpler(trial.runner.problem, start.case))
-    problem = trial.runner.problem
+        best = _better(trial, best, group, simpler(trial.problem, start.case))
+    problem = trial.problem
     for _ in range(_ROUNDS):
         after = _better(trial, best, group, chain(fewer(problem, best.case), steps(best.case)))
         if after is best and sized(problem):

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterable, Sequence
-from enum import Enum
 from itertools import islice
 from math import inf
 from typing import NamedTuple
@@ -19,12 +18,12 @@ from msgspec import Struct
 from judge.data.build import target_of, validate
 from judge.diagnose.candidates import Simplicity, measure
 from judge.errors import ProblemError
-from judge.problem import Case, Group, Verdict
+from judge.problem import Case, Group, Problem, Verdict
 from judge.problem.declare import InvalidCase
 from judge.problem.module import Module
 from judge.run.printed import message_of, text_of
-from judge.run.replies import NO_ANSWER, VERDICTS
-from judge.run.runner import Runner
+from judge.run.result import NO_ANSWER
+from judge.run.runner import VERDICTS, Runner
 from judge.sandbox.boundary import Box, Limits, Reply, Stop, Usage
 from judge.values import outline
 from judge.values.answers import Exact, Target, within
@@ -108,23 +107,14 @@ class FailingCase(Struct, frozen=True):
         return self.measure < other.measure
 
 
-class TrialOutcome(Enum):
-    """What a trial says of a case."""
-
-    FAILS = "fails"
-    PASSES = "passes"
-    UNDECIDED = "undecided"
-
-
 class TrialAnswer(NamedTuple):
-    """The outcome of a trial, and the case where it fails; of one that is undecided, how else it ended."""
+    """What a trial says of a case: it passes, it fails, as `failing` says, or that is undecided."""
 
-    outcome: TrialOutcome
+    ended: Verdict  # AC where it passes, JE where no call was made
     failing: FailingCase | None = None
-    ended: Verdict = Verdict.AC
 
 
-_RIGHT = TrialAnswer(TrialOutcome.PASSES)
+_RIGHT = TrialAnswer(Verdict.AC)
 
 
 class Trial(Struct):
@@ -147,6 +137,11 @@ class Trial(Struct):
     _used: Usage = Usage()  # by the last process
     _slow: Usage = Usage()  # what every process needs before its first answer, where that is much
     _patience: float = inf  # until it is known what an answer takes
+
+    @property
+    def problem(self) -> Problem:
+        """Whose cases they are."""
+        return self.runner.problem
 
     def look_for(self, failing: FailingCase | None) -> None:
         """From now on only cases that fail in this way count: another mistake would explain nothing.
@@ -181,7 +176,7 @@ class Trial(Struct):
         that builds a table. Once that is known, a call that never ends is waited for a second; what is shown
         says how long.
         """
-        (answer,) = self._run(self.box, [case], group, whole=True) or [TrialAnswer(TrialOutcome.UNDECIDED)]
+        (answer,) = self._run(self.box, [case], group, whole=True) or [TrialAnswer(Verdict.JE)]
         if answer.ended not in LIMITED:
             cpu, waiting = self._used.cpu_seconds, self._used.slept_seconds
             waiting *= waiting > _SLOW * _WAITING
@@ -268,8 +263,8 @@ class Trial(Struct):
         key = _key(case, group)
         if key not in self._wanted:
             try:
-                exact = validate(self.runner.problem, self.module, case)
-                self._wanted[key] = exact, target_of(self.runner.problem, exact, group.tolerance)
+                exact = validate(self.problem, self.module, case)
+                self._wanted[key] = exact, target_of(self.problem, exact, group.tolerance)
             except InvalidCase as fault:
                 self._wanted[key] = fault
         found = self._wanted[key]
@@ -279,14 +274,14 @@ class Trial(Struct):
 
     def _limits(self, cases: int, *, whole: bool) -> Limits:
         """What calls of so many cases may use: the same on every machine."""
-        usual, slow = self.runner.problem.limits, self._slow
+        usual, slow = self.problem.limits, self._slow
         cpu, waiting = usual.cpu_seconds, 1e9
         if not whole or self.verdict in LIMITED:
             quick = _SHORT_SECONDS + _QUICK_SECONDS * (0 if self.verdict is Verdict.TLE else cases)
             cpu = min(cpu, 2 * slow.cpu_seconds + (self._patience if whole else quick))
             waiting = 2 * slow.waiting_seconds + _WAITING + cpu
         most = usual.wall_seconds, usual.memory_bytes, usual.output_bytes
-        return Limits(cpu, *most, waiting, items=self.runner.problem.answer.items)
+        return Limits(cpu, *most, waiting, items=self.problem.answer.items)
 
     def _run(
         self, box: Box, cases: Sequence[Case], group: Group, *, whole: bool = False
@@ -301,7 +296,7 @@ class Trial(Struct):
         cpu, waiting, wall = limits.cpu_seconds, limits.waiting_seconds, limits.wall_seconds
         lost = {Stop.CPU: cpu, Stop.WAITING: waiting, Stop.WALL: wall}
         made = max(1, len(replies.replies))
-        runs = _RUNS_COST * made if self.runner.problem.formatted and not self.runner.calls else 1
+        runs = _RUNS_COST * made if self.problem.formatted and not self.runner.calls else 1
         self.budget.asked(made, lost.get(replies.stop, 0.0), replies.usage, runs)
         if replies.breakdown is not None:
             verdict, detail, _, got, _ = replies.breakdown
@@ -318,8 +313,8 @@ class Trial(Struct):
         outcome = self.runner.decide(given, target, lambda: (within(exact, group.name), group.tolerance))
         if not isinstance(outcome, Rejection):
             return _RIGHT
-        right, got = outline.right(self.runner.problem.answer, target), self.runner.outline(given)
-        lengths = not self.coarse or self.runner.problem.answer.measured  # whether these tell mistakes apart
+        right, got = outline.right(self.problem.answer, target), self.runner.outline(given)
+        lengths = not self.coarse or self.problem.answer.measured  # whether these tell mistakes apart
         told = _failure_class(right, got, coarse=self.coarse, lengths=lengths)
         told += ("off" if outcome.where and lengths else "other",)
         message, raw = message_of(outcome.message, outcome.got, printed), self.runner.raw(given)
@@ -334,9 +329,8 @@ class Trial(Struct):
         return self._wrong(FailingCase(case, group, verdict, wanted, got, detail, told, printed=printed))
 
     def _wrong(self, found: FailingCase) -> TrialAnswer:
-        if found.verdict is self.verdict and self._class in (None, found.failure_class):
-            return TrialAnswer(TrialOutcome.FAILS, found, found.verdict)
-        return TrialAnswer(TrialOutcome.UNDECIDED, None, found.verdict)
+        counts = found.verdict is self.verdict and self._class in (None, found.failure_class)
+        return TrialAnswer(found.verdict, found if counts else None)
 
 
 def _key(case: Case, group: Group) -> tuple[str, str]:

@@ -23,12 +23,11 @@ from judge.run.entry import entry_error
 from judge.run.execute import Judgement, judge_submission, opened
 from judge.run.group import group_limits
 from judge.run.printed import message_of, text_of
-from judge.run.replies import VERDICTS, Replies
 from judge.run.result import Failure, GroupResult, Result, short_answer
-from judge.run.runner import Runner
+from judge.run.runner import VERDICTS, Replies, Runner
 from judge.run.stress import OnCases, Stressed, stress
 from judge.run.tried import CaseResult, OneCase
-from judge.sandbox.boundary import Stop, Usage
+from judge.sandbox.boundary import Stop
 from judge.values import show, wire
 from judge.values.check import Rejection
 from judge.values.wire import Raw
@@ -67,7 +66,7 @@ def ask(session: Session, tried: OneCase, source: bytes, name: str) -> CaseResul
         runner = opened(box, tried.problem, source)
         if isinstance(runner, Failure):
             return CaseResult(name, Verdict.CE, "no answer", runner.message, box.isolation)
-        replies = runner.ask(box, [tried.case], group_limits(tried.problem, tried.group, Usage()))
+        replies = runner.ask(box, [tried.case], group_limits(tried.problem, tried.group))
         verdict, got, message, given = _answer(runner, tried, replies)
         printed = text_of(replies.printed)
         if tried.problem.talks:

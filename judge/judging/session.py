@@ -22,9 +22,8 @@ from judge.errors import JudgeError, ShortageError, UsageError, shortage, told
 from judge.judging.options import RunOptions
 from judge.problem import Problem, Verdict
 from judge.run.alone import MeasureLock
-from judge.run.reference import Reference, check_needs
 from judge.run.result import Result, judge_fault
-from judge.run.settings import Progress, Settings
+from judge.run.settings import Progress, Reference, Settings, check_needs
 from judge.sandbox.boundary import Box, BoxFactory
 
 if TYPE_CHECKING:

@@ -25,7 +25,7 @@ from judge.problem import Problem, Verdict
 from judge.problem.solutions import SolutionKind, read_solutions
 from judge.run.formatted import FormatRunner
 from judge.run.program import ProgramRunner
-from judge.run.replies import VERDICTS, Replies
+from judge.run.runner import VERDICTS, Replies
 from judge.sandbox.boundary import BoxFactory, Limits, Stop
 from judge.values.check import Accepted
 

@@ -14,16 +14,13 @@ from typing import NamedTuple
 from judge.errors import JudgeError
 from judge.languages import NAME as PYTHON
 from judge.problem import TimeRule
-from judge.run.budget import Budget
-from judge.run.function import FunctionRunner
 from judge.run.group import GroupRun
-from judge.run.laps import Repeat, course, more_passes, passes_for
-from judge.run.measure import Race, exactly
+from judge.run.groups import Judging
+from judge.run.laps import course, more_passes, passes_for
 from judge.run.program import ProgramRunner
-from judge.run.reference import Reference
-from judge.run.replies import Replies
-from judge.run.runner import Runner
-from judge.run.timing import CLEARLY_BELOW, Against
+from judge.run.runner import Replies, Runner
+from judge.run.settings import Reference
+from judge.run.timing import CLEARLY_BELOW, Against, Race, exactly
 from judge.sandbox.boundary import Box, Limits
 
 LONG_SECONDS = 0.1  # of CPU time beyond the start, for the reference's turn
@@ -53,33 +50,23 @@ def rival_of(runner: Runner, rule: TimeRule, reference: Reference, limit: float)
     """
     from judge.languages.model import language_called
 
-    language = language_called(runner.language)
+    problem, language = runner.problem, language_called(runner.language)
     assert language is not None
-    own = rule.references.get(language.id) if runner.calls else None
-    box = reference.open(own)
-    if own and box is not None:
-        fault = box.inspect().fault
-        if fault:
+    box = reference.open(rule.references.get(language.id)) if runner.calls else None
+    if box is not None:
+        if fault := box.inspect().fault:
             raise JudgeError(f"the reference solution in {language.name} does not compile: {fault.message}")
-        used: Runner = FunctionRunner(runner.problem, language.name)
-        if box.inspect().defines(runner.problem.entry):
-            return Opponent(box, used, Against(language.name), limit)
-    return _pythons(runner, rule, reference, limit * language.factor, language.name)
-
-
-def _pythons(
-    runner: Runner, rule: TimeRule, reference: Reference, limit: float, name: str
-) -> Opponent | None:
+        if box.inspect().defines(problem.entry):
+            return Opponent(box, Runner(problem, language.name), Against(language.name), limit)
+    limit *= language.factor
     what = "reference" if runner.calls else "reference program"
-    against = Against(PYTHON, f"no {what} in {name}: held to Python's")
+    against = Against(PYTHON, f"no {what} in {language.name}: held to Python's")
     box = None if runner.calls else reference.open(rule.program)
     if box is not None:
-        return Opponent(box, ProgramRunner(runner.problem), against, limit)
+        return Opponent(box, ProgramRunner(problem), against, limit)
     box = reference.open(rule.function)
-    if box is None:
-        return None
     generous = limit if runner.calls else limit * _READING
-    return Opponent(box, FunctionRunner(runner.problem), against, generous)
+    return None if box is None else Opponent(box, Runner(problem), against, generous)
 
 
 class LongRace(Race):
@@ -89,14 +76,12 @@ class LongRace(Race):
     on. A function's answers are compared in every pass.
     """
 
-    def __init__(
-        self, runner: Runner, runs: Sequence[GroupRun], submission: Box, rival: Opponent, budget: Budget
-    ) -> None:
-        super().__init__(runner, runs, submission, rival.box, rival.limit, budget)
+    def __init__(self, judging: Judging, runs: Sequence[GroupRun], rival: Opponent) -> None:
+        super().__init__(judging, runs, rival.box, rival.limit)
         self.against, self._whose = rival.against, rival.against.language
-        self._mine = course(runner, submission, self._cases)
+        self._mine = course(judging.runner, judging.box, self._cases)
         self._theirs = course(rival.runner, rival.box, self._cases)
-        self._same = runner.language == rival.runner.language
+        self._same = judging.runner.language == rival.runner.language
         self._start = 0.0  # CPU seconds that the rival's language takes to begin, in the turn of now
         self._cold = 0.0  # of the rival's first pass
         self._last = 0.0  # of the rival's latest turn
@@ -168,9 +153,11 @@ class LongRace(Race):
 
     def _turn(self, passes: int) -> float | None:
         """CPU seconds of so many passes; of a single one, from then on, where it cannot make several."""
-        lap = self._mine.run(passes, self._budget.within(self._within()))
-        self._booked(Replies((), lap.usage))
-        if passes > 1 and (lap.trouble or not (self._runner.calls or self._all_as_once(lap))):
+        budget = self._judging.budget
+        lap = self._mine.run(passes, budget.within(self._within()))
+        budget.booked(self._taking(Replies((), lap.usage)))
+        alike = self._runner.calls or all(exactly(each) == self._accepted for each in lap.answers)
+        if passes > 1 and (lap.trouble or not alike):
             self._own_passes = 1
             return self._turn(1)
         if lap.trouble:
@@ -180,12 +167,9 @@ class LongRace(Race):
         own = self._start if self._same else self._mine.start
         return max(0.0, lap.usage.cpu_seconds - own)
 
-    def _all_as_once(self, lap: Repeat) -> bool:
-        return all(exactly(each) == self._accepted for each in lap.answers)
-
     def _plainly(self) -> float | None:
         """One pass as when it was judged, so that it is told what has become of which case."""
-        replies = self._asked(self._within())
+        replies = self._taking(self._judging.ask(self._cases, self._within()))
         return replies.usage.cpu_seconds if self._as_before(replies) else None
 
     def _within(self) -> Limits:

@@ -12,43 +12,42 @@ from collections.abc import Sequence
 from functools import cached_property
 from typing import Any, ClassVar
 
+from msgspec import field
 from msgspec.structs import replace
 
-from judge.problem import Case, Problem, TimeRule
+from judge.problem import Case
 from judge.problem.declare import Format
 from judge.problem.formats import input_of, output_of
 from judge.problem.model import Mode, case_of
 from judge.problem.module import load_module
+from judge.run.group import limits_after
 from judge.run.program import text_of
-from judge.run.replies import Replies
 from judge.run.result import NOTHING, Behaviour, Failure
+from judge.run.runner import OWN_ENDS, Replies, Runner
 from judge.run.talk import Talk
 from judge.sandbox.boundary import Box, Limits, Reply, Stop, Usage
 from judge.sandbox.encode import encode
-from judge.values import check, outline, reading
+from judge.values import reading
 from judge.values.answers import Target
 from judge.values.check import Accepted, ExactOf, Outcome, Rejection
 from judge.values.outline import UNREADABLE, Outline
-from judge.values.wire import Raw, Unreadable
+from judge.values.wire import Raw, Unreadable, cut
 
 _LINES = 20  # of an input or an output that are shown
 _COLUMNS = 200
 _LONGEST = 120  # characters of why an output cannot be read
 _NUMBER = re.compile(r"-?[0-9]+")
 _LEAST = 1e-3  # seconds of a run whose group has used all of its time
-_ITS_OWN = (Stop.ANSWERED, Stop.EXCEPTION, Stop.EXITED)  # ends that the next case need not hear of
 
 
-class FormatRunner:
-    """Runs the program once for each case; see `judge.run.runner.Runner`."""
+class FormatRunner(Runner, frozen=True, dict=True):
+    """Runs the program once for each case."""
 
     mode: ClassVar[Mode] = Mode.PROGRAM
     calls: ClassVar[bool] = False
-
-    def __init__(self, problem: Problem, language: str = "") -> None:
-        self.problem = problem
-        self.language = language
-        self._said: dict[str, str] = {}  # by their case, in dialogues that went wrong or were held alone
+    _said: dict[str, str] = field(
+        default_factory=dict
+    )  # by their case, in dialogues that went wrong or were held alone
 
     @cached_property
     def _own(self) -> Format:
@@ -60,11 +59,7 @@ class FormatRunner:
         """A run for each case, until one is ended by force."""
         replies, used, stop = list[Reply](), Usage(), Stop.ANSWERED
         for case in cases:
-            left = limits._replace(
-                cpu_seconds=max(_LEAST, limits.cpu_seconds - used.cpu_seconds),
-                wall_seconds=max(_LEAST, limits.wall_seconds - used.wall_seconds),
-                waiting_seconds=max(_LEAST, limits.waiting_seconds - used.waiting_seconds),
-            )
+            left = limits_after(limits, used, _LEAST)
             if self.problem.talks:
                 talk = Talk(self.problem, self._own, case)
                 result = box.run_program(talk, left)
@@ -77,7 +72,7 @@ class FormatRunner:
                 result = box.run_program(input_of(self.problem, self._own, case).encode(), left)
                 replies.append(Reply(result.stop, text_of(result.stdout), result.detail))
             used += result.usage
-            if result.stop not in _ITS_OWN:
+            if result.stop not in OWN_ENDS:
                 stop = result.stop
                 if stop is Stop.CPU and replies[1:]:  # what was left is no limit that anybody knows
                     replies[-1] = replies[-1]._replace(
@@ -86,17 +81,16 @@ class FormatRunner:
                 break
         return Replies(replies, used, stop, lost=stop is not Stop.ANSWERED)
 
-    def decide(self, output: str, target: Target, exact: ExactOf) -> Outcome:
+    def decide(self, answer: Any, target: Target, exact: ExactOf) -> Outcome:
         """Holds an output against a target."""
         if self.problem.talks:
-            return Rejection(output, "", "") if output else Accepted()
+            return Rejection(answer, "", "") if answer else Accepted()
         try:
-            answer = self._read(output)
+            outcome = super().decide(self._read(answer), target, exact)
         except Unreadable as why:
-            return Rejection(str(why), self.wanted(target), shown(output))
-        outcome = check.check(self.problem.answer, answer, target, exact)
+            outcome = Rejection(str(why), "", "")
         if isinstance(outcome, Rejection):
-            return replace(outcome, wanted=self.wanted(target), got=shown(output))
+            return replace(outcome, wanted=self.wanted(target), got=shown(answer))
         return outcome
 
     def _read(self, output: str) -> Raw:
@@ -126,7 +120,7 @@ class FormatRunner:
         if self.problem.talks:
             return f"told {_NUMBER.sub('0', answer)}", ()
         try:
-            return outline.outline(self.problem.answer, self._read(answer))
+            return super().outline(self._read(answer))
         except Unreadable:
             return UNREADABLE, ()
 
@@ -138,10 +132,6 @@ class FormatRunner:
             return self._read(answer)
         except Unreadable:
             return None
-
-    def reference(self, rule: TimeRule) -> str | None:
-        """The accepted program, if there is one."""
-        return rule.program
 
     def explained(self, failure: Failure, does: Behaviour = NOTHING) -> Failure:  # noqa: ARG002
         """The failure with what the program read, or what was said."""
@@ -155,5 +145,5 @@ class FormatRunner:
 
 def shown(text: str) -> str:
     """The first lines of an input or an output, each cut where it is long."""
-    lines = [line if len(line) <= _COLUMNS else f"{line[:_COLUMNS]}…" for line in text.splitlines()]
+    lines = [cut(line, _COLUMNS) for line in text.splitlines()]
     return "\n".join(lines[:_LINES] + ["…"] * (len(lines) > _LINES)) if text.strip() else "nothing"

@@ -4,16 +4,16 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable
+from collections.abc import Sequence
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from msgspec.structs import replace
 
 from judge.data.model import GroupData, ProblemData
-from judge.problem import Group, Problem, Verdict
-from judge.run.replies import NO_ANSWER, VERDICTS, Replies
-from judge.run.result import Answers, Failure, GroupResult, short_answer
+from judge.problem import Case, Group, Problem, Verdict
+from judge.run.result import NO_ANSWER, Answers, Failure, GroupResult, short_answer
+from judge.run.runner import VERDICTS, Replies
 from judge.sandbox.boundary import Limits, Stop, Usage
 from judge.values.check import Accepted
 
@@ -24,7 +24,6 @@ if TYPE_CHECKING:
     from judge.values.answers import Exact
     from judge.values.check import Rejection
     from judge.values.outline import Outline
-    from judge.values.wire import Raw
 
 _ALL_BUT = 0.95  # of a limit, whatever the clocks say of the last milliseconds
 _EXCEPTION = re.compile(r"[A-Za-z_.]{1,40}")  # the type's name, with which the detail of an exception begins
@@ -42,24 +41,26 @@ class GroupRun:
         self.imported = Usage()  # by the longest import that was measured apart
         self.shares = False  # whether the time is a share of what several groups took together
         self.ended = False  # whether nothing more of it is to be run
+        self.losses = 0  # calls that have ended their process
         self.given_up = False  # whether none of it was run that says anything
         self.passed = 0
         self.verdict = Verdict.AC
         self.failure: Failure | None = None
         self.reached = 0  # the cases before this one have all been decided
-        self.first: tuple[TurnPair, Usage] | None = (
-            None  # the turns in which it was judged, and the reference's usage
-        )
+        # The turns in which it was judged, and the reference's usage.
+        self.first: tuple[TurnPair, Usage] | None = None
         self.wrong: dict[int, Outline] = {}  # what was given instead of a right answer, by case from 0
         self._data = data
         self._runner = runner
         self._worst: float | None = None
 
-    def exact(self, index: int) -> Callable[[], tuple[Exact, Tolerance]]:
-        """What a comparison calls if it needs the exact answer of a case."""
-        return partial(self._exact, index)
+    @property
+    def rest(self) -> Sequence[Case]:
+        """The cases still to be run: at first the group's own list, which need not be packed again."""
+        return self.cases[self.reached :] if self.reached else self.cases
 
-    def _exact(self, index: int) -> tuple[Exact, Tolerance]:
+    def exact(self, index: int) -> tuple[Exact, Tolerance]:
+        """What a comparison calls if it needs the exact answer of a case."""
         return self._data.exact(self.cases[index], self.group)
 
     def take(self, replies: Replies) -> None:
@@ -71,7 +72,7 @@ class GroupRun:
             if stop is not answered:
                 self.stopped(index, stop, detail)
                 continue
-            outcome = decide(answer, targets[index], partial(self._exact, index))
+            outcome = decide(answer, targets[index], partial(self.exact, index))
             if not isinstance(outcome, Accepted):
                 self._rejected(index, outcome, answer)
                 continue
@@ -88,11 +89,22 @@ class GroupRun:
         self.wrong[index] = self._runner.outline(answer)
         if self.failure is None:
             self.verdict = Verdict.WA
-            self.failure = replace(
-                failure_of(outcome, self._runner.raw(answer)),
-                group=self.group.name,
-                case=index + 1,
-                input=self._shown_input(index),
+            absolute, relative, ulps = (
+                each if each is not None and math.isfinite(each) else None
+                for each in (outcome.absolute, outcome.relative, outcome.ulps)
+            )
+            self.failure = Failure(
+                outcome.message,
+                self.group.name,
+                index + 1,
+                self._shown_input(index),
+                outcome.wanted,
+                outcome.got,
+                short_answer(self._runner.raw(answer)),
+                where=outcome.where,
+                absolute=absolute,
+                relative=relative,
+                ulps=ulps,
             )
 
     def failed(self, index: int, verdict: Verdict, message: str, got: str = NO_ANSWER) -> None:
@@ -110,7 +122,7 @@ class GroupRun:
             )
 
     def failed_whole(self, verdict: Verdict, message: str) -> None:
-        """Record a run that fails as a whole: none of its answers belongs to a case."""
+        """Record that it fails as a whole: no case is to blame."""
         if self.failure is None:
             self.verdict = verdict
             self.failure = Failure(message, self.group.name)
@@ -136,15 +148,6 @@ class GroupRun:
         """Record a case that passed, but did not when it was run again."""
         self.passed -= 1
         self.failed(index, verdict, message, got)
-
-    def too_slow(self, message: str) -> None:
-        """Record that the submission as a whole takes too long, though its answers are right."""
-        self.failed_whole(Verdict.TLE, message)
-
-    def explain(self, why: str) -> None:
-        """Add to the reason of a failure."""
-        if self.failure is not None:
-            self.failure = replace(self.failure, message=f"{self.failure.message}; {why}")
 
     @property
     def out_of_cpu_time(self) -> bool:
@@ -185,31 +188,17 @@ def one_case(data: ProblemData, group: str, case: int) -> ProblemData:
     return ProblemData(data.problem, (own,))
 
 
-def failure_of(outcome: Rejection, given: Raw) -> Failure:
-    """A wrong answer, without its place; an error that is not finite is left out."""
-    absolute, relative, ulps = (
-        each if each is not None and math.isfinite(each) else None
-        for each in (outcome.absolute, outcome.relative, outcome.ulps)
-    )
-    return Failure(
-        outcome.message,
-        expected=outcome.wanted,
-        got=outcome.got,
-        given=short_answer(given),
-        where=outcome.where,
-        absolute=absolute,
-        relative=relative,
-        ulps=ulps,
-    )
-
-
-def group_limits(problem: Problem, group: Group, used: Usage) -> Limits:
+def group_limits(problem: Problem, group: Group, used: Usage = Usage()) -> Limits:  # noqa: B008 - a tuple
     """What is left of a group's limits once `used` of its time has gone."""
-    limits = problem.limits_of(group)
-    return Limits(
-        max(0.0, limits.cpu_seconds - used.cpu_seconds),
-        max(0.0, limits.wall_seconds - used.wall_seconds),
-        limits.memory_bytes,
-        limits.output_bytes,
-        items=problem.answer.items,
+    own, items = problem.limits_of(group), problem.answer.items
+    limits = Limits(own.cpu_seconds, own.wall_seconds, own.memory_bytes, own.output_bytes, items=items)
+    return limits_after(limits, used)
+
+
+def limits_after(limits: Limits, used: Usage, least: float = 0.0) -> Limits:
+    """The limits of what comes after this was used; of each time so many seconds are left at `least`."""
+    return limits._replace(
+        cpu_seconds=max(least, limits.cpu_seconds - used.cpu_seconds),
+        wall_seconds=max(least, limits.wall_seconds - used.wall_seconds),
+        waiting_seconds=max(least, limits.waiting_seconds - used.waiting_seconds),
     )

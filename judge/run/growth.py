@@ -14,6 +14,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
+from typing import NamedTuple
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -42,8 +43,8 @@ class GrowthSample(Struct, frozen=True):
 
     name: str
     size: int
-    submission: Run
-    reference: Run
+    submission: Run = lambda: None
+    reference: Run = lambda: None
     limit: float | None = None
     cases: int = 1
     ended: bool = True
@@ -51,71 +52,117 @@ class GrowthSample(Struct, frozen=True):
 
 
 class Grown(Struct, frozen=True):
-    """What the courses came to; `decisions` by name, `growth` is None where fewer than two of them count."""
+    """What the samples came to; `decisions` by name, `growth` is None where fewer than two of them count."""
 
     growth: Growth | None
     too_steep: bool
     decisions: dict[str, Decision]
 
 
+class _Course(Struct):
+    """A sample with its turns."""
+
+    sample: GrowthSample
+    pairs: list[TurnPair]
+
+    @property
+    def least(self) -> TurnPair:
+        """The least time of each."""
+        return TurnPair(
+            min(pair.submission for pair in self.pairs), min(pair.reference for pair in self.pairs)
+        )
+
+    @property
+    def median(self) -> float:
+        """The ratio of the median pair."""
+        return quantile(sorted(pair.ratio for pair in self.pairs), 0.5)
+
+    @property
+    def counts(self) -> bool:
+        """Whether it takes the reference long enough."""
+        return self.least.reference >= LEAST_SECONDS
+
+    @property
+    def unclear(self) -> bool:
+        """Whether it is not clear by its own limit."""
+        return self.sample.limit is not None and not is_clear(self.pairs, self.sample.limit)
+
+    @property
+    def point(self) -> GrowthPoint:
+        """What a case took."""
+        one, least = self.sample, self.least
+        mine, theirs = least.submission / one.cases, least.reference / one.cases
+        return GrowthPoint(one.name, one.size, mine, theirs, one.ended)
+
+
+class _Fit(NamedTuple):
+    """By how much the exponent exceeds the reference's: by the median pairs, and by the least times."""
+
+    courses: Sequence[_Course]
+    by_medians: float
+    by_least: float
+
+
 def grow(
-    courses: Sequence[GrowthSample],
+    samples: Sequence[GrowthSample],
     slope: float,
     goes_on: Callable[[], bool] = lambda: True,
     *,
     cautious: bool = False,
 ) -> Grown:
-    """Run the courses in rounds, the smallest first, until it is clear how the submission grows.
+    """Run the samples in rounds, the smallest first, until it is clear how the submission grows.
 
     `goes_on` is asked after each round whether there may be another; `cautious` is as in `timing.race`. A
     submission whose turn does not end well is not judged by its growth.
     """
-    pairs = {course.name: [course.first] if course.first else [] for course in courses}
-    waiting = [course for course in courses if course.first is None]
+    courses = [_Course(sample, [sample.first] if sample.first else []) for sample in samples]
+    waiting = [course for course in courses if not course.pairs]
     for number in range(MOST_PAIRS):
         for course in waiting:
-            pair = turn(course.submission, course.reference, swapped=number % 2 == 1)
+            pair = turn(course.sample.submission, course.sample.reference, swapped=number % 2 == 1)
             if pair is None:
                 return Grown(None, False, {})
-            pairs[course.name].append(pair)
+            course.pairs.append(pair)
         if not goes_on():
             break
         if not cautious or number >= ROUNDS:
-            waiting = _unclear(courses, pairs, slope)
-    counting = _counting(courses, pairs)
+            waiting = _unclear(courses, slope)
     decisions = {
-        each.name: replace(decide(pairs[each.name], each.limit, cautious=cautious), limit=each.limit)
-        for each in courses
-        if each.limit is not None
+        sample.name: replace(decide(course.pairs, sample.limit, cautious=cautious), limit=sample.limit)
+        for course, sample in zip(courses, samples, strict=True)
+        if sample.limit is not None
     }
-    if len({each.size for each in counting}) < 2:
+    counting = [course for course in courses if course.counts]
+    fit = _steepest(counting)
+    if fit is None:
         return Grown(None, False, decisions)
-    growth, too_steep = _judged(counting, pairs, slope)
-    return Grown(growth, too_steep, decisions)
+    reference = exponent([(each.sample.size, each.point.reference_seconds) for each in fit.courses])
+    growth = Growth(
+        reference + fit.by_medians,
+        reference,
+        slope,
+        tuple(each.sample.name for each in fit.courses),
+        max(len(each.pairs) for each in fit.courses),
+        borderline=slope - GREY < max(fit[1:]) and min(fit[1:]) < slope + GREY,
+        points=tuple(each.point for each in counting),
+    )
+    return Grown(growth, min(fit[1:]) > slope, decisions)
 
 
-def _unclear(
-    courses: Sequence[GrowthSample], pairs: dict[str, list[TurnPair]], slope: float
-) -> list[GrowthSample]:
+def _unclear(courses: Sequence[_Course], slope: float) -> list[_Course]:
     """The courses of which more pairs are needed."""
-    counting = _counting(courses, pairs)
+    fit = _steepest([each for each in courses if each.counts])
     grey = False
-    if len({each.size for each in counting}) >= 2:
-        steepest, by_medians, by_least = _steepest(counting, pairs)
-        largest = pairs[max(steepest, key=lambda each: each.size).name]
-        hasty = len(largest) < (ROUNDS if _least(largest).submission >= SHORT_SECONDS else ROUNDS_OF_SHORT)
-        near = min(by_medians, by_least) < slope + GREY
-        grey = max(by_medians, by_least) > slope - GREY and (near or hasty)
-    return [
-        each
-        for each in courses
-        if (each in counting and (grey or _is_hasty(pairs[each.name])))
-        or (each.limit is not None and not is_clear(pairs[each.name], each.limit))
-    ]
+    if fit is not None:
+        largest = max(fit.courses, key=lambda each: each.sample.size)
+        rounds = ROUNDS if largest.least.submission >= SHORT_SECONDS else ROUNDS_OF_SHORT
+        near = min(fit[1:]) < slope + GREY
+        grey = max(fit[1:]) > slope - GREY and (near or len(largest.pairs) < rounds)
+    return [each for each in courses if each.unclear or (each.counts and (grey or _is_hasty(each)))]
 
 
-def _is_hasty(pairs: Sequence[TurnPair]) -> bool:
-    return len(pairs) < ROUNDS and _least(pairs).reference < QUICK_SECONDS
+def _is_hasty(course: _Course) -> bool:
+    return len(course.pairs) < ROUNDS and course.least.reference < QUICK_SECONDS
 
 
 def is_steep(
@@ -143,58 +190,19 @@ def steep_seconds(sizes: tuple[int, int], pair: TurnPair, theirs: float, slope: 
     return max(_LEAST_CUT, _MORE * pair.ratio * theirs * steeper)
 
 
-def _counting(courses: Sequence[GrowthSample], pairs: dict[str, list[TurnPair]]) -> list[GrowthSample]:
-    """Those that take the reference long enough."""
-    return [each for each in courses if _least(pairs[each.name]).reference >= LEAST_SECONDS]
-
-
-def _judged(
-    counting: Sequence[GrowthSample], pairs: dict[str, list[TurnPair]], slope: float
-) -> tuple[Growth, bool]:
-    courses, by_medians, by_least = _steepest(counting, pairs)
-    too_steep = by_medians > slope and by_least > slope
-    many = max(len(pairs[each.name]) for each in courses)
-    reference = exponent([(each.size, _least(pairs[each.name]).reference / each.cases) for each in courses])
-    growth = Growth(
-        reference + by_medians,
-        reference,
-        slope,
-        tuple(each.name for each in courses),
-        many,
-        borderline=slope - GREY < max(by_medians, by_least) and min(by_medians, by_least) < slope + GREY,
-        points=tuple(_point(each, _least(pairs[each.name])) for each in counting),
-    )
-    return growth, too_steep
-
-
-def _point(course: GrowthSample, least: TurnPair) -> GrowthPoint:
-    mine, theirs = least.submission / course.cases, least.reference / course.cases
-    return GrowthPoint(course.name, course.size, mine, theirs, course.ended)
-
-
-def _steepest(
-    counting: Sequence[GrowthSample], pairs: dict[str, list[TurnPair]]
-) -> tuple[Sequence[GrowthSample], float, float]:
-    """All courses, or those that ended where these grow faster; by how much their exponent exceeds."""
-    ended = [each for each in counting if each.ended]
-    every = (counting, *_slopes(counting, pairs))
-    if len(ended) == len(counting) or len({each.size for each in ended}) < 2:
-        return every
-    return max(every, (ended, *_slopes(ended, pairs)), key=lambda fit: fit[1])
-
-
-def _slopes(courses: Sequence[GrowthSample], pairs: dict[str, list[TurnPair]]) -> tuple[float, float]:
-    """By how much the exponent exceeds the reference's: by the median pairs, and by the least times."""
-    medians = [
-        (each.size, quantile(sorted(pair.ratio for pair in pairs[each.name]), 0.5)) for each in courses
+def _steepest(counting: Sequence[_Course]) -> _Fit | None:
+    """All of them, or those that ended where these grow faster; None where they are of one size."""
+    ended = [each for each in counting if each.sample.ended]
+    fits = [
+        _Fit(
+            courses,
+            exponent([(each.sample.size, each.median) for each in courses]),
+            exponent([(each.sample.size, each.least.ratio) for each in courses]),
+        )
+        for courses in (counting, ended)
+        if len({each.sample.size for each in courses}) > 1
     ]
-    least = [(each.size, _least(pairs[each.name]).ratio) for each in courses]
-    return exponent(medians), exponent(least)
-
-
-def _least(pairs: Sequence[TurnPair]) -> TurnPair:
-    """The least time of each."""
-    return TurnPair(min(pair.submission for pair in pairs), min(pair.reference for pair in pairs))
+    return max(fits, key=lambda fit: fit.by_medians, default=None)
 
 
 def exponent(points: Sequence[tuple[int, float]]) -> float:

@@ -12,11 +12,11 @@ from msgspec.structs import replace
 
 from judge.errors import printable
 from judge.problem import Verdict
-from judge.sandbox.boundary import Usage
+from judge.values.wire import cut
 
 if TYPE_CHECKING:
     from judge.data.model import ProblemData
-    from judge.run.result import Failure, Result
+    from judge.run.result import Result
     from judge.run.runner import Runner
     from judge.sandbox.boundary import Box
 
@@ -36,14 +36,10 @@ def with_printed(result: Result, data: ProblemData, runner: Runner, box: Box) ->
     from judge.run.group import group_limits  # only after a failure
 
     group = next(group for group in data.groups if group.group.name == failure.group)
-    limits = group_limits(data.problem, group.group, Usage())
+    limits = group_limits(data.problem, group.group)
     printed = text_of(runner.ask(box, [group.cases[failure.case - 1]], limits).printed)
-    return replace(result, failure=_told(failure, printed)) if printed else result
-
-
-def _told(failure: Failure, printed: str) -> Failure:
     message = message_of(failure.message, failure.got or "", printed)
-    return replace(failure, printed=printed, message=message)
+    return replace(result, failure=replace(failure, printed=printed, message=message))
 
 
 def message_of(message: str, got: str, printed: str) -> str:
@@ -58,5 +54,5 @@ def message_of(message: str, got: str, printed: str) -> str:
 def text_of(printed: bytes) -> str:
     r"""The first lines of what was printed, each short and printable: `\x1b` is written out; "" for none."""
     lines = printed.decode(errors="replace").rstrip().splitlines()
-    shown = [printable(line if len(line) <= LENGTH else f"{line[:LENGTH]}…") for line in lines[:LINES]]
+    shown = [printable(cut(line, LENGTH)) for line in lines[:LINES]]
     return "\n".join([*shown, "…"] if len(lines) > LINES else shown)

@@ -7,24 +7,23 @@ cx cy r ax ay bx by    the parameters in order, as their types write them; T suc
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
-from functools import partial
+from collections.abc import Sequence
+from itertools import chain
 from typing import Any, ClassVar
 
-from msgspec import Struct
 from msgspec.structs import replace
 
-from judge.problem import Case, Problem, TimeRule, Verdict
-from judge.problem.model import Mode, Parameter, tupled
-from judge.run.replies import VERDICTS, Breakdown, Replies
+from judge.problem import Case, Problem, Verdict
+from judge.problem.model import Mode, Parameter, case_of
 from judge.run.result import NOTHING, Behaviour, Failure
+from judge.run.runner import OWN_ENDS, VERDICTS, Breakdown, Replies, Runner
 from judge.sandbox.boundary import Box, Limits, ProgramResult, Reply, Stop
 from judge.values import check, outline, parameters, reading, show
 from judge.values.answers import Target
 from judge.values.check import ExactOf, Outcome
 from judge.values.outline import UNREADABLE, Outline
 from judge.values.types import is_pair
-from judge.values.wire import Raw
+from judge.values.wire import Raw, cut
 
 SHOWN = 80  # characters of a line that is quoted
 _FLOOD = 1 << 20  # bytes that a program has written when its time is up
@@ -34,19 +33,12 @@ _CHOKED = re.compile(  # an exception's first words where a line of input is not
     r"|IndexError: .*index out of range.*after 0 lines"
 )
 _PROMPT = re.compile(rb"""\binput\([rRfFbB]?("[ -!#-~]{1,40}"|'[ -&(-~]{1,40}')""")
-_OWN_ENDS = (Stop.ANSWERED, Stop.EXCEPTION, Stop.EXITED)  # many a program has an exit status of its own
 
 
-class ProgramRunner(Struct, frozen=True):
-    """Runs the whole program; see `judge.run.runner.Runner`.
+class ProgramRunner(Runner, frozen=True):
+    """Runs the whole program."""
 
-    `asked` says that a program is what it was to be run as.
-    """
-
-    problem: Problem
     source: bytes = b""
-    language: str = ""
-    asked: bool = False
     mode: ClassVar[Mode] = Mode.PROGRAM
     calls: ClassVar[bool] = False
 
@@ -54,10 +46,9 @@ class ProgramRunner(Struct, frozen=True):
         """One run on all the cases: its work and its imports are one."""
         return _replies(box.run_program(render_group(self.problem, cases), limits), len(cases))
 
-    @property
-    def decide(self) -> Callable[[Any, Target, ExactOf], Outcome]:
+    def decide(self, answer: Any, target: Target, exact: ExactOf) -> Outcome:
         """Compares a line of output."""
-        return partial(check.check_line, self.problem.answer)
+        return check.check_line(self.problem.answer, answer, target, exact)
 
     def wanted(self, target: Target) -> str:
         """The line that a perfect program prints."""
@@ -72,27 +63,16 @@ class ProgramRunner(Struct, frozen=True):
         read = reading.read_line(self.problem.answer, answer)
         return None if isinstance(read, str) else read[0]
 
-    def reference(self, rule: TimeRule) -> str | None:
-        """The accepted program, if there is one."""
-        return rule.program
-
     def explained(self, failure: Failure, does: Behaviour = NOTHING) -> Failure:
-        """The failure, told what it could not read.
-
-        What the submission `does` tells whether any answer could be read.
-        """
-        notes: list[str] = []
+        """The failure, told what it could not read, and whether any of its answers could be read."""
+        notes = [failure.message]
         if failure.input is not None and _CHOKED.match(failure.message):
-            notes.insert(0, self._read(tuple(map(tupled, failure.input.values()))))
+            _, row = render_group(self.problem, [case_of(failure.input)]).decode("ascii").splitlines()
+            form = " ".join(_words(parameter) for parameter in self.problem.parameters)
+            given = f"its input is a line with the number of cases, then one line each: {form}"
+            notes.append(f"{given}, here {cut(row, SHOWN)}")
         notes.append(wrong_form(does, self.source))
-        return replace(failure, message="; ".join([failure.message, *filter(None, notes)]))
-
-    def _read(self, case: Case) -> str:
-        """The form of the input, and the line of a case."""
-        _, row = render_group(self.problem, [case]).decode("ascii").splitlines()
-        shown = row if len(row) <= SHOWN else f"{row[:SHOWN]}…"
-        form = " ".join(_words(parameter) for parameter in self.problem.parameters)
-        return f"its input is a line with the number of cases, then one line each: {form}, here {shown}"
+        return replace(failure, message="; ".join(filter(None, notes)))
 
 
 def wrong_form(does: Behaviour, source: bytes) -> str:
@@ -109,13 +89,10 @@ def wrong_form(does: Behaviour, source: bytes) -> str:
 
 def render_group(problem: Problem, cases: Sequence[Case]) -> bytes:
     """The standard input of a program that is judged on these cases."""
-    read = [parameter.type for parameter in problem.parameters]
+    types = [parameter.type for parameter in problem.parameters]
     lines = [str(len(cases))]
     for case in cases:
-        words = (
-            word for type_, value in zip(read, case, strict=True) for word in parameters.tokens(type_, value)
-        )
-        lines.append(" ".join(words))
+        lines.append(" ".join(chain.from_iterable(map(parameters.tokens, types, case))))
     return ("\n".join(lines) + "\n").encode("ascii")
 
 
@@ -155,7 +132,7 @@ def _replies(result: ProgramResult, count: int) -> Replies:
         [Reply(Stop.ANSWERED, line) for line in lines[:count]] if told_apart else [],
         result.usage,
         result.stop,
-        result.stop not in _OWN_ENDS,
+        result.stop not in OWN_ENDS,
         breakdown,
     )
 
@@ -164,7 +141,7 @@ def _breakdown(result: ProgramResult, lines: Sequence[str], count: int) -> Break
     """What is wrong with a run on so many cases, whatever its lines say; its time or memory are no case's."""
     complete = result.stop is Stop.ANSWERED
     # The lines of a flood are wrong too, or too many: that says less. Its time may be up before its room is.
-    flood = result.stop not in _OWN_ENDS and len(result.stdout) > _FLOOD and len(lines) > count
+    flood = result.stop not in OWN_ENDS and len(result.stdout) > _FLOOD and len(lines) > count
     if result.stop is Stop.OUTPUT:
         return Breakdown(VERDICTS[Stop.OUTPUT], result.detail, 0)
     if flood:

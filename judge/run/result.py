@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from judge.values.wire import Raw
 
 SCHEMA = 2
+NO_ANSWER = "no answer"  # what is shown in place of one
 _IMPORT_SECONDS = 0.02  # of CPU time, from which on an import is told of
 _LONGEST = 4_000  # characters of an answer that is kept
 
@@ -158,6 +159,11 @@ class Growth(Struct, frozen=True):
 
     def __str__(self) -> str:
         return f"it grows {self.law}, the reference like n^{self.reference:.1f}"
+
+    @property
+    def too_steep(self) -> str:
+        """Why a submission that grows so is rejected."""
+        return f"{self}; its exponent may exceed that by {self.slope:g}"
 
     @property
     def law(self) -> str:

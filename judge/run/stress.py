@@ -16,12 +16,11 @@ from msgspec.structs import replace
 
 from judge.data.build import Fresh
 from judge.data.model import GroupData, ProblemData
-from judge.problem import Problem, Verdict
+from judge.problem import Verdict
 from judge.run.alone import MeasureLock
-from judge.run.budget import Budget
 from judge.run.execute import opened, uncompiled
 from judge.run.group import GroupRun
-from judge.run.groups import run_groups
+from judge.run.groups import Budget, Judging
 from judge.run.result import Failure, GroupResult, Result, Timing
 from judge.run.runner import Runner
 from judge.sandbox.boundary import Box, Usage
@@ -79,94 +78,49 @@ def stress(
     runner = opened(box, data.problem, source)
     if isinstance(runner, Failure):
         return Stressed(uncompiled(data.problem, name, runner, box), fresh.seed, 0.0)
-    run = _Run(data, fresh, box, runner, clock, clock() + seconds)
-    lock = lock or MeasureLock()
+    run, lock = _Run(data, runner, box, clock, seconds), lock or MeasureLock()
     begun, interrupted = clock(), False
+    series = fresh.series()
     try:
         while not run.over:
             with lock.judging():
-                run.some()
+                run.some(series)
             if on_cases:
                 on_cases(run.cases, clock() - begun)
     except KeyboardInterrupt:
         interrupted = True
         run.close()
-    return run.stressed(name, clock() - begun, interrupted=interrupted)
-
-
-class _Turn(Budget):
-    """What a few series may cost together; their turn is over too once the stress is."""
-
-    def __init__(self, problem: Problem, stop: Callable[[], bool]) -> None:
-        super().__init__(problem)
-        self._stop = stop
-
-    @property
-    def over(self) -> tuple[Verdict, str] | None:
-        """As of any budget."""
-        return (Verdict.TLE, "the time is up") if self._stop() else super().over
-
-
-class _Total:
-    """What a group has come to so far."""
-
-    def __init__(self, name: str) -> None:
-        self.result = GroupResult(name=name, verdict=Verdict.AC, cases=0, passed=0)
-
-    def add(self, more: GroupResult, reached: int) -> None:
-        """Add a series: `reached` of its cases have been decided."""
-        mine, worst = self.result, [each for each in (self.result.worst_ulps, more.worst_ulps) if each]
-        self.result = replace(
-            mine,
-            verdict=more.verdict if mine.verdict is Verdict.AC else mine.verdict,
-            cases=mine.cases + reached,
-            passed=mine.passed + more.passed,
-            worst_ulps=max(worst) if worst else more.worst_ulps,
-            cpu_seconds=mine.cpu_seconds + more.cpu_seconds,
-        )
+    result = run.result(name, [group.name for group in fresh.groups])
+    return Stressed(result, fresh.seed, clock() - begun, run.cases, interrupted, run.broken, runner)
 
 
 class _Run:
     """A stress under way."""
 
     def __init__(
-        self,
-        data: ProblemData,
-        fresh: Fresh,
-        box: Box,
-        runner: Runner,
-        clock: Callable[[], float],
-        end: float,
+        self, data: ProblemData, runner: Runner, box: Box, clock: Callable[[], float], seconds: float
     ) -> None:
-        self.end = end
         self.cases = 0
         self.broken: Broken | None = None
         self._data = data
-        self._seed = fresh.seed
         self._box = box
         self._runner = runner
         self._clock = clock
+        self._end = clock() + seconds
         self._usage = Usage()
-        self._totals = {group.name: _Total(group.name) for group in fresh.groups}
+        self._totals: dict[str, GroupResult] = {}  # what the groups have come to so far
         self._failure: Failure | None = None
-        self._series: Iterator[GroupData] = fresh.series()
         self._at_once = 1
         self._now: Sequence[tuple[GroupData, GroupRun]] = ()
 
-    def some(self) -> None:
+    def some(self, series: Iterator[GroupData]) -> None:
         """Judge the next few series."""
         begun = self._clock()
         self._now = [
-            (series, GroupRun(self._data, series, self._runner))
-            for series in islice(self._series, self._at_once)
+            (each, GroupRun(self._data, each, self._runner)) for each in islice(series, self._at_once)
         ]
-        run_groups(
-            self._runner,
-            self._box,
-            [run for _, run in self._now],
-            _Turn(self._data.problem, lambda: self.over),
-            _note,
-        )
+        budget = Budget(self._data.problem, lambda: self.over)
+        Judging(self._runner, self._box, budget).run([run for _, run in self._now])
         self.close()
         took = self._clock() - begun
         if took < _SHORT:
@@ -178,47 +132,49 @@ class _Run:
         """Count the series that were judged to their end, or until something broke."""
         now, self._now = self._now, ()
         for series, run in now:
-            if not run.ended and run.failure is None:
+            if run.given_up or not (run.ended or run.failure):
                 continue
-            total = self._totals[series.group.name]
-            if run.failure and self.broken is None:
-                self.broken = Broken(series, run.failure)
-                place = run.failure.case
-                self._failure = replace(
-                    run.failure, case=None if place is None else total.result.cases + place
-                )
-            first = run.failure.case if run.failure else None  # of a program that broke, the one it broke at
-            reached = max(run.reached, first or 0)
-            total.add(run.result(), reached)
+            name, more = series.group.name, run.result()
+            total = self._totals.get(name) or replace(
+                more, cases=0, passed=0, points=0, level=None, cpu_seconds=0.0
+            )
+            first = 0  # of a program that broke, the case that it broke at
+            if run.failure:
+                first = run.failure.case or 0
+                if self.broken is None:
+                    self.broken = Broken(series, run.failure)
+                    self._failure = replace(run.failure, case=total.cases + first if first else None)
+            reached = max(run.reached, first)
+            worst = [each for each in (total.worst_ulps, more.worst_ulps) if each]
+            self._totals[name] = replace(
+                total,
+                verdict=more.verdict if total.verdict is Verdict.AC else total.verdict,
+                cases=total.cases + reached,
+                passed=total.passed + more.passed,
+                worst_ulps=max(worst) if worst else more.worst_ulps,
+                cpu_seconds=total.cpu_seconds + more.cpu_seconds,
+            )
             self.cases += reached
             self._usage += run.usage
 
-    def stressed(self, name: str, seconds: float, *, interrupted: bool) -> Stressed:
-        """What it has come to."""
+    def result(self, name: str, groups: Sequence[str]) -> Result:
+        """What it has come to, in the order of the groups."""
         failing = self._totals[self.broken.series.group.name] if self.broken else None
-        result = Result(
+        return Result(
             problem=self._data.problem.id,
             submission=name,
             mode=self._runner.mode,
-            verdict=failing.result.verdict if failing else Verdict.AC,
-            groups=tuple(total.result for total in self._totals.values() if total.result.cases),
+            verdict=failing.verdict if failing else Verdict.AC,
+            groups=tuple(total for each in groups if (total := self._totals.get(each)) and total.cases),
             failure=self._runner.explained(self._failure) if self._failure else None,
             time=Timing(cpu_seconds=self._usage.cpu_seconds, wall_seconds=self._usage.wall_seconds),
             memory_bytes=self._usage.memory_bytes,
             isolation=self._box.isolation,
         )
-        return Stressed(result, self._seed, seconds, self.cases, interrupted, self.broken, self._runner)
 
     @property
     def over(self) -> bool:
         """Whether something broke or the time is up; it never is before a first case was judged."""
         broken = self.broken is not None or any(run.failure for _, run in self._now)
-        return broken or (self._judged and self._clock() >= self.end)
-
-    @property
-    def _judged(self) -> bool:
-        return self.cases > 0 or any(run.ended for _, run in self._now)
-
-
-def _note(run: GroupRun) -> None:
-    run.ended = True
+        judged = self.cases > 0 or any(run.ended for _, run in self._now)
+        return broken or (judged and self._clock() >= self._end)

@@ -11,6 +11,7 @@ from judge.problem import Case, Problem
 from judge.problem.declare import Format
 from judge.problem.module import blaming
 from judge.sandbox.boundary import Conversation, ProgramResult, Reply, Stop
+from judge.values.wire import cut
 
 _LINES = 20  # of a dialogue that are shown, the last ones
 _COLUMNS = 200
@@ -133,4 +134,4 @@ class Talk:
 
 
 def _cut(text: str) -> str:
-    return printable(text if len(text) <= _COLUMNS else f"{text[:_COLUMNS]}…")
+    return printable(cut(text, _COLUMNS))

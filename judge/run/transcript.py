@@ -11,8 +11,7 @@ from judge.problem import Problem
 from judge.problem.model import case_of
 from judge.problem.module import load_module
 from judge.problem.transcripts import typed_lines
-from judge.run.replies import NO_ANSWER
-from judge.run.result import Failure
+from judge.run.result import NO_ANSWER, Failure
 from judge.values import check, show
 from judge.values.answers import Tolerance
 from judge.values.calls import ReturnType

@@ -14,22 +14,18 @@ from judge.problem.solutions import install_command, requirement
 from judge.sandbox.boundary import SourceFault
 
 _KINDS = {  # by how they begin
-    b"%PDF-": "a PDF file",
-    b"PK\x03\x04": "a zip file",
-    b"PK\x05\x06": "a zip file",
-    b"\x1f\x8b": "a gzip file",
-    b"7z\xbc\xaf": "a 7z file",
-    b"Rar!": "a rar file",
-    b"{\\rtf": "a rich text file (RTF)",
-    b"\xd0\xcf\x11\xe0": "an old Word file",
-    b"\x89PNG": "a picture",
-    b"\xff\xd8\xff": "a picture",
-    b"\x7fELF": "a compiled program",
-    b"MZ": "a compiled program",
-    b"\xca\xfe\xba\xbe": "a compiled program",
+    rb"[^\t -~][\s\S]\r\n": "compiled Python",
+    rb"(?i)\s*<(!doctype\s+html|html)\b": "a web page (HTML)",
+    rb"%PDF-": "a PDF file",
+    rb"PK(\x03\x04|\x05\x06)": "a zip file",
+    rb"\x1f\x8b": "a gzip file",
+    rb"7z\xbc\xaf": "a 7z file",
+    rb"Rar!": "a rar file",
+    rb"\{\\rtf": "a rich text file (RTF)",
+    rb"\xd0\xcf\x11\xe0": "an old Word file",
+    rb"\x89PNG|\xff\xd8\xff": "a picture",
+    rb"\x7fELF|MZ|\xca\xfe\xba\xbe": "a compiled program",
 }
-_PAGE = re.compile(rb"\s*<(!doctype\s+html|html)\b", re.IGNORECASE)
-_COMPILED = re.compile(rb"[^\t -~][\s\S]\r\n")  # Python's own code
 _NOTEBOOK = re.compile(rb"\s*\{")
 _LINES = {  # what a line that is not of the program begins with
     r"<<<<<<<|=======$|>>>>>>> ": "is a merge conflict: keep one of the two versions",
@@ -90,11 +86,7 @@ def other_order(problem: Problem, text: str) -> str:
 
 def why_unreadable(source: bytes, fault: SourceFault | None) -> str:
     """Why the file cannot be run, in one line; `fault` is the compiler's. Nothing where it can be."""
-    kind = next((kind for start, kind in _KINDS.items() if source.startswith(start)), "")
-    if _PAGE.match(source):
-        kind = "a web page (HTML)"
-    if _COMPILED.match(source):
-        kind = "compiled Python"
+    kind = next((kind for start, kind in _KINDS.items() if re.match(start, source)), "")
     if kind and fault:
         return f"This is {kind}, not a program."
     if _NOTEBOOK.match(source) and b'"nbformat"' in source and b'"cells"' in source:

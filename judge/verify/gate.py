@@ -34,8 +34,7 @@ from judge.problem.model import chosen_groups
 from judge.problem.solutions import Solution, SolutionKind, read_solutions
 from judge.problem.toml import key_place
 from judge.run.execute import Judgement, judge_submission
-from judge.run.reference import check_needs
-from judge.run.settings import Settings
+from judge.run.settings import Settings, check_needs
 from judge.sandbox import Containment
 from judge.verify.edges import edges_of
 from judge.verify.formats import format_faults, odd_outputs

@@ -21,7 +21,7 @@ from judge import database
 from judge.practice.events import Help, Started
 from judge.practice.history import History, run_of
 from judge.problem import Verdict
-from judge.run import Result
+from judge.run.result import Result
 
 pytestmark = pytest.mark.slow
 SAID = "1 damaged row left out of the history"

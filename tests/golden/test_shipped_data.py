@@ -12,7 +12,8 @@ from judge.data.pins import differences, pins_of, read_pins
 from judge.languages import language_of
 from judge.problem import Verdict
 from judge.problem.load import load_problem
-from judge.run import Settings, judge_submission
+from judge.run.execute import judge_submission
+from judge.run.settings import Settings
 
 pytestmark = pytest.mark.slow
 

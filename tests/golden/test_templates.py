@@ -14,7 +14,8 @@ from judge.practice.begin import KINDS
 from judge.problem import Verdict
 from judge.problem.load import load_problem
 from judge.problem.solutions import SolutionKind, read_solutions
-from judge.run import Settings, judge_submission
+from judge.run.execute import judge_submission
+from judge.run.settings import Settings
 from judge.sandbox import Containment
 from judge.sandbox.available import levels_here
 from judge.verify.gate import Options, verify_problem

@@ -11,7 +11,8 @@ from sampling import daily
 
 from judge.data.load import load_data
 from judge.problem.find import find_problem
-from judge.run import Settings, judge_submission
+from judge.run.execute import judge_submission
+from judge.run.settings import Settings
 
 SOLUTIONS = Path(__file__).parents[2] / "solutions"
 COMPARED = re.compile(r"\b1e-[89] \* ")  # the usual tolerance, or the widest that there is

@@ -30,7 +30,7 @@ MODULES = (
     "values/wire",
     "values/check",
     "run/group",
-    "run/budget",
+    "run/groups",
     "run/timing",
     "run/growth",
     "data/build",

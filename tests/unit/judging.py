@@ -7,7 +7,7 @@ from pathlib import Path
 
 from judge.data.model import GroupData, ProblemData
 from judge.problem.model import Group, GroupLimits, Parameter, Problem, Tier
-from judge.run import judge_submission
+from judge.run.execute import judge_submission
 from judge.values.answers import Words
 from judge.values.grammar import parse
 

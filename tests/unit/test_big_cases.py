@@ -20,7 +20,7 @@ from judge.errors import ProblemError
 from judge.problem import Verdict
 from judge.problem.load import load_problem
 from judge.problem.model import MOST_INPUT_MB
-from judge.run import judge_submission
+from judge.run.execute import judge_submission
 from judge.sandbox.inside import wire
 from judge.schema import schema_of
 

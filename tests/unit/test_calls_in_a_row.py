@@ -19,8 +19,9 @@ from judge.problem.load import load_problem
 from judge.problem.module import load_module
 from judge.report.entry import entry_text
 from judge.report.tell import tell
-from judge.run import Settings, judge_submission
 from judge.run.entry import entry_error
+from judge.run.execute import judge_submission
+from judge.run.settings import Settings
 from judge.testing import judge_problem
 from judge.verify.gate import Options, verify_problem
 

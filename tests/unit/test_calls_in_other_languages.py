@@ -21,7 +21,8 @@ from judge.practice.stub import make_stub
 from judge.problem import Verdict
 from judge.problem.load import load_problem
 from judge.problem.types import parsed_type
-from judge.run import Settings, judge_submission
+from judge.run.execute import judge_submission
+from judge.run.settings import Settings
 from judge.sandbox import Containment, Stop
 from judge.values.grammar import parse
 

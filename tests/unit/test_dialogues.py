@@ -17,8 +17,9 @@ from judge.practice.stub import make_stub
 from judge.problem import Verdict
 from judge.problem.load import load_problem
 from judge.report.tell import tell
-from judge.run import Settings, judge_submission
+from judge.run.execute import judge_submission
 from judge.run.formatted import FormatRunner
+from judge.run.settings import Settings
 from judge.sandbox import Containment, Limits, Stop
 from judge.site.build import _listed
 from judge.testing import judge_problem

@@ -12,15 +12,14 @@ from msgspec.structs import replace
 from judge.errors import JudgeError, UsageError
 from judge.problem import TimeRule, Verdict
 from judge.problem.find import find_problem
-from judge.run.budget import Budget
 from judge.run.foreign import LONG_SECONDS
-from judge.run.function import FunctionRunner
 from judge.run.group import GroupRun
+from judge.run.groups import Judging
 from judge.run.laps import passes_for
 from judge.run.program import ProgramRunner
 from judge.run.races import measure
-from judge.run.reference import Reference, check_needs
-from judge.run.replies import Replies
+from judge.run.runner import Replies, Runner
+from judge.run.settings import Reference, check_needs
 from judge.run.timing import TurnPair, decide
 from judge.sandbox.boundary import Inspection, ProgramResult, Reply, SourceFault, Stop, Usage
 
@@ -101,10 +100,10 @@ class Library(Reference):
 def raced(data, rule, mine, boxes, *, program=False):
     """The decision and the group, of a submission in Go that was accepted."""
     problem = replace(data.problem, time=rule)
-    runner = ProgramRunner(problem, language="Go") if program else FunctionRunner(problem, "Go")
+    runner = ProgramRunner(problem, language="Go") if program else Runner(problem, "Go")
     run = GroupRun(data, data.groups[0], runner)
     run.passed = len(run.cases)
-    decision = measure(runner, [run], mine, Library(problem, boxes), Budget(problem))
+    decision = measure(Judging(runner, mine), [run], Library(problem, boxes))
     return decision, run
 
 
@@ -214,7 +213,7 @@ def python(monkeypatch):
         assert isinstance(box, OnPaper)
         return Replies([Reply(Stop.ANSWERED, 0)] * len(cases), Usage(box.seconds * len(cases)))
 
-    monkeypatch.setattr(FunctionRunner, "ask", ask)
+    monkeypatch.setattr(Runner, "ask", ask)
     monkeypatch.setattr("judge.run.program.ProgramRunner.ask", ask)
 
 

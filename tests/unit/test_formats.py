@@ -14,7 +14,7 @@ from judge.problem import Verdict
 from judge.problem.find import find_problem
 from judge.report.formats import annotation, editor_lines
 from judge.report.tell import FilePlace, annotated_place, fault_place
-from judge.run import Failure, GroupResult, Result
+from judge.run.result import Failure, GroupResult, Result
 
 KATA = replace(find_problem("count"), entry="solve")
 COMMAND = re.compile(r"::(error|notice) ([^:]*)::(.*)")

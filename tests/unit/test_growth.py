@@ -9,14 +9,11 @@ from judging import COUNTS, LIMITS, make_data
 from msgspec.structs import replace
 
 from judge.problem import Verdict
-from judge.run.budget import Budget
-from judge.run.function import FunctionRunner
 from judge.run.group import GroupRun
-from judge.run.groups import run_timed
+from judge.run.groups import Judging
 from judge.run.growth import GrowthSample, exponent, grow, is_steep, steep_seconds
-from judge.run.measure import Race
-from judge.run.replies import Replies
-from judge.run.timing import MOST_PAIRS, TurnPair
+from judge.run.runner import Replies, Runner
+from judge.run.timing import MOST_PAIRS, Race, TurnPair
 from judge.sandbox.boundary import Reply, Stop, Usage
 
 SLOPE = 0.4
@@ -189,7 +186,7 @@ def test_what_is_cut_is_too_steep_although_the_next_turns_differ():
     assert steep_seconds((2_000, 8_000), TurnPair(0.9, 0.009), 0.14, SLOPE) == math.inf  # nobody can say
 
 
-class Scripted(FunctionRunner):
+class Scripted(Runner):
     """Makes its calls in so many CPU seconds each, after an import; the box is a list of the limits."""
 
     importing: float = 0.1
@@ -213,7 +210,7 @@ def test_a_first_case_that_is_cut_is_run_again_whole(importing, told):
     run = GroupRun(
         data, replace(data.groups[0], cases=data.groups[0].cases[-1:], targets=COUNTS[-1:]), runner
     )
-    pieces = [*run_timed(runner, limits, run, Budget(data.problem), first=1.0)]
+    pieces = [*Judging(runner, limits).timed(run, first=1.0)]
     case = run.cases[:1]
     assert [(each.cases, each.usage.cpu_seconds, each.cut) for each in pieces] == [
         (case, told, True),  # of an import that is cut nothing is charged
@@ -226,10 +223,9 @@ def test_a_first_case_that_is_cut_is_run_again_whole(importing, told):
 def test_a_long_import_may_take_as_long_when_the_group_is_raced():
     data = make_data("one", limits=replace(LIMITS, cpu_seconds=9.0))
     runner, limits = Scripted(data.problem, importing=3.0, calling=0.1), []
-    run = GroupRun(data, data.groups[0], runner)
-    assert [each.cut for each in run_timed(runner, limits, run, Budget(data.problem))] == [False]
-    duel = Race(runner, [run], limits, None, 1.0, Budget(data.problem))
-    assert duel.mine() == 0.1
+    run, judging = GroupRun(data, data.groups[0], runner), Judging(runner, limits)
+    assert [each.cut for each in judging.timed(run)] == [False]
+    assert Race(judging, [run], None, 1.0).mine() == 0.1
     assert limits[1][1] < 9.0
 
 

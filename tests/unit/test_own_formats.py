@@ -15,7 +15,8 @@ from judge.languages.boxes import AnyBoxes
 from judge.practice.stub import make_stub
 from judge.problem import Verdict
 from judge.problem.load import load_problem
-from judge.run import Settings, judge_submission
+from judge.run.execute import judge_submission
+from judge.run.settings import Settings
 from judge.sandbox import Containment
 from judge.verify.gate import Options, verify_problem
 from tests.unit.native import need

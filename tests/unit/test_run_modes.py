@@ -9,12 +9,11 @@ from msgspec.structs import replace
 from judge.problem import Verdict
 from judge.problem.model import Mode
 from judge.report.tell import fault_place
-from judge.run import budget, program
-from judge.run.budget import MOST_LOSSES, Budget
-from judge.run.function import FunctionRunner
+from judge.run import groups, program
 from judge.run.group import GroupRun
+from judge.run.groups import MOST_LOSSES_IN_ALL, Budget
 from judge.run.program import answer_lines, render_group
-from judge.run.replies import Replies
+from judge.run.runner import Replies, Runner
 from judge.sandbox import Stop, Usage
 from judge.sandbox.available import levels_here
 from judge.sandbox.boundary import Reply
@@ -87,9 +86,9 @@ def test_a_submission_is_given_up_after_ten_losses_in_all():
 @pytest.mark.parametrize(
     ("stops", "verdict"),
     [
-        ([Stop.MEMORY] * MOST_LOSSES, Verdict.MLE),
-        ([Stop.OUTPUT] * MOST_LOSSES, Verdict.OLE),
-        ([Stop.MEMORY] * (MOST_LOSSES - 1) + [Stop.EXITED], Verdict.RTE),
+        ([Stop.MEMORY] * MOST_LOSSES_IN_ALL, Verdict.MLE),
+        ([Stop.OUTPUT] * MOST_LOSSES_IN_ALL, Verdict.OLE),
+        ([Stop.MEMORY] * (MOST_LOSSES_IN_ALL - 1) + [Stop.EXITED], Verdict.RTE),
     ],
 )
 def test_what_is_given_up_has_the_verdict_of_the_losses_where_they_agree(stops, verdict):
@@ -98,8 +97,8 @@ def test_what_is_given_up_has_the_verdict_of_the_losses_where_they_agree(stops, 
     for stop in stops:
         assert budget.over is None
         budget.booked(Replies([Reply(stop, None, "x")], Usage(), stop, lost=True))
-    assert budget.over == (verdict, f"its process was lost {MOST_LOSSES} times")
-    never, wrong = (GroupRun(data, group, FunctionRunner(data.problem)) for group in data.groups)
+    assert budget.over == (verdict, f"its process was lost {MOST_LOSSES_IN_ALL} times")
+    never, wrong = (GroupRun(data, group, Runner(data.problem)) for group in data.groups)
     never.give_up(*budget.over)
     wrong.failed(0, Verdict.WA, "wrong")
     wrong.give_up(*budget.over)
@@ -187,7 +186,7 @@ def test_a_flood_is_one_where_its_time_is_up_first():
 @pytest.mark.slow
 def test_the_search_for_the_case_has_an_end(monkeypatch):
     """It breaks at once when all cases are there, and takes its time when it is run on fewer."""
-    monkeypatch.setattr(budget, "SEARCH_SECONDS", 0.2)
+    monkeypatch.setattr(groups, "SEARCH_SECONDS", 0.2)
     rendered = []
     monkeypatch.setattr(program, "render_group", lambda *case: rendered.append(case) or render_group(*case))
     body = "import time\ncount = int(input())\nwhile count < 4 and time.process_time() < 0.4: pass\n1 / 0\n"

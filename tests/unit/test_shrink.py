@@ -26,8 +26,8 @@ from judge.diagnose.trial import SearchBudget, Trial
 from judge.problem import Verdict
 from judge.problem.find import find_problem
 from judge.problem.module import load_module
-from judge.run import Reference, Settings, judge_submission
-from judge.run.runner import runner_for
+from judge.run.execute import judge_submission, opened
+from judge.run.settings import Reference, Settings
 from judge.sandbox import open_box
 
 pytestmark = pytest.mark.slow
@@ -50,7 +50,7 @@ def shrunk(name, source, *, budget=None, cpu_seconds=2.0, later=None):
                 replace(problem, limits=replace(problem.limits, cpu_seconds=later)), data.groups
             )
         box = stack.enter_context(open_box(source, "mine.py"))
-        runner = runner_for(data.problem, box.inspect(), source)
+        runner = opened(box, data.problem, source)
         reference = stack.enter_context(Reference(problem, open_box))
         found = shrink(
             data,
@@ -86,7 +86,7 @@ def simplest_of(count, deed):
     data = load_data(problem)
     cases, group = [(0, number) for number in range(count)], data.groups[0].group
     with open_box(source, "mine.py") as box:
-        runner = runner_for(problem, box.inspect(), source)
+        runner = opened(box, problem, source)
         trial = Trial(data.module, box, runner, Verdict.WA, budget)
         return [(trial.simplest(cases, group), budget.calls) for _ in range(2)]
 
@@ -97,9 +97,7 @@ def test_a_case_that_the_reference_gets_wrong_counts_for_nothing():
     data = load_data(problem)
     reference = MIDDLE.format("if b == 0: return 7").encode()
     with open_box(source, "mine.py") as box, open_box(reference, "reference.py") as other:
-        trial = Trial(
-            data.module, box, runner_for(problem, box.inspect(), source), Verdict.WA, SearchBudget()
-        )
+        trial = Trial(data.module, box, opened(box, problem, source), Verdict.WA, SearchBudget())
         trial.reference = lambda: other
         cases, group = [(0, 0), (0, 1)], data.groups[0].group
         assert trial.simplest(cases, group).case == (0, 1)

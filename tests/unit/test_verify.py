@@ -11,7 +11,7 @@ from broken_problems import broken
 from judge.errors import JudgeError
 from judge.problem.find import typed
 from judge.problem.load import load_problem
-from judge.run import judge_submission
+from judge.run.execute import judge_submission
 from judge.verify import gate
 from judge.verify.gate import Options, verify_problem
 
