@@ -82,6 +82,13 @@ def counting(rows: Iterable[KeptRow]) -> dict[_Pair, KeptRow]:
     return found
 
 
+def samples(cohort: Cohort, rows: Iterable[KeptRow]) -> list[KeptRow]:
+    """For each mistake of each problem, the row of the first student who made it."""
+    by_file = {(row.problem, row.file): row for row in rows}
+    mistakes = [each for view in cohort.problems for each in view.mistakes]
+    return [by_file[each.problem, each.files[0]] for each in mistakes]
+
+
 def _worth(row: KeptRow) -> tuple[bool, bool, int, float]:
     return row.accepted, row.result.verdict is not Verdict.JE, row.result.score, row.at
 
