@@ -27,7 +27,7 @@ from judge.batch.duplicates import equal_files
 from judge.batch.folder import read_class
 from judge.batch.model import Environment, KeptRow, Submission, Task, WorkerResult
 from judge.batch.plan import ClassPlan, Context, current, planned
-from judge.batch.platforms import Roster, own_name
+from judge.batch.platforms import Roster
 from judge.batch.roster import everyone, read_students
 from judge.batch.shards import Shard
 from judge.batch.store import ResultStore
@@ -87,7 +87,7 @@ class Classroom:
         self._submissions = [each for each in found.submissions if shard is None or shard.holds(each)]
         self.students = {each.id: each for each in everyone(self.roster, [*found.submissions, *unread])}
         self._called_late = found.late | {who for who, each in self.students.items() if each.late}
-        self._unread = _unread(unread)
+        self._unread = unread
         self._environments: dict[str, Environment] | None = None  # any, until it is known
         self._katas = sorted({each.problem for each in self._submissions})
         self._expected = Counter(each.student for each in self._submissions)
@@ -335,11 +335,3 @@ def _unweighed(weights: Mapping[str, float], katas: Sequence[str]) -> Iterator[s
     yield from (f"--weight {kata}: it is not in the table" for kata in weights if kata not in katas)
     if katas and not any(weights.get(kata, 1) for kata in katas):
         yield "--weight: all weights are 0, and so is every total"
-
-
-def _unread(unplaced: Sequence[Submission]) -> dict[str, tuple[str, ...]]:
-    """What of each student is not judged, with the reason."""
-    told: dict[str, tuple[str, ...]] = {}
-    for each in unplaced:
-        told[each.student] = (*told.get(each.student, ()), f"{own_name(each.file)}: {each.why}")
-    return told

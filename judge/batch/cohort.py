@@ -22,7 +22,7 @@ def cohort_of(
     *,
     history: Iterable[KeptRow] = (),
     left: Sequence[Submission] = (),
-    unread: Mapping[str, tuple[str, ...]] = MappingProxyType({}),
+    unread: Sequence[Submission] = (),
     equal_files: tuple[Alike, ...] = (),
     late: Mapping[_Pair, int | None] = MappingProxyType({}),
     **shown: Any,
@@ -31,8 +31,8 @@ def cohort_of(
 
     `history` are rows of texts that were submitted before and have been replaced since; they tell who is
     stuck and nothing else. `late` are days, by student and file, None where a platform says so alone. `left`
-    are files without a row, `unread` what else could not be judged, by student; `shown` are the fields of the
-    cohort that come from elsewhere.
+    are files without a row, `unread` what else of theirs is not judged; `shown` are the fields of the cohort
+    that come from elsewhere.
     """
     counts = counting(rows)
     files = Counter((row.student, row.problem) for row in rows)
@@ -41,10 +41,11 @@ def cohort_of(
         marks.setdefault(student, {})[problem] = _mark(row, files[student, problem], late)
     order = [each.id for each in students]
     own = {each: [counts[who, each] for who in order if (who, each) in counts] for each in problems}
-    told, waiting = dict(unread), defaultdict[str, list[str]](list)
+    told, waiting = defaultdict[str, list[str]](list), defaultdict[str, list[str]](list)
     unjudged = [row for row in rows if row.result.verdict is Verdict.JE]
-    for row in unjudged:
-        told[row.student] = (*told.get(row.student, ()), f"{own_name(row.file)}: {_message(row)}")
+    reasons = [(each, each.why) for each in unread] + [(row, _message(row)) for row in unjudged]
+    for each, why in reasons:
+        told[each.student].append(f"{own_name(each.file)}: {why}")
     handed_in = {*counts, *((each.student, each.problem) for each in left)}
     for who, kata in sorted(handed_in - counts.keys()):
         waiting[who].append(kata)
@@ -61,7 +62,7 @@ def cohort_of(
         nothing_handed_in=tuple(each for each in order if each not in seen | waiting.keys()),
         machines=tuple(Machine(*where, times) for where, times in sorted(judged.items())),
         unjudged=tuple((row.file, _message(row)) for row in unjudged),
-        unread=told,
+        unread={who: tuple(reasons) for who, reasons in told.items()},
         waiting=waiting,
         equal_files=equal_files,
         left=len(left),
