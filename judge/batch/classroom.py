@@ -11,7 +11,7 @@ from collections import Counter, defaultdict
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import closing, suppress
 from datetime import datetime
-from functools import cached_property, partial
+from functools import partial
 from math import ceil
 from pathlib import Path, PurePath
 from types import MappingProxyType
@@ -25,7 +25,7 @@ from judge.batch.cluster import ClusterExecutor
 from judge.batch.cohort import cohort_of, counting, samples
 from judge.batch.duplicates import equal_files
 from judge.batch.folder import read_class
-from judge.batch.model import Environment, KeptRow, Submission, Task, WorkerResult
+from judge.batch.model import Environment, KeptRow, Submission, WorkerResult
 from judge.batch.plan import ClassPlan, Context, current, planned
 from judge.batch.platforms import Roster
 from judge.batch.roster import everyone, read_students
@@ -83,13 +83,20 @@ class Classroom:
         self._run = RunOptions(isolation=options.isolation, diagnosed=False, level=options.level)
         self.roster = read_students(options.students) if options.students else Roster()
         found = read_class(folder, only=options.only, folders=options.folders, roster=self.roster)
-        shard, unread = options.shard, [each for each in found.unplaced if each.student]
+        shard, self._unread = options.shard, [each for each in found.unplaced if each.student]
         self._submissions = [each for each in found.submissions if shard is None or shard.holds(each)]
-        self.students = {each.id: each for each in everyone(self.roster, [*found.submissions, *unread])}
+        self.students = {each.id: each for each in everyone(self.roster, [*found.submissions, *self._unread])}
         self._called_late = found.late | {who for who, each in self.students.items() if each.late}
-        self._unread = unread
         self._environments: dict[str, Environment] | None = None  # any, until it is known
         self._katas = sorted({each.problem for each in self._submissions})
+        self.problems: dict[str, Problem] = {}  # those that can be read, by id
+        self._faults: dict[str, str] = {}  # why one cannot be judged
+        for each in self._katas:
+            try:
+                self.problems[each] = find_problem(each, options.folders)
+                self._run.chosen(self.problems[each])
+            except (ProblemError, UsageError) as fault:
+                self._faults[each] = str(fault)
         self._expected = Counter(each.student for each in self._submissions)
         self._own: defaultdict[str, list[KeptRow]] = defaultdict(list)  # as they come
         self._small: dict[tuple[str, str], Result | None] = {}  # by problem and digest, as they are found
@@ -127,7 +134,11 @@ class Classroom:
             done, began = len(plan.kept) + len(plan.rows), time.monotonic()
             live.show(partial(_pace, plan, done, 0, began, executor.alive()))
             tasks = [work.task for work in plan.work]
-            with closing(executor.run(judge_task, tasks, _lost)) as outcomes:
+            with closing(
+                executor.run(
+                    judge_task, tasks, lambda task, why: WorkerResult.fault(task.problem, task.name, why)
+                )
+            ) as outcomes:
                 for texts, (place, outcome) in enumerate(outcomes, 1):
                     rows = plan.work[place].rows(outcome)
                     self._store.keep_all(rows)
@@ -222,15 +233,6 @@ class Classroom:
         days = (each.at - self._options.due.timestamp()) / _DAY - self.students[each.student].extra_days
         return max(0, ceil(days)) or (None if each.student in self._called_late else 0)
 
-    @cached_property
-    def problems(self) -> dict[str, Problem]:
-        """The katas of the class that can be read, by id."""
-        found = {}
-        for name in self._katas:
-            with suppress(JudgeError):  # which the table says
-                found[name] = find_problem(name, self._options.folders)
-        return found
-
     def _context(self, executor: Executor) -> Context:
         """By what the class is judged; workers elsewhere have an isolation, and find the katas themselves.
 
@@ -238,15 +240,7 @@ class Classroom:
             UsageError: the isolation that is demanded cannot be had.
             JudgeError: nothing can be judged here.
         """
-        problems: dict[str, Problem] = {}
-        faults: dict[str, str] = {}
-        for each in dict.fromkeys(each.problem for each in self._submissions if not each.why):
-            try:
-                problem = find_problem(each, self._options.folders)
-                self._run.chosen(problem)
-                problems[each] = problem
-            except (ProblemError, UsageError) as fault:
-                faults[each] = str(fault)
+        problems = {name: found for name, found in self.problems.items() if name not in self._faults}
         level, folders = "", tuple[str, ...]()
         if isinstance(executor, ClusterExecutor):
             level = executor.level
@@ -257,7 +251,7 @@ class Classroom:
         if isinstance(executor, Processes) and executor.short:
             self._say(executor.short)
         environments = {each: Environment.here(found, self._run, level) for each, found in problems.items()}
-        return Context(environments, faults, self._run, folders)
+        return Context(environments, self._faults, self._run, folders)
 
     def _published(self, row: KeptRow, *, kept: bool = False) -> ClassRow:
         """The row as it goes out; new notes of its worker are said, unless it was kept."""
@@ -301,10 +295,6 @@ class Classroom:
             if name not in known | set(self.students):
                 remedy = "name a student, a kata or a file, as the table does"
                 raise UsageError(f"nothing here is called {name!r}", where="--again", remedy=remedy)
-
-
-def _lost(task: Task, why: str) -> WorkerResult:
-    return WorkerResult.fault(task.problem, task.name, why)
 
 
 def _pace(plan: ClassPlan, done: int, texts: int, began: float, workers: int) -> str:
