@@ -80,11 +80,11 @@ class ProgramRunner(Struct, frozen=True):
 
         What the submission `does` tells whether any answer could be read.
         """
-        notes: list[str] = []
+        notes = [failure.message]
         if failure.input is not None and _CHOKED.match(failure.message):
-            notes.insert(0, self._read(tuple(map(tupled, failure.input.values()))))
-        notes.append(wrong_form(does, self.source))
-        return replace(failure, message="; ".join([failure.message, *filter(None, notes)]))
+            notes.append(self._read(tuple(map(tupled, failure.input.values()))))
+        notes += filter(None, [wrong_form(does, self.source)])
+        return replace(failure, message="; ".join(notes))
 
     def _read(self, case: Case) -> str:
         """The form of the input, and the line of a case."""
