@@ -57,7 +57,7 @@ def cohort_of(
         students=tuple(students),
         marks=marks,
         problems=tuple(_view(each, own[each], submitters[each]) for each in problems),
-        stuck=tuple(_stuck(problems, _in_turn([*history, *rows]), order)),
+        stuck=tuple(_stuck(problems, [*history, *rows], order)),
         nothing_accepted=tuple(each for each in order if each in seen - accepted),
         nothing_handed_in=tuple(each for each in order if each not in seen | waiting.keys()),
         machines=tuple(Machine(*where, times) for where, times in sorted(judged.items())),
@@ -92,15 +92,6 @@ def samples(cohort: Cohort, rows: Iterable[KeptRow]) -> list[KeptRow]:
 
 def _worth(row: KeptRow) -> tuple[bool, bool, int, float]:
     return row.accepted, row.result.verdict is not Verdict.JE, row.result.score, row.at
-
-
-def _in_turn(rows: Iterable[KeptRow]) -> dict[_Pair, list[KeptRow]]:
-    """Every text that a student has submitted to a problem, the oldest first, by its newest row."""
-    newest = {text_of(row): row for row in rows}
-    found: dict[_Pair, list[KeptRow]] = defaultdict(list)
-    for row in sorted(newest.values(), key=lambda row: (row.at, row.file)):
-        found[row.student, row.problem].append(row)
-    return found
 
 
 def _mark(row: KeptRow, files: int, late: Mapping[_Pair, int | None]) -> Grade:
@@ -140,14 +131,16 @@ def _unnamed(verdict: Verdict) -> str:
     return f"{verdict.meaning}, no mistake named" if verdict is Verdict.WA else verdict.meaning
 
 
-def _stuck(
-    problems: Sequence[str], own: Mapping[_Pair, Sequence[KeptRow]], order: Sequence[str]
-) -> Iterator[Alike]:
+def _stuck(problems: Sequence[str], rows: Iterable[KeptRow], order: Sequence[str]) -> Iterator[Alike]:
     """Whose last two files make the same mistake: by problem, and then that of the most students."""
+    texts = {text_of(row): row for row in rows}.values()  # each by its newest row
+    own: dict[_Pair, list[KeptRow]] = defaultdict(list)
+    for row in sorted(texts, key=lambda row: (row.at, row.file)):
+        own[row.student, row.problem].append(row)
     for problem in problems:
         held: dict[str, list[KeptRow]] = defaultdict(list)
         for student in order:
-            rows = own.get((student, problem), ())
+            rows = own[student, problem]
             made = {row.mistake for row in rows[-2:]}
             if len(rows) > 1 and len(made) == 1 and "" not in made and not any(row.accepted for row in rows):
                 held[rows[-1].mistake].append(rows[-1])
