@@ -1,7 +1,7 @@
 """Many people's submissions to many problems: read, judged wherever there is room, kept one by one.
 
 model.py        who submits what, and the row that comes of it
-folder.py       whose file is for which problem; packed.py opens zips and notebooks
+folder.py       whose file is for which problem; zips and notebooks are opened
 platforms.py    what learning platforms call the files; who of a list is meant
 roster.py       the list of students
 plan.py         which rows are kept, which texts are judged, who gets a copy

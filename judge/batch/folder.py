@@ -5,7 +5,8 @@
 
 A file is for the problem that it is called like (`exact_count.py` is for exact-count), or else for the one
 whose function it defines. What a learning platform hands out is taken as it is (judge.batch.platforms); a
-list of the students tells who is meant by a name. Zips and notebooks are opened (judge.batch.packed).
+list of the students tells who is meant by a name. Zips and notebooks are opened, and a name that an editor
+spoilt is put right.
 Whatever lies in the folder costs at most its own row.
 
 A student may have set links, so that they are followed to the student's own files alone. A file that has
@@ -16,8 +17,12 @@ and to nobody where that does not tell.
 from __future__ import annotations
 
 import errno
+import io
+import json
 import os
+import stat
 import unicodedata
+import zipfile
 from collections import defaultdict
 from collections.abc import Collection, Iterator, Sequence
 from contextlib import suppress
@@ -28,7 +33,6 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from judge.batch.model import Submission
-from judge.batch.packed import is_packed, unpacked
 from judge.batch.platforms import METADATA, Owner, Roster, owners, submitters
 from judge.errors import JudgeError, UsageError
 from judge.files import (
@@ -43,6 +47,9 @@ from judge.languages import SUFFIX, is_program, language_of
 from judge.problem.find import fitting_problems, id_of, problem_folders, signs
 
 _MOST_BYTES = 2**29  # of all programs together, which are in memory while they are judged
+_ZIP, _NOTEBOOK, _TEXT = ".zip", ".ipynb", ".txt"
+_MOST_FILES, _LARGEST = 100, 2 << 20  # of a zip: files, and bytes of all of them
+_MAGIC = ("%", "!")  # lines of a notebook that are no Python
 _NOBODY = "it lies in no student's folder"
 _BACKSLASH = "its name holds a backslash where folders should be: unpack the archive again, with 'unzip'"
 _NO_PROBLEM = "no kata has that name, and it defines no kata's function"
@@ -155,12 +162,12 @@ class _Reader:
         """What a file holds, by its path in the class's folder; without a student or a problem where it has
         none. With a `why` it is a folder that is not entered.
         """
-        if not why and (is_program(path) or not is_packed(path)):
+        if not why and (is_program(path) or not _is_packed(path)):
             yield self._submission(path, path, None)
             return
         student, inside = self._placed(PurePath(path))[0], list[tuple[str, bytes]]()
         try:
-            inside += unpacked(path, self._read(path, student)) if not why else ()
+            inside += _unpacked(path, self._read(path, student)) if not why else ()
         except (OSError, JudgeError) as fault:
             why = _told(fault)
         if why:
@@ -249,3 +256,57 @@ def _stem(name: str) -> str:
 
 def _told(fault: OSError | JudgeError) -> str:
     return why_unreadable(fault) if isinstance(fault, OSError) else str(fault)
+
+
+# -- programs inside of something else ---------------------------------------------------------------------
+
+
+def _is_packed(name: str) -> bool:
+    """Whether a file of that name holds programs under other names."""
+    path = PurePath(name)
+    ends = path.suffix.lower()
+    return ends in (_ZIP, _NOTEBOOK, SUFFIX) or (ends == _TEXT and is_program(path.stem))
+
+
+def _unpacked(name: str, content: bytes) -> Iterator[tuple[str, bytes]]:
+    """The programs in it, each by its name. Raises JudgeError, which says why there is none."""
+    path = PurePath(name)
+    ends = path.suffix.lower()
+    if ends == _ZIP:
+        yield from _zipped(name, content)
+    else:  # of a text the second ending stays
+        whole = _cells(content) if ends == _NOTEBOOK else content
+        yield str(path.with_suffix("" if ends == _TEXT else SUFFIX)), whole
+
+
+def _zipped(name: str, content: bytes) -> Iterator[tuple[str, bytes]]:
+    try:
+        archive = zipfile.ZipFile(io.BytesIO(content))
+        files = [each for each in archive.infolist() if not each.is_dir()]
+        if len(files) > _MOST_FILES:
+            raise JudgeError(f"{len(files)} files are more than {_MOST_FILES}")
+        if (size := sum(each.file_size for each in files)) > _LARGEST:
+            raise JudgeError(f"{size >> 20} MB is more than {_LARGEST >> 20} MB")
+        programs = [each for each in files if is_program(each.filename) and not _is_link(each)]
+        if not programs:
+            raise JudgeError("no program is in this zip")
+        for each in programs:
+            with archive.open(each) as file:
+                yield f"{name}/{each.filename}", file.read(_LARGEST)
+    except (zipfile.BadZipFile, NotImplementedError, RuntimeError, EOFError, ValueError, OSError) as fault:
+        raise JudgeError(f"this zip cannot be opened ({fault})") from fault
+
+
+def _is_link(each: zipfile.ZipInfo) -> bool:
+    return stat.S_ISLNK(each.external_attr >> 16)
+
+
+def _cells(content: bytes) -> bytes:
+    """The code cells of a notebook, one after the other."""
+    try:
+        cells = [each for each in json.loads(content)["cells"] if each["cell_type"] == "code"]
+        texts = ["".join(each["source"]) for each in cells]
+    except (ValueError, TypeError, KeyError, RecursionError) as fault:
+        raise JudgeError("this notebook cannot be read") from fault
+    rows = (row for text in texts for row in (*text.splitlines(), ""))
+    return "\n".join(row for row in rows if not row.startswith(_MAGIC)).encode("utf-8", "backslashreplace")
