@@ -1,4 +1,8 @@
-"""Judging a class: what is missing is learnt once, every text is judged once, each row is kept at once."""
+"""Judging a class: every text is judged once, each row is kept at once.
+
+Looking for a smallest failing case takes seconds, so that it is done only for what a page shows, once for
+equal texts, and kept.
+"""
 
 from __future__ import annotations
 
@@ -7,9 +11,9 @@ from collections import Counter, defaultdict
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import closing, suppress
 from datetime import datetime
-from functools import cached_property, partial
+from functools import partial
 from math import ceil
-from pathlib import Path
+from pathlib import Path, PurePath
 from types import MappingProxyType
 from typing import Any
 
@@ -18,30 +22,28 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from judge.batch.cluster import ClusterExecutor
-from judge.batch.cohort import cohort_of, counting
+from judge.batch.cohort import cohort_of, counting, samples
 from judge.batch.duplicates import equal_files
-from judge.batch.environment import environment_of, level_here
 from judge.batch.folder import read_class
-from judge.batch.model import Environment, KeptRow, Submission, Task, WorkerResult
+from judge.batch.model import Environment, KeptRow, Submission, WorkerResult
 from judge.batch.plan import ClassPlan, Context, current, planned
-from judge.batch.platforms import Roster, own_name
+from judge.batch.platforms import Roster
 from judge.batch.roster import everyone, read_students
-from judge.batch.samples import SmallestCases, samples
 from judge.batch.shards import Shard
 from judge.batch.store import ResultStore
-from judge.batch.work import judge_task, learn_task, release
-from judge.data.load import is_kept as data_kept
+from judge.batch.work import judge_task, level_here, release
 from judge.errors import JudgeError, ProblemError, UsageError
 from judge.judging.options import RunOptions
 from judge.judging.pool import Executor, Processes
-from judge.mistakes.known import is_kept
-from judge.problem import Problem
+from judge.judging.session import Session
+from judge.problem import Problem, Verdict
 from judge.problem.find import find_problem
 from judge.report.published_klass import ClassRow, Cohort
-from judge.report.wait import Live
+from judge.report.wait import Live, progress
 from judge.report.words import counted, shown_name
 from judge.run.result import Result
 
+_BROKEN = (Verdict.WA, Verdict.RTE, Verdict.TLE, Verdict.MLE)  # which have a smallest failing case
 _DAY = 86_400  # seconds
 _NAMES = 5  # files that one sentence names
 _NOTES = 5  # different notes of the workers that are said
@@ -81,17 +83,25 @@ class Classroom:
         self._run = RunOptions(isolation=options.isolation, diagnosed=False, level=options.level)
         self.roster = read_students(options.students) if options.students else Roster()
         found = read_class(folder, only=options.only, folders=options.folders, roster=self.roster)
-        shard, unread = options.shard, [each for each in found.unplaced if each.student]
+        shard, self._unread = options.shard, [each for each in found.unplaced if each.student]
         self._submissions = [each for each in found.submissions if shard is None or shard.holds(each)]
-        self.students = {each.id: each for each in everyone(self.roster, [*found.submissions, *unread])}
+        self.students = {each.id: each for each in everyone(self.roster, [*found.submissions, *self._unread])}
         self._called_late = found.late | {who for who, each in self.students.items() if each.late}
-        self._unread = _unread(unread)
         self._environments: dict[str, Environment] | None = None  # any, until it is known
         self._katas = sorted({each.problem for each in self._submissions})
+        self.problems: dict[str, Problem] = {}  # those that can be read, by id
+        self._faults: dict[str, str] = {}  # why one cannot be judged
+        for each in self._katas:
+            try:
+                self.problems[each] = find_problem(each, options.folders)
+                self._run.chosen(self.problems[each])
+            except (ProblemError, UsageError) as fault:
+                self._faults[each] = str(fault)
         self._expected = Counter(each.student for each in self._submissions)
         self._own: defaultdict[str, list[KeptRow]] = defaultdict(list)  # as they come
+        self._small: dict[tuple[str, str], Result | None] = {}  # by problem and digest, as they are found
         self._said: set[str] = set()
-        self._noted: set[str] = set()
+        self._notes = 0  # different ones of the workers
         self._live = Live()
         self._say(*_unweighed(options.weights, self._katas))
         if shard is None or shard.number == 1:
@@ -116,30 +126,29 @@ class Classroom:
         context = self._context(executor)
         self._environments = dict(context.environments)
         plan = planned(self._submissions, self._store.every(), context, again)
-        short = [executor.short] if isinstance(executor, Processes) and executor.short else []
-        self._say(*context.notices, *short, *plan.notices)
-        for row in plan.kept:
-            yield self._published(row, kept=True)
+        self._say(*plan.notices)
+        self._store.keep_all(plan.rows)
         with self._live as live:
-            self._learn(plan, context, executor)
-            self._store.keep_all(plan.rows)
-            for row in plan.rows:
-                yield self._published(row)
+            yield from (self._published(row, kept=True) for row in plan.kept)
+            yield from map(self._published, plan.rows)
             done, began = len(plan.kept) + len(plan.rows), time.monotonic()
             live.show(partial(_pace, plan, done, 0, began, executor.alive()))
             tasks = [work.task for work in plan.work]
-            with closing(executor.run(judge_task, tasks, _lost)) as outcomes:
+            with closing(
+                executor.run(
+                    judge_task, tasks, lambda task, why: WorkerResult.fault(task.problem, task.name, why)
+                )
+            ) as outcomes:
                 for texts, (place, outcome) in enumerate(outcomes, 1):
                     rows = plan.work[place].rows(outcome)
                     self._store.keep_all(rows)
                     live.hide()
-                    for row in rows:
-                        yield self._published(row)
+                    yield from map(self._published, rows)
                     done += len(rows)
                     live.show(partial(_pace, plan, done, texts, began, executor.alive()))
         release()
-        if len(self._noted) > _NOTES:
-            more = counted(len(self._noted) - _NOTES, "further note")
+        if self._notes > _NOTES:
+            more = counted(self._notes - _NOTES, "further note")
             self._say(f"{more} of the workers; --json has them all")
 
     def cohort(self) -> Cohort:
@@ -147,7 +156,6 @@ class Classroom:
         every = self._store.every()
         rows = current(self._submissions, every, self._environments)
         return self._cohort(
-            self._katas,
             list(rows.values()),
             history=every,
             equal_files=tuple(equal_files(rows, self.problems)),
@@ -163,17 +171,45 @@ class Classroom:
         of it, by kata and file, with smallest cases.
         """
         rows = self._own[student]
-        return self._cohort(self._katas, rows), self._smallest_of(list(counting(rows).values()))
+        return self._cohort(rows), self._smallest(list(counting(rows).values()))
 
     def results(self, cohort: Cohort) -> dict[tuple[str, str], Result]:
         """What the page of the class shows, by kata and file: one file of each mistake."""
         rows = current(self._submissions, self._store.every(), self._environments).values()
-        return self._smallest_of(samples(cohort, rows))
+        return self._smallest(samples(cohort, rows))
 
-    def _smallest_of(self, rows: Sequence[KeptRow]) -> dict[tuple[str, str], Result]:
-        return self._smallest.of(rows, {each.file: each.source for each in self._submissions})
+    def _smallest(self, rows: Sequence[KeptRow]) -> dict[tuple[str, str], Result]:
+        """The result of each row, by problem and file, with its smallest case; without it where the problem
+        is not there, or another verdict comes of the text now.
+        """
+        found = {(row.problem, row.file): row.result for row in rows}
+        broken = [each for each in rows if each.result.verdict in _BROKEN and each.problem in self.problems]
+        with progress("smallest failing cases") as advance:
+            for done, row in enumerate(broken):
+                if advance:
+                    advance(done, len(broken))
+                if small := row.smallest or self._sought(row):
+                    found[row.problem, row.file] = small
+        return found
 
-    def _cohort(self, katas: Sequence[str], rows: Sequence[KeptRow], **shown: Any) -> Cohort:
+    def _sought(self, row: KeptRow) -> Result | None:
+        """It is kept, also that there is none where the text has another verdict now; None on a fault."""
+        text = row.problem, row.digest
+        if text not in self._small:
+            self._small[text] = None
+            source = next(each.source for each in self._submissions if each.file == row.file)
+            options = replace(self._run, timed=False, diagnosed=True)
+            with suppress(JudgeError), Session(self.problems[row.problem], options) as session:
+                self._small[text] = session.judge(source, PurePath(row.file).name)
+        small = self._small[text]
+        if small is None:
+            return None
+        if small.verdict is not row.result.verdict:
+            small = row.result
+        self._store.keep_all([replace(row, small=small.as_json())])
+        return small
+
+    def _cohort(self, rows: Sequence[KeptRow], **shown: Any) -> Cohort:
         late = {
             (each.student, each.file): self._days_late(each)
             for each in self._submissions
@@ -181,7 +217,7 @@ class Classroom:
         }
         return cohort_of(
             tuple(self.students.values()),
-            katas,
+            self._katas,
             rows,
             titles=self.roster.titles,
             unread=self._unread,
@@ -197,19 +233,6 @@ class Classroom:
         days = (each.at - self._options.due.timestamp()) / _DAY - self.students[each.student].extra_days
         return max(0, ceil(days)) or (None if each.student in self._called_late else 0)
 
-    @cached_property
-    def problems(self) -> dict[str, Problem]:
-        """The katas of the class that can be read, by id."""
-        found = {}
-        for name in self._katas:
-            with suppress(JudgeError):  # which the table says
-                found[name] = find_problem(name, self._options.folders)
-        return found
-
-    @cached_property
-    def _smallest(self) -> SmallestCases:
-        return SmallestCases(self.problems, self._run, self._store)
-
     def _context(self, executor: Executor) -> Context:
         """By what the class is judged; workers elsewhere have an isolation, and find the katas themselves.
 
@@ -217,49 +240,28 @@ class Classroom:
             UsageError: the isolation that is demanded cannot be had.
             JudgeError: nothing can be judged here.
         """
-        problems: dict[str, Problem] = {}
-        faults: dict[str, str] = {}
-        for each in dict.fromkeys(each.problem for each in self._submissions if not each.why):
-            try:
-                problem = find_problem(each, self._options.folders)
-                self._run.chosen(problem)
-                problems[each] = problem
-            except (ProblemError, UsageError) as fault:
-                faults[each] = str(fault)
-        level, notices, folders = "", tuple[str, ...](), tuple[str, ...]()
+        problems = {name: found for name, found in self.problems.items() if name not in self._faults}
+        level, folders = "", tuple[str, ...]()
         if isinstance(executor, ClusterExecutor):
             level = executor.level
         elif problems:
             level, notices = level_here(next(iter(problems.values())), self._run)
+            self._say(*notices)
             folders = tuple(str(folder.absolute()) for folder in self._options.folders)
-        environments = {each: environment_of(found, self._run, level) for each, found in problems.items()}
-        return Context(problems, environments, faults, self._run, folders, notices)
-
-    def _learn(self, plan: ClassPlan, context: Context, executor: Executor) -> None:
-        """Build the data, and find what known mistakes answer, of each kata where that is not there yet; so
-        that no two workers here do it. What cannot be learnt is told with each row.
-        """
-        firsts = {work.task.problem: work.task for work in reversed(plan.work)}
-        tasks = [
-            task
-            for name, task in reversed(firsts.items())
-            if isinstance(executor, ClusterExecutor) or not _is_learnt(context.problems[name])
-        ]
-        if not tasks:
-            return
-        self._live.show(partial(_learning, tasks[0], 0, len(tasks)))
-        with closing(executor.run(learn_task, tasks, lambda _task, why: why)) as outcomes:
-            for done, (place, _) in enumerate(outcomes, 1):
-                self._live.show(partial(_learning, tasks[place], done, len(tasks)))
+        if isinstance(executor, Processes) and executor.short:
+            self._say(executor.short)
+        environments = {each: Environment.here(found, self._run, level) for each, found in problems.items()}
+        return Context(environments, self._faults, self._run, folders)
 
     def _published(self, row: KeptRow, *, kept: bool = False) -> ClassRow:
         """The row as it goes out; new notes of its worker are said, unless it was kept."""
         done, student, result = row.done, self.students[row.student], row.result
         self._own[student.id].append(row)
-        for text in () if kept else result.notes:
-            if text not in self._noted and len(self._noted) < _NOTES:
+        for text in dict.fromkeys(() if kept else (each for each in result.notes if each not in self._said)):
+            self._notes += 1
+            if self._notes <= _NOTES:
                 self._say(text)
-            self._noted.add(text)
+            self._said.add(text)
         return ClassRow(
             student=student.id,
             name=student.name,
@@ -295,21 +297,6 @@ class Classroom:
                 raise UsageError(f"nothing here is called {name!r}", where="--again", remedy=remedy)
 
 
-def _is_learnt(problem: Problem) -> bool:
-    try:
-        return data_kept(problem, None) and is_kept(problem, None)
-    except JudgeError:  # whoever judges says so
-        return True
-
-
-def _lost(task: Task, why: str) -> WorkerResult:
-    return WorkerResult.fault(task.problem, task.name, why)
-
-
-def _learning(task: Task, done: int, total: int) -> str:
-    return f"learning {task.problem}, {done} of {total} katas"
-
-
 def _pace(plan: ClassPlan, done: int, texts: int, began: float, workers: int) -> str:
     """How far it is and how fast it goes, in one line: so many rows are there, and `texts` were judged."""
     equal = done - len(plan.kept) - texts
@@ -338,11 +325,3 @@ def _unweighed(weights: Mapping[str, float], katas: Sequence[str]) -> Iterator[s
     yield from (f"--weight {kata}: it is not in the table" for kata in weights if kata not in katas)
     if katas and not any(weights.get(kata, 1) for kata in katas):
         yield "--weight: all weights are 0, and so is every total"
-
-
-def _unread(unplaced: Sequence[Submission]) -> dict[str, tuple[str, ...]]:
-    """What of each student is not judged, with the reason."""
-    told: dict[str, tuple[str, ...]] = {}
-    for each in unplaced:
-        told[each.student] = (*told.get(each.student, ()), f"{own_name(each.file)}: {each.why}")
-    return told

@@ -13,11 +13,11 @@ import socket
 import time
 import uuid
 from collections import Counter, deque
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from concurrent.futures import CancelledError
 from importlib import import_module
 from pathlib import Path
-from queue import Empty, SimpleQueue
+from threading import Event
 from typing import Any, TypeVar
 from urllib.parse import urlsplit
 
@@ -64,21 +64,33 @@ class ClusterExecutor:
         self._allowed = (demanded,) if demanded else LEVELS[: LEVELS.index("limits")]
         self._say = say
         self._client: Any = None
-        self._workers: dict[
-            str, str
-        ] = {}  # those that are there, by address: why one is left out, or nothing
-        self._levels: dict[str, tuple[str, ...]] = {}  # that the workers give
+        # Those that are there, by address: the levels that each gives, none of one that is left out.
+        self._workers: dict[str, tuple[str, ...]] = {}
+        self._why = ""  # the last one is left out
         self._looked = 0.0
-        self._seen = 0.0  # when a worker was fit
-        self._missed = 0.0  # when one was missed that had been
+        self._seen = time.monotonic()  # when a worker was fit
+        self._missed = self._seen - _RESTART  # when one was missed that had been
 
     def __enter__(self) -> ClusterExecutor:
+        """Wait for the first workers, and find the isolation that they have in common."""
         self._client = _connected(self.address)
         try:
-            self._meet()
+            self._look()
+            if not self._workers:
+                self._say(f"there is no worker at {self.address} yet; waiting {_PATIENCE:.0f} s for one")
+            while not self._fit():
+                time.sleep(_LOOK)
+                self._look()
+            has = [self._workers[address] for address in self._fit()]
+            common = [level for level in self._allowed if all(level in each for each in has)]
+            if not common:
+                remedy = "demand one with --isolation"
+                raise UsageError("the workers have no isolation in common", remedy=remedy)
         except BaseException:
             self.__exit__()
             raise
+        self.level = common[0]
+        self._allowed = (self.level,)
         return self
 
     def __exit__(self, *exc: object) -> None:
@@ -93,18 +105,25 @@ class ClusterExecutor:
         """See `Executor.run`; but a UsageError costs its worker, and ends the work when none is left."""
         waiting, tries = deque(range(len(items))), Counter[int]()
         sent: dict[Any, tuple[int, str]] = {}  # the place of each item, and its worker
-        done: SimpleQueue[Any] = SimpleQueue()
+        ended = Event()  # one of them
         try:
             while waiting or sent:
                 self._look()
-                for worker in self._fit() - {worker for _, worker in sent.values()}:
-                    if waiting:
-                        place = waiting.popleft()
-                        future = self._sent(worker, work, items[place])
-                        sent[future] = place, worker
-                        future.add_done_callback(done.put)
-                for future in self._ended(done, sent):
-                    place, worker = sent.pop(future)
+                idle = self._fit() - {worker for _, worker in sent.values()}
+                for worker, place in zip(idle, [*waiting], strict=False):
+                    waiting.popleft()
+                    key = f"judge-{uuid.uuid4().hex}"  # none comes twice
+                    future = self._client.submit(
+                        attempt, work, items[place], key=key, workers=[worker], pure=False
+                    )
+                    sent[future] = place, worker
+                    future.add_done_callback(lambda _: ended.set())
+                ended.wait(_LOOK)
+                ended.clear()
+                for future, (place, worker) in [*sent.items()]:
+                    if not future.done() and worker in self._workers:
+                        continue
+                    del sent[future]
                     result, fault = self._fetched(worker, future)
                     future.release()
                     tries[place] += 1
@@ -123,22 +142,6 @@ class ClusterExecutor:
             for future in sent:
                 future.release()
 
-    def _ended(self, done: SimpleQueue[Any], sent: Mapping[Any, tuple[int, str]]) -> list[Any]:
-        """The tasks whose workers are gone, or else one that is done, if one is soon."""
-        gone = [future for future, (_, worker) in sent.items() if worker not in self._workers]
-        if gone:
-            return gone
-        try:
-            future = done.get(timeout=_LOOK)
-        except Empty:
-            return []
-        return [future] if future in sent else []
-
-    def _sent(self, worker: str, work: Callable[[T], R], item: T) -> Any:
-        """The future of `attempt` on that worker. No key comes twice."""
-        key = f"judge-{uuid.uuid4().hex}"
-        return self._client.submit(attempt, work, item, key=key, workers=[worker], pure=False)
-
     def _fetched(self, worker: str, future: Any) -> Outcome:
         """The result of a task, or its fault: a UsageError where its worker cannot judge."""
         from distributed.scheduler import KilledWorker
@@ -146,7 +149,7 @@ class ClusterExecutor:
         if worker not in self._workers:
             return None, _DIED
         try:
-            result, fault = future.result(timeout=_FETCH)
+            outcome: Outcome = future.result(timeout=_FETCH)
         except KilledWorker:
             return None, _KILLED
         except TimeoutError:
@@ -155,35 +158,18 @@ class ClusterExecutor:
             raise self._lost() from lost
         except Exception as other:  # there or at the scheduler is no judge, or one that cannot read the task
             return None, UsageError(_cannot(other))
-        return result, fault
+        return outcome
 
     def _fit(self) -> set[str]:
         """The workers that are there and can judge."""
-        return {address for address, unfit in self._workers.items() if not unfit}
+        return {address for address, levels in self._workers.items() if levels}
 
     def _leave_out(self, address: str, why: str) -> None:
-        self._workers[address] = why
+        self._workers[address], self._why = (), why
         self._say(f"the worker {address} is left out: {why}")
 
     def _lost(self) -> JudgeError:
         return JudgeError(f"the scheduler at {self.address} is lost", remedy=_KEPT)
-
-    def _meet(self) -> None:
-        """Wait for the first workers, and find the isolation that they have in common."""
-        self._seen = time.monotonic()
-        self._missed = self._seen - _RESTART
-        self._look()
-        if not self._workers:
-            self._say(f"there is no worker at {self.address} yet; waiting {_PATIENCE:.0f} s for one")
-        while not self._fit():
-            time.sleep(_LOOK)
-            self._look()
-        has = [self._levels[address] for address in self._fit()]
-        common = [level for level in self._allowed if all(level in each for each in has)]
-        if not common:
-            raise UsageError("the workers have no isolation in common", remedy="demand one with --isolation")
-        self.level = common[0]
-        self._allowed = (self.level,)
 
     def _look(self) -> None:
         """See who is there, unless that was seen just now, and ask newcomers which isolation they have."""
@@ -200,16 +186,18 @@ class ClusterExecutor:
             raise self._lost() from fault
         if self._fit() - there.keys():
             self._missed = now
-        self._workers = {address: unfit for address, unfit in self._workers.items() if address in there}
-        for address, answer in answers.items():
-            # One that has gone; if not, it is asked again.
-            if not isinstance(answer, OSError) or isinstance(answer, TimeoutError):
-                self._greet(address, there[address]["nthreads"], answer)
+        self._workers = {address: levels for address, levels in self._workers.items() if address in there}
+        for address, levels in answers.items():
+            if isinstance(levels, OSError) and not isinstance(levels, TimeoutError):
+                continue  # it has gone; if not, it is asked again
+            if why := self._unfit(levels, there[address]["nthreads"]):
+                self._leave_out(address, why)
+            else:
+                self._workers[address] = levels
         if self._fit():
             self._seen = now
         elif there and there.keys() == self._workers.keys() and now - self._missed > _RESTART:
-            what = f"no worker at {self.address} can judge this: {self._workers[min(there)]}"
-            raise UsageError(what, remedy=_HELP)
+            raise UsageError(f"no worker at {self.address} can judge this: {self._why}", remedy=_HELP)
         elif now - self._seen > _PATIENCE:
             remedy = f"start some with 'dask worker {self.address} --nthreads 1'; {_KEPT}"
             raise JudgeError(f"no worker is ready at {self.address}", remedy=remedy)
@@ -220,7 +208,7 @@ class ClusterExecutor:
             return {}
         try:
             found: dict[str, Any] = self._client.run(
-                levels_here, workers=list(workers), on_error="return", callback_timeout=_ANSWER
+                levels_here, workers=workers, on_error="return", callback_timeout=_ANSWER
             )
         except TimeoutError as fault:
             if len(workers) == 1:
@@ -228,17 +216,16 @@ class ClusterExecutor:
             return {worker: answer for each in workers for worker, answer in self._asked([each]).items()}
         return found
 
-    def _greet(self, address: str, threads: int, levels: Any) -> None:
-        """Note which isolation a worker has, or why it is left out."""
+    def _unfit(self, levels: Any, threads: int) -> str:
+        """Why a worker of so many threads that answers this is left out, or nothing."""
         if isinstance(levels, Exception):
-            self._leave_out(address, _cannot(levels))
-        elif threads > 1:
-            self._leave_out(address, f"it has {threads} threads; start it with --nthreads 1")
-        elif not set(levels) & set(self._allowed):
+            return _cannot(levels)
+        if threads > 1:
+            return f"it has {threads} threads; start it with --nthreads 1"
+        if not set(levels) & set(self._allowed):
             has, wanted = " or ".join(levels) or "none", " or ".join(self._allowed)
-            self._leave_out(address, f"its isolation is {has}, not {wanted}; see 'judge doctor' there")
-        else:
-            self._workers[address], self._levels[address] = "", levels
+            return f"its isolation is {has}, not {wanted}; see 'judge doctor' there"
+        return ""
 
 
 def _cannot(fault: Exception) -> str:

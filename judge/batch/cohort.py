@@ -22,7 +22,7 @@ def cohort_of(
     *,
     history: Iterable[KeptRow] = (),
     left: Sequence[Submission] = (),
-    unread: Mapping[str, tuple[str, ...]] = MappingProxyType({}),
+    unread: Sequence[Submission] = (),
     equal_files: tuple[Alike, ...] = (),
     late: Mapping[_Pair, int | None] = MappingProxyType({}),
     **shown: Any,
@@ -31,8 +31,8 @@ def cohort_of(
 
     `history` are rows of texts that were submitted before and have been replaced since; they tell who is
     stuck and nothing else. `late` are days, by student and file, None where a platform says so alone. `left`
-    are files without a row, `unread` what else could not be judged, by student; `shown` are the fields of the
-    cohort that come from elsewhere.
+    are files without a row, `unread` what else of theirs is not judged; `shown` are the fields of the cohort
+    that come from elsewhere.
     """
     counts = counting(rows)
     files = Counter((row.student, row.problem) for row in rows)
@@ -41,10 +41,11 @@ def cohort_of(
         marks.setdefault(student, {})[problem] = _mark(row, files[student, problem], late)
     order = [each.id for each in students]
     own = {each: [counts[who, each] for who in order if (who, each) in counts] for each in problems}
-    told, waiting = dict(unread), defaultdict[str, list[str]](list)
+    told, waiting = defaultdict[str, list[str]](list), defaultdict[str, list[str]](list)
     unjudged = [row for row in rows if row.result.verdict is Verdict.JE]
-    for row in unjudged:
-        told[row.student] = (*told.get(row.student, ()), f"{own_name(row.file)}: {_message(row)}")
+    reasons = [(each, each.why) for each in unread] + [(row, _message(row)) for row in unjudged]
+    for each, why in reasons:
+        told[each.student].append(f"{own_name(each.file)}: {why}")
     handed_in = {*counts, *((each.student, each.problem) for each in left)}
     for who, kata in sorted(handed_in - counts.keys()):
         waiting[who].append(kata)
@@ -56,12 +57,12 @@ def cohort_of(
         students=tuple(students),
         marks=marks,
         problems=tuple(_view(each, own[each], submitters[each]) for each in problems),
-        stuck=tuple(_stuck(problems, _in_turn([*history, *rows]), order)),
+        stuck=tuple(_stuck(problems, [*history, *rows], order)),
         nothing_accepted=tuple(each for each in order if each in seen - accepted),
         nothing_handed_in=tuple(each for each in order if each not in seen | waiting.keys()),
         machines=tuple(Machine(*where, times) for where, times in sorted(judged.items())),
         unjudged=tuple((row.file, _message(row)) for row in unjudged),
-        unread=told,
+        unread={who: tuple(reasons) for who, reasons in told.items()},
         waiting=waiting,
         equal_files=equal_files,
         left=len(left),
@@ -82,17 +83,15 @@ def counting(rows: Iterable[KeptRow]) -> dict[_Pair, KeptRow]:
     return found
 
 
+def samples(cohort: Cohort, rows: Iterable[KeptRow]) -> list[KeptRow]:
+    """For each mistake of each problem, the row of the first student who made it."""
+    by_file = {(row.problem, row.file): row for row in rows}
+    mistakes = [each for view in cohort.problems for each in view.mistakes]
+    return [by_file[each.problem, each.files[0]] for each in mistakes]
+
+
 def _worth(row: KeptRow) -> tuple[bool, bool, int, float]:
     return row.accepted, row.result.verdict is not Verdict.JE, row.result.score, row.at
-
-
-def _in_turn(rows: Iterable[KeptRow]) -> dict[_Pair, list[KeptRow]]:
-    """Every text that a student has submitted to a problem, the oldest first, by its newest row."""
-    newest = {text_of(row): row for row in rows}
-    found: dict[_Pair, list[KeptRow]] = defaultdict(list)
-    for row in sorted(newest.values(), key=lambda row: (row.at, row.file)):
-        found[row.student, row.problem].append(row)
-    return found
 
 
 def _mark(row: KeptRow, files: int, late: Mapping[_Pair, int | None]) -> Grade:
@@ -132,14 +131,16 @@ def _unnamed(verdict: Verdict) -> str:
     return f"{verdict.meaning}, no mistake named" if verdict is Verdict.WA else verdict.meaning
 
 
-def _stuck(
-    problems: Sequence[str], own: Mapping[_Pair, Sequence[KeptRow]], order: Sequence[str]
-) -> Iterator[Alike]:
+def _stuck(problems: Sequence[str], rows: Iterable[KeptRow], order: Sequence[str]) -> Iterator[Alike]:
     """Whose last two files make the same mistake: by problem, and then that of the most students."""
+    texts = {text_of(row): row for row in rows}.values()  # each by its newest row
+    own: dict[_Pair, list[KeptRow]] = defaultdict(list)
+    for row in sorted(texts, key=lambda row: (row.at, row.file)):
+        own[row.student, row.problem].append(row)
     for problem in problems:
         held: dict[str, list[KeptRow]] = defaultdict(list)
         for student in order:
-            rows = own.get((student, problem), ())
+            rows = own[student, problem]
             made = {row.mistake for row in rows[-2:]}
             if len(rows) > 1 and len(made) == 1 and "" not in made and not any(row.accepted for row in rows):
                 held[rows[-1].mistake].append(rows[-1])

@@ -5,7 +5,8 @@
 
 A file is for the problem that it is called like (`exact_count.py` is for exact-count), or else for the one
 whose function it defines. What a learning platform hands out is taken as it is (judge.batch.platforms); a
-list of the students tells who is meant by a name. Zips and notebooks are opened (judge.batch.packed).
+list of the students tells who is meant by a name. Zips and notebooks are opened, and a name that an editor
+spoilt is put right.
 Whatever lies in the folder costs at most its own row.
 
 A student may have set links, so that they are followed to the student's own files alone. A file that has
@@ -16,8 +17,12 @@ and to nobody where that does not tell.
 from __future__ import annotations
 
 import errno
+import io
+import json
 import os
+import stat
 import unicodedata
+import zipfile
 from collections import defaultdict
 from collections.abc import Collection, Iterator, Sequence
 from contextlib import suppress
@@ -28,7 +33,6 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from judge.batch.model import Submission
-from judge.batch.packed import is_packed, unpacked
 from judge.batch.platforms import METADATA, Owner, Roster, owners, submitters
 from judge.errors import JudgeError, UsageError
 from judge.files import (
@@ -43,6 +47,9 @@ from judge.languages import SUFFIX, is_program, language_of
 from judge.problem.find import fitting_problems, id_of, problem_folders, signs
 
 _MOST_BYTES = 2**29  # of all programs together, which are in memory while they are judged
+_ZIP, _NOTEBOOK, _TEXT = ".zip", ".ipynb", ".txt"
+_MOST_FILES, _LARGEST = 100, 2 << 20  # of a zip: files, and bytes of all of them
+_MAGIC = ("%", "!")  # lines of a notebook that are no Python
 _NOBODY = "it lies in no student's folder"
 _BACKSLASH = "its name holds a backslash where folders should be: unpack the archive again, with 'unzip'"
 _NO_PROBLEM = "no kata has that name, and it defines no kata's function"
@@ -76,23 +83,23 @@ def read_class(
         UsageError: it is no folder, cannot be read, or holds more than any class.
     """
     root = root_of(folder)
-    known = {each.name for each in problem_folders(folders)}
-    every = [*files_below(root)]
-    reader = _Reader(root, known, folders, roster or Roster())
-    reader.learn_owners([PurePath(path) for path, _ in every])
+    every = list(files_below(root))
+    reader = _Reader(root, folders, roster or Roster(), [PurePath(path) for path, _ in every])
     placed, unplaced, size = list[Submission](), list[Submission](), 0
     for path, why in every:
         if PurePath(path).name == METADATA:
             continue
+        group = [who for who, _ in reader.group(PurePath(path)) if who]
         for found in reader.submissions(path, why):
             size += len(found.source)
             if size > _MOST_BYTES:
                 what = f"the programs come to more than {_MOST_BYTES // 2**20} MB"
                 raise UsageError(what, where=str(folder), remedy="judge a part of the class at a time")
-            if not (found.problem and found.student):
-                unplaced += reader.for_each(found)
-            elif not only or found.problem in only:
-                placed += reader.for_each(found)
+            whole = found.problem and found.student
+            if not whole or not only or found.problem in only:
+                # The same file for each student of the group that has submitted it.
+                shared = [replace(found, student=who) for who in dict.fromkeys(group)]
+                (placed if whole else unplaced).extend(shared or [found])
     placed = sorted(reader.without_shared(placed), key=lambda each: (each.student, each.problem, each.file))
     late = frozenset(who for group in reader.owners.values() for who, owner in group if owner.late)
     return ClassFolder(tuple(placed), tuple(unplaced), late)
@@ -113,32 +120,22 @@ def display_name(name: str) -> str:
     return unicodedata.normalize("NFC", os.fsencode(name).decode("utf-8", "backslashreplace"))
 
 
-class _Name(Struct, frozen=True):
-    """A name of a file that has several; `owned` is whether its folder has the file's owner."""
+class _Reader:
+    """Reads files of one class, which lie at these paths in its folder `root`."""
 
-    student: str
-    file: str
-    owned: bool
-
-
-class _Reader(Struct):
-    """Reads files of one class; `names` are those of files that have several, by device and inode."""
-
-    root: Path
-    known: Collection[str]
-    folders: Sequence[Path]
-    roster: Roster
-    names: dict[tuple[int, int], list[_Name]] = {}
-    # Of names in the outermost folder: the students, and what it tells of each.
-    owners: dict[str, list[tuple[str, Owner]]] = {}
-    outer: int = 0  # folders around all of them
-
-    def learn_owners(self, paths: Sequence[PurePath]) -> None:
-        """Find out whose each name is that a platform has given."""
+    def __init__(
+        self, root: Path, folders: Sequence[Path], roster: Roster, paths: Sequence[PurePath]
+    ) -> None:
+        self.root, self.folders, self.roster = root, folders, roster
+        self.known = {each.name for each in problem_folders(folders)}
+        # Of files that have several names, by device and inode: the student and the name, and whether the
+        # folder that it is in has the file's owner.
+        self.names = defaultdict[tuple[int, int], list[tuple[str, str, bool]]](list)
+        self.outer = 0  # folders around all of them
         metadata = next((path for path in paths if path.name == METADATA), None)
         if metadata:
             self.outer = len(metadata.parts) - 1
-            found = submitters(read_below(self.root, str(metadata))[0].decode("utf-8", "replace"))
+            found = submitters(read_below(root, str(metadata))[0].decode("utf-8", "replace"))
         else:
             tops = {path.parts[0] for path in paths}
             found = owners(tops)
@@ -148,27 +145,29 @@ class _Reader(Struct):
         keys = defaultdict[str, set[str]](set)
         for each in chain(*found.values()):
             keys[each.name].add(each.key)
-        for name, group in found.items():
-            self.owners[name] = [
-                (self.roster.owner(each) or display_name(each.called(len(keys[each.name]))), each)
+        # Of names in the outermost folder: the students, and what it tells of each.
+        self.owners = {
+            name: [
+                (roster.owner(each) or display_name(each.called(len(keys[each.name]))), each)
                 for each in group
             ]
+            for name, group in found.items()
+        }
 
-    def for_each(self, found: Submission) -> list[Submission]:
-        """The same file for each student of the group that has submitted it."""
-        group = dict.fromkeys(who for who, _ in self._group(PurePath(found.file)) if who)
-        return [replace(found, student=who) for who in group] or [found]
+    def group(self, path: PurePath) -> list[tuple[str, Owner]]:
+        """The students whom a platform's name tells, and what else it tells."""
+        return self.owners.get((path.parts[self.outer :] or path.parts)[0], [])
 
     def submissions(self, path: str, why: str) -> Iterator[Submission]:
         """What a file holds, by its path in the class's folder; without a student or a problem where it has
         none. With a `why` it is a folder that is not entered.
         """
-        if not why and (is_program(path) or not is_packed(path)):
+        if not why and (is_program(path) or not _is_packed(path)):
             yield self._submission(path, path, None)
             return
         student, inside = self._placed(PurePath(path))[0], list[tuple[str, bytes]]()
         try:
-            inside += unpacked(path, self._read(path, student)) if not why else ()
+            inside += _unpacked(path, self._read(path, student)) if not why else ()
         except (OSError, JudgeError) as fault:
             why = _told(fault)
         if why:
@@ -190,14 +189,10 @@ class _Reader(Struct):
             problem = problem or self._fitting(source, name)
         except (OSError, JudgeError) as fault:  # of a problem that is broken, or of this text, too
             why, source = _told(fault).removeprefix(f"{name}: "), b""
-        at = next((owner.at for _, owner in self._group(PurePath(path))), 0.0)
+        at = next((owner.at for _, owner in self.group(PurePath(path))), 0.0)
         with suppress(OSError, ValueError):
             at = at or (self.root / path).stat().st_mtime
         return Submission(student, problem, display_name(name), source or b"", why, at)
-
-    def _group(self, path: PurePath) -> list[tuple[str, Owner]]:
-        """The students whom a platform's name tells, and what else it tells."""
-        return self.owners.get((path.parts[self.outer :] or path.parts)[0], [])
 
     def _placed(self, path: PurePath, inner: str = "") -> tuple[str, str]:
         """The student and the problem that a path tells, either empty where it does not.
@@ -205,7 +200,7 @@ class _Reader(Struct):
         `inner` is the name of what lies in the file itself.
         """
         top, *rest = path.parts[self.outer :] or path.parts
-        who, owner = next(iter(self._group(path)), ("", None))
+        who, owner = next(iter(self.group(path)), ("", None))
         named = id_of(_stem(inner or (owner.file if owner and owner.file and not rest else path.name)))
         problem = named if named in self.known else ""
         if owner or not rest:
@@ -232,8 +227,7 @@ class _Reader(Struct):
             raise RefusedError(errno.EXDEV, f"it is a link to {where}, {NOT_FOLLOWED}")
         if found.st_nlink > 1:
             owned = (self.root / real).parent.stat().st_uid == found.st_uid
-            name = _Name(student, display_name(path), owned=owned)
-            self.names.setdefault((found.st_dev, found.st_ino), []).append(name)
+            self.names[found.st_dev, found.st_ino].append((student, display_name(path), owned))
         return source
 
     def without_shared(self, submissions: Sequence[Submission]) -> list[Submission]:
@@ -243,10 +237,10 @@ class _Reader(Struct):
         """
         refused: dict[str, str] = {}
         for names in self.names.values():
-            owners = {name.student for name in names if name.owned}
-            for name in names:
-                if owners != {name.student} and any(each.student != name.student for each in names):
-                    refused[name.file] = "it is the same file as another student's (a hard link); copy it"
+            owners = {student for student, _, owned in names if owned}
+            for student, file, _ in names:
+                if owners != {student} and any(other != student for other, *_ in names):
+                    refused[file] = "it is the same file as another student's (a hard link); copy it"
         return [
             replace(each, source=b"", why=refused[each.file]) if each.file in refused else each
             for each in submissions
@@ -262,3 +256,57 @@ def _stem(name: str) -> str:
 
 def _told(fault: OSError | JudgeError) -> str:
     return why_unreadable(fault) if isinstance(fault, OSError) else str(fault)
+
+
+# -- programs inside of something else ---------------------------------------------------------------------
+
+
+def _is_packed(name: str) -> bool:
+    """Whether a file of that name holds programs under other names."""
+    path = PurePath(name)
+    ends = path.suffix.lower()
+    return ends in (_ZIP, _NOTEBOOK, SUFFIX) or (ends == _TEXT and is_program(path.stem))
+
+
+def _unpacked(name: str, content: bytes) -> Iterator[tuple[str, bytes]]:
+    """The programs in it, each by its name. Raises JudgeError, which says why there is none."""
+    path = PurePath(name)
+    ends = path.suffix.lower()
+    if ends == _ZIP:
+        yield from _zipped(name, content)
+    else:  # of a text the second ending stays
+        whole = _cells(content) if ends == _NOTEBOOK else content
+        yield str(path.with_suffix("" if ends == _TEXT else SUFFIX)), whole
+
+
+def _zipped(name: str, content: bytes) -> Iterator[tuple[str, bytes]]:
+    try:
+        archive = zipfile.ZipFile(io.BytesIO(content))
+        files = [each for each in archive.infolist() if not each.is_dir()]
+        if len(files) > _MOST_FILES:
+            raise JudgeError(f"{len(files)} files are more than {_MOST_FILES}")
+        if (size := sum(each.file_size for each in files)) > _LARGEST:
+            raise JudgeError(f"{size >> 20} MB is more than {_LARGEST >> 20} MB")
+        programs = [each for each in files if is_program(each.filename) and not _is_link(each)]
+        if not programs:
+            raise JudgeError("no program is in this zip")
+        for each in programs:
+            with archive.open(each) as file:
+                yield f"{name}/{each.filename}", file.read(_LARGEST)
+    except (zipfile.BadZipFile, NotImplementedError, RuntimeError, EOFError, ValueError, OSError) as fault:
+        raise JudgeError(f"this zip cannot be opened ({fault})") from fault
+
+
+def _is_link(each: zipfile.ZipInfo) -> bool:
+    return stat.S_ISLNK(each.external_attr >> 16)
+
+
+def _cells(content: bytes) -> bytes:
+    """The code cells of a notebook, one after the other."""
+    try:
+        cells = [each for each in json.loads(content)["cells"] if each["cell_type"] == "code"]
+        texts = ["".join(each["source"]) for each in cells]
+    except (ValueError, TypeError, KeyError, RecursionError) as fault:
+        raise JudgeError("this notebook cannot be read") from fault
+    rows = (row for text in texts for row in (*text.splitlines(), ""))
+    return "\n".join(row for row in rows if not row.startswith(_MAGIC)).encode("utf-8", "backslashreplace")

@@ -6,6 +6,7 @@ process or machine. A *row* is what is kept of a submission: the published resul
 
 from __future__ import annotations
 
+import sys
 from functools import cached_property
 from typing import Any
 
@@ -13,10 +14,20 @@ import msgspec
 from msgspec import Struct
 from msgspec.structs import replace
 
-from judge.cache import digest
-from judge.judging.options import RunOptions
-from judge.problem.model import Verdict
+from judge.cache import code_key, content_key, digest
+from judge.judging.options import RunOptions, judged_by
+from judge.problem import Problem, Verdict
 from judge.run.result import Result, judge_fault, read_result
+from judge.version import __version__
+
+_SIGNS = 12  # of a hash; they tell versions apart, and nobody would forge one
+_PARTS = {
+    "judge": "the judge",
+    "data": "the problem's files",
+    "python": "Python",
+    "isolation": "the isolation",
+    "terms": "the options",
+}
 
 
 class Submission(Struct, frozen=True):
@@ -53,6 +64,23 @@ class Environment(Struct, frozen=True):
     python: str
     isolation: str
     terms: str
+
+    @classmethod
+    def here(cls, problem: Problem, options: RunOptions, isolation: str) -> Environment:
+        """By what this process judges the problem at that level of isolation. Raises ProblemError."""
+        return cls(
+            judge=f"{__version__}+{code_key()[:_SIGNS]}",
+            data=content_key(judged_by(problem))[:_SIGNS],
+            python=f"{sys.implementation.name} {'.'.join(map(str, sys.version_info[:3]))}",
+            isolation=isolation,
+            # The isolation is a part of its own.
+            terms=digest(msgspec.json.encode(replace(options, isolation=None)))[:_SIGNS],
+        )
+
+    def changes(self, before: Environment | None) -> str:
+        """In which parts it differs from the one `before`, in words; nothing where there was none."""
+        parts = [(name, getattr(before, part, ""), getattr(self, part)) for part, name in _PARTS.items()]
+        return ", ".join(f"{name} ({old} → {new})" for name, old, new in parts if old and old != new)
 
 
 class Task(Struct, frozen=True):

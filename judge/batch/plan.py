@@ -10,10 +10,9 @@ from pathlib import PurePath
 from msgspec import Struct
 from msgspec.structs import replace
 
-from judge.batch.environment import differences
 from judge.batch.model import Environment, KeptRow, Submission, Task, WorkerResult, text_of
 from judge.judging.options import RunOptions
-from judge.problem import Problem, Verdict
+from judge.problem import Verdict
 from judge.report.words import counted
 
 
@@ -49,16 +48,14 @@ class ClassPlan(Struct, frozen=True):
 
 
 class Context(Struct, frozen=True):
-    """By what a class is judged: its problems and the environment of each, or why one cannot be judged; the
-    options, and the folders of problems. `notices` is what is to be said of the isolation.
+    """By what a class is judged: the environment of each problem, or why one cannot be judged; the options,
+    and the folders of problems.
     """
 
-    problems: Mapping[str, Problem]
     environments: Mapping[str, Environment]
     faults: Mapping[str, str]
     options: RunOptions
     folders: tuple[str, ...] = ()
-    notices: tuple[str, ...] = ()
 
 
 def planned(
@@ -93,7 +90,7 @@ def planned(
                 back += 1
             continue
         if before is not None and before.digest == each.digest:
-            changed[differences(before.standard, own)] += 1
+            changed[own.changes(before.standard)] += 1
         same = each.problem, each.digest, PurePath(each.file).suffix, own
         if same in equal and not anew:
             rows.append(_copied(equal[same], each))

@@ -15,7 +15,7 @@ from __future__ import annotations
 import re
 import unicodedata
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from datetime import datetime
 from itertools import pairwise
@@ -59,6 +59,12 @@ class Owner(Struct, frozen=True):
     late: bool = False
     at: float = 0.0
 
+    @classmethod
+    def read(cls, parts: Mapping[str, str]) -> Owner:
+        """What the parts of a form tell."""
+        key, name, late, at = (parts.get(part, "") for part in ("key", "name", "late", "at"))
+        return cls(key, name, _AGAIN.sub("", parts.get("file", "")), bool(late), _second(at))
+
     def called(self, people: int) -> str:
         """What the person is called, where so many have the name."""
         return f"{self.name} ({self.key})" if self.name and people > 1 else self.name or self.key
@@ -68,7 +74,7 @@ def owners(names: Iterable[str]) -> dict[str, list[Owner]]:
     """Of names beside each other those that have the form of nearly all of them, each with its owner."""
     every = [name for name in names if not name.startswith("index.")]
     for form in _FORMS:
-        found = {name: [_owner(match.groupdict())] for name in every if (match := form.fullmatch(name))}
+        found = {name: [Owner.read(match.groupdict(""))] for name in every if (match := form.fullmatch(name))}
         if found and len(found) >= _MOST * len(every):
             return found
     return {}
@@ -79,11 +85,6 @@ def own_name(file: str) -> str:
     name = PurePath(file).name
     found = [match["file"] for form in _FORMS if (match := form.fullmatch(name))]
     return found[0] or "attempt.txt" if found else name
-
-
-def _owner(parts: dict[str, str | None]) -> Owner:
-    key, name, file = (parts.get(part) or "" for part in ("key", "name", "file"))
-    return Owner(key, name, _AGAIN.sub("", file), bool(parts.get("late")), _second(parts.get("at") or ""))
 
 
 def _second(said: str) -> float:
@@ -115,8 +116,10 @@ class Roster:
     says which names fit several.
     """
 
-    def __init__(self, students: Sequence[Student] = (), titles: Sequence[str] = ()) -> None:
-        self.students, self.titles, self.sheet = tuple(students), tuple(titles), Sheet()
+    def __init__(
+        self, students: Sequence[Student] = (), titles: Sequence[str] = (), sheet: Sheet | None = None
+    ) -> None:
+        self.students, self.titles, self.sheet = tuple(students), tuple(titles), sheet or Sheet()
         self._cells: defaultdict[str, set[str]] = defaultdict(set)
         self._names: defaultdict[str, set[str]] = defaultdict(set)
         self._ids = {each.id for each in students}

@@ -16,8 +16,6 @@ import re
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
-from msgspec.structs import replace
-
 from judge.batch.folder import display_name
 from judge.batch.model import Submission
 from judge.batch.platforms import Roster
@@ -53,48 +51,44 @@ def read_students(path: Path) -> Roster:
     columns = [title.casefold() for title in titles]
     kept, extra = list[tuple[int, list[str]]](), list[list[str]]()
     for number, row in rows:
-        raw = row[: len(titles)]
         if _NO_STUDENT.match(next(filter(None, map(str.strip, row)))):
-            extra.append(raw)
+            extra.append(row[: len(titles)])
         else:
-            kept.append((number, raw))
-    own = _own_column(columns, [[*map(str.strip, row)] for _, row in kept])
-    lines: dict[str, int] = {}
-    students = list[Student]()
+            kept.append((number, row[: len(titles)]))
+    own = _own_column(columns, [row for _, row in kept])
+    lines, students = dict[str, int](), list[Student]()
     for number, row in kept:
-        try:
-            students.append(replace(_student(columns, [*map(str.strip, row)], own), cells=tuple(row)))
-        except UsageError as fault:
-            fault.where = f"{path}:{number}"
-            raise
-        if (line := lines.setdefault(students[-1].id, number)) != number:
-            what = f"{row[own].strip().removeprefix('#')} is in line {line} already"
-            raise _bad(path, number, what, "take one of the two lines out")
+        student = _student(columns, row, own, f"{path}:{number}")
+        if (line := lines.setdefault(student.id, number)) != number:
+            raise _bad(
+                path, number, f"{student.id} is in line {line} already", "take one of the two lines out"
+            )
+        students.append(student)
     if not students:
         raise UsageError("there is nobody in this list of students", where=str(path), remedy=_REMEDY)
-    roster = Roster(students, titles)
-    roster.sheet = Sheet(sign, "\r\n" if "\r\n" in text else "\n", tuple(extra))
-    return roster
+    return Roster(students, titles, Sheet(sign, "\r\n" if "\r\n" in text else "\n", tuple(extra)))
 
 
-def _student(columns: Sequence[str], row: Sequence[str], own: int) -> Student:
+def _student(columns: Sequence[str], row: Sequence[str], own: int, where: str) -> Student:
     """Who stands in a row. Raises UsageError."""
-    cells = dict(zip(columns, row, strict=False))
-    found = row[own].removeprefix("#") if own < len(row) else ""
+    cells = dict(zip(columns, map(str.strip, row), strict=False))
+    found = row[own].strip().removeprefix("#") if own < len(row) else ""
     if not found:
-        raise UsageError("there is no id in this line", remedy="write one, or take the line out")
+        remedy = "write one, or take the line out"
+        raise UsageError("there is no id in this line", where=where, remedy=remedy)
     if len(found) > _LONGEST:
-        raise UsageError(f"an id of {len(found):,} characters", remedy="write a shorter one")
+        raise UsageError(f"an id of {len(found):,} characters", where=where, remedy="write a shorter one")
     days = cells.get("extra days", "")
     try:
         extra = float(days.replace(",", ".") or 0)
     except ValueError:
-        raise UsageError(f"extra days are {days!r}", remedy="write a number of days") from None
+        raise UsageError(f"extra days are {days!r}", where=where, remedy="write a number of days") from None
     whole = next(filter(None, map(cells.get, _WHOLE)), "")
     return Student(
         display_name(found),
         whole or " ".join(filter(None, map(cells.get, _PARTS))),
         cells.get("group", ""),
+        cells=tuple(row),
         note=cells.get("note", ""),
         extra_days=extra,
         late=bool(_LATE.search(cells.get("status", ""))),
@@ -106,7 +100,7 @@ def _own_column(columns: Sequence[str], rows: Sequence[Sequence[str]]) -> int:
     if "id" in columns:
         return columns.index("id")
     for at in sorted(range(len(columns)), key=lambda at: columns[at] not in _WHOLE):
-        cells = {row[at] for row in rows if at < len(row) and row[at]}
+        cells = {row[at].strip() for row in rows if at < len(row)} - {""}
         if rows and len(rows) == len(cells):
             return at
     return 0

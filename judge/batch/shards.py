@@ -7,14 +7,12 @@ are put together by their rows' keys.
 from __future__ import annotations
 
 import re
-from collections import Counter
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 
 from msgspec import Struct
 
-from judge.batch.environment import differences
-from judge.batch.model import Environment, KeptRow, Submission
+from judge.batch.model import KeptRow, Submission
 from judge.batch.store import RESULTS, ResultStore
 from judge.cache import digest
 from judge.errors import StoreError, UsageError
@@ -49,7 +47,7 @@ class Shard(Struct, frozen=True):
         return place.with_name(f"{place.stem}.{self.number}-of-{self.count}{place.suffix}")
 
 
-def merged(store: ResultStore, parts: Sequence[Path]) -> list[str]:
+def merged(store: ResultStore, parts: Sequence[Path]) -> str:
     """Take the rows of other files over; what is to be said of them.
 
     Raises:
@@ -61,7 +59,7 @@ def merged(store: ResultStore, parts: Sequence[Path]) -> list[str]:
     found = sorted((row for path in parts for row in _rows_of(path)), key=lambda row: row.at)
     rows = {row.key: row for row in found}.values()
     store.keep_all(rows)
-    return [f"{len(rows)} rows merged from {counted(len(parts), 'file')}", *_apart(rows)]
+    return f"{len(rows)} rows merged from {counted(len(parts), 'file')}"
 
 
 def _rows_of(path: Path) -> list[KeptRow]:
@@ -72,17 +70,3 @@ def _rows_of(path: Path) -> list[KeptRow]:
         if fault.remedy in (None, RESULTS.elsewhere):
             fault.remedy = "name the files that 'judge class --shard' wrote"
         raise
-
-
-def _apart(rows: Iterable[KeptRow]) -> list[str]:
-    """In what the environments of these rows differ; the data of two problems always do."""
-    first: dict[str, Environment] = {}
-    apart = Counter[str]()
-    for row in sorted(rows, key=lambda row: (row.problem, row.at)):
-        if row.standard is not None:
-            apart[differences(first.setdefault(row.problem, row.standard), row.standard)] += 1
-    return [
-        f"the rows were not judged alike: {parts} in {count} of them"
-        for parts, count in apart.items()
-        if parts
-    ]

@@ -1,7 +1,7 @@
 """What a worker does, on this machine or another: judge one task, and say where that was.
 
-`judge_task` and `learn_task` are module functions, known by their names in every process. What a problem
-needs stays warm from one task to the next, for a few problems.
+`judge_task` is a module's function, known by its name in every process. What a problem needs stays warm from
+one task to the next, for a few problems.
 """
 
 from __future__ import annotations
@@ -15,10 +15,12 @@ from pathlib import Path
 
 from msgspec.structs import replace
 
-from judge.batch.environment import differences, environment_of
-from judge.batch.model import Task, WorkerResult
+from judge.batch.model import Environment, Task, WorkerResult
 from judge.errors import ProblemError, UsageError
+from judge.judging.options import RunOptions
 from judge.judging.session import Session
+from judge.languages import file_name
+from judge.problem import Problem
 from judge.problem.find import find_problem
 from judge.run.result import judge_fault
 from judge.run.settings import check_needs
@@ -45,15 +47,16 @@ def judge_task(task: Task) -> WorkerResult:
     return WorkerResult(result.as_json(), machine, f"{machine}:{os.getpid()}", seconds)
 
 
-def learn_task(task: Task) -> str:
-    """Build the problem's data and find what its known mistakes answer, and keep both; the task's source is
-    not judged. Why that cannot be done, or nothing. Raises as `judge_task`.
+def level_here(problem: Problem, options: RunOptions) -> tuple[str, tuple[str, ...]]:
+    """The level of isolation that submissions get here, and what is to be said of it.
+
+    Raises:
+        UsageError: the one that is demanded cannot be had.
+        JudgeError: none can.
     """
-    try:
-        _session(task).learn()
-    except ProblemError as fault:
-        return str(fault)
-    return ""
+    with Session(problem, options) as session, session.take(b"", file_name("empty")) as box:
+        box.inspect()
+        return box.isolation, session.notes(box.isolation)
 
 
 def release() -> None:
@@ -78,7 +81,7 @@ def _session(task: Task) -> Session:
 def _opened(task: Task) -> Session:
     problem = find_problem(task.problem, list(map(Path, task.folders)))
     options, isolation = task.options, task.environment.isolation
-    if parts := differences(task.environment, environment_of(problem, options, isolation)):
+    if parts := Environment.here(problem, options, isolation).changes(task.environment):
         raise UsageError(
             f"what judges here differs from what was asked for: {parts}",
             where=f"{task.problem} on {os.uname().nodename}",

@@ -64,11 +64,6 @@ def load_data(
     return data
 
 
-def is_kept(problem: Problem, seed: int | None) -> bool:
-    """Whether the data are in the cache."""
-    return DISK.read(*kept_place("data", problem, seed), dict[str, Any]) is not None
-
-
 def kept_place(folder: str, problem: Problem, seed: int | None) -> tuple[str, str]:
     """The name in that folder of the store of what is kept for this problem, in this place, for a seed.
 

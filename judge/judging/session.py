@@ -122,15 +122,6 @@ class Session(AbstractContextManager["Session"]):
             with suppress(*_SHORT):
                 self.reference.warm_up()
 
-    def learn(self) -> None:
-        """`prepare`, and find what the known mistakes answer, which is kept; a fault in that is told when it
-        is needed.
-        """
-        self.prepare()
-        if self.options.named:
-            with suppress(Exception):
-                self._mistakes("").learn()
-
     @cached_property
     def data(self) -> ProblemData:
         """The cases and what their answers are held against; read or built when first asked for.

@@ -98,11 +98,6 @@ def _first(each: GroupData) -> GroupData:
     return GroupData(group, each.cases[:CASES], each.targets[:CASES])
 
 
-def is_kept(problem: Problem, seed: int | None) -> bool:
-    """Whether anything is kept of what the known mistakes answer."""
-    return DISK.read(*_place(problem, seed), _FORM) is not None
-
-
 def _place(problem: Problem, seed: int | None) -> tuple[str, str]:
     """Its name in the store, and the key of all that the behaviours depend on beside the programs."""
     name, key = kept_place("mistakes", problem, seed)

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 from msgspec import Struct
@@ -35,6 +36,11 @@ class Test(Struct, frozen=True):
     answer: bytes
     accepted: list[Any]
 
+    @property
+    def key(self) -> str:
+        """By which a validator knows the input: its SHA-256."""
+        return hashlib.sha256(self.input).hexdigest()
+
 
 def tests_in(data: ProblemData, large: list[str]) -> Iterator[Test]:
     """The groups as they are judged, the examples first. Raises NotExportable, ProblemError.
@@ -53,13 +59,13 @@ def tests_in(data: ProblemData, large: list[str]) -> Iterator[Test]:
             yield Test(group, folder, stem, given, answers, _accepted(data, group))
 
 
-def _parts(data: ProblemData, whole: GroupData) -> Iterator[tuple[str, GroupData]]:
+def _parts(data: ProblemData, whole: GroupData) -> Iterable[tuple[str, GroupData]]:
     """The group, or each of its cases where each is a run of its own; with what its name ends in."""
     if not data.problem.formatted:
-        yield "", whole
-        return
-    for suffix, case, target in zip(_suffixes(len(whole.cases)), whole.cases, whole.targets, strict=True):
-        yield suffix, replace(whole, cases=[case], targets=[target])
+        return [("", whole)]
+    each = zip(whole.cases, whole.targets, strict=True)
+    parts = (replace(whole, cases=[case], targets=[target]) for case, target in each)
+    return zip(_suffixes(len(whole.cases)), parts, strict=True)
 
 
 def _suffixes(count: int) -> list[str]:
@@ -94,8 +100,9 @@ def file_names(problem: Problem) -> list[str]:
     own = problem.formatted and not problem.talks
     names = []
     for group in problem.groups:
-        stems = [f"{group.name}{suffix}" for suffix in (_suffixes(group.count) if own else ("",))]
-        names += [*(f"{stem}{ending}" for stem in stems for ending in (".in", ".ans")), f"{group.name}.json"]
+        for suffix in _suffixes(group.count) if own else [""]:
+            names += [f"{group.name}{suffix}.in", f"{group.name}{suffix}.ans"]
+        names.append(f"{group.name}.json")
     return names
 
 
@@ -106,13 +113,10 @@ def group_files(data: ProblemData, group: GroupData) -> dict[str, bytes]:
     """
     name, problem = group.group.name, data.problem
     files = {f"{name}.json": _document(data, group).encode()}
-    if problem.talks:
-        return files | {
-            f"{name}.in": render_group(problem, group.cases),
-            f"{name}.ans": _answers(data, group),
-        }
-    for suffix, part in _parts(data, group):
-        files[f"{name}{suffix}.in"], files[f"{name}{suffix}.ans"] = _both(data, part)
+    for suffix, part in [("", group)] if problem.talks else _parts(data, group):
+        given, answers = _both(data, part)
+        answers = _answers(data, part) if problem.talks else answers
+        files |= {f"{name}{suffix}.in": given, f"{name}{suffix}.ans": answers}
     return files
 
 

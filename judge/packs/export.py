@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from msgspec import Struct
@@ -13,7 +13,7 @@ from judge.packs.cases import Test, tests_in
 from judge.packs.driver import why_not_alone
 from judge.packs.metadata import UNKNOWN, Version, license_of, short_name, uuid_of
 from judge.packs.package import Contents, zipped
-from judge.packs.programs import SURELY, Excluded, Exporter, Included, Programs
+from judge.packs.programs import SURELY, Excluded, Exporter, Included, Programs, Progress
 from judge.packs.schemas import NotExportable, check_forms, is_judged, whole_output
 from judge.packs.statement import latex
 from judge.packs.write import check_place, write_archive, write_folder
@@ -21,8 +21,6 @@ from judge.problem import Problem, Verdict
 from judge.problem.declare import __all__ as declared
 from judge.published import Published
 from judge.sandbox.boundary import BoxFactory
-
-Progress = Callable[[str, int, int], None]
 
 
 class ExportOptions(Struct, frozen=True):
@@ -36,10 +34,6 @@ class ExportOptions(Struct, frozen=True):
     def folder(self, problem: Problem, version: Version) -> Path:
         """Where a problem's package goes."""
         return self.out / version.value / short_name(problem.id)
-
-    def archive(self, problem: Problem, version: Version) -> Path:
-        """Where its archive goes, if one is wanted."""
-        return self.folder(problem, version).with_suffix(".kpp")
 
     def domjudge(self, problem: Problem) -> Path:
         """Where the archive for DOMjudge goes, if one is wanted."""
@@ -85,9 +79,10 @@ def check_options(problems: Sequence[Problem], options: ExportOptions) -> None:
 def _check_places(problem: Problem, options: ExportOptions) -> None:
     """Raises UsageError where something else is where a package is to be written."""
     for version in options.versions:
-        check_place(options.folder(problem, version), uuid_of(problem.id, version))
+        folder, uuid = options.folder(problem, version), uuid_of(problem.id, version)
+        check_place(folder, uuid)
         if options.archives:
-            check_place(options.archive(problem, version), uuid_of(problem.id, version))
+            check_place(folder.with_suffix(".kpp"), uuid)
     if options.archives:
         check_place(options.domjudge(problem), uuid_of(problem.id, Version.LEGACY))
 
@@ -124,7 +119,7 @@ def _written(contents: Contents, version: Version, options: ExportOptions) -> Pa
     folder, files, archive = options.folder(contents.problem, version), contents.files(version), None
     write_folder(folder, files)
     if options.archives:
-        archive = options.archive(contents.problem, version)
+        archive = folder.with_suffix(".kpp")
         write_archive(archive, zipped(files, folder.name))
     return Package(version, folder, archive, len(files), sum(map(len, files.values())))
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 import io
 import json
 import zipfile
@@ -50,9 +49,12 @@ class Contents(Struct, frozen=True):
             "input_validators/validate.py": self._input_validator(),
             f"{validator}/validate.py": (_VALIDATORS / decides).read_bytes(),
             f"{validator}/accepted.json": self._accepted(),
-            **self._brought(f"{validator}/validate"),
             **{f"submissions/{file}": source for file, source in self.programs.sources.items()},
         }
+        if self.brought:  # and what it imports; of several files the tools start the first one by name
+            declared = (_VALIDATORS / "declare.py").read_bytes()
+            found |= {f"{validator}/validate_declare.py": declared}
+            found |= {f"{validator}/validate_problem.py": self.brought}
         for test in self.tests:
             place, about = f"data/{test.folder}/{test.stem}", test.group.group.about
             if version is not Version.LEGACY:
@@ -77,18 +79,11 @@ class Contents(Struct, frozen=True):
             "output_validators/exact/run": _RUN,
         }
 
-    def _brought(self, stem: str) -> Files:
-        """The problem.py, and what it imports; of several files the tools start the first one by name."""
-        if not self.brought:
-            return {}
-        declared = (_VALIDATORS / "declare.py").read_bytes()
-        return {f"{stem}_declare.py": declared, f"{stem}_problem.py": self.brought}
-
     def _input_validator(self) -> bytes:
         source = (_VALIDATORS / "input_validator.py").read_text(encoding="utf-8")
         assert source.count(_NO_PARAMETERS) == source.count(_NO_INPUTS) == 1
         if self.problem.formatted and not self.problem.talks:
-            known = pformat([hashlib.sha256(test.input).hexdigest() for test in self.tests])
+            known = pformat([test.key for test in self.tests])
             return source.replace(_NO_INPUTS, f"INPUTS = {known}").encode()
         forms = [form_of(parameter.type, parameter) for parameter in self.problem.parameters]
         table = pformat(forms, width=100, compact=True)
@@ -99,12 +94,12 @@ class Contents(Struct, frozen=True):
         told: dict[str, Any] = {"problem": self.problem.id}
         if not self.problem.talks:
             told["answer"] = form_of(self.problem.answer)
-        head = json.dumps(told | ({"whole": how} if (how := whole_output(self.problem)) else {}))
-        rows = []
-        for test in self.tests:
-            key = hashlib.sha256(test.input).hexdigest()
-            rows.append(f'"{key}": {json.dumps(test.accepted, separators=(",", ":"))}')
-        return f'{head[:-1]}, "files": {{\n{f",{chr(10)}".join(rows)}\n}}}}\n'.encode()
+        if how := whole_output(self.problem):
+            told["whole"] = how
+        rows = ",\n".join(
+            f'"{test.key}": {json.dumps(test.accepted, separators=(",", ":"))}' for test in self.tests
+        )
+        return f'{json.dumps(told)[:-1]}, "files": {{\n{rows}\n}}}}\n'.encode()
 
 
 def zipped(files: Files, within: str = "") -> bytes:

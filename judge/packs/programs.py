@@ -93,12 +93,9 @@ class Exporter:
     def __init__(
         self, data: ProblemData, tests: Sequence[Test], boxes: BoxFactory, progress: Progress
     ) -> None:
-        self._data = data
+        self._data, self._tests, self._boxes, self._progress = data, tests, boxes, progress
         self._problem: Problem = data.problem
-        self._tests = tests
-        self._boxes = boxes
         self._runner = (FormatRunner if data.problem.formatted else ProgramRunner)(data.problem)
-        self._progress = progress
         self._excluded: list[Excluded] = []
 
     def programs(self, wrong: int | None = None) -> Programs:
@@ -144,21 +141,21 @@ class Exporter:
             if maker.name and not maker.offered:
                 by_name.setdefault(maker.name, []).append(maker)
         for name, makers in by_name.items():
-            sources = [each.program.source for each in makers[:_TRIES]]
             candidates = [
-                self._candidate(f"{name}{SUFFIX}", SolutionKind.WRONG, name, each) for each in sources
+                self._candidate(f"{name}{SUFFIX}", SolutionKind.WRONG, name, each.program.source)
+                for each in makers[:_TRIES]
             ]
-            if usable := [each for each in candidates if each is not None]:
+            if usable := [each for each in candidates if each]:
                 yield usable
 
     def _candidate(self, name: str, kind: SolutionKind, file: str, source: bytes) -> _Candidate | None:
         """The program as a package has it; None where it cannot be one, which is noted."""
-        problem, rule = self._problem, self._problem.time
-        reads_input = kind is SolutionKind.ACCEPTED and rule is not None and name == rule.program
+        problem = self._problem
+        reads_input = kind is SolutionKind.ACCEPTED and problem.time and name == problem.time.program
         try:
             text = source.decode()
             why = why_not_alone(text)
-            if defines(text, problem.entry) and not reads_input:
+            if not reads_input and defines(text, problem.entry):
                 if problem.formatted:
                     why = f"it defines {problem.entry} to be called, and reads no input"
                 else:
@@ -216,9 +213,8 @@ def _misfit(kind: SolutionKind, trial: _Trial, seconds: int) -> str:
     verdict = trial.verdict
     near = f"too near the package's time limit of {seconds} s: it takes {trial.seconds:.2f} s, and must take"
     if kind is SolutionKind.ACCEPTED:
-        where = trial.test or "every file"
-        no_longer = f"as a program it is no longer accepted: {verdict.value} on {where}"
-        return "" if verdict is Verdict.AC else no_longer
+        where = f"{verdict.value} on {trial.test or 'every file'}"
+        return "" if verdict is Verdict.AC else f"as a program it is no longer accepted: {where}"
     if verdict is Verdict.AC:
         return "as a program it is accepted" if kind is SolutionKind.WRONG else f"{near} {SURELY * seconds} s"
     if verdict not in FOLDERS:

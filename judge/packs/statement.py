@@ -5,7 +5,8 @@ from __future__ import annotations
 import re
 from typing import Any
 
-from judge.problem import Parameter, Problem
+from judge.problem import Problem
+from judge.run.program import form_of_line
 from judge.values.letters import texts_of
 from judge.values.reading import meant
 
@@ -20,6 +21,7 @@ _PLAIN = {
     '"': r"\textquotedbl{}",
     **{sign: f"\\{sign}" for sign in "#$%&_{}"},
 }
+_GREEK = ["Delta", "alpha", "beta", "gamma", "delta", "theta", "lambda", "pi", "rho", "sigma", "tau", "omega"]
 # The field's own signs, in text and in a listing, where LaTeX obeys nothing.
 _MATHS = {
     "≤": (r"\le", "<="),
@@ -38,20 +40,9 @@ _MATHS = {
     "½": (r"\frac12", "1/2"),
     "∈": (r"\in", "in"),
     "⟂": (r"\perp", "_|_"),
-    "Δ": (r"\Delta", "Delta"),
-    "α": (r"\alpha", "alpha"),
-    "β": (r"\beta", "beta"),
-    "γ": (r"\gamma", "gamma"),
-    "δ": (r"\delta", "delta"),
     "ε": (r"\varepsilon", "epsilon"),
-    "θ": (r"\theta", "theta"),
-    "λ": (r"\lambda", "lambda"),
-    "π": (r"\pi", "pi"),
-    "ρ": (r"\rho", "rho"),
-    "σ": (r"\sigma", "sigma"),
-    "τ": (r"\tau", "tau"),
     "φ": (r"\varphi", "phi"),
-    "ω": (r"\omega", "omega"),
+    **{sign: (f"\\{name}", name) for sign, name in zip("Δαβγδθλπρστω", _GREEK, strict=True)},
     **{
         sign: (f"^{{{power}}}", f"^{power}") for sign, power in zip("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-", strict=True)
     },
@@ -86,22 +77,13 @@ def _as_a_program(problem: Problem) -> str:
     whole = "A submission is a whole program here, and not a function. It reads"
     if problem.formatted:
         return f"\\emph{{{whole} one case, and prints its answer.}}\n"
-    row = " ".join(_words(parameter) for parameter in problem.parameters)
     quoted = " A text that is empty, has a blank, begins with a quotation mark or is none is a JSON string."
     return (
         f"\\emph{{{whole} the number of cases and then a line for each of them:"
-        f" \\texttt{{{escaped(row)}}}. It prints the answers in the same"
+        f" \\texttt{{{escaped(form_of_line(problem))}}}. It prints the answers in the same"
         f" order, one on a line: \\texttt{{{escaped(meant(problem.answer))}}}."
         f"{quoted * any(texts_of(each.type) for each in problem.parameters)}}}\n"
     )
-
-
-def _words(parameter: Parameter) -> str:
-    """What stands on a line for a parameter: `r`, `ax ay`, `points …`."""
-    names = getattr(parameter.type, "names", ())
-    if parameter.type.width == len(names) and all(map(str.isidentifier, names)):
-        return " ".join(f"{parameter.name.lower()}{name}" for name in names)
-    return parameter.name if parameter.type.width == 1 else f"{parameter.name} …"
 
 
 def _renderer() -> Any:

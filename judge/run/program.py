@@ -14,7 +14,7 @@ from typing import Any, ClassVar
 from msgspec.structs import replace
 
 from judge.problem import Case, Problem, Verdict
-from judge.problem.model import Mode, Parameter, case_of
+from judge.problem.model import Mode, case_of
 from judge.run.result import NOTHING, Behaviour, Failure
 from judge.run.runner import OWN_ENDS, VERDICTS, Breakdown, Replies, Runner
 from judge.sandbox.boundary import Box, Limits, ProgramResult, Reply, Stop
@@ -22,7 +22,6 @@ from judge.values import check, outline, parameters, reading, show
 from judge.values.answers import Target
 from judge.values.check import ExactOf, Outcome
 from judge.values.outline import UNREADABLE, Outline
-from judge.values.types import is_pair
 from judge.values.wire import Raw, cut
 
 SHOWN = 80  # characters of a line that is quoted
@@ -68,7 +67,7 @@ class ProgramRunner(Runner, frozen=True):
         notes = [failure.message]
         if failure.input is not None and _CHOKED.match(failure.message):
             _, row = render_group(self.problem, [case_of(failure.input)]).decode("ascii").splitlines()
-            form = " ".join(_words(parameter) for parameter in self.problem.parameters)
+            form = form_of_line(self.problem)
             given = f"its input is a line with the number of cases, then one line each: {form}"
             notes.append(f"{given}, here {cut(row, SHOWN)}")
         notes.append(wrong_form(does, self.source))
@@ -96,11 +95,16 @@ def render_group(problem: Problem, cases: Sequence[Case]) -> bytes:
     return ("\n".join(lines) + "\n").encode("ascii")
 
 
-def _words(parameter: Parameter) -> str:
-    """What stands on a line for a parameter: `r`, `ax ay`."""
-    if is_pair(parameter.type):
-        return f"{parameter.name.lower()}x {parameter.name.lower()}y"
-    return parameter.name if parameter.type.width == 1 else f"{parameter.name} …"
+def form_of_line(problem: Problem) -> str:
+    """What stands on a line for a case: `r`, `ax ay`, `points …` for each parameter."""
+    words = []
+    for each in problem.parameters:
+        names = getattr(each.type, "names", ())
+        if each.type.width == len(names) and all(map(str.isidentifier, names)):
+            words += [f"{each.name.lower()}{name}" for name in names]
+        else:
+            words.append(each.name if each.type.width == 1 else f"{each.name} …")
+    return " ".join(words)
 
 
 def text_of(stdout: bytes) -> str:

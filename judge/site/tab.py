@@ -11,10 +11,11 @@ from __future__ import annotations
 import json
 import os
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from contextlib import AbstractContextManager, nullcontext, suppress
 from functools import partial
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any, Protocol, TypeVar
 
 import msgspec
@@ -79,56 +80,39 @@ class Tab:
 
     def __init__(self, page: Listener, folder: str = "/katas") -> None:
         self._page, self._folder = page, Path(folder)
-        self._katas: dict[str, _Kata] = {}
+        self._katas: dict[str, Session] = {}
 
     def open(self, kata: str) -> None:
-        """Read a kata, and import what judging needs. Raises JudgeError."""
-        self._katas[kata] = opened = _Kata(self._folder / kata, kata, self._page)
-        opened.warm_up()
+        """Read a kata, and judge something, which imports all that judging takes. Raises JudgeError."""
+        place = self._folder / kata
+        problem = load_problem(place / "problems" / kata)
+        boxes = partial(TabBox, memory=self._page.memory, alive=self._page.alive)
+        self._katas[kata] = session = Session(
+            problem, RunOptions(timed=False), boxes=boxes, bars=self._bar, store=Shipped(place)
+        )
+        source = f"def {problem.entry}(*_): pass".encode() if problem.entry else b""
+        judge_submission(session.data, source, NAME, session.settings)
 
     def judge(self, kata: str, source: str) -> str:
         """Judge a program, as JSON: `judge.report.tell.Told`, and what the page does with it besides."""
-        return self._katas[kata].judge(source.encode("utf-8", "surrogatepass"))
+        session, text = self._katas[kata], source.encode("utf-8", "surrogatepass")
+        result = session.judge(text, NAME, lambda first: self._page.told(_told(session, first, text)))
+        return _told(session, result, text, _drawn(session.problem, session.data, result))
 
     def result(self, kata: str, source: bytes) -> Result:
         """The whole result."""
-        return self._katas[kata].result(source)
-
-
-class _Kata:
-    def __init__(self, folder: Path, name: str, page: Listener) -> None:
-        boxes = partial(TabBox, memory=page.memory, alive=page.alive)
-        problem = load_problem(folder / "problems" / name)
-        self._page = page
-        self._session = Session(
-            problem, RunOptions(timed=False), boxes=boxes, bars=self._bar, store=Shipped(folder)
-        )
+        return self._katas[kata].judge(source, NAME)
 
     def _bar(self, label: str) -> AbstractContextManager[Progress | None]:
         return nullcontext(self._page.progress if label == NAME else None)
 
-    def warm_up(self) -> None:
-        """Judge something, which imports all that it takes. Raises JudgeError."""
-        session = self._session
-        entry = session.problem.entry
-        source = f"def {entry}(*_): pass".encode() if entry else b""
-        judge_submission(session.data, source, NAME, session.settings)
 
-    def judge(self, source: bytes) -> str:
-        """See `Tab.judge`."""
-        result = self.result(source, lambda first: self._page.told(self._told(first, source)))
-        drawn = _drawn(self._session.problem, self._session.data, result)
-        return self._told(result, source, drawn)
-
-    def result(self, source: bytes, first: Callable[[Result], None] | None = None) -> Result:
-        """See `Tab.result`."""
-        return self._session.judge(source, NAME, first)
-
-    def _told(self, result: Result, source: bytes, drawn: Mapping[str, Any] | None = None) -> str:
-        drawn = drawn or {}
-        told = tell(self._session.problem, result, source, drawn.get("why", ""))
-        line = result.hurdle.line if result.hurdle else 0
-        return json.dumps({**msgspec.to_builtins(told), "solved": result.solved, "line": line, **drawn})
+def _told(
+    session: Session, result: Result, source: bytes, drawn: Mapping[str, Any] = MappingProxyType({})
+) -> str:
+    told = tell(session.problem, result, source, drawn.get("why", ""))
+    line = result.hurdle.line if result.hurdle else 0
+    return json.dumps({**msgspec.to_builtins(told), "solved": result.solved, "line": line, **drawn})
 
 
 def _drawn(problem: Problem, data: ProblemData, result: Result) -> Mapping[str, Any]:

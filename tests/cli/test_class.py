@@ -14,7 +14,7 @@ import pytest
 from cli_support import FLOOR, MEAN
 from msgspec.structs import replace
 
-from judge.batch import environment
+from judge.batch import model
 from judge.batch.store import ResultStore
 from judge.errors import StoreError
 from judge.manual import page
@@ -110,7 +110,7 @@ def test_only_what_is_new_is_judged(judge, homework, submit, monkeypatch):
     after = {row.file: row.at for row in stored()}
     assert [file for file in before if before[file] != after[file]] == ["ada/middle.py"]
     with monkeypatch.context() as other:
-        other.setattr(environment, "code_key", lambda: "else")
+        other.setattr(model, "code_key", lambda: "else")
         told = judge("class", "homework").err
     assert told.count("\n") == 2
     assert "4 judged anew, because of the judge (" in told

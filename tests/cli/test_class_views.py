@@ -92,7 +92,6 @@ def test_the_page_again_costs_nothing(judge, homework, monkeypatch):
     took, taken = Session.take, []
     monkeypatch.setattr(Session, "take", lambda *given: taken.append(given[1]) or took(*given))
     monkeypatch.setattr(Session, "judge", None)
-    monkeypatch.setattr(Session, "learn", None)
     days_later(monkeypatch)
     again = judge("class", homework, "--html", page)
     assert (again.status, again.err) == (1, "judge: 4 results kept from before\n")

@@ -22,7 +22,7 @@ from typing import Any
 
 from msgspec.structs import replace
 
-from judge.batch.normalize import normal_form
+from judge.batch.duplicates import normal_form
 from judge.batch.roster import read_students
 from judge.data.parse import read_case
 from judge.errors import JudgeError

@@ -11,9 +11,8 @@ from msgspec.structs import replace
 
 import judge
 from judge.batch import work
-from judge.batch.environment import environment_of, level_here
-from judge.batch.model import Task
-from judge.batch.work import judge_task, learn_task
+from judge.batch.model import Environment, Task
+from judge.batch.work import judge_task, level_here
 from judge.errors import UsageError
 from judge.judging.options import RunOptions
 from judge.problem.find import find_problem
@@ -35,7 +34,7 @@ def _own_cache(tmp_path_factory):
 def task():
     problem = find_problem("middle", [PACK])
     level, _ = level_here(problem, TERMS)
-    environment = environment_of(problem, TERMS, level)
+    environment = Environment.here(problem, TERMS, level)
     return Task("middle", "ada/middle.py", FLOOR, TERMS, environment, (str(PACK),))
 
 
@@ -47,7 +46,6 @@ def without_times(plain):
 
 @pytest.mark.slow
 def test_a_task_is_judged_as_judge_run_does(task):
-    assert learn_task(task) == ""
     done = judge_task(task)
     plain = judge.judge(
         "middle", FLOOR, name="ada/middle.py", folders=[PACK], options=judge.RunOptions(diagnosed=False)
@@ -77,4 +75,3 @@ def test_a_broken_problem_costs_its_own_tasks_alone(task, tmp_path):
     result = judge_task(broken).result
     assert result["verdict"] == "JE"
     assert "problem.toml" in result["failure"]["message"]
-    assert "problem.toml" in learn_task(broken)

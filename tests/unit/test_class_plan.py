@@ -13,9 +13,7 @@ from judge.judging.options import RunOptions
 from judge.run.result import judge_fault
 
 ENVIRONMENT = Environment("1", "2", "3", "full", "5")
-CONTEXT = Context(
-    {}, {"p": ENVIRONMENT, "q": ENVIRONMENT}, {"broken": "problem.toml: misspelt"}, RunOptions()
-)
+CONTEXT = Context({"p": ENVIRONMENT, "q": ENVIRONMENT}, {"broken": "problem.toml: misspelt"}, RunOptions())
 ADA, BOB = Submission("ada", "p", "ada/p.py", b"one"), Submission("bob", "p", "bob/p.py", b"one")
 CY, OTHER = Submission("cy", "p", "cy/p.cpp", b"one"), Submission("ada", "q", "ada/q.py", b"one")
 

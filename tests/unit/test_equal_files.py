@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from judge.batch.duplicates import LEAST, equal_files
+from judge.batch.duplicates import LEAST, equal_files, normal_form
 from judge.batch.model import Submission
-from judge.batch.normalize import normal_form
 from judge.practice.stub import make_stub
 from judge.problem.find import find_problem
 

@@ -13,7 +13,7 @@ from classes import ROWS, STUDENTS, class_of, row, small_class
 from msgspec.structs import replace
 from past_runs import START, keep, past_result
 
-from judge.batch.samples import samples
+from judge.batch.cohort import samples
 from judge.practice.history import History
 from judge.problem.find import find_problem
 from judge.problem.model import Verdict

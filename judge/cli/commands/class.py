@@ -98,8 +98,8 @@ def judge_class(
     html = OutFile(ask.html, "--html", "a page of a class", partial(is_page, mark=CLASS_MARK))
     place = store_of(folder)
     with ResultStore.open(shard.beside(place) if shard else place) as store:
-        for said in merged(store, parts) if parts else ():
-            note(said)
+        if parts:
+            note(merged(store, parts))
         classroom = Classroom(folder, store, options, note)
         pages = _Pages(classroom, folder.resolve().name or "class", ask.anonymous, ask.feedback)
         try:

@@ -77,21 +77,19 @@ class Tokens:
             line = line[:-1]
         if FOREIGN.search(line):
             raise Wrong("the output is not plain ASCII text")
-        self.words = TOKEN.findall(line)  # type: List[str]
-        self.at = 0
+        self.words = TOKEN.findall(line)[::-1]  # type: List[str]  # the next one is the last
         if not self.words:
             raise Wrong("an empty line where an answer is expected")
 
     def ahead(self) -> str:
         """The next token, which stays; empty at the end."""
-        return self.words[self.at] if self.at < len(self.words) else ""
+        return self.words[-1] if self.words else ""
 
     def take(self) -> str:
         """The next token."""
-        if self.at == len(self.words):
+        if not self.words:
             raise Wrong("the line ends too early")
-        self.at += 1
-        return self.words[self.at - 1]
+        return self.words.pop()
 
     def integer(self) -> int:
         """The next token as a plain integer."""
@@ -158,18 +156,13 @@ def taken(kind: Any, tokens: Tokens) -> Any:
         if tokens.ahead().lower() in ("none", "null") and kind[1][0] != "text":
             raise Wrong("write none in lower case")
         return taken(kind[1], tokens)
-    if name == "list":
-        return items(kind, tokens)
-    if name == "dict":
-        return keyed(items, kind, tokens)
-    raise ValueError("an unknown type %r" % name)
+    return items(kind, tokens) if name == "list" else keyed(items, kind, tokens)
 
 
 def items(kind: Any, tokens: Tokens) -> List[Any]:
     """The length of a list, and so many items."""
     low, high = kind[2:]
-    count = tokens.integer()
-    left = len(tokens.words) - tokens.at
+    count, left = tokens.integer(), len(tokens.words)
     if count < low or (high is not None and count > high) or count > left:
         raise Wrong("a list of %s items, with %d tokens left" % (str(count)[:20], left))
     return [taken(kind[1], tokens) for _ in range(count)]
@@ -262,10 +255,9 @@ def tupled(value: Any) -> Any:
 def held(kind: Any, value: Any, wanted: Any, where: str) -> None:
     """Raises Wrong unless the value is what is wanted."""
     if isinstance(wanted, dict) and "any" in wanted:
-        for each in wanted["any"]:
-            if fits(kind, value, each):
-                return
-        raise Wrong("%s is none of the right ones" % where)
+        if not any(fits(kind, value, each) for each in wanted["any"]):
+            raise Wrong("%s is none of the right ones" % where)
+        return
     if isinstance(wanted, dict):
         why = why_not(value, wanted) if bounded(kind, value) else "out of bounds"
         if why is not None:
@@ -273,25 +265,21 @@ def held(kind: Any, value: Any, wanted: Any, where: str) -> None:
         return
     name = kind[0]
     if name == "optional":
-        if value is None or wanted is None:
-            if value is not wanted:
-                why = "none given, but there is one" if value is None else "none wanted"
-                raise Wrong("%s: %s" % (where, why))
-            return
-        held(kind[1], value, wanted, where)
+        if (value is None) != (wanted is None):
+            why = "none given, but there is one" if value is None else "none wanted"
+            raise Wrong("%s: %s" % (where, why))
+        if value is not None:
+            held(kind[1], value, wanted, where)
     elif name == "real":
-        low, high = (wanted[:2], wanted[2:4]) if len(wanted) == 6 else ((wanted[0], 0), (wanted[1], 0))
-        r, s = wanted[-2] if len(wanted) == 6 else 0, wanted[-1]
-        if order(low[0], low[1], r, s, value) > 0 or order(high[0], high[1], r, s, value) < 0:
+        a, b, c, d, r, s = wanted if len(wanted) == 6 else (wanted[0], 0, wanted[1], 0, 0, wanted[2])
+        if order(a, b, r, s, value) > 0 or order(c, d, r, s, value) < 0:
             raise Wrong("%s is off" % where)
-    elif name == "tuple":
-        for at, part in enumerate(kind[1]):
-            held(part, value[at], wanted[at], "part %d of %s" % (at + 1, where))
-    elif name == "list":
-        if len(value) != len(wanted):
+    elif name in ("tuple", "list"):
+        if len(value) != len(wanted):  # of a list
             raise Wrong("%s has %d items, %d wanted" % (where, len(value), len(wanted)))
-        for at, each in enumerate(wanted):
-            held(kind[1], value[at], each, "item %d of %s" % (at + 1, where))
+        what = "part" if name == "tuple" else "item"
+        for at, (own, each) in enumerate(zip(pairs(kind, value), wanted), 1):
+            held(own[0], own[1], each, "%s %d of %s" % (what, at, where))
     elif name == "dict":
         own = dict(wanted)
         for key in sorted({*own, *value}):
@@ -334,14 +322,6 @@ def text_of(output: bytes) -> str:
     return output.decode("utf-8", "backslashreplace").replace("\r\n", "\n")
 
 
-def lines_of(output: bytes) -> List[str]:
-    """The lines of an output, without blank ones at its end."""
-    lines = text_of(output).split("\n")
-    while lines and not lines[-1].strip(" \t"):
-        lines.pop()
-    return lines
-
-
 def decide_whole(kind: Any, wanted: Any, output: bytes, how: str) -> None:
     """Raises Wrong unless an output is right, all of it one answer."""
     if how == "tokens":
@@ -358,8 +338,10 @@ def decide_whole(kind: Any, wanted: Any, output: bytes, how: str) -> None:
 
 
 def decide(kind: Any, wanted: Any, output: bytes) -> None:
-    """Raises Wrong unless an output is right: a line for each case."""
-    lines = lines_of(output)
+    """Raises Wrong unless an output is right: a line for each case, and blank ones at its end."""
+    lines = text_of(output).split("\n")
+    while lines and not lines[-1].strip(" \t"):
+        lines.pop()
     for case, target in enumerate(wanted):
         if case >= len(lines):
             raise Wrong("the output ends after %d of %d lines" % (len(lines), len(wanted)))
