@@ -24,18 +24,8 @@ from typing import TYPE_CHECKING, TypeVar
 
 from judge.errors import StoreError, UsageError
 from judge.files import LARGEST, read_ordinary, user_data
-from judge.practice.events import (
-    DAMAGE,
-    TABLES,
-    Event,
-    Help,
-    Kind,
-    Run,
-    Started,
-    from_row,
-    to_row,
-    unpacked,
-)
+from judge.practice import events
+from judge.practice.events import DAMAGE, TABLES, Event, Help, Kind, Run, Started
 from judge.problem import Verdict
 from judge.problem.model import is_solution
 
@@ -136,7 +126,7 @@ class History:
 
     def keep(self, event: Event, source: bytes = b"") -> int:
         """Keep an event, and the source that a run judged, in one transaction; its number, from 1."""
-        row = to_row(event)
+        row = events.to_row(event)
         names, marks = ", ".join(row), ", ".join("?" * len(row))
 
         def kept(connection: sqlite3.Connection) -> int:
@@ -178,7 +168,7 @@ class History:
             known = f"the last one is {last[0].id}; see 'judge history'" if last else known
             raise UsageError(f"there is no run {number}", remedy=known)
         try:
-            return from_row(Run, dict(rows[0]))
+            return events.from_row(Run, dict(rows[0]))
         except DAMAGE as fault:  # no judge wrote this
             raise StoreError(f"run {number} is damaged", where=str(self.path)) from fault
 
@@ -187,7 +177,7 @@ class History:
         digest = self.run(number).source_hash
         try:
             ((body,),) = self._rows("SELECT body FROM sources WHERE hash = ?", digest)
-            return unpacked(body, LARGEST)
+            return events.unpacked(body, LARGEST)
         except DAMAGE as fault:  # it is not there, or no judge wrote it
             raise StoreError(f"the source of run {number} is damaged", where=str(self.path)) from fault
 
@@ -205,7 +195,7 @@ class History:
         found = []
         for row in rows:
             try:
-                found.append(from_row(kind, dict(row)))
+                found.append(events.from_row(kind, dict(row)))
             except DAMAGE:
                 self.left_out.add((TABLES[kind], row["id"]))
         return found

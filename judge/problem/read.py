@@ -90,7 +90,7 @@ def read_problem(folder: Path, solutions: Path) -> Problem:
     for name, row in head.parameters.items():
         if isinstance(row, dict):
             row["name"] = name
-        parameters.append(_bounded(file.read(Parameter, hook, "parameters", name), row))
+        parameters.append(_as_its_type(file.read(Parameter, hook, "parameters", name), row, types))
     for what, remedy, *path in _faults(head, answer, parameters):
         raise file.fault(what, remedy, *path)
     parameters += [Parameter("calls", methods[0], "the calls, in their order")] if methods else []
@@ -100,7 +100,7 @@ def read_problem(folder: Path, solutions: Path) -> Problem:
         solutions=solutions,
         groups=(),
         answer=answer,
-        parameters=tuple([_lettered(each, types) for each in parameters]),
+        parameters=tuple(parameters),
         methods=methods is not None,
         **{key: getattr(head, key) for key in (*Titled.__struct_fields__, "limits", "time", "source")},
     )
@@ -145,9 +145,12 @@ def _methods(file: TomlFile, head: Head, types: Path) -> tuple[Type, Type]:
     return calls, returns
 
 
-def _bounded(parameter: Parameter, row: Mapping[str, Any]) -> Parameter:
-    """The parameter with the bounds of its type, where its `row` has none; ints are as small as they like."""
-    if not parameter.type.measured:
+def _as_its_type(parameter: Parameter, row: Mapping[str, Any], types: Path) -> Parameter:
+    """The parameter with its letters in its type, and with the bounds of that where its `row` has none."""
+    if texts_of(parameter.type):
+        letters = parameter.letters or USUAL
+        parameter = replace(parameter, type=parsed_type(parameter.type.text, types, letters=letters))
+    if not parameter.type.measured:  # ints are as small as they like
         parameter = replace(parameter, smallest=Fraction(0))
     numbers = [each for each in atoms(parameter.type) if isinstance(each, NumberType)]
     for key, widest in (("low", min), ("high", max)):
@@ -156,14 +159,6 @@ def _bounded(parameter: Parameter, row: Mapping[str, Any]) -> Parameter:
             usual = [getattr(parameter, key)] if len(own) < len(numbers) else []
             parameter = replace(parameter, **{key: Fraction(widest(own + usual))})
     return parameter
-
-
-def _lettered(parameter: Parameter, types: Path) -> Parameter:
-    """The parameter with its letters in its type."""
-    if not texts_of(parameter.type):
-        return parameter
-    letters = parameter.letters or USUAL
-    return replace(parameter, type=parsed_type(parameter.type.text, types, letters=letters))
 
 
 def _letter_faults(parameter: Parameter) -> Iterator[tuple[str, str]]:
