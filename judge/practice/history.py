@@ -41,40 +41,8 @@ if TYPE_CHECKING:
 
 VARIABLE = "JUDGE_DB"
 APPLICATION = 0x4A554447  # "JUDG": tells this file from any other program's database
-_ROW = "(id INTEGER PRIMARY KEY AUTOINCREMENT, time INTEGER NOT NULL"
-STEPS: tuple[tuple[str, ...], ...] = (
-    # A file at version n has had the first n steps. A step is never changed: a file that had it would not get
-    # the change. Times are microseconds since 1970 (UTC), names of files bytes as the system has them, groups
-    # names with a space between them; sources (by their sha256) and results are compressed by zlib.
-    (
-        "CREATE TABLE sources (hash TEXT PRIMARY KEY, body BLOB NOT NULL) WITHOUT ROWID",
-        f"""CREATE TABLE runs {_ROW}, problem TEXT NOT NULL, submission BLOB NOT NULL, path BLOB NOT NULL,
-            verdict TEXT NOT NULL, score INTEGER NOT NULL, mode TEXT NOT NULL, mistake TEXT, ratio REAL,
-            passed TEXT NOT NULL, failed TEXT NOT NULL, source TEXT NOT NULL REFERENCES sources,
-            result BLOB NOT NULL)""",
-        "CREATE INDEX runs_of_a_problem ON runs (problem, id)",
-    ),
-    (
-        "CREATE TABLE current (id INTEGER PRIMARY KEY, problem TEXT NOT NULL, path BLOB NOT NULL)",
-        f"CREATE TABLE help {_ROW}, problem TEXT NOT NULL, hints INTEGER NOT NULL)",
-        "CREATE INDEX help_with_a_problem ON help (problem, id)",
-    ),
-    ("ALTER TABLE current ADD COLUMN problems BLOB NOT NULL DEFAULT x''",),
-    (
-        f"""CREATE TABLE hacks {_ROW}, problem TEXT NOT NULL, mistake TEXT NOT NULL, line TEXT NOT NULL,
-            outcome TEXT NOT NULL)""",
-        "CREATE INDEX hacks_of_a_problem ON hacks (problem, id)",
-    ),
-    (
-        f"""CREATE TABLE answers {_ROW}, card TEXT NOT NULL, form TEXT NOT NULL, rating INTEGER NOT NULL,
-            judged INTEGER NOT NULL, given TEXT NOT NULL)""",
-    ),
-    (
-        f"CREATE TABLE started {_ROW}, problem TEXT NOT NULL, path BLOB NOT NULL, problems BLOB NOT NULL)",
-        "INSERT INTO started (time, problem, path, problems) SELECT 0, problem, path, problems FROM current",
-        "DROP TABLE current",
-    ),
-)
+_STEPS = Path(__file__).with_name("history.sql").read_text(encoding="utf-8").split("-- step\n")[1:]
+STEPS = tuple(tuple(filter(str.strip, step.split(";"))) for step in _STEPS)
 _PLACES = """
     SELECT max(id) AS id, max(time) AS time, problem, path, max(problems) AS problems FROM (
         SELECT id, time, problem, path, problems FROM started UNION ALL

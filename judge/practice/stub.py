@@ -114,7 +114,7 @@ def make_stub(problem: Problem, language: Language | None = None, name: str = ""
         return _program(problem, language, about)
     if language is not None:
         return _native(problem, language, about)
-    return _class(problem, about) if problem.methods else _function(problem, about)
+    return _class(problem, about) if problem.methods else _python(problem, about)
 
 
 def _said(command: str, what: str) -> Iterator[str]:
@@ -124,9 +124,9 @@ def _said(command: str, what: str) -> Iterator[str]:
 
 def _class(problem: Problem, about: Iterable[str]) -> str:
     """The text of a class that is still to be written."""
-    type_ = problem.parameters[-1].type
+    type_, width = problem.parameters[-1].type, _WIDTH - len(_INDENT)
     assert isinstance(type_, CallType)
-    lines = _task(problem, _WIDTH - len(_INDENT), _typed)
+    lines = [*_wrapped(problem.summary, width - len(_QUOTES)), *_contract(problem, width, _typed)]
     rows = [f"class {problem.entry}:", *textwrap.indent(_docstring(lines), _INDENT).splitlines()]
     own = tuple((each.name, each.type) for each in problem.parameters[:-1])
     for name, takes, answer in (("__init__", own, None), *type_.methods):
@@ -149,21 +149,22 @@ def _typed(problem: Problem, example: Example) -> list[str]:
 def _program(problem: Problem, language: Language | None, about: Iterable[str]) -> str:
     """The text of a program that is still to be written: its task, as a comment where it has no docstring."""
     width = _WIDTH if language is None else _WIDTH - len(language.comment) - 1
-    lines = [*about, "", *_task(problem, width, _doctest)]
+    lines = [*about, "", *_wrapped(problem.summary, width), *_contract(problem, width, _doctest)]
     if language is not None:
-        return "\n".join(_comments(language, lines)) + "\n"
+        return "\n".join(f"{language.comment} {line}".rstrip() for line in lines) + "\n"
     raised = f'raise NotImplementedError("{problem.id} is still to be written")'
     return f"{_docstring(lines)}\n\nimport sys\n\n{raised}\n"
 
 
-def _function(problem: Problem, about: Iterable[str]) -> str:
-    answer, signature = problem.answer, _signature(problem)
+def _python(problem: Problem, about: Iterable[str]) -> str:
+    answer, width = problem.answer, _WIDTH - len(_INDENT)
+    signature = _signature(problem)
     named = [answer, *(parameter.type for parameter in problem.parameters)]
     meanings = dict(meaning for type_ in named for meaning in _aliases(type_))
     types = [f"{name} = {meant}" for name, meant in sorted(meanings.items())]
     if re.search(r"\barray\b", signature):  # which takes no parameters at run time before Python 3.12
         types = ["from __future__ import annotations", "", "from array import array", "", *types]
-    lines = _task(problem, _WIDTH - len(_INDENT), _doctest)
+    lines = [*_wrapped(problem.summary, width - len(_QUOTES)), *_contract(problem, width, _doctest)]
     body = f'{_docstring(lines)}\nraise NotImplementedError("{problem.entry} is still to be written")'
     parts = ["\n".join([_docstring(about), "", *types]).rstrip()]
     parts.append(f"{signature}\n{textwrap.indent(body, _INDENT)}")
@@ -224,13 +225,12 @@ def _native(problem: Problem, language: Language, about: Iterable[str]) -> str:
         given = ", ".join(f"{each.name} = {literal}" for each, literal in literals)
         return [f"{_INDENT}{spec.entry}: {given}  gives  {_wanted(problem, example)!r}"]
 
-    lines = _task(problem, _WIDTH - len(indent + language.comment) - 1, told)
-    function = "\n".join([*_comments(language, lines, indent), indent + head + body])
-    return "\n\n".join([*filter(None, ("\n".join(_comments(language, about)), before)), function]) + "\n"
+    def comments(lines: Iterable[str], indent: str = "") -> list[str]:
+        return [f"{indent}{language.comment} {line}".rstrip() for line in lines]
 
-
-def _comments(language: Language, lines: Iterable[str], indent: str = "") -> list[str]:
-    return [f"{indent}{language.comment} {line}".rstrip() for line in lines]
+    lines = [problem.summary, *_contract(problem, _WIDTH - len(indent + language.comment) - 1, told)]
+    function = "\n".join([*comments(lines, indent), indent + head + body])
+    return "\n\n".join([*filter(None, ("\n".join(comments(about)), before)), function]) + "\n"
 
 
 def _aliases(type_: Type) -> Iterator[tuple[str, str]]:
@@ -284,13 +284,12 @@ def _literals(problem: Problem, example: Example) -> list[str]:
 # -- the statement without what the stub has or cannot use ---------------------------------------------------
 
 
-def _task(problem: Problem, width: int, prompt: Callable[[Problem, Example], list[str]]) -> Iterator[str]:
-    """The summary and the statement in lines of at most `width` columns where it is prose, in parts.
+def _contract(problem: Problem, width: int, prompt: Callable[[Problem, Example], list[str]]) -> Iterator[str]:
+    """The statement in lines of at most `width` columns where it is prose, each part after a blank line.
 
     Without the title, the task and figures, which the stub has or cannot show, and without what concerns
     programs that read standard input. `prompt` writes an example.
     """
-    yield from _wrapped(problem.summary, width - len(_QUOTES))
     examples = {example.line: example for example in problem.examples}
     heading, skipped = "", False  # of a section: one that has said nothing yet; whether it is left out
     for block in _BLOCK.finditer(problem.statement):

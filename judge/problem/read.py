@@ -161,22 +161,6 @@ def _as_its_type(parameter: Parameter, row: Mapping[str, Any], types: Path) -> P
     return parameter
 
 
-def _letter_faults(parameter: Parameter) -> Iterator[tuple[str, str]]:
-    """What is wrong with a parameter's letters, and what to do about it."""
-    letters = parameter.letters
-    if letters is None:
-        return
-    if not texts_of(parameter.type):
-        yield f"{parameter.name} has letters, and no text", "remove them"
-    elif not letters:
-        yield "letters is empty", "name at least one, or leave the key out"
-    else:
-        try:
-            expanded(letters)
-        except ValueError as why:
-            yield f"letters = {letters!r}: {why}", 'write single ones and ranges, such as "a-z "'
-
-
 def _exact(wanted: Any, value: Any, types: Path) -> Any:
     """A Fraction or a Type of what a setter writes, for `msgspec.convert`; a pack's types are in `types`."""
     if wanted is Type:
@@ -224,8 +208,15 @@ def _faults(head: Head, answer: Type, parameters: Sequence[Parameter]) -> Iterat
         if not each.type.is_parameter:
             what = f"no parameter can be of the type {each.type}"
             yield what, "an array is a whole parameter", *path, "type"
-        for what, remedy in _letter_faults(each):
-            yield what, remedy, *path, "letters"
+        if each.letters is not None and not texts_of(each.type):
+            yield f"{each.name} has letters, and no text", "remove them", *path, "letters"
+        elif each.letters == "":
+            yield "letters is empty", "name at least one, or leave the key out", *path, "letters"
+        try:
+            expanded(each.letters or "")
+        except ValueError as why:
+            remedy = 'write single ones and ranges, such as "a-z "'
+            yield f"letters = {each.letters!r}: {why}", remedy, *path, "letters"
         if not 0 <= each.smallest <= 1:
             what = f"the smallest number of {each.name!r} other than 0 is not from 0 to 1"
             yield what, "an int other than 0 is never smaller than 1", *path, "smallest"
