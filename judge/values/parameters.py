@@ -89,8 +89,9 @@ def listed(type_: Type, value: Value, *, received: bool = False) -> Any:
 
 def argument(type_: Type, value: Value) -> Any:
     """The value as a submission receives it."""
-    is_array = isinstance(lasting(type_), ArrayType)
-    return dense(type_, value) if is_array else listed(type_, value, received=True)
+    if value is not None and isinstance(lasting(type_), ArrayType):
+        return array("d", value)
+    return listed(type_, value, received=True)
 
 
 def given(type_: Type, value: Value) -> Any:
@@ -114,13 +115,6 @@ def kept(type_: Type, value: Any) -> Value:
     if type(value) is not tuple or len(parts := inner.parts(len(value))) != len(value):
         return value
     return tuple(map(kept, parts, value))
-
-
-def dense(type_: Type, value: Value) -> Any:
-    """The value, an array as one."""
-    if value is not None and isinstance(lasting(type_), ArrayType):
-        return array("d", value)
-    return value
 
 
 def literal(type_: Type, value: Value) -> str:
