@@ -90,7 +90,7 @@ class CallType(_Methods):
         for call in value:
             for name, type_, each in self.given(call):
                 for atom, leaf in parameters.leaves(type_, each):
-                    if isinstance(atom, Atom) and (wrong := atom.beyond(leaf)):
+                    if wrong := atom.beyond(leaf):
                         return f"{wrong}, as {name} of {call[0]}"
                     if type(leaf) is int and getattr(atom, "low", 0) is None and abs(leaf) >= _LONG:
                         return f"{leaf}, of more than 64 bits, as {name} of {call[0]}: give its type bounds"
