@@ -41,7 +41,6 @@ _FRESH = 1_000  # cases that are looked at for one of small numbers
 _PROGRAMS = 12  # wrong programs that are looked at
 _LONGEST = 60  # lines of a program that are shown
 _OPTIONS = 4  # groups to choose from
-_CHANCE = 1 << 60
 _Bars = Callable[[str], AbstractContextManager[Progress | None]]
 
 
@@ -153,7 +152,11 @@ def _options(
 
 def _shuffled(parts: Sequence[Any], draw: Draw) -> list[Any]:
     """The parts in an order by chance."""
-    return sorted(parts, key=lambda _: draw.integer(0, _CHANCE))
+    found = list(parts)
+    for end in range(len(found) - 1, 0, -1):
+        at = draw.integer(0, end)
+        found[at], found[end] = found[end], found[at]
+    return found
 
 
 def _exactly(wanted: str, read: Callable[[str], str], typed: str) -> CardReply:

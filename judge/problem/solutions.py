@@ -152,11 +152,10 @@ def requirement(path: Path) -> str:
 
     Its docstring begins with the package, its version, a colon and what is called.
     """
-    name = ""
+    found = None
     if path.parent.name == SolutionKind.LIBRARY.value:
         with suppress(ProblemError):
-            name = _read(SolutionKind.LIBRARY, path).name
-    found = _LIBRARY.match(name)
+            found = _LIBRARY.match(_read(SolutionKind.LIBRARY, path).name)
     return ("==" if path.suffix == SUFFIX else "@").join(found.groups()) if found else ""
 
 
