@@ -26,9 +26,8 @@ from judge.cli.options import Common
 from judge.cli.resolve import Kata, history_at, take_up
 from judge.errors import JudgeError, UsageError
 from judge.languages import language_of
-from judge.practice.progress import solved
+from judge.practice.review import Learner, read_learner
 from judge.practice.stub import make_stub, usual_name, write_stub
-from judge.practice.syllabus import Syllabus, read_course
 from judge.problem.find import typed
 from judge.report import watch as texts
 from judge.report.look import BESIDE, model
@@ -184,12 +183,12 @@ class _Loop:
             texts.redraw(screen, drawn(Group(begun(result, self._kata.name), ""), screen), Text())
         signal.setitimer(signal.ITIMER_REAL, _LOOK)
 
-    def _course(self) -> Syllabus:
+    def _learner(self) -> Learner:
         with history_at(self._common.db, reading=True) as history:
-            return read_course(solved(history.runs()), self._common.problems)
+            return read_learner(history, self._common.problems)
 
     def _place(self, screen: Screen) -> RenderableType:
-        return texts.place(self._kata.problem, self._course(), screen)
+        return texts.place(self._kata.problem, self._learner(), screen)
 
     @property
     def _state(self) -> str:
@@ -232,7 +231,7 @@ class _Loop:
 
     def _next(self) -> Kata | None:
         """The kata to go on to, taken up; None where all others are solved."""
-        following = self._course().next(self._kata.problem.id)
+        following = self._learner().next(self._kata.problem.id)
         if following is None:
             self._show(good("All other katas are solved."))
             return None

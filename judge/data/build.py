@@ -11,7 +11,6 @@ a case which is drawn, and the exact answer is to be another one.
 
 from __future__ import annotations
 
-import hashlib
 import marshal
 import math
 from collections import Counter
@@ -19,7 +18,7 @@ from collections.abc import Callable, Container, Iterator, Sequence
 from contextlib import nullcontext
 from fractions import Fraction
 from functools import cache, partial
-from itertools import count, starmap
+from itertools import count
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from msgspec import Struct
@@ -42,7 +41,6 @@ FRESH = 32  # cases of a series: no more than a pinned group has
 _ATTEMPTS = 1_000  # for one case
 _ROUNDS = 2  # of all parameters, until a case that takes turns stands for itself again
 _CONTENT = 100  # attempts after which it may have the answer of the case before, as where nothing changes it
-_FORM = 2  # of marshal: every version of Python writes it alike, bit by bit
 
 
 class Built(NamedTuple):
@@ -313,38 +311,3 @@ class Fresh(Struct, frozen=True):
 
 def _is_fresh(group: Group) -> bool:
     return group.name != EXAMPLES and group.size is None
-
-
-# -- big cases, kept as the attempt that made each, and a hash of the inputs ---------------------------------
-
-
-def as_seeds(data: GroupData) -> dict[str, Any]:
-    """What the cases of a group that was just built are built from, as JSON; the targets are kept as ever."""
-    return {"attempts": data.attempts, "inputs": _hash(data.cases), "targets": data.targets}
-
-
-def from_seeds(plain: dict[str, Any], problem: Problem, module: Module, group: Group) -> list[Case]:
-    """The cases that `as_seeds` wrote, drawn one after another; their arrays are arrays, a quarter as large.
-
-    Raises ValueError where they are other ones now, or this is none of its objects; ProblemError where the
-    draw fails.
-    """
-    with blaming(problem, f"group {group.name!r}: the builder fails"):
-        attempts, types = plain["attempts"], [parameter.type for parameter in problem.parameters]
-        inputs = hashlib.sha256(
-            marshal.dumps([], _FORM)[:1] + len(attempts).to_bytes(4, "little")
-        )  # as `_hash`
-
-        def drawn(number: int, attempt: int) -> Case:  # which keeps nothing of it but the case
-            case = module.draws[group.name](Draw(_pick(group, number, attempt)))
-            inputs.update(marshal.dumps(case, _FORM))
-            return tuple(map(parameters.dense, types, case))
-
-        cases = list(starmap(drawn, enumerate(attempts)))
-    if inputs.hexdigest() != plain["inputs"]:
-        raise ValueError("the builder makes other cases")
-    return cases
-
-
-def _hash(cases: Sequence[Case]) -> str:
-    return hashlib.sha256(marshal.dumps(list(cases), _FORM)).hexdigest()  # 1 and 1.0 are two inputs

@@ -14,8 +14,6 @@ from collections.abc import Callable, Sequence
 from random import Random
 from typing import Never, TypeVar
 
-from judge.errors import ProblemError
-
 T = TypeVar("T")
 Pick = Callable[[int, int], int]  # an integer from the first to the second, both included
 
@@ -24,12 +22,6 @@ _BLOCK_BITS = 512  # of one SHA-512 digest
 
 class Rejected(Exception):  # noqa: N818 - a signal, not a fault
     """These choices make no case; the draw is asked again with others."""
-
-
-def require(condition: bool, what: str) -> None:
-    """Raise ProblemError unless `condition` holds; `what` says what should have been true."""
-    if not condition:
-        raise ProblemError(f"its check fails: {what}", remedy="correct what it draws")
 
 
 class Draw:

@@ -8,16 +8,12 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Mapping
-from pathlib import Path
 
-import msgspec
 from msgspec import Struct
-from msgspec.structs import asdict
 
+from judge.data.pins import read_rows
 from judge.errors import UsageError
-from judge.files import read_ordinary, replace_file
 from judge.problem import Problem
 from judge.published import Published
 
@@ -40,6 +36,7 @@ class LibraryTable(Published, frozen=True):
     missing: tuple[str, ...] = ()
 
 
+LIBRARIES = "libraries.json"
 Rows = Mapping[str, LibraryRow]  # by the name of the adapter's file
 
 
@@ -58,24 +55,4 @@ def table_of(problem: Problem, rows: Rows, *missing: str) -> LibraryTable:
 
 def read_libraries(problem: Problem) -> dict[str, LibraryRow]:
     """What was measured; empty if there is no such file. Raises ProblemError."""
-    try:
-        return msgspec.json.decode(read_ordinary(_file(problem)), type=dict[str, LibraryRow])
-    except FileNotFoundError:
-        return {}
-    except (OSError, ValueError) as error:
-        remedy = f"write it with: judge verify {problem.id} --libraries"
-        raise problem.fault(f"cannot be read: {error}", remedy, file=_file(problem).name) from None
-
-
-def write_libraries(problem: Problem, rows: Rows) -> None:
-    """Keep what was measured. Raises ProblemError if the file cannot be written."""
-    lines = ",\n".join(f"{json.dumps(name)}: {json.dumps(asdict(row))}" for name, row in rows.items())
-    try:
-        replace_file(_file(problem), f"{{\n{lines}\n}}\n".encode())
-    except OSError as error:
-        what = f"cannot be written: {error.strerror}"
-        raise problem.fault(what, f"make {problem.folder} writable", file=_file(problem).name) from None
-
-
-def _file(problem: Problem) -> Path:
-    return problem.folder / "libraries.json"
+    return read_rows(problem, LIBRARIES, LibraryRow, "--libraries")

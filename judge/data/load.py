@@ -3,7 +3,7 @@
     data/<id>-<place>-own          {"<group>": [[case, …], [target, …]], …}
     data/<id>-<place>-seeded       the same of the last run with a seed
 
-`place` stands for the problem's folder. Of a group of huge cases the file holds what they are built from.
+`place` stands for the problem's folder.
 """
 
 from __future__ import annotations
@@ -13,19 +13,16 @@ from typing import Any, Union
 
 from judge.cache import DISK, Store, digest
 from judge.data.model import GroupData, ProblemData, Progress, Within, reseeded
-from judge.errors import ProblemError
 from judge.problem import Problem
 from judge.problem.load import problem_key
 from judge.problem.model import tupled
 
-FORMAT = 5  # raise it when the form of the file changes
-MOST_KEPT = 200_000  # items of a group's cases that are kept as they are: to draw them takes far longer
-
+FORMAT = 6  # raise it when the form of the file changes
 
 _value: Any = None | bool | int | float | str
 for _ in range(12):  # lists in lists, which are read as the tuples that cases and targets are made of
     _value = Union[None, bool, int, float, str, tuple[_value, ...]]  # noqa: UP007
-_FORM: Any = dict[str, tuple[list[tuple[_value, ...]], list[_value]] | dict[str, Any]]
+_FORM: Any = dict[str, tuple[list[tuple[_value, ...]], list[_value]]]
 
 
 def load_data(
@@ -49,17 +46,12 @@ def load_data(
     if kept is not None:
         return kept
     # Only now: a warm start needs neither the exact numbers nor the builders.
-    from judge.data.build import as_seeds, build
+    from judge.data.build import build
 
     data = ProblemData(problem, ())
     data.groups = tuple(build(problem, data.module, seed, progress, within))
     if store and problem.key and problem_key(problem.folder) == problem.key:  # its files are still these
-        plain = {
-            each.group.name: [each.cases, each.targets]
-            if (each.group.size or 0) * len(each.cases) <= MOST_KEPT
-            else as_seeds(each)
-            for each in data.groups
-        }
+        plain = {each.group.name: [each.cases, each.targets] for each in data.groups}
         data.notes = tuple(filter(None, [store.write(*place, plain)]))
     return data
 
@@ -79,19 +71,10 @@ def _data(plain: Any, problem: Problem, seed: int | None) -> ProblemData | None:
     data = ProblemData(problem, ())
     try:
         for each in problem.groups:
-            group, kept = reseeded(each, seed), plain[each.name]
-            if not isinstance(kept, dict):
-                cases, targets = kept
-            else:  # huge cases are drawn again
-                from judge.data.build import from_seeds
-
-                cases, targets = (
-                    from_seeds(kept, problem, data.module, group),
-                    list(map(tupled, kept["targets"])),
-                )
-            if len(cases) != group.count or len(targets) != group.count:
+            cases, targets = plain[each.name]
+            if len(cases) != each.count or len(targets) != each.count:
                 return None
-            data.groups += (GroupData(group, list(cases), list(targets)),)
-    except (KeyError, TypeError, ValueError, IndexError, AttributeError, ProblemError):
+            data.groups += (GroupData(reseeded(each, seed), list(cases), list(targets)),)
+    except (KeyError, TypeError, ValueError):
         return None  # whatever a foreign file can hold
     return data

@@ -13,8 +13,7 @@ from __future__ import annotations
 import hashlib
 import json
 from collections.abc import Collection, Mapping, Sequence
-from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 import msgspec
 
@@ -22,6 +21,8 @@ from judge.data.model import GroupData
 from judge.files import read_ordinary, replace_file
 from judge.problem import Problem
 
+T = TypeVar("T")
+PINS = "pins.json"
 Kills = Mapping[str, Collection[str]]  # by the group's name: the mistakes that it rejects
 
 
@@ -31,22 +32,38 @@ def hash_of(data: GroupData) -> str:
     return hashlib.sha256(json.dumps(plain, separators=(",", ":")).encode()).hexdigest()
 
 
-def pins_file(problem: Problem) -> Path:
-    """Where the problem's pins are."""
-    return problem.folder / "pins.json"
+def read_rows(problem: Problem, file: str, kind: type[T], option: str) -> dict[str, T]:
+    """The rows of a file of the problem's folder that `judge verify` writes with that option.
 
-
-def read_pins(problem: Problem) -> dict[str, Any] | None:
-    """What is pinned of each group, or None if there is no such file. Raises ProblemError."""
+    Empty where it is not there. Raises ProblemError.
+    """
     try:
-        return msgspec.json.decode(read_ordinary(pins_file(problem)), type=dict[str, Any])
+        return msgspec.json.decode(read_ordinary(problem.folder / file), type=dict[str, kind])  # type: ignore[valid-type]
     except FileNotFoundError:
-        return None
+        return {}
     except OSError as error:
         what, remedy = f"cannot be read: {error.strerror}", "make it readable"
     except (ValueError, RecursionError) as error:
-        what, remedy = f"not the form of pins: {error}", f"write it with: judge verify {problem.id} --pin"
-    raise problem.fault(what, remedy, file="pins.json")
+        what, remedy = (
+            f"not the form of {file}: {error}",
+            f"write it with: judge verify {problem.id} {option}",
+        )
+    raise problem.fault(what, remedy, file=file)
+
+
+def write_rows(problem: Problem, file: str, rows: Mapping[str, Any]) -> None:
+    """Write such a file, one row a line. Raises ProblemError."""
+    lines = ",\n".join(f"{json.dumps(name)}: {json.dumps(row)}" for name, row in rows.items())
+    try:
+        replace_file(problem.folder / file, f"{{\n{lines}\n}}\n".encode())
+    except OSError as error:
+        what, remedy = f"cannot be written: {error.strerror}", f"make {problem.folder} writable"
+        raise problem.fault(what, remedy, file=file) from None
+
+
+def read_pins(problem: Problem) -> dict[str, Any]:
+    """What is pinned of each group; empty if there is no such file. Raises ProblemError."""
+    return read_rows(problem, PINS, dict[str, Any], "--pin")
 
 
 def pins_of(groups: Sequence[GroupData], kills: Kills) -> dict[str, Any]:
@@ -61,24 +78,14 @@ def pins_of(groups: Sequence[GroupData], kills: Kills) -> dict[str, Any]:
     }
 
 
-def write_pins(problem: Problem, pins: Mapping[str, Any]) -> None:
-    """Pin the data as they are. Raises ProblemError if the file cannot be written."""
-    rows = ",\n".join(f"{json.dumps(name)}: {json.dumps(pin)}" for name, pin in pins.items())
-    try:
-        replace_file(pins_file(problem), f"{{\n{rows}\n}}\n".encode())
-    except OSError as error:
-        what, remedy = f"cannot be written: {error.strerror}", f"make {problem.folder} writable"
-        raise problem.fault(what, remedy, file="pins.json") from None
-
-
 def differences(pins: Mapping[str, Any], found: Mapping[str, Any]) -> list[str]:
     """What the pins and the data disagree about, a sentence each."""
     told = []
     for name, now in found.items():
         pin = pins.get(name)
-        if name not in pins:
+        if pin is None:
             told.append(f"group {name!r} has no pinned hash")
-        elif not isinstance(pin, dict) or pin.get("hash") != now["hash"]:
+        elif pin.get("hash") != now["hash"]:
             told.append(f"the data of group {name!r} differ from their pinned hash")
         elif pin != now:
             told.append(f"group {name!r} rejects other mistakes than its pin says")

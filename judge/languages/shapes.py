@@ -10,9 +10,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
-from judge.values.atoms import LONGEST, IntType, RealType, Type, WordType
+from judge.values.atoms import LONGEST, IntType, RealType, Type
 from judge.values.dicts import DictType
-from judge.values.letters import BoolType, TextType
+from judge.values.letters import BoolType, TextType, WordType
 from judge.values.types import ArrayType, ListType, OptionalType, TupleType
 
 _SHORT = {"Point": "Pt", "Point3": "Pt3", "IntPoint": "IntPt"}  # as the files of many challenges call them

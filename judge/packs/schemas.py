@@ -15,10 +15,10 @@ from judge.exact import Surd
 from judge.problem import Case, Parameter, Problem, Tolerance
 from judge.problem.module import load_module
 from judge.values.answers import AnyOf, Called, Exact, Judged, exact_ends
-from judge.values.atoms import IntType, NumberType, RealType, Type, WordType
+from judge.values.atoms import IntType, NumberType, RealType, Type
 from judge.values.calls import ReturnType
 from judge.values.dicts import DictType
-from judge.values.letters import BoolType, TextType
+from judge.values.letters import BoolType, TextType, WordType
 from judge.values.types import ArrayType, ListType, OptionalType, TupleType
 
 Form = list[Any]

@@ -12,12 +12,13 @@ from __future__ import annotations
 import keyword
 import os
 import re
+import tomllib
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from shlex import quote
 from tempfile import TemporaryDirectory
 
-from judge.data.pins import pins_file
+from judge.data.pins import PINS
 from judge.errors import UnknownKataError, UsageError, meant, unwritable
 from judge.files import new_file
 from judge.languages import language_of
@@ -40,6 +41,7 @@ KINDS = {
     "growth": "hops",
     "dialogue": "higher-lower",
 }  # katas of these, the usual one first
+_PACK = Path(__file__).with_name("pack.toml")
 _LEFT_OUT = {"pins.json", "libraries", "libraries.json", "same.toml", "__pycache__"}
 _LETTERS = "small letters, digits and single hyphens"
 
@@ -72,9 +74,9 @@ def begin_kata(
     """
     problems = _folder_of_problems(folder)
     name = _checked(name, folder, problems)
-    homes = {"solutions": problems.parent / "solutions" / name, "problems": problems / name}
-    _check_free(name, homes.values())
-    model, files = _model(like, extra), []
+    roots = {"solutions": problems.parent / "solutions", "problems": problems}
+    _check_free(name, [root / name for root in roots.values()])
+    model, made = _model(like, extra), dict[Path, Path]()
     try:
         beside = next(each for each in (problems, *problems.absolute().parents) if each.is_dir())
         with TemporaryDirectory(prefix=".judge-", dir=beside) as scratch:
@@ -82,22 +84,21 @@ def begin_kata(
                 written = Path(scratch, kind, file)
                 written.parent.mkdir(parents=True, exist_ok=True)
                 written.write_bytes(content)
-                place = homes[kind].parent / file
-                files += [] if place.exists() else [place]
+                if not (place := roots[kind] / file).exists():
+                    made[place] = written
             problem = load_problem(Path(scratch, "problems", name))
             verify_problem(problem, Options(pin=True), progress)
-            for kind, home in homes.items():
-                home.parent.mkdir(parents=True, exist_ok=True)
-                Path(scratch, kind, name).rename(home)
-                for shared in Path(scratch, kind).rglob("*.*"):
-                    place = home.parent / shared.relative_to(Path(scratch, kind))
-                    if shared.is_file() and not place.exists():
-                        place.parent.mkdir(exist_ok=True)
-                        shared.rename(place)
+            for kind, root in roots.items():
+                root.mkdir(parents=True, exist_ok=True)
+                Path(scratch, kind, name).rename(root / name)
+            for place, written in made.items():
+                if not place.exists():  # what katas share
+                    place.parent.mkdir(exist_ok=True)
+                    written.rename(place)
     except OSError as fault:
         raise unwritable(folder, fault, "name another folder") from None
-    files.append(homes["problems"] / pins_file(problem).name)
-    return NewKata(problem.id, problem.title, problems, tuple(files))
+    files = (*made, problems / name / PINS)
+    return NewKata(problem.id, problem.title, problems, files)
 
 
 def _model(like: str, extra: Sequence[Path]) -> Problem:
@@ -119,17 +120,18 @@ def _renamed(model: Problem, name: str) -> Iterator[tuple[str, str, bytes]]:
     entry += "_" * keyword.iskeyword(entry)
     toml = (model.folder / "problem.toml").read_text(encoding="utf-8")
     types = (model.folder.parent / "types").glob("*.py")
-    shared = [("problems", each) for each in types if re.search(rf"\b{each.stem}\b", toml)]
-    shared += [("solutions", each) for each in model.solutions.parent.glob("mistakes.toml")]
+    shared = {
+        "problems": [each for each in types if re.search(rf"\b{each.stem}\b", toml)],
+        "solutions": model.solutions.parent.glob("mistakes.toml"),
+    }
     homes = {"problems": model.folder, "solutions": model.solutions}
-    found = [
-        (kind, f"{name}/{path.relative_to(home)}", path)
-        for kind, home in homes.items()
-        for path in sorted(home.rglob("*"))
-        if path.is_file() and not _LEFT_OUT & {*path.relative_to(home).parts}
-    ]
-    found += [(kind, f"{path.relative_to(homes[kind].parent)}", path) for kind, path in shared]
-    for kind, file, path in found:
+    found = [(kind, path) for kind, home in homes.items() for path in sorted(home.rglob("*"))]
+    found += [(kind, path) for kind, paths in shared.items() for path in paths]
+    for kind, path in found:
+        first, *parts = path.relative_to(homes[kind].parent).parts
+        if not path.is_file() or not _LEFT_OUT.isdisjoint(parts):
+            continue
+        file = "/".join([name if first == model.id else first, *parts])
         content = path.read_bytes()
         try:
             text = content.decode()
@@ -152,14 +154,14 @@ def _renamed(model: Problem, name: str) -> Iterator[tuple[str, str, bytes]]:
 
 def _folder_of_problems(folder: Path) -> Path:
     """Where the kata goes: the folder `problems` in `folder`, or `folder` itself. Raises UsageError."""
-    if folder.exists() and not folder.is_dir():
+    if not folder.exists():
+        return folder / "problems"
+    if not folder.is_dir():
         raise UsageError("this is not a folder", where=str(folder), remedy="name a folder for the new kata")
-    within = folder / "problems"
-    if folder.is_dir() and not within.is_dir():
-        holds_problems = any((path / "problem.toml").is_file() for path in folder.iterdir())
-        if holds_problems or Path(os.path.realpath(folder)).name == "problems":
-            return folder
-    return within
+    if (folder / "problems").is_dir():
+        return folder / "problems"
+    own = Path(os.path.realpath(folder)).name == "problems" or any(folder.glob("*/problem.toml"))
+    return folder if own else folder / "problems"
 
 
 def _checked(name: str | None, folder: Path, problems: Path) -> str:
@@ -188,48 +190,6 @@ def _check_free(name: str, places: Iterable[Path]) -> None:
 
 # -- a pack ------------------------------------------------------------------------------------------------
 
-_PACK = {
-    "pyproject.toml": """\
-[project]
-name = "{name}"
-version = "0.1.0"
-description = "Katas for judge"
-requires-python = ">=3.11"
-dependencies = ["circle-line-judge"]
-
-[project.entry-points."judge.problems"]
-{module} = "{module}.problems"
-
-[build-system]
-requires = ["hatchling"]
-build-backend = "hatchling.build"
-
-[tool.hatch.build.targets.wheel]
-packages = ["{module}"]
-""",
-    "{module}/__init__.py": '"""Katas for judge."""\n',
-    "{module}/problems/__init__.py": '"""The katas; their solutions are beside this folder."""\n',
-    "{module}/problems/pack.toml": 'title = "{title}"\nabout = "What they are about, in a sentence."\n',
-    "tests/test_katas.py": """\
-\"""Every kata is sound.\"""
-
-import subprocess
-import sys
-from pathlib import Path
-
-import pytest
-
-PROBLEMS = Path(__file__).parent.parent / "{module}" / "problems"
-
-
-@pytest.mark.parametrize("kata", sorted(path.parent.name for path in PROBLEMS.glob("*/problem.toml")))
-def test_a_kata_is_sound(kata):
-    judge = [sys.executable, "-m", "judge", "verify", "--problems", PROBLEMS, kata]
-    ended = subprocess.run(judge, capture_output=True, text=True)
-    assert ended.returncode == 0, ended.stdout + ended.stderr
-""",
-}
-
 
 def begin_pack(folder: Path, name: str | None) -> NewKata:
     """Write a package without katas, which is found by the judge once it is installed.
@@ -238,7 +198,8 @@ def begin_pack(folder: Path, name: str | None) -> NewKata:
     """
     name = _checked(name, folder, folder / "problems")
     words = {"name": name, "module": name.replace("-", "_"), "title": name.replace("-", " ").capitalize()}
-    files = {folder / path.format(**words): text.format(**words) for path, text in _PACK.items()}
+    made = tomllib.loads(_PACK.read_text(encoding="utf-8"))
+    files = {folder / path.format(**words): text.format(**words) for path, text in made.items()}
     for path in files:
         if path.exists():
             raise UsageError("it is there already", where=str(path), remedy="name another folder")

@@ -201,8 +201,6 @@ def read_decks(extra: Sequence[Path] = ()) -> tuple[list[Card], list[ProblemErro
 
 def known_cards(answers: Sequence[Answer], extra: Sequence[Path] = ()) -> list[Review]:
     """How the cards stand that were answered and are in a deck that can be read, as `card_reviews`."""
-    if not answers:  # whoever has answered none waits for no deck
-        return []
     keys = {card.key for card in read_decks(extra)[0]}
     return [review for review in card_reviews(answers) if review.name in keys]
 
@@ -232,11 +230,11 @@ def _deck(file: TomlFile, name: str, checklist: Checklist, sets: Sequence[str]) 
     refuse_doubles(file, [card.id for card in table.cards], "cards", "id")
     for place, card in enumerate(table.cards):
         refuse_unknown(file, card.rows, list(skills), "the checklist has no row", "cards", place, "rows")
-    needed = [tuple(dict.fromkeys(each for row in card.rows for each in skills[row])) for card in table.cards]
-    return [
-        Card(name, card, table.sets, needs, checklist.topics(needs))
-        for card, needs in zip(table.cards, needed, strict=True)
-    ]
+    found = []
+    for card in table.cards:
+        needs = tuple(dict.fromkeys(each for row in card.rows for each in skills[row]))
+        found.append(Card(name, card, table.sets, needs, checklist.topics(needs)))
+    return found
 
 
 # -- what a person types -----------------------------------------------------------------------------------

@@ -12,9 +12,8 @@ from judge.mistakes.puzzles import read_puzzles
 from judge.practice.cards import Card
 from judge.practice.events import Hack
 from judge.practice.progress import HackState, hack_states
-from judge.practice.quiz import Topic, near_sets, next_cards, usual_kata
-from judge.practice.review import Learner, card_reviews
-from judge.practice.syllabus import Checklist
+from judge.practice.quiz import Wanted, usual_kata
+from judge.problem import Problem
 
 _NAME = attrgetter("name")
 _CARDS, _FEW = 10, 5  # that `judge quiz` asks; that take half as long
@@ -36,69 +35,55 @@ class DrillStep(Struct, frozen=True):
     last: datetime | None = None
 
 
-class Evening:
-    """What to do this evening, after what a person did and how the topics stand."""
+def evening(
+    wanted: Wanted, cards: Sequence[Card], hacks: Sequence[Hack], now: datetime
+) -> Iterator[DrillStep]:
+    """The commands of an evening in their order; `hacks` are the attempts at wrong programs."""
+    mine = wanted.mine
+    close = {card.key for card in cards if not {*wanted.near}.isdisjoint(card.sets)}
+    weak = [each for each in wanted.topics if not close.isdisjoint(each.weak)]
+    first = max(weak, key=lambda each: len(each.open)).name if weak else ""
+    quizzes = [_quiz(wanted, cards, each.name, now) for each in wanted.topics]
+    quizzes = [each for each in quizzes if each.due or each.topic == first]
+    yield from (each for each in quizzes or [_quiz(wanted, cards, "", now)] if each.new or each.due)
+    if mine.solved and (hack := _hack(wanted, hacks)):  # whoever breaks a program has written one
+        yield hack
+    if kata := _kata(wanted):
+        last = [run.when for run in mine.own.get(kata.id, ())][-1:]
+        yield DrillStep(f"judge start {kata.id}", _KATA, title=kata.title, last=last[0] if last else None)
+    for review in mine.due(now).due[:1]:
+        yield DrillStep(f"judge start {review.name} --reset", _AGAIN, last=review.last)
 
-    def __init__(
-        self,
-        mine: Learner,
-        cards: Sequence[Card],
-        found: Sequence[Topic],
-        checklist: Checklist,
-        now: datetime,
-    ) -> None:
-        self._mine, self._cards, self._topics, self._now = mine, cards, found, now
-        self._drilled, self._known = checklist.drilled(), card_reviews(mine.answers)
-        self._own = next(iter(mine.from_own()), None)
-        self._near = near_sets(self._own.name if self._own else "")
 
-    def steps(self, hacks: Sequence[Hack]) -> Iterator[DrillStep]:
-        """The commands in their order; `hacks` are the attempts at wrong programs."""
-        close = {card.key for card in self._cards if not {*self._near}.isdisjoint(card.sets)}
-        weak = [each for each in self._topics if not close.isdisjoint(each.weak)]
-        first = max(weak, key=lambda each: len(each.open), default=None)
-        quizzes = [self._quiz(each) for each in self._topics if each == first or self._quiz(each).due]
-        yield from (step for step in quizzes or [self._quiz(None)] if step.new or step.due)
-        if self._mine.solved:  # whoever breaks a program has written one
-            yield from self._hack(hacks)
-        yield from self._kata()
-        for review in self._mine.due(self._now).due[:1]:
-            yield DrillStep(f"judge start {review.name} --reset", _AGAIN, last=review.last)
+def _quiz(wanted: Wanted, cards: Sequence[Card], topic: str, now: datetime) -> DrillStep:
+    """The cards of a topic, or any, of which so many are asked."""
+    own = [card for card in cards if not topic or topic in card.topics]
+    asked = {card.key for card in wanted.of(own, now, _CARDS)[:_CARDS]}
+    due = sum(review.name in asked for review in wanted.answered)
+    minutes = _FEW if len(asked) <= _FEW else _CARDS
+    return DrillStep(f"judge quiz {topic}".rstrip(), minutes, topic, new=len(asked) - due, due=due)
 
-    def _quiz(self, topic: Topic | None) -> DrillStep:
-        """The cards of a topic, or any, of which so many are asked."""
-        own = [card for card in self._cards if topic is None or topic.name in card.topics]
-        weak = [each.weak for each in ([topic] if topic else self._topics)]
-        asked = next_cards(own, self._known, self._now, _CARDS, near=self._near, weak=weak)[:_CARDS]
-        due = len({review.name for review in self._known}.intersection(card.key for card in asked))
-        minutes, name = _FEW if len(asked) <= _FEW else _CARDS, topic.name if topic else ""
-        return DrillStep(f"judge quiz {name}".rstrip(), minutes, name, new=len(asked) - due, due=due)
 
-    def _hack(self, hacks: Sequence[Hack]) -> Iterator[DrillStep]:
-        """The first wrong program about an open topic that is not broken, in the own set or one beside it."""
-        sets = [each for each in self._mine.sets if each.name in self._near]
-        katas = [kata for each in sets for kata in self._mine.counted(each)]
-        for topic in self._topics:
-            shown = {kata.id: len({*topic.open}.intersection(map(_NAME, kata.skills))) for kata in katas}
-            for kata in sorted(filter(lambda each: shown[each.id], katas), key=lambda each: -shown[each.id]):
-                puzzles = read_puzzles(kata, self._drilled)
-                own = [each for each in hacks if each.problem == kata.id]
-                states = hack_states([each.mistake for each in puzzles], own)
-                about = (each for each in puzzles if self._drilled.get(each.mistake) == topic.name)
-                for each in about:
-                    if states[each.mistake] is HackState.OPEN:
-                        yield DrillStep(f"judge hack {kata.id} {each.number}", _HACK, topic.name)
-                        return
+def _hack(wanted: Wanted, hacks: Sequence[Hack]) -> DrillStep | None:
+    """The first wrong program about an open topic that is not broken, in the own set or one beside it."""
+    drilled, mine = wanted.checklist.drilled(), wanted.mine
+    katas = [kata for each in mine.sets if each.name in wanted.near for kata in mine.counted(each)]
+    for topic in wanted.topics:
+        shown = [(len({*topic.open}.intersection(map(_NAME, kata.skills))), kata) for kata in katas]
+        for count, kata in sorted(shown, key=lambda each: -each[0]):
+            puzzles = read_puzzles(kata, drilled) if count else ()
+            own = [each for each in hacks if each.problem == kata.id]
+            states = hack_states([each.mistake for each in puzzles], own)
+            for each in puzzles:
+                if drilled.get(each.mistake) == topic.name and states[each.mistake] is HackState.OPEN:
+                    return DrillStep(f"judge hack {kata.id} {each.number}", _HACK, topic.name)
+    return None
 
-    def _kata(self) -> Iterator[DrillStep]:
-        """The first unsolved kata of the own set that shows an open skill; else the next one."""
-        wanted = {skill for each in self._topics for skill in each.open}
-        mine = self._mine
-        katas = [*(mine.counted(self._own) if self._own else ()), usual_kata("", mine)]
-        unsolved = [each for each in katas if each.id not in mine.solved]
-        shows = (each for each in unsolved if not wanted.isdisjoint(map(_NAME, each.skills)))
-        for kata in [*shows, *unsolved][:1]:
-            runs = mine.own.get(kata.id, ())
-            yield DrillStep(
-                f"judge start {kata.id}", _KATA, title=kata.title, last=runs[-1].when if runs else None
-            )
+
+def _kata(wanted: Wanted) -> Problem | None:
+    """The first unsolved kata of the own set that shows an open skill; else the next one."""
+    open_, mine = {skill for each in wanted.topics for skill in each.open}, wanted.mine
+    katas = [*(mine.counted(wanted.own) if wanted.own else ()), usual_kata("", mine)]
+    unsolved = [each for each in katas if each.id not in mine.solved]
+    shows = (each for each in unsolved if not open_.isdisjoint(map(_NAME, each.skills)))
+    return next(shows, unsolved[0] if unsolved else None)

@@ -24,18 +24,8 @@ from typing import TYPE_CHECKING, TypeVar
 
 from judge.errors import StoreError, UsageError
 from judge.files import LARGEST, read_ordinary, user_data
-from judge.practice.events import (
-    DAMAGE,
-    TABLES,
-    Event,
-    Help,
-    Kind,
-    Run,
-    Started,
-    from_row,
-    to_row,
-    unpacked,
-)
+from judge.practice import events
+from judge.practice.events import DAMAGE, TABLES, Event, Help, Kind, Run, Started
 from judge.problem import Verdict
 from judge.problem.model import is_solution
 
@@ -51,40 +41,8 @@ if TYPE_CHECKING:
 
 VARIABLE = "JUDGE_DB"
 APPLICATION = 0x4A554447  # "JUDG": tells this file from any other program's database
-_ROW = "(id INTEGER PRIMARY KEY AUTOINCREMENT, time INTEGER NOT NULL"
-STEPS: tuple[tuple[str, ...], ...] = (
-    # A file at version n has had the first n steps. A step is never changed: a file that had it would not get
-    # the change. Times are microseconds since 1970 (UTC), names of files bytes as the system has them, groups
-    # names with a space between them; sources (by their sha256) and results are compressed by zlib.
-    (
-        "CREATE TABLE sources (hash TEXT PRIMARY KEY, body BLOB NOT NULL) WITHOUT ROWID",
-        f"""CREATE TABLE runs {_ROW}, problem TEXT NOT NULL, submission BLOB NOT NULL, path BLOB NOT NULL,
-            verdict TEXT NOT NULL, score INTEGER NOT NULL, mode TEXT NOT NULL, mistake TEXT, ratio REAL,
-            passed TEXT NOT NULL, failed TEXT NOT NULL, source TEXT NOT NULL REFERENCES sources,
-            result BLOB NOT NULL)""",
-        "CREATE INDEX runs_of_a_problem ON runs (problem, id)",
-    ),
-    (
-        "CREATE TABLE current (id INTEGER PRIMARY KEY, problem TEXT NOT NULL, path BLOB NOT NULL)",
-        f"CREATE TABLE help {_ROW}, problem TEXT NOT NULL, hints INTEGER NOT NULL)",
-        "CREATE INDEX help_with_a_problem ON help (problem, id)",
-    ),
-    ("ALTER TABLE current ADD COLUMN problems BLOB NOT NULL DEFAULT x''",),
-    (
-        f"""CREATE TABLE hacks {_ROW}, problem TEXT NOT NULL, mistake TEXT NOT NULL, line TEXT NOT NULL,
-            outcome TEXT NOT NULL)""",
-        "CREATE INDEX hacks_of_a_problem ON hacks (problem, id)",
-    ),
-    (
-        f"""CREATE TABLE answers {_ROW}, card TEXT NOT NULL, form TEXT NOT NULL, rating INTEGER NOT NULL,
-            judged INTEGER NOT NULL, given TEXT NOT NULL)""",
-    ),
-    (
-        f"CREATE TABLE started {_ROW}, problem TEXT NOT NULL, path BLOB NOT NULL, problems BLOB NOT NULL)",
-        "INSERT INTO started (time, problem, path, problems) SELECT 0, problem, path, problems FROM current",
-        "DROP TABLE current",
-    ),
-)
+_STEPS = Path(__file__).with_name("history.sql").read_text(encoding="utf-8").split("-- step\n")[1:]
+STEPS = tuple(tuple(filter(str.strip, step.split(";"))) for step in _STEPS)
 _PLACES = """
     SELECT max(id) AS id, max(time) AS time, problem, path, max(problems) AS problems FROM (
         SELECT id, time, problem, path, problems FROM started UNION ALL
@@ -136,7 +94,7 @@ class History:
 
     def keep(self, event: Event, source: bytes = b"") -> int:
         """Keep an event, and the source that a run judged, in one transaction; its number, from 1."""
-        row = to_row(event)
+        row = events.to_row(event)
         names, marks = ", ".join(row), ", ".join("?" * len(row))
 
         def kept(connection: sqlite3.Connection) -> int:
@@ -178,7 +136,7 @@ class History:
             known = f"the last one is {last[0].id}; see 'judge history'" if last else known
             raise UsageError(f"there is no run {number}", remedy=known)
         try:
-            return from_row(Run, dict(rows[0]))
+            return events.from_row(Run, dict(rows[0]))
         except DAMAGE as fault:  # no judge wrote this
             raise StoreError(f"run {number} is damaged", where=str(self.path)) from fault
 
@@ -187,7 +145,7 @@ class History:
         digest = self.run(number).source_hash
         try:
             ((body,),) = self._rows("SELECT body FROM sources WHERE hash = ?", digest)
-            return unpacked(body, LARGEST)
+            return events.unpacked(body, LARGEST)
         except DAMAGE as fault:  # it is not there, or no judge wrote it
             raise StoreError(f"the source of run {number} is damaged", where=str(self.path)) from fault
 
@@ -205,7 +163,7 @@ class History:
         found = []
         for row in rows:
             try:
-                found.append(from_row(kind, dict(row)))
+                found.append(events.from_row(kind, dict(row)))
             except DAMAGE:
                 self.left_out.add((TABLES[kind], row["id"]))
         return found

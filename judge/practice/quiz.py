@@ -2,20 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from datetime import datetime
 from itertools import zip_longest
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
 from judge.practice.cards import Card, read_decks
 from judge.practice.progress import State, skills
-from judge.practice.review import Learner, Review, card_reviews
-from judge.practice.syllabus import SETS, Checklist, Syllabus, read_checklist
+from judge.practice.review import Learner, Review, card_reviews, read_learner
+from judge.practice.syllabus import SETS, Checklist, read_checklist
 from judge.problem import Problem, Verdict
 from judge.problem.find import problem_folders
 from judge.run.result import Result
+
+if TYPE_CHECKING:
+    from judge.practice.history import History
 
 _BEFORE, _AFTER = 6, 15  # minutes of the interview for each card before the kata, and after it
 
@@ -60,36 +64,6 @@ def topics(mine: Learner, cards: Sequence[Card], checklist: Checklist) -> list[T
     return found
 
 
-def next_cards(
-    cards: Sequence[Card],
-    reviews: Sequence[Review],
-    now: datetime,
-    count: int,
-    *,
-    near: Sequence[str] = (),
-    weak: Sequence[Collection[str]] = (),
-    ahead: bool = False,
-) -> list[Card]:
-    """The cards in their turn: due ones, the longest overdue first, then new ones.
-
-    If `count` are asked, half of their new ones are `weak`, which are the keys of cards by topic, one topic
-    after the other; half are of the first of the sets `near`. Both are of these sets while there are any.
-    With `ahead` those follow that are due later.
-    """
-    by_key = {card.key: card for card in cards}
-    known = [(by_key[review.name], review.is_due(now)) for review in reviews if review.name in by_key]
-    answered = {card.key for card, _ in known}
-    new = [card for card in cards if card.key not in answered]
-    due = [card for card, is_due in known if is_due]
-    close = [card for card in new if not {*near}.isdisjoint(card.sets)]
-    turns = zip_longest(*([card for card in close if card.key in keys] for keys in weak))
-    topical = list({card.key: card for turn in turns for card in turn if card}.values())
-    own = sorted(close, key=lambda card: near[0] not in card.sets)
-    later = [card for card, is_due in known if not is_due] if ahead else []
-    half = max(count - len(due) + 1, 0) // 2
-    return list({card.key: card for card in (*due, *topical[:half], *own, *new, *later)}.values())
-
-
 def near_sets(own: str) -> tuple[str, ...]:
     """That set, the one below and the one above."""
     if own not in SETS:
@@ -99,17 +73,43 @@ def near_sets(own: str) -> tuple[str, ...]:
 
 
 class Wanted:
-    """Which cards a person is asked next; `name` is the set that was named."""
+    """What a person is asked next: the set that was named or the own one, those near it, how topics stand.
 
-    def __init__(self, name: str, mine: Learner) -> None:
-        self.mine, self.answered = mine, card_reviews(mine.answers)
-        self._near = near_sets(next((each.name for each in mine.from_own(name)), ""))
-        checklist = read_checklist(mine.extra)
-        self.weak = [each.weak for each in topics(mine, read_decks(mine.extra)[0], checklist)]
+    `name` is the set that was named; `cards` are those of all decks.
+    """
+
+    def __init__(self, name: str, mine: Learner, cards: Sequence[Card], checklist: Checklist) -> None:
+        self.mine, self.checklist = mine, checklist
+        self.answered = card_reviews(mine.answers)
+        self.own = next(iter(mine.from_own(name)), None)
+        self.near = near_sets(self.own.name if self.own else "")
+        self.topics = topics(mine, cards, checklist)
 
     def of(self, cards: Sequence[Card], now: datetime, count: int, *, ahead: bool = False) -> list[Card]:
-        """These cards in their turn, of which so many are asked."""
-        return next_cards(cards, self.answered, now, count, near=self._near, weak=self.weak, ahead=ahead)
+        """These cards in their turn: due ones, the longest overdue first, then new ones.
+
+        If `count` are asked, half of their new ones are of what is open, one topic after the other; half are
+        of the own set. Both are of the sets near it while there are any. With `ahead` those follow that are
+        due later.
+        """
+        by_key = {card.key: card for card in cards}
+        known = [each for each in self.answered if each.name in by_key]
+        due = [by_key[each.name] for each in known if each.is_due(now)]
+        answered = {each.name for each in known}
+        new = [card for card in cards if card.key not in answered]
+        close = [card for card in new if not {*self.near}.isdisjoint(card.sets)]
+        turns = zip_longest(*([card for card in close if card.key in each.weak] for each in self.topics))
+        topical = {card.key: card for turn in turns for card in turn if card}
+        own = sorted(close, key=lambda card: self.near[0] not in card.sets)
+        later = [by_key[each.name] for each in known] if ahead else []
+        half = max(count - len(due) + 1, 0) // 2
+        chosen = (*due, *[*topical.values()][:half], *own, *new, *later)
+        return list({card.key: card for card in chosen}.values())
+
+
+def read_wanted(name: str, history: History, extra: Sequence[Path] = ()) -> Wanted:
+    """The same of what a history says of a person. Raises StoreError, and ProblemError as read_checklist."""
+    return Wanted(name, read_learner(history, extra), read_decks(extra)[0], read_checklist(extra))
 
 
 def next_due(cards: Iterable[Card], reviews: Iterable[Review]) -> datetime | None:
@@ -143,20 +143,21 @@ def interview_cards(minutes: int) -> tuple[int, int]:
     return max(2, minutes // _BEFORE), max(1, minutes // _AFTER)
 
 
-def plan(wanted: Sequence[Card], count: int, weak: Sequence[Collection[str]]) -> list[Card]:
+def plan(cards: Sequence[Card], count: int, found: Sequence[Topic]) -> list[Card]:
     """So many cards, from easy to hard and then those of no set; at least one of each topic that is open."""
-    firsts = [next((card for card in wanted if card.key in keys), None) for keys in weak]
-    chosen = {card.key: card for card in (*firsts, *wanted) if card}
-    kept = [*chosen.values()][:count]
+    firsts = [next((card for card in cards if card.key in each.weak), None) for each in found]
+    chosen = {card.key: card for card in (*firsts, *cards) if card}
+    ranks = {name: at for at, name in enumerate(SETS)}
     return sorted(
-        kept, key=lambda card: next((at for at, each in enumerate(SETS) if each in card.sets), len(SETS))
+        [*chosen.values()][:count],
+        key=lambda card: min([ranks[each] for each in card.sets if each in ranks], default=len(SETS)),
     )
 
 
-def usual_kata(name: str, course: Syllabus) -> Problem:
+def usual_kata(name: str, mine: Learner) -> Problem:
     """The first unsolved kata of that set, or of the person's own; else of the next one; or any."""
-    katas = [kata for part in course.from_own(name) for kata in course.counted(part)] or [*course.problems]
-    return next((each for each in katas if each.id not in course.solved), katas[0])
+    katas = [kata for part in mine.from_own(name) for kata in mine.counted(part)] or [*mine.problems]
+    return next((each for each in katas if each.id not in mine.solved), katas[0])
 
 
 def lacking(problem: Problem, last: Result) -> tuple[str, ...]:

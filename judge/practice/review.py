@@ -23,7 +23,7 @@ from msgspec import Struct
 from judge.errors import ProblemError
 from judge.practice.events import Answer, Event, Help, Rating, Run
 from judge.practice.progress import Tried, levels_passed, solved, tried
-from judge.practice.syllabus import Syllabus, sound_sets
+from judge.practice.syllabus import USUAL, PracticeSet, first_sets, sound_sets
 from judge.problem import Problem, Verdict
 from judge.problem.find import problem_folders, sound_problems
 from judge.published import Published
@@ -145,13 +145,15 @@ class Due(Published, frozen=True):
         return sum(card.is_due(self.time) for card in self.cards)
 
 
-class Learner(Syllabus, frozen=True):
+class Learner(Struct, frozen=True):
     """What a person did: all runs, those that say something of them by problem, help, and answers to cards.
 
-    `solved` says since when a kata is; `extra` are the folders that were looked in first, and `faults` are
-    the problems and sets that cannot be read.
+    `problems` and `sets` are all katas; `solved` says since when one is. `extra` are the folders that were
+    looked in first, and `faults` are the problems and sets that cannot be read.
     """
 
+    problems: Sequence[Problem]
+    sets: Sequence[PracticeSet[Problem]]
     solved: Mapping[str, datetime]
     runs: Sequence[Run]
     own: Tried
@@ -159,6 +161,44 @@ class Learner(Syllabus, frozen=True):
     answers: Sequence[Answer]
     extra: Sequence[Path]
     faults: Sequence[ProblemError]
+
+    def set_of(self, problem: str) -> PracticeSet[Problem] | None:
+        """The first set that a kata belongs to; None where it is in none but the whole path."""
+        name = first_sets(self.sets).get(problem)
+        return next((each for each in self.sets if each.name == name), None)
+
+    def counted(self, part: PracticeSet[Problem]) -> list[Problem]:
+        """The katas that count in that set: those whose first one it is, and all of the whole path."""
+        firsts = first_sets(self.sets)
+        return [each for each in part.problems if part.name in (USUAL, firsts[each.id])]
+
+    def from_own(self, name: str = "") -> list[PracticeSet[Problem]]:
+        """The sets from the person's own on, then those before; `name` may name another one.
+
+        A person's set is the highest in which a kata is solved, or the first.
+        """
+        sets = [each for each in self.sets if each.name != USUAL and each.problems]
+        firsts = first_sets(sets)
+        won = {firsts[each] for each in self.solved if each in firsts}
+        own = max((at for at, each in enumerate(sets) if each.name in won), default=0)
+        at = next((at for at, each in enumerate(sets) if each.name == name), own)
+        return sets[at:] + sets[:at]
+
+    def next(self, after: str) -> Problem | None:
+        """The kata that comes after that one and is not solved; None where all others are.
+
+        First in its own set, from there on and then from the start, so that one that was left out comes back;
+        then on the whole path.
+        """
+        own = self.set_of(after)
+        path = next((each.problems for each in self.sets if each.name == USUAL), self.problems)
+        for row in (own.problems if own else (), path):
+            names = [each.id for each in row]
+            at = names.index(after) + 1 if after in names else 0
+            for each in (*row[at:], *row[:at]):
+                if each.id not in self.solved and each.id != after:
+                    return each
+        return None
 
     def stars(self, problems: Iterable[Problem]) -> tuple[int, int]:
         """How many of these katas have one star, and how many two."""

@@ -16,14 +16,13 @@ from functools import partial
 from inspect import getsource
 from itertools import count
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from judge.errors import ProblemError, UsageError, unwritable
 from judge.files import new_file, read_ordinary, replace_file
 from judge.languages import file_name, language_of
 from judge.problem import Example, Problem
 from judge.problem.find import typed
-from judge.problem.model import tupled
 from judge.problem.transcripts import typed_lines
 from judge.values import parameters
 from judge.values.atoms import Type
@@ -223,7 +222,7 @@ def _native(problem: Problem, language: Language, about: Iterable[str]) -> str:
             return [_INDENT + row for row in _typed(problem, example)]
         literals = zip(problem.parameters, _literals(problem, example), strict=True)
         given = ", ".join(f"{each.name} = {literal}" for each, literal in literals)
-        return [f"{_INDENT}{spec.entry}: {given}  gives  {_wanted(problem, example)!r}"]
+        return [f"{_INDENT}{spec.entry}: {given}  gives  {example.wanted!r}"]
 
     def comments(lines: Iterable[str], indent: str = "") -> list[str]:
         return [f"{indent}{language.comment} {line}".rstrip() for line in lines]
@@ -258,7 +257,7 @@ def _doctest(problem: Problem, example: Example) -> list[str]:
 
     Where an answer of one's own looks different and is right as well, it is told instead.
     """
-    wanted, room = _wanted(problem, example), _WIDTH - 2 * len(_INDENT)
+    wanted, room = example.wanted, _WIDTH - 2 * len(_INDENT)
     given = _literals(problem, example)
     literals = [each.replace(" ", "\0") if len(each) < room - 4 else each for each in given]
     call = f"{problem.entry}({', '.join(literals)})"
@@ -270,10 +269,6 @@ def _doctest(problem: Problem, example: Example) -> list[str]:
     rows = enumerate(_wrapped(call, room, subsequent_indent=_INDENT))
     lines = [f"{'...' if at else '>>>'} {row}".replace("\0", " ") for at, row in rows]
     return [*lines, repr(wanted)]
-
-
-def _wanted(problem: Problem, example: Example) -> Any:
-    return parameters.listed(problem.answer, tupled(example.wanted))  # what comes from the cache has lists
 
 
 def _literals(problem: Problem, example: Example) -> list[str]:

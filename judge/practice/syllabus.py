@@ -37,9 +37,9 @@ import msgspec
 from msgspec import Struct
 
 from judge.cache import DISK, digest, stamp
-from judge.errors import ProblemError, UsageError, nearest
+from judge.errors import ProblemError, UsageError, meant, nearest
 from judge.problem import Problem, Tier
-from judge.problem.find import find_problem, problem_folders, problem_roots, sound_problems
+from judge.problem.find import find_problem, problem_folders, problem_roots
 from judge.problem.model import FIRST, Listed
 
 if TYPE_CHECKING:
@@ -134,7 +134,6 @@ def find_set(name: str, problems: Sequence[P], extra: Sequence[Path] = ()) -> Pr
         UsageError: there is none of that name.
         ProblemError: its file, or a problem that it lists, is broken, or it has no problem.
     """
-    from judge.errors import meant
     from judge.problem.toml import TomlFile
 
     files = set_files(extra)
@@ -219,59 +218,6 @@ def toml_files(folder: str, order: Sequence[str], extra: Sequence[Path]) -> dict
     return {name: found[name] for name in (*filter(found.get, order), *sorted(found.keys() - set(order)))}
 
 
-class Syllabus(Struct, frozen=True):
-    """All katas and their sets, and those katas that a person has solved."""
-
-    problems: Sequence[Problem]
-    sets: Sequence[PracticeSet[Problem]]
-    solved: Collection[str]
-
-    def set_of(self, problem: str) -> PracticeSet[Problem] | None:
-        """The first set that a kata belongs to; None where it is in none but the whole path."""
-        name = first_sets(self.sets).get(problem)
-        return next((each for each in self.sets if each.name == name), None)
-
-    def counted(self, part: PracticeSet[Problem]) -> list[Problem]:
-        """The katas that count in that set: those whose first one it is, and all of the whole path."""
-        firsts = first_sets(self.sets)
-        return [each for each in part.problems if part.name in (USUAL, firsts[each.id])]
-
-    def from_own(self, name: str = "") -> list[PracticeSet[Problem]]:
-        """The sets from the person's own on, then those before; `name` may name another one.
-
-        A person's set is the highest in which a kata is solved, or the first.
-        """
-        sets = [each for each in self.sets if each.name != USUAL and each.problems]
-        firsts = first_sets(sets)
-        won = {firsts[each] for each in self.solved if each in firsts}
-        own = max((at for at, each in enumerate(sets) if each.name in won), default=0)
-        at = next((at for at, each in enumerate(sets) if each.name == name), own)
-        return sets[at:] + sets[:at]
-
-    def next(self, after: str) -> Problem | None:
-        """The kata that comes after that one and is not solved; None where all others are.
-
-        First in its own set, from there on and then from the start, so that one that was left out comes back;
-        then on the whole path.
-        """
-        own = self.set_of(after)
-        path = next((each.problems for each in self.sets if each.name == USUAL), self.problems)
-        for row in (own.problems if own else (), path):
-            names = [each.id for each in row]
-            at = names.index(after) + 1 if after in names else 0
-            for each in (*row[at:], *row[:at]):
-                if each.id not in self.solved and each.id != after:
-                    return each
-        return None
-
-
-def read_course(solved: Collection[str], extra: Sequence[Path] = ()) -> Syllabus:
-    """What can be read, with what is solved of it; `extra` are folders to look in first."""
-    problems, _ = sound_problems(extra)
-    sets, _ = sound_sets(problems, extra)
-    return Syllabus(problems, sets, {each.id for each in problems if each.id in solved})
-
-
 # -- skills and questions ----------------------------------------------------------------------------------
 
 
@@ -307,14 +253,12 @@ def find_row(name: str, rows: Iterable[ChecklistRow]) -> ChecklistRow:
     known = {row.id.upper(): row for row in rows}
     if found := known.get(name.upper()):
         return found
-    near = nearest(name.upper(), known)
-    remedy = f"did you mean {near!r}?" if near else f"they are {', '.join(row.id for row in known.values())}"
+    remedy = meant(name.upper(), [row.id for row in known.values()], "they are")
     raise UsageError(f"there is no question {name!r}", remedy=remedy)
 
 
 def unknown_names(problems: Iterable[Problem], extra: Sequence[Path] = ()) -> Iterator[ProblemError]:
     """A fault for each set and skill that a problem names and no file does. Raises as read_checklist."""
-    from judge.errors import meant
     from judge.problem.toml import key_place
 
     sets, skills = list(set_files(extra)), [skill.name for skill in read_checklist(extra).skills]
@@ -343,8 +287,6 @@ def refuse_unknown(
     file: TomlFile, names: Iterable[str], known: Sequence[str], said: str, *path: str | int
 ) -> None:
     """Raise a ProblemError for the first name of a list in the file that is not known."""
-    from judge.errors import meant
-
     for at, name in enumerate(names):
         if name not in known:
             raise file.fault(f"{said} {name!r}", meant(name, known), *path, at)

@@ -16,9 +16,9 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
 
 from msgspec import Struct
 
@@ -39,18 +39,24 @@ class Decided(NamedTuple):
     gap: float
 
 
+T = TypeVar("T")
 _told: list[list[Decided]] = []  # of those who ask, the innermost last
 _broken: list[list[str]] = []  # promises, of those who are lenient
 
 
 @contextmanager
-def decisions() -> Iterator[list[Decided]]:
-    """The decisions that are made inside, in order."""
-    _told.append([])
+def _heard(all_: list[list[T]]) -> Iterator[list[T]]:
+    """What is said inside to the innermost."""
+    all_.append([])
     try:
-        yield _told[-1]
+        yield all_[-1]
     finally:
-        _told.pop()
+        all_.pop()
+
+
+def decisions() -> AbstractContextManager[list[Decided]]:
+    """The decisions that are made inside, in order."""
+    return _heard(_told)
 
 
 def decided(what: str, gap: float) -> None:
@@ -59,14 +65,9 @@ def decided(what: str, gap: float) -> None:
         _told[-1].append(Decided(what, gap))
 
 
-@contextmanager
-def lenient() -> Iterator[list[str]]:
+def lenient() -> AbstractContextManager[list[str]]:
     """Inside, what is nearer than the promise allows is kept, and solved all the same: no InvalidCase."""
-    _broken.append([])
-    try:
-        yield _broken[-1]
-    finally:
-        _broken.pop()
+    return _heard(_broken)
 
 
 def refuse(sentence: str) -> None:

@@ -12,7 +12,7 @@ from typing import Annotated, Any, Self
 
 from msgspec import Meta, Struct
 
-from judge.errors import ProblemError, UsageError
+from judge.errors import ProblemError, UsageError, meant
 from judge.values.answers import Tolerance
 from judge.values.atoms import Type
 
@@ -361,8 +361,6 @@ def chosen_groups(problem: Problem, names: Sequence[str], level: str | None = No
     known = [group.name for group in problem.groups]
     for name in names:
         if name not in known:
-            from judge.errors import meant
-
             raise UsageError(f"{problem.id} has no group {name!r}", remedy=meant(name, known, "it has"))
     chosen = tuple(group for group in problem.groups if not names or group.name in names)
     if level is not None and level not in LEVELS:

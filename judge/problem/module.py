@@ -21,6 +21,7 @@ from judge.problem.declare import Declared, Format, Hooks, InvalidCase
 from judge.problem.model import Case, KataLevel, Problem, tupled
 from judge.problem.toml import read_text
 from judge.values import parameters
+from judge.values.wire import cut
 
 if TYPE_CHECKING:
     from judge.values.answers import Exact
@@ -225,5 +226,4 @@ def _rows(module: ModuleType, problem: Problem) -> Iterator[tuple[KataLevel | No
 
 def _shortened(case: Case) -> str:
     """The case as a call's arguments, cut where it is long."""
-    text = f"({', '.join(map(repr, case))})"
-    return text if len(text) <= _LONGEST else f"{text[: _LONGEST - 1]}…"
+    return cut(f"({', '.join(map(repr, case))})", _LONGEST)

@@ -90,7 +90,7 @@ def read_problem(folder: Path, solutions: Path) -> Problem:
     for name, row in head.parameters.items():
         if isinstance(row, dict):
             row["name"] = name
-        parameters.append(_bounded(file.read(Parameter, hook, "parameters", name), row))
+        parameters.append(_as_its_type(file.read(Parameter, hook, "parameters", name), row, types))
     for what, remedy, *path in _faults(head, answer, parameters):
         raise file.fault(what, remedy, *path)
     parameters += [Parameter("calls", methods[0], "the calls, in their order")] if methods else []
@@ -100,7 +100,7 @@ def read_problem(folder: Path, solutions: Path) -> Problem:
         solutions=solutions,
         groups=(),
         answer=answer,
-        parameters=tuple([_lettered(each, types) for each in parameters]),
+        parameters=tuple(parameters),
         methods=methods is not None,
         **{key: getattr(head, key) for key in (*Titled.__struct_fields__, "limits", "time", "source")},
     )
@@ -145,9 +145,12 @@ def _methods(file: TomlFile, head: Head, types: Path) -> tuple[Type, Type]:
     return calls, returns
 
 
-def _bounded(parameter: Parameter, row: Mapping[str, Any]) -> Parameter:
-    """The parameter with the bounds of its type, where its `row` has none; ints are as small as they like."""
-    if not parameter.type.measured:
+def _as_its_type(parameter: Parameter, row: Mapping[str, Any], types: Path) -> Parameter:
+    """The parameter with its letters in its type, and with the bounds of that where its `row` has none."""
+    if texts_of(parameter.type):
+        letters = parameter.letters or USUAL
+        parameter = replace(parameter, type=parsed_type(parameter.type.text, types, letters=letters))
+    if not parameter.type.measured:  # ints are as small as they like
         parameter = replace(parameter, smallest=Fraction(0))
     numbers = [each for each in atoms(parameter.type) if isinstance(each, NumberType)]
     for key, widest in (("low", min), ("high", max)):
@@ -156,30 +159,6 @@ def _bounded(parameter: Parameter, row: Mapping[str, Any]) -> Parameter:
             usual = [getattr(parameter, key)] if len(own) < len(numbers) else []
             parameter = replace(parameter, **{key: Fraction(widest(own + usual))})
     return parameter
-
-
-def _lettered(parameter: Parameter, types: Path) -> Parameter:
-    """The parameter with its letters in its type."""
-    if not texts_of(parameter.type):
-        return parameter
-    letters = parameter.letters or USUAL
-    return replace(parameter, type=parsed_type(parameter.type.text, types, letters=letters))
-
-
-def _letter_faults(parameter: Parameter) -> Iterator[tuple[str, str]]:
-    """What is wrong with a parameter's letters, and what to do about it."""
-    letters = parameter.letters
-    if letters is None:
-        return
-    if not texts_of(parameter.type):
-        yield f"{parameter.name} has letters, and no text", "remove them"
-    elif not letters:
-        yield "letters is empty", "name at least one, or leave the key out"
-    else:
-        try:
-            expanded(letters)
-        except ValueError as why:
-            yield f"letters = {letters!r}: {why}", 'write single ones and ranges, such as "a-z "'
 
 
 def _exact(wanted: Any, value: Any, types: Path) -> Any:
@@ -229,8 +208,15 @@ def _faults(head: Head, answer: Type, parameters: Sequence[Parameter]) -> Iterat
         if not each.type.is_parameter:
             what = f"no parameter can be of the type {each.type}"
             yield what, "an array is a whole parameter", *path, "type"
-        for what, remedy in _letter_faults(each):
-            yield what, remedy, *path, "letters"
+        if each.letters is not None and not texts_of(each.type):
+            yield f"{each.name} has letters, and no text", "remove them", *path, "letters"
+        elif each.letters == "":
+            yield "letters is empty", "name at least one, or leave the key out", *path, "letters"
+        try:
+            expanded(each.letters or "")
+        except ValueError as why:
+            remedy = 'write single ones and ranges, such as "a-z "'
+            yield f"letters = {each.letters!r}: {why}", remedy, *path, "letters"
         if not 0 <= each.smallest <= 1:
             what = f"the smallest number of {each.name!r} other than 0 is not from 0 to 1"
             yield what, "an int other than 0 is never smaller than 1", *path, "smallest"

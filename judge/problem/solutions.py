@@ -18,6 +18,7 @@ import ast
 import re
 import warnings
 from collections.abc import Iterable
+from contextlib import suppress
 from enum import Enum
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
@@ -151,14 +152,10 @@ def requirement(path: Path) -> str:
 
     Its docstring begins with the package, its version, a colon and what is called.
     """
-    try:
-        found = (
-            _LIBRARY.match(_read(SolutionKind.LIBRARY, path).name)
-            if path.parent.name == "libraries"
-            else None
-        )
-    except ProblemError:
-        return ""
+    found = None
+    if path.parent.name == SolutionKind.LIBRARY.value:
+        with suppress(ProblemError):
+            found = _LIBRARY.match(_read(SolutionKind.LIBRARY, path).name)
     return ("==" if path.suffix == SUFFIX else "@").join(found.groups()) if found else ""
 
 

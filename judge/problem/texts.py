@@ -33,18 +33,18 @@ from judge.problem.formats import input_of, output_of
 from judge.problem.model import Case, Example, GroupLimits, Problem, tupled
 from judge.problem.module import Module
 from judge.problem.toml import TomlFile, read_text
-from judge.problem.transcripts import read_transcripts
+from judge.problem.transcripts import check_example, prompts, read_transcripts
 from judge.values import check, parameters, show
 from judge.values.answers import Tolerance
 from judge.values.letters import TextType
 from judge.values.types import lasting
+from judge.values.wire import cut
 
 _NEARLY = Tolerance(relative=Fraction(1, 10**9))  # of an example, whose answer is only shown
 _STEP = "begin each step with a line '## Its title', and write its text below"
 _BRIEF = 80  # characters of what is wrong: a message is one line, whatever stands in the file
 # What reading a text as Python raises: MemoryError if nested deeply, TypeError for {[]} and its like.
 _UNREADABLE = (SyntaxError, ValueError, TypeError, RecursionError, MemoryError)
-_PROMPT = r"(?m)^[ \t]*>>>(.*(?:\n[ \t]*\.\.\..*)*)((?:\n(?![ \t]*(?:>>>|```|$)).+)*)"
 _PLACEHOLDER = re.compile(r"\{\{\s*(.*?)\s*\}\}")
 
 
@@ -59,13 +59,11 @@ def read_statement(
         return _of_programs(problem, module, raw)
     text = "\n".join([*_filled(problem, "statement.md", raw), ""])
     if problem.methods:
-        return text, read_transcripts(problem, text, _PROMPT)
-    examples = []
-    for found in re.finditer(_PROMPT, text):
-        line = text.count("\n", 0, found.start()) + 1
-        case = _case(re.sub(r"\n[ \t]*\.\.\.", "", found[1]).strip(), problem, line)
-        wanted = _wanted(re.sub(r"\s*\n\s*", " ", found[2]).strip(), problem, line)
-        examples.append(Example(case, wanted, line))
+        return text, read_transcripts(problem, text)
+    examples = [
+        Example(_case(typed, problem, line), _wanted(below, problem, line), line)
+        for line, typed, below in prompts(text)
+    ]
     return text, tuple(examples)
 
 
@@ -144,13 +142,10 @@ def _case(text: str, problem: Problem, line: int) -> Case:
             case _:
                 raise ValueError
     except _UNREADABLE:
-        what = f"the example {_brief(text)!r} is not a call of {problem.entry} with plain values"
+        what = f"the example {cut(text, _BRIEF)!r} is not a call of {problem.entry} with plain values"
         remedy = f"write {problem.entry}({', '.join(each.name for each in taken)})"
         raise problem.fault(what, remedy, line, "statement.md") from None
-    for parameter, value in zip(taken, case, strict=True):
-        if fault := parameters.fault(parameter.type, parameter.name, value):
-            what = f"the example is invalid: {fault}"
-            raise problem.fault(what, "correct the example", line, "statement.md")
+    check_example(problem, case, line)
     return case
 
 
@@ -159,7 +154,7 @@ def _wanted(text: str, problem: Problem, line: int) -> Any:
     try:
         answer = parameters.kept(problem.answer, tupled(ast.literal_eval(text)))
     except _UNREADABLE:
-        what = f"the example's answer {_brief(text)!r} is not a plain value"
+        what = f"the example's answer {cut(text, _BRIEF)!r} is not a plain value"
         remedy = "write numbers, texts, True, False, tuples, lists, dicts or None"
         if not text:
             what, remedy = "the example shows no answer", "write it on the next line (None as None)"
@@ -167,13 +162,9 @@ def _wanted(text: str, problem: Problem, line: int) -> Any:
         fault = parameters.fault(problem.answer, "it", answer)
         if not fault:
             return parameters.listed(problem.answer, answer)
-        what = f"the example's answer {_brief(text)!r} is none: {fault}"
+        what = f"the example's answer {cut(text, _BRIEF)!r} is none: {fault}"
         remedy = "correct it, or the answer that problem.toml declares"
     raise problem.fault(what, remedy, line, "statement.md")
-
-
-def _brief(text: str) -> str:
-    return text if len(text) <= _BRIEF else f"{text[:_BRIEF]}…"
 
 
 # -- hints -------------------------------------------------------------------------------------------------

@@ -21,25 +21,38 @@ from judge.values.atoms import Type
 from judge.values.calls import CallType, ReturnType, shown_call
 
 _BRIEF = 80  # characters of what is wrong
+_PROMPT = r"(?m)^[ \t]*>>>(.*(?:\n[ \t]*\.\.\..*)*)((?:\n(?![ \t]*(?:>>>|```|$)).+)*)"
 
 
-def read_transcripts(problem: Problem, text: str, prompt: str) -> tuple[Example, ...]:
-    """The worked examples in a statement; `prompt` finds each line that is typed, and what follows it.
+def prompts(text: str) -> Iterator[tuple[int, str, str]]:
+    """Each prompt in a statement: on which line, what is typed there, and what stands below it."""
+    for found in re.finditer(_PROMPT, text):
+        line = text.count("\n", 0, found.start()) + 1
+        typed, below = re.sub(r"\n[ \t]*\.\.\.", "", found[1]), re.sub(r"\s*\n\s*", " ", found[2])
+        yield line, typed.strip(), below.strip()
 
-    Raises ProblemError.
-    """
+
+def check_example(problem: Problem, case: Case, line: int) -> None:
+    """Hold a worked example's arguments against the types of the parameters. Raises ProblemError."""
+    for parameter, value in zip(problem.parameters, case, strict=True):
+        if fault := parameters.fault(parameter.type, parameter.name, value):
+            what = f"the example is invalid: {fault}"
+            raise problem.fault(what, "correct the example", line, "statement.md")
+
+
+def read_transcripts(problem: Problem, text: str) -> tuple[Example, ...]:
+    """The worked examples in a statement. Raises ProblemError."""
     found: list[Example] = []
     name = ""  # of the object
-    for each in re.finditer(prompt, text):
-        line = text.count("\n", 0, each.start()) + 1
-        typed = re.sub(r"\n[ \t]*\.\.\.", "", each[1]).strip()
+    for line, typed, below in prompts(text):
         try:
             match ast.parse(typed).body:
                 case [ast.Assign([ast.Name(name)], ast.Call(ast.Name(problem.entry), given, []))]:
                     found.append(Example((*map(_literal, given), ()), [], line))
                 case [ast.Expr(ast.Call(ast.Attribute(ast.Name(own), method), given, []))] if own == name:
                     *made, calls = found[-1].case
-                    wanted = [*found[-1].wanted, _answer(each[2])]
+                    answer = tupled(ast.literal_eval(below)) if below else None
+                    wanted = [*found[-1].wanted, answer]
                     case = (*made, (*calls, (method, *map(_literal, given))))
                     found[-1] = Example(case, wanted, found[-1].line)
                 case _:
@@ -54,10 +67,7 @@ def read_transcripts(problem: Problem, text: str, prompt: str) -> tuple[Example,
             takes = ", ".join(each.name for each in problem.parameters[:-1])
             what = f"the example makes {problem.entry} of other arguments"
             raise problem.fault(what, f"write {problem.entry}({takes})", example.line, "statement.md")
-        for parameter, value in zip(problem.parameters, example.case, strict=True):
-            if fault := parameters.fault(parameter.type, parameter.name, value):
-                what = f"the example is invalid: {fault}"
-                raise problem.fault(what, "correct the example", example.line, "statement.md")
+        check_example(problem, example.case, example.line)
         pairs = zip(_answer_types(problem, example.case), example.wanted, strict=True)
         wanted = [parameters.kept(type_, value) if type_ else value for type_, value in pairs]
         found[at] = replace(example, wanted=listed_answers(problem, example.case, wanted))
@@ -80,12 +90,6 @@ def listed_answers(problem: Problem, case: Case, wanted: Sequence[Any]) -> list[
 
 def _literal(node: ast.expr) -> Any:
     return tupled(ast.literal_eval(node))
-
-
-def _answer(text: str) -> Any:
-    """What is written below a call; nothing stands for None."""
-    written = re.sub(r"\s*\n\s*", " ", text).strip()
-    return tupled(ast.literal_eval(written)) if written else None
 
 
 def var_of(problem: Problem) -> str:

@@ -17,7 +17,7 @@ from rich.console import Group, RenderableType
 from rich.text import Text
 
 from judge.drawing.braille import LEAST_ROWS, ROWS
-from judge.practice.syllabus import Syllabus
+from judge.practice.review import Learner
 from judge.problem import Problem
 from judge.report.parts import beside, facts, faint, first_that_fits, joined, prose, solved_bar, strong, text
 from judge.report.picture import drawing, example_picture
@@ -47,14 +47,14 @@ _PAGE_KEYS = {"space": "more", "b": "back", "Enter": "result", "n": "next", "q":
 _LAST_THIRD = 2 / 3  # of a page, in which it may end at an empty row
 
 
-def place(problem: Problem, course: Syllabus, screen: Screen) -> Group:
+def place(problem: Problem, mine: Learner, screen: Screen) -> Group:
     """The kata's title, where it stands in its set, and how many are solved."""
     said = ""
-    if found := course.set_of(problem.id):
-        names = [each.id for each in course.counted(found)]
+    if found := mine.set_of(problem.id):
+        names = [each.id for each in mine.counted(found)]
         said = f"{found.title.lower()}, kata {names.index(problem.id) + 1} of {len(names)}"
     title = apart(strong(f"{problem.id}  {problem.title}"), faint(said), screen)
-    return Group(title, solved_bar(len(course.solved), len(course.problems), (), screen.width))
+    return Group(title, solved_bar(len(mine.solved), len(mine.problems), (), screen.width))
 
 
 def begun(place: RenderableType, problem: Problem, file: str, screen: Screen, rows: int) -> Group:

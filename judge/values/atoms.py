@@ -1,4 +1,4 @@
-"""What a type is, and the atoms of numbers and words; `judge.values.letters` has texts and truth values.
+"""What a type is, and the atoms of numbers; `judge.values.letters` has words, texts and truth values.
 
 A new atom is a file of a pack that derives from `Atom`.
 """
@@ -139,6 +139,7 @@ class Atom(Type):
     """
 
     samples: Sequence[Any] = ()  # a few values, the simplest first; without any, no parameter is of this type
+    advice = ""  # how its tokens are written
     is_parameter = property(lambda self: bool(self.samples))
 
     def why_not(self, value: Any) -> str | None:
@@ -226,7 +227,7 @@ class Atom(Type):
         try:
             return self.sent(self.value_from(token))
         except ValueError:
-            raise Unreadable(f"{wire.quoted(token)} where {meant} is expected") from None
+            raise Unreadable(f"{wire.quoted(token)} where {meant} is expected{self.advice}") from None
 
     def shown(self, value: Value) -> str:
         """A value as a person would write it in Python, cut where it is long."""
@@ -366,35 +367,3 @@ class DoubleType(RealType):
     """The floats of an array."""
 
     noun, kinds = "a float", (float,)
-
-
-class WordType(Atom):
-    """`word(a|b|…)`: one of a few words, a str of ASCII letters, digits, hyphens and underscores."""
-
-    annotation, plural = "str", "words"
-
-    def __init__(self, *words: str) -> None:
-        if len(words) < 2 or len(set(words)) < len(words) or "none" in words:
-            raise ValueError("a word is one of two or more, all of them different and none of them none")
-        self.text, self.samples = f"word({'|'.join(words)})", words
-        self.noun = f"{', '.join(words[:-1])} or {words[-1]}"
-
-    @cached_property
-    def quick(self) -> Quick:
-        """Whether it is sent as that word."""
-        return lambda raw, target: NOTHING if type(raw) is dict and raw == {"word": target} else None
-
-    def why_not(self, value: Any) -> str | None:
-        """One of the choice."""
-        known = type(value) is str and value in self.samples
-        return None if known else f"{value!r} where {self.noun} is expected"
-
-    def value_of(self, raw: Raw) -> Any:
-        """Any word: a wrong one is a wrong answer."""
-        if (given := wire.word(raw)) is None:
-            raise ValueError("no word")
-        return given
-
-    def take(self, tokens: Tokens, meant: str) -> Raw:
-        """Any word."""
-        return {"word": tokens.next()}

@@ -53,6 +53,10 @@ class _Methods(Atom):
         """The method that is called."""
         return self.methods[self.place[call[0]]]
 
+    def given(self, call: Sequence[Any]) -> Iterator[tuple[str, Type, Any]]:
+        """What a call hands over: the parameter's name, its type, the argument."""
+        return ((*taken, each) for taken, each in zip(self.of(call).takes, call[1:], strict=True))
+
 
 class CallType(_Methods):
     """The calls of one case."""
@@ -68,29 +72,25 @@ class CallType(_Methods):
 
     def _no_call(self, call: Any) -> str | None:
         known = type(call) is tuple and call and type(call[0]) is str and call[0] in self.place
-        names = " or ".join(self.place)
-        if not known:
-            return f"{wire.cut(repr(call))} where a call of {names} is expected"
-        method = self.of(call)
-        if len(call) - 1 != len(method.takes):
-            takes = ", ".join(name for name, _ in method.takes) or "nothing"
-            return f"{wire.cut(repr(call))} where a call of {names} is expected; {method.name} takes {takes}"
-        return None
+        takes = self.of(call).takes if known else ()
+        if known and len(call) - 1 == len(takes):
+            return None
+        more = f"; {call[0]} takes {', '.join(name for name, _ in takes) or 'nothing'}" if known else ""
+        return f"{wire.cut(repr(call))} where a call of {' or '.join(self.place)} is expected{more}"
 
     def _fault(self, call: Any) -> str | None:
         if wrong := self._no_call(call):
             return wrong
-        method = self.of(call)
-        pairs = zip(method.takes, call[1:], strict=True)
-        faults = (parameters.fault(type_, f"{method.name}: {name}", each) for (name, type_), each in pairs)
+        given = self.given(call)
+        faults = (parameters.fault(type_, f"{call[0]}: {name}", each) for name, type_, each in given)
         return next(filter(None, faults), None)
 
     def beyond(self, value: Any) -> str | None:
         """An argument that is beyond its type's bounds."""
         for call in value:
-            for (name, type_), each in zip(self.of(call).takes, call[1:], strict=True):
+            for name, type_, each in self.given(call):
                 for atom, leaf in parameters.leaves(type_, each):
-                    if isinstance(atom, Atom) and (wrong := atom.beyond(leaf)):
+                    if wrong := atom.beyond(leaf):
                         return f"{wrong}, as {name} of {call[0]}"
                     if type(leaf) is int and getattr(atom, "low", 0) is None and abs(leaf) >= _LONG:
                         return f"{leaf}, of more than 64 bits, as {name} of {call[0]}: give its type bounds"
@@ -99,7 +99,7 @@ class CallType(_Methods):
     def listed(self, value: Any, *, received: bool = False) -> Any:
         """Each call as a submission receives it; or else with the pairs of a dict, as JSON can hold them."""
         way = parameters.argument if received or not self.keyed else parameters.listed
-        return [(call[0], *map(way, (type_ for _, type_ in self.of(call).takes), call[1:])) for call in value]
+        return self._mapped(way, value)
 
     @cached_property
     def keyed(self) -> bool:  # type: ignore[override]
@@ -110,12 +110,10 @@ class CallType(_Methods):
         """Each dict as its pairs."""
         if type(value) is not tuple or any(map(self._no_call, value)):
             return value
-        return tuple(
-            [
-                (call[0], *map(parameters.kept, (type_ for _, type_ in self.of(call).takes), call[1:]))
-                for call in value
-            ]
-        )
+        return tuple(self._mapped(parameters.kept, value))
+
+    def _mapped(self, way: Callable[[Type, Any], Any], value: Any) -> list[Any]:
+        return [(call[0], *(way(type_, each) for _, type_, each in self.given(call))) for call in value]
 
     def simpler(self, value: Any) -> Iterator[Any]:
         """Fewer calls, half of them or one, then simpler arguments."""
@@ -126,7 +124,7 @@ class CallType(_Methods):
         if count == 1:
             yield ()
         for at, call in enumerate(value):
-            for place, ((_, type_), each) in enumerate(zip(self.of(call).takes, call[1:], strict=True), 1):
+            for place, (_, type_, each) in enumerate(self.given(call), 1):
                 for other in parameters.simpler(type_, each):
                     yield (*value[:at], (*call[:place], other, *call[place + 1 :]), *value[at + 1 :])
 
@@ -208,13 +206,16 @@ class ReturnType(_Methods):
 
     def best(self, target: Target) -> Value:
         """What perfect calls return."""
-        pairs = ((self.methods[place].answer, wanted) for place, wanted in target)
-        return [None if answer is None else show.best(answer, wanted) for answer, wanted in pairs]
+        return self._each(show.best, target)
 
     def accepted(self, target: Target) -> Any:
         """What is accepted of each call; null where nobody looks."""
-        pairs = ((self.methods[place].answer, wanted) for place, wanted in target)
-        return [None if answer is None else show.accepted(answer, wanted) for answer, wanted in pairs]
+        return self._each(show.accepted, target)
+
+    def _each(self, ask: Callable[[Type, Target], Any], target: Target) -> list[Any]:
+        """What is asked of each call's answer; None where nobody looks at that."""
+        answers = ((self.methods[place].answer, wanted) for place, wanted in target)
+        return [ask(answer, wanted) if answer else None for answer, wanted in answers]
 
     def shown(self, value: Value) -> str:
         """As a list; a target is shown by its best."""

@@ -24,10 +24,10 @@ from typing import Any, TypeVar
 
 from judge.errors import nearest
 from judge.values.answers import NO_WORDS, Words
-from judge.values.atoms import COORDINATES, IntType, RealType, Type, WordType
+from judge.values.atoms import COORDINATES, IntType, RealType, Type
 from judge.values.calls import CallType, Method, ReturnType
 from judge.values.dicts import DictType
-from judge.values.letters import BoolType, TextType, texts_of
+from judge.values.letters import BoolType, TextType, WordType, texts_of
 from judge.values.types import ArrayType, ListType, OptionalType, TupleType
 
 _MOST_TEXT = 2_000  # characters of a type's text
@@ -138,9 +138,9 @@ class _Parser:
         found: Type
         token = self._next()
         if token == "(":
-            found = TupleType(self._several(self._type, ","))
+            found = TupleType(self._several(self._type, ",", ")"))
         elif token == "[":
-            found = self._list()
+            found = ListType(self._type(), *self._lengths("]"))
         elif token == "{":
             key = self._type()
             self._next(":")
@@ -148,7 +148,7 @@ class _Parser:
         elif token in _BOUNDED:
             found = self._bounded(token)
         elif token in _IN_A_ROW and self._take("{"):
-            found = _IN_A_ROW[token](self._methods())
+            found = _IN_A_ROW[token](self._several(self._method, ";", "}"))
         elif token.replace("-", "_").isidentifier():
             found = self._named(token)
         else:
@@ -156,17 +156,14 @@ class _Parser:
         self._depth -= 1
         return OptionalType(found) if self._take("?") else found
 
-    def _several(self, each: Callable[[], _T], between: str) -> list[_T]:
-        """What is parted by any of these signs, up to the closing parenthesis."""
+    def _several(self, each: Callable[[], _T], between: str, end: str) -> list[_T]:
+        """What is parted by any of these signs, up to the one that closes it."""
         found = [each()]
-        while not self._take(")"):
+        while not self._take(end):
             if not any(map(self._take, between)):
-                self._next(")")  # it is no such sign
+                self._next(end)  # it is no such sign
             found.append(each())
         return found
-
-    def _list(self) -> ListType:
-        return ListType(self._type(), *self._lengths("]"))
 
     def _lengths(self, end: str) -> tuple[int, int | None]:
         """How many items there may be, up to the closing sign."""
@@ -178,27 +175,19 @@ class _Parser:
         self._next(end)
         return low, high
 
-    def _methods(self) -> list[Method]:
-        """Those up to the closing brace."""
-        found = [self._method()]
-        while not self._take("}"):
-            self._next(";")
-            found.append(self._method())
-        return found
-
     def _method(self) -> Method:
         """A name, what it takes, and what it answers."""
-        name, takes = self._next(), list[tuple[str, Type]]()
+        name = self._next()
         self._next("(")
-        while not self._take(")"):
-            if takes:
-                self._next(",")
-            parameter = self._next()
-            self._next(":")
-            takes.append((parameter, self._type()))
+        takes = [] if self._take(")") else self._several(self._parameter, ",", ")")
         if not all(each.isidentifier() for each in (name, *(word for word, _ in takes))):
             raise ValueError(f"{name} and its parameters need plain names")
         return Method(name, tuple(takes), self._type() if self._take("->") else None)
+
+    def _parameter(self) -> tuple[str, Type]:
+        name = self._next()
+        self._next(":")
+        return name, self._type()
 
     def _length(self) -> int:
         token = self._next()
@@ -243,7 +232,7 @@ class _Parser:
         found = NAMES.get(name) or _found(name, self._folder)
         if found is None:
             raise self._unknown(name)
-        arguments = self._several(self._next, "|;,") if self._take("(") else []
+        arguments = self._several(self._next, "|;,", ")") if self._take("(") else []
         if isinstance(found, str):
             if arguments:
                 raise ValueError(f"{name} takes nothing in parentheses")

@@ -1,4 +1,4 @@
-"""Texts and truth values: `text(low..high)` and `bool`.
+"""Words, texts and truth values: `word(a|b|…)`, `text(low..high)` and `bool`.
 
 A text holds line feeds and the characters from a space to a tilde, which all languages count alike. As a
 token it is written as it is where that is one word, and as a JSON string where it is not.
@@ -28,10 +28,52 @@ _SIMPLE = 4  # characters that a simple text has beyond its least
 _PIECE = 3  # of a text, which is left out wherever it stands
 
 
-class TextType(Atom):
+class StrType(Atom):
+    """Words and texts: any other one is a wrong answer."""
+
+    annotation = "str"
+
+    @cached_property
+    def quick(self) -> Quick:
+        """Whether it is sent as that text."""
+        return lambda raw, target: NOTHING if type(raw) is dict and raw == {"word": target} else None
+
+    def value_of(self, raw: Raw) -> Any:
+        """Any text."""
+        if (given := wire.word(raw)) is None:
+            raise ValueError("no text")
+        return given
+
+    def sent(self, value: Any) -> Raw:
+        """As `judge.sandbox.encode` writes a str."""
+        return {"word": value}
+
+
+class WordType(StrType):
+    """`word(a|b|…)`: one of a few words, a str of ASCII letters, digits, hyphens and underscores."""
+
+    plural = "words"
+
+    def __init__(self, *words: str) -> None:
+        if len(words) < 2 or len(set(words)) < len(words) or "none" in words:
+            raise ValueError("a word is one of two or more, all of them different and none of them none")
+        self.text, self.samples = f"word({'|'.join(words)})", words
+        self.noun = f"{', '.join(words[:-1])} or {words[-1]}"
+
+    def why_not(self, value: Any) -> str | None:
+        """One of the choice."""
+        known = type(value) is str and value in self.samples
+        return None if known else f"{value!r} where {self.noun} is expected"
+
+    def take(self, tokens: Tokens, meant: str) -> Raw:
+        """Any word."""
+        return self.sent(tokens.next())
+
+
+class TextType(StrType):
     """`text(low..high)`: so many characters, of its `letters` where the parameter has such."""
 
-    annotation, noun, plural, is_parameter = "str", "a text", "texts", True
+    noun, plural, is_parameter = "a text", "texts", True
 
     def __init__(self, low: int = 0, high: int = 1000) -> None:
         wire.in_order(low, high)
@@ -46,11 +88,6 @@ class TextType(Atom):
     def signs(self) -> str:
         """Its letters one by one, the simplest first."""
         return "".join(sorted(expanded(self.letters) if self.letters else _ALL, key=rank))
-
-    @cached_property
-    def quick(self) -> Quick:
-        """Whether it is sent as that text."""
-        return lambda raw, target: NOTHING if type(raw) is dict and raw == {"word": target} else None
 
     def why_not(self, value: Any) -> str | None:
         """A str of as many characters as the bounds let pass."""
@@ -100,16 +137,6 @@ class TextType(Atom):
         length = integer(self.low, min(self.high, self.low + _SIMPLE))
         return "".join([pool[integer(0, len(pool) - 1)] for _ in range(length)])
 
-    def value_of(self, raw: Raw) -> Any:
-        """Any text: a wrong one is a wrong answer."""
-        if (given := wire.word(raw)) is None:
-            raise ValueError("no text")
-        return given
-
-    def sent(self, value: Any) -> Raw:
-        """As a word is."""
-        return {"word": value}
-
     def text_of(self, value: Any) -> str:
         """Itself where it is a word, else a JSON string."""
         return value if _BARE.fullmatch(value) else json.dumps(value)
@@ -154,6 +181,7 @@ class BoolType(Atom):
     """`bool`: True or False; 1 is not a bool."""
 
     text, noun, plural, annotation, samples = "bool", "a bool", "bools", "bool", (False, True)
+    advice = ": write true or false"
 
     @cached_property
     def quick(self) -> Quick:
@@ -184,13 +212,6 @@ class BoolType(Atom):
             raise ValueError("no bool")
         return token == "true"
 
-    def take(self, tokens: Tokens, meant: str) -> Raw:
-        """One of two words."""
-        token = tokens.next()
-        if token in ("true", "false"):
-            return token == "true"
-        raise Unreadable(f"{wire.quoted(token)} where {meant} is expected: write true or false")
-
 
 def rank(letter: str) -> int:
     """How simple a letter is: a is the simplest, then b; other signs come after z, as ASCII orders them."""
@@ -199,18 +220,14 @@ def rank(letter: str) -> int:
 
 def expanded(letters: str) -> str:
     """The letters that are meant: `x-y` is a range, and a hyphen at an end is itself. Raises ValueError."""
-    found, at = "", 0
-    while at < len(letters):
-        first, last = letters[at], letters[at]
-        if letters[at + 1 : at + 2] == "-" and at + 2 < len(letters):
-            last = letters[at + 2]
-            at += 2
+    found = ""
+    for part in re.findall(r".-.|.", letters, re.DOTALL):
+        first, last = part[0], part[-1]
         if first > last:
             raise ValueError(f"{first}-{last} is not a range: {first!r} comes after {last!r}")
         if foreign := _FOREIGN.search(first + last):
             raise ValueError(f"{foreign[0]!a} is no ASCII letter or sign")
         found += "".join(map(chr, range(ord(first), ord(last) + 1)))
-        at += 1
     return "".join(dict.fromkeys(found))
 
 

@@ -73,26 +73,25 @@ def from_tokens(type_: Type, words: Iterator[str]) -> Value:
     return found
 
 
-def listed(type_: Type, value: Value) -> Any:
-    """The value with lists for lists and arrays, as JSON can hold it."""
+def listed(type_: Type, value: Value, *, received: bool = False) -> Any:
+    """The value with lists for lists and arrays, as JSON can hold it; with `received`, a dict as one."""
     inner = lasting(type_)
-    if type_.is_plain or value is None or not isinstance(inner, Composite):
-        return value if value is None or not isinstance(inner, Atom) else inner.listed(value)
-    if isinstance(inner, ListType) and inner.item.is_plain:
-        return inner.kind(value)
-    return inner.kind([listed(part, each) for part, each in inner.pairs(value)])
+    if value is None or type_.is_plain:
+        return value
+    if isinstance(inner, Atom):
+        return inner.listed(value, received=received)
+    if isinstance(inner, ListType) and inner.item.is_plain:  # a million of them, perhaps
+        parts = value
+    else:
+        parts = [listed(part, each, received=received) for part, each in inner.pairs(value)]
+    return dict(parts) if received and isinstance(inner, DictType) else inner.kind(parts)
 
 
 def argument(type_: Type, value: Value) -> Any:
     """The value as a submission receives it."""
-    inner = lasting(type_)
-    if value is not None and type_.keyed:
-        if isinstance(inner, Atom):
-            return inner.listed(value, received=True)
-        parts = [argument(part, each) for part, each in inner.pairs(value)]
-        return dict(parts) if isinstance(inner, DictType) else inner.kind(parts)
-    found = dense(type_, value)
-    return listed(type_, value) if found is value else found
+    if value is not None and isinstance(lasting(type_), ArrayType):
+        return array("d", value)
+    return listed(type_, value, received=True)
 
 
 def given(type_: Type, value: Value) -> Any:
@@ -116,13 +115,6 @@ def kept(type_: Type, value: Any) -> Value:
     if type(value) is not tuple or len(parts := inner.parts(len(value))) != len(value):
         return value
     return tuple(map(kept, parts, value))
-
-
-def dense(type_: Type, value: Value) -> Any:
-    """The value, an array as one."""
-    if value is not None and isinstance(lasting(type_), ArrayType):
-        return array("d", value)
-    return value
 
 
 def literal(type_: Type, value: Value) -> str:

@@ -22,7 +22,7 @@ from msgspec.structs import replace
 
 from judge.data.load import load_data
 from judge.data.model import ProblemData, Within
-from judge.data.pins import Kills, differences, pins_file, pins_of, read_pins, write_pins
+from judge.data.pins import PINS, Kills, differences, pins_of, read_pins, write_rows
 from judge.errors import JudgeError, ProblemError, ShortageError, UsageError, meant
 from judge.languages import NAME as PYTHON
 from judge.languages import file_name, language_of
@@ -113,18 +113,15 @@ def verify_problem(
     if not options.solution:
         checks = [
             (fault_of(each, problem.id) for each in unsound),
-            _none_accepted(problem, solutions),
             _whose(problem),
-            _time_faults(problem, solutions),
+            _accepted_faults(problem, solutions),
             draws_twice(pinned),
             own_tokens(pinned),
             format_faults(pinned),
         ]
-    checks += [
-        _wrong_verdicts(problem, each, others, settings, partial=bool(options.groups)) for each in tried
-    ]
+    checks += [_wrong_verdicts(problem, each, others, settings, partial=some) for each in tried]
     if not some:
-        checks += [_few_cases(problem, tried, enough), _misnamed(problem, solutions)]
+        checks.append(_poor_mistakes(problem, tried, enough))
     return Verified(
         problem.id,
         tuple(dict.fromkeys(chain(*checks, drift, found.faults))),
@@ -194,16 +191,16 @@ def _check_pins(
     problem: Problem, found: Mapping[str, Any], *, update: bool, partial: bool
 ) -> tuple[str, list[Fault]]:
     if update:
-        write_pins(problem, found)
+        write_rows(problem, PINS, found)
         return "written", []
-    where = f"{problem.id}/{pins_file(problem).name}"
+    where = f"{problem.id}/{PINS}"
     command = f"judge verify {typed(problem)} --pin"
     remedy = f"if that is meant, pin the data with: {command}"
     try:
         pins = read_pins(problem)
     except ProblemError as error:
         return "differing", [fault_of(error, where)]
-    if pins is None:
+    if not pins:
         return "missing", [Fault("the data are not pinned", where, f"pin them with: {command}")]
     if partial:  # which mistakes the groups reject was not measured
         pins = {name: {**pins[name], "kills": found[name]["kills"]} for name in found if name in pins}
@@ -212,13 +209,6 @@ def _check_pins(
 
 
 # -- the checks --------------------------------------------------------------------------------------------
-
-
-def _none_accepted(problem: Problem, solutions: Sequence[Solution]) -> Iterator[Fault]:
-    if not any(each.kind is SolutionKind.ACCEPTED for each in solutions):
-        folder = problem.solutions / SolutionKind.ACCEPTED.value
-        where = f"{problem.solutions.name}/{folder.name}"
-        yield Fault("there is no accepted solution", where, f"add one to {folder}")
 
 
 def _whose(problem: Problem) -> Iterator[Fault]:
@@ -230,12 +220,15 @@ def _whose(problem: Problem) -> Iterator[Fault]:
         yield Fault(what, key_place(problem, ("source", "license")), "name them in [source]")
 
 
-def _time_faults(problem: Problem, solutions: Sequence[Solution]) -> Iterator[Fault]:
-    """What `[time]` names and is no accepted solution in that language: nothing would be raced against it."""
-    rule = problem.time
-    if rule is None:
-        return
+def _accepted_faults(problem: Problem, solutions: Sequence[Solution]) -> Iterator[Fault]:
+    """No accepted solution, or none of the name and the language of `[time]`: nothing would be raced."""
     accepted = [each.path.name for each in solutions if each.kind is SolutionKind.ACCEPTED]
+    if not accepted:
+        folder = problem.solutions / SolutionKind.ACCEPTED.value
+        where = f"{problem.solutions.name}/{folder.name}"
+        yield Fault("there is no accepted solution", where, f"add one to {folder}")
+    if (rule := problem.time) is None:
+        return
     named: dict[tuple[str, ...], str | None] = {("function",): rule.function, ("program",): rule.program}
     named |= {("references", key): name for key, name in rule.references.items()}
     for path, name in named.items():
@@ -254,55 +247,39 @@ def _time_faults(problem: Problem, solutions: Sequence[Solution]) -> Iterator[Fa
 def _wrong_verdicts(
     problem: Problem, tried: _Tried, others: Sequence[ProblemData], settings: Settings, *, partial: bool
 ) -> Iterator[Fault]:
-    """The verdicts that the folder does not want, on data of other seeds too; nothing is timed there."""
+    """The verdicts that the folder does not want, on data of other seeds too; nothing is timed there.
+
+    In a `partial` set of groups a program that is to be rejected may be right.
+    """
     solution, row, judged, _ = tried
+    where = f"{problem.solutions.name}/{solution.file}"
     if judged is None:
         if not row.ok:
-            yield Fault(f"it cannot be judged: {row.unjudged}", f"{problem.solutions.name}/{solution.file}")
+            yield Fault(f"it cannot be judged: {row.unjudged}", where)
         return
-    if not row.ok:
-        if not (partial and row.verdict is Verdict.AC):
-            yield _verdict_fault(problem, solution, judged)
-        return
-    if (
-        solution.language
-        or solution.kind is SolutionKind.SLOW
-        or (partial and solution.kind is SolutionKind.WRONG)
-    ):
-        return
-    untimed = replace(settings, measured=False)
-    for seed, data in enumerate(others, start=1):
-        judged = judge_submission(data, solution.source, solution.path.name, untimed)
-        if not solution.kind.allows(judged.result.verdict):
-            yield _verdict_fault(problem, solution, judged, f" with --seed {seed}")
+    results, loose = [(judged.result, "")], partial and solution.kind is not SolutionKind.ACCEPTED
+    if row.ok and not (solution.language or solution.kind is SolutionKind.SLOW or loose):
+        untimed = replace(settings, measured=False)
+        for seed, data in enumerate(others, start=1):
+            again = judge_submission(data, solution.source, solution.path.name, untimed).result
+            results.append((again, f" with --seed {seed}"))
+    for result, data_of in results:
+        if not (solution.kind.allows(result.verdict) or (loose and result.verdict is Verdict.AC)):
+            why = f" ({result.failure.message})" if result.failure else ""
+            what = f"gets {result.verdict.value} where {solution.kind.wanted} is wanted{why}{data_of}"
+            yield Fault(what, where, "move it to the folder it belongs to, or correct it or the data")
 
 
-def _verdict_fault(problem: Problem, solution: Solution, judged: Judgement, seed: str = "") -> Fault:
-    result = judged.result
-    why = f" ({result.failure.message})" if result.failure else ""
-    return Fault(
-        f"gets {result.verdict.value} where {solution.kind.wanted} is wanted{why}{seed}",
-        f"{problem.solutions.name}/{solution.file}",
-        "move it to the folder it belongs to, or correct it or the data",
-    )
-
-
-def _few_cases(problem: Problem, tried: Iterable[_Tried], enough: int) -> Iterator[Fault]:
-    """The wrong programs that hardly any case rejects."""
+def _poor_mistakes(problem: Problem, tried: Iterable[_Tried], enough: int) -> Iterator[Fault]:
+    """The wrong programs that hardly any case rejects, or whose file is not called as their mistake."""
     for each in tried:
-        most = max(each.rejecting.values(), default=0)
-        if 0 < most < enough:
-            yield Fault(f"few cases reject it: {most}", f"{problem.solutions.name}/{each.solution.file}")
-
-
-def _misnamed(problem: Problem, solutions: Sequence[Solution]) -> Iterator[Fault]:
-    """The wrong programs whose file is not called as the mistake that they make."""
-    for each in solutions:
-        stem, name = each.path.stem, each.name
-        if each.kind is SolutionKind.WRONG and name and stem != name and not stem.startswith(f"{name}-"):
+        where = f"{problem.solutions.name}/{each.solution.file}"
+        stem, name = each.solution.path.stem, each.solution.name
+        if 0 < (most := max(each.rejecting.values(), default=0)) < enough:
+            yield Fault(f"few cases reject it: {most}", where)
+        if each.solution.kind is SolutionKind.WRONG and name and not f"{stem}-".startswith(f"{name}-"):
             what = f"its docstring names the mistake {name!r}, its file {stem!r}"
-            remedy = f"call it {file_name(name)}, or {file_name(f'{name}-…')}"
-            yield Fault(what, f"{problem.solutions.name}/{each.file}", remedy)
+            yield Fault(what, where, f"call it {file_name(name)}, or {file_name(f'{name}-…')}")
 
 
 def _never_called(problem: Problem) -> Iterator[Fault]:

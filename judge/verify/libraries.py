@@ -10,10 +10,11 @@ import sys
 from importlib.metadata import distributions
 from pathlib import Path
 
-from msgspec.structs import replace
+from msgspec.structs import asdict, replace
 
-from judge.data.libraries import LibraryRow, LibraryTable, read_libraries, table_of, write_libraries
+from judge.data.libraries import LIBRARIES, LibraryRow, LibraryTable, read_libraries, table_of
 from judge.data.model import GroupData, ProblemData
+from judge.data.pins import write_rows
 from judge.errors import UsageError
 from judge.languages.boxes import AnyBoxes
 from judge.languages.signature import signature_of
@@ -54,7 +55,7 @@ def measure_libraries(
                 f"{what}{f' {version}' if found else ''}: {install_command(requirement(each.path))}"
             )
     rows = {each.path.stem: rows[each.path.stem] for each in adapters if each.path.stem in rows}
-    write_libraries(problem, rows)
+    write_rows(problem, LIBRARIES, {name: asdict(row) for name, row in rows.items()})
     return table_of(problem, rows, *missing)
 
 

@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
+from operator import itemgetter
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -26,9 +27,9 @@ from judge.mistakes.family import Family, Maker
 from judge.mistakes.makers import read_makers
 from judge.problem import Problem
 from judge.run.execute import judge_submission
-from judge.run.result import Behaviour
 from judge.run.settings import Settings
 from judge.sandbox import BoxFactory
+from judge.values.wire import cut
 from judge.verify.model import ENOUGH, Fault, MistakeReport, Progress, fault_of
 
 _CODE = re.compile(r"`|[=!<>]=|\*\*|//")  # signs of code in what is to be seen in the answers
@@ -74,14 +75,20 @@ def verify_choices(
             faults += _wrong_right_ways(family, computer)
         for done, maker in enumerate(choices):
             progress("judging mistakes", done, len(choices))
-            rejected = [_rejected(maker, computer, data[0], box_factory) for computer in computers]
-            if maker.equal:
-                warnings += _still_told(maker, rejected[0])
-            else:
-                counts.setdefault(maker.name, []).append(_Counted(maker, rejected[0], tuple(rejected)))
+            seeds = [_rejected(maker, computer, data[0], box_factory) for computer in computers]
+            if not maker.equal:
+                counts.setdefault(maker.name, []).append(_Counted(maker, seeds))
+            elif seeds[0]:
+                what = f"{maker.name} is said to be equal, and {next(iter(seeds[0]))} rejects it"
+                warnings.append(Fault(what, maker.file))
     except ProblemError as fault:
         faults.append(fault_of(fault, where))
-    kept = {name: _told_apart(each) for name, each in counts.items()}
+    # A change that is made in every problem alike may be no mistake in this one: it is left out where no case
+    # rejects it, and one does another that makes the same mistake.
+    kept = {
+        name: [each for each in found if each.seeds[0] or not each.maker.general]
+        for name, found in counts.items()
+    }
     faults += [
         Fault(f"{maker.seen!r} of {maker.name} has signs of code", maker.file, _WITHOUT_CODE)
         for maker in choices
@@ -91,7 +98,14 @@ def verify_choices(
     faults += untagged
     if not partial:
         faults += [fault for name, each in kept.items() for fault in _measured(name, each)]
-    kills = _kills_measured(kept, read.problem)
+    kills = {
+        group.name: {
+            name
+            for name, found in kept.items()
+            if any(each.seeds[0].get(group.name, 0) >= ENOUGH for each in found)
+        }
+        for group in read.problem.groups
+    }
     return ChoicesReport(
         faults=tuple(dict.fromkeys(faults)),
         warnings=(*warnings, *unruled),
@@ -106,13 +120,16 @@ def _reported(counted: Sequence[_Counted], kills: Kills) -> MistakeReport:
 
 
 def _rejected(maker: Maker, computer: Computer, data: ProblemData, box_factory: BoxFactory) -> dict[str, int]:
-    """In how many cases of each group a mistake is rejected; groups that accept it are left out."""
-    does = computer.behaviour(maker.program)
-    counts = {name: len(answers.wrong) for name, answers in does.items() if answers.wrong}
-    if max(counts.values(), default=0) < ENOUGH:
-        big = _on_big_cases(maker, data, box_factory)
-        counts |= {name: len(answers.wrong) for name, answers in big.items() if answers.wrong}
-    return counts
+    """In how many cases of each group a mistake is rejected; groups that accept it are left out.
+
+    Where other groups hardly reject it, big cases are tried. Raises JudgeError.
+    """
+    does = dict(computer.behaviour(maker.program))
+    big = [each.name for each in data.problem.groups if each.size is not None]
+    if big and max((len(answers.wrong) for answers in does.values()), default=0) < ENOUGH:
+        settings = Settings(box_factory=box_factory, measured=False)
+        does |= judge_submission(data, maker.program.source, "mistake.py", settings, groups=big).behaviour
+    return {name: len(answers.wrong) for name, answers in does.items() if answers.wrong}
 
 
 def _measured(name: str, counted: Sequence[_Counted]) -> Iterator[Fault]:
@@ -129,48 +146,19 @@ def _measured(name: str, counted: Sequence[_Counted]) -> Iterator[Fault]:
             yield Fault(f"nothing is said of {name!r}", each.maker.file, f"begin a table [{name}] in {FILE}")
 
 
-def _kills_measured(counted: Mapping[str, Sequence[_Counted]], problem: Problem) -> Kills:
-    """The mistakes that each group rejects in enough cases of the pinned data."""
-    return {
-        group.name: {
-            name
-            for name, each in counted.items()
-            if any(one.rejected.get(group.name, 0) >= ENOUGH for one in each)
-        }
-        for group in problem.groups
-    }
-
-
-def _on_big_cases(maker: Maker, data: ProblemData, box_factory: BoxFactory) -> Behaviour:
-    """What a choice answers wrongly in groups of big cases. Raises JudgeError."""
-    problem = data.problem
-    sized = [each for each in problem.groups if each.size is not None]
-    big = [each.name for each in sized]
-    if not big:
-        return {}
-    settings = Settings(box_factory=box_factory, measured=False)
-    source = maker.program.source
-    return judge_submission(data, source, "mistake.py", settings, groups=big).behaviour
-
-
 def _wrong_right_ways(family: Family, computer: Computer) -> Iterator[Fault]:
     for right in family.right_ways():
-        where, does = right.file, computer.behaviour(right.program)
-        failed = [name for name, answers in does.items() if answers.wrong]
-        if failed:
-            yield Fault(
-                f"a right way is rejected by {', '.join(failed)}",
-                where,
-                "correct it, or write it as a mistake",
-            )
+        does = computer.behaviour(right.program)
+        if failed := [name for name, answers in does.items() if answers.wrong]:
+            what = f"a right way is rejected by {', '.join(failed)}"
+            yield Fault(what, right.file, "correct it, or write it as a mistake")
 
 
 class _Counted(Struct, frozen=True):
     """A program that makes a mistake, and in how many cases each group rejects it; others do not."""
 
     maker: Maker
-    rejected: Mapping[str, int]  # of the pinned data
-    seeds: tuple[Mapping[str, int], ...] = ()  # and of every seed
+    seeds: Sequence[Mapping[str, int]]  # of every seed, the pinned data first
 
     @property
     def least(self) -> MistakeReport:
@@ -178,18 +166,6 @@ class _Counted(Struct, frozen=True):
         worst = min(self.seeds, key=lambda counts: max(counts.values(), default=0))
         group = max(worst, key=worst.__getitem__, default="")
         return MistakeReport(self.maker.name, _shown(self.maker), group, worst.get(group, 0))
-
-
-def _told_apart(counted: Sequence[_Counted]) -> Sequence[_Counted]:
-    """Those that are to be rejected. A change that is made in every problem alike may be no mistake in this
-    one: it is left out where no case rejects it, and one does another that makes the same mistake.
-    """
-    return [each for each in counted if each.rejected or not each.maker.general]
-
-
-def _still_told(maker: Maker, rejected: Mapping[str, int]) -> Iterator[Fault]:
-    if rejected:
-        yield Fault(f"{maker.name} is said to be equal, and {next(iter(rejected))} rejects it", maker.file)
 
 
 def _shown(maker: Maker) -> str:
@@ -217,7 +193,14 @@ def _rule_faults(family: Family) -> tuple[list[Fault], list[Fault]]:
     rules = rules_of(family.problem.statement)
     ignored: set[str] = set()
     faults = []
-    for words, line in _tags(family):
+    tags = {
+        (words, change.line)
+        for route in family.routes
+        for change in route.changes
+        if not change.equal
+        for words in change.rules
+    }
+    for words, line in sorted(tags, key=itemgetter(1)):
         meant = [rule for rule in rules if words in rule]
         ignored.update(meant)
         if len(meant) != 1:
@@ -229,22 +212,7 @@ def _rule_faults(family: Family) -> tuple[list[Fault], list[Fault]]:
     )
     where = f"{family.problem.id}/statement.md"
     return faults, [
-        Fault(f"no mistake ignores the rule {_short(rule)!r}", where, remedy)
+        Fault(f"no mistake ignores the rule {cut(rule, _SHOWN)!r}", where, remedy)
         for rule in rules
         if rule not in ignored
     ]
-
-
-def _tags(family: Family) -> Iterator[tuple[str, int]]:
-    tags = {
-        (words, change.line)
-        for route in family.routes
-        for change in route.changes
-        if not change.equal
-        for words in change.rules
-    }
-    return iter(sorted(tags, key=lambda tag: tag[1]))
-
-
-def _short(rule: str) -> str:
-    return rule if len(rule) <= _SHOWN else rule[: _SHOWN - 1].rstrip() + "…"

@@ -51,7 +51,7 @@ def own_tokens(data: ProblemData) -> Iterator[Fault]:
             answer = parameters.leaves(problem.answer, show.best(problem.answer, target))
             for atom, value in chain(*given, answer):
                 own = _OWN.fullmatch(type(atom).__module__)
-                if own and own[1] not in told and isinstance(atom, Atom) and (why := _unlike(atom, value)):
+                if own and own[1] not in told and (why := _unlike(atom, value)):
                     told.add(own[1])
                     remedy = "text_of writes a token without blanks, value_from reads it"
                     yield Fault(why, f"types/{own[1]}.py", remedy)

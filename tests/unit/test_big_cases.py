@@ -12,9 +12,8 @@ import jsonschema
 import pytest
 from sandboxed import call, limits
 
-from judge.cache import CacheFolder
 from judge.cli.app import app
-from judge.data.load import kept_place, load_data
+from judge.data.load import load_data
 from judge.data.model import ProblemData
 from judge.errors import ProblemError
 from judge.problem import Verdict
@@ -103,53 +102,14 @@ def cache(tmp_path, monkeypatch):
     return tmp_path / "cache" / "data"
 
 
-@pytest.fixture
-def few_kept(monkeypatch):
-    monkeypatch.setattr("judge.data.load.MOST_KEPT", 1_000)
-
-
 @pytest.mark.usefixtures("cache")
 def test_big_cases_are_kept_as_they_are(monkeypatch):
     cold = load_data(problem_of("inversions"))
     monkeypatch.setattr("judge.data.build.build", None)
-    monkeypatch.setattr("judge.data.build.from_seeds", None)
     warm = load_data(problem_of("inversions"))
     assert repr([(g.cases, g.targets) for g in warm.groups]) == repr(
         [(g.cases, g.targets) for g in cold.groups]
     )
-
-
-@pytest.mark.usefixtures("few_kept")
-def test_huge_cases_are_kept_as_seeds_and_drawn_again(cache):
-    problem, seed = problem_of("inversions"), 7
-    cold = load_data(problem, seed=seed)
-    (file,) = cache.iterdir()
-    kept = json.loads(file.read_bytes().partition(b"\n")[2])
-    assert sorted(kept["n-6000"]) == ["attempts", "inputs", "targets"]
-    assert (kept["n-6000"]["attempts"], len(kept["n-6000"]["targets"])) == ([0, 0, 0], 3)
-    assert file.stat().st_size < 4_000
-    steps = []
-    warm = load_data(problem, seed=seed, progress=lambda done, total: steps.append(done))
-    assert steps == []  # nothing was built and proved
-    assert [(g.group, repr(g.cases), g.targets) for g in warm.groups] == [
-        (g.group, repr(g.cases), g.targets) for g in cold.groups
-    ]
-
-
-@pytest.mark.usefixtures("few_kept")
-@pytest.mark.parametrize("spoilt", [{"inputs": "0" * 64}, {"attempts": [1, 0, 0]}, {"targets": []}])
-def test_kept_seeds_that_make_other_cases_are_not_believed(cache, spoilt):
-    problem = problem_of("inversions")
-    load_data(problem)
-    (file,) = cache.iterdir()
-    kept = json.loads(file.read_bytes().partition(b"\n")[2])
-    kept["n-6000"] |= spoilt
-    built = []
-    assert CacheFolder().write(f"data/{file.name}", kept_place("data", problem, None)[1], kept) is None
-    sound = load_data(problem, progress=lambda done, _: built.append(done))
-    assert built
-    warm = load_data(problem, progress=lambda *_: pytest.fail("it is built again"))
-    assert [group.cases for group in warm.groups] == [group.cases for group in sound.groups]
 
 
 def test_a_container_has_room_for_as_much_input_as_a_problem_may_have():

@@ -15,7 +15,7 @@ from msgspec.structs import replace
 from judge.data.build import choices_of, draw_cases, validate
 from judge.data.load import load_data
 from judge.data.model import reseeded
-from judge.data.pins import differences, hash_of, pins_of, read_pins, write_pins
+from judge.data.pins import PINS, differences, hash_of, pins_of, read_pins, write_rows
 from judge.errors import ExitCode, ProblemError
 from judge.problem import Parameter
 from judge.problem.declare import InvalidCase
@@ -65,12 +65,12 @@ def test_pins_notice_drift_new_groups_and_old_ones(copy):
     problem = load_problem(copy)
     groups = load_data(problem, store=None).groups
     found = pins_of(groups, {})
-    write_pins(problem, found)
+    write_rows(problem, PINS, found)
     assert json.loads((copy / "pins.json").read_text())["small"]["hash"] == hash_of(groups[1])
     pins = read_pins(problem)
     assert differences(pins, found) == []
     (copy / "pins.json").unlink()
-    assert read_pins(problem) is None
+    assert read_pins(problem) == {}
     pins["small"]["hash"] = "0" * 64
     pins["large"] = pins.pop("examples")
     assert differences(pins, found) == [

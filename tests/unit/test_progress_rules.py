@@ -14,11 +14,11 @@ from past_runs import START, past_result
 from judge.errors import ProblemError
 from judge.mistakes.puzzles import read_puzzles
 from judge.practice.cards import AnyForm, Card, cards_of
-from judge.practice.drill import Evening
+from judge.practice.drill import evening
 from judge.practice.events import Answer, Hack, Help, Outcome, Rating
 from judge.practice.history import run_of
 from judge.practice.progress import State, levels_passed, questions, skills, solved, tried
-from judge.practice.quiz import near_sets, next_cards, next_due, plan, topics, usual_kata
+from judge.practice.quiz import Wanted, next_due, plan, usual_kata
 from judge.practice.review import LADDER, Learner, card_reviews, reviews
 from judge.practice.syllabus import Checklist, ChecklistRow, Section, find_set, read_checklist, sound_sets
 from judge.problem.find import find_problem, sound_problems
@@ -301,7 +301,7 @@ def test_hints_and_giving_up(person):
     assert person.stands() == [(Rating.AGAIN, 2, 1)]
 
 
-def test_cards_that_are_due_come_first_then_those_that_are_new():
+def test_cards_that_are_due_come_first_then_those_that_are_new(learner_of):
     cards = [card("new"), card("good"), card("bad"), card("drawn", form="count", problem="count")]
     answers = [
         answer("good", Rating.GOOD),
@@ -309,8 +309,9 @@ def test_cards_that_are_due_come_first_then_those_that_are_new():
         answer("drawn", Rating.EASY, START + timedelta(minutes=2)),
     ]
     found, now = card_reviews(answers), START + timedelta(days=1, hours=1)
-    assert [each.content.id for each in next_cards(cards, found, now, 10)] == ["bad", "new"]
-    ahead = [each.content.id for each in next_cards(cards, found, now, 10, ahead=True)]
+    wanted = Wanted("", learner_of(answers=answers), [], Checklist())
+    assert [each.content.id for each in wanted.of(cards, now, 10)] == ["bad", "new"]
+    ahead = [each.content.id for each in wanted.of(cards, now, 10, ahead=True)]
     assert ahead == ["bad", "new", "good", "drawn"]
     assert next_due(cards[1:2], found) == next(each.due for each in found if each.name == "deck/good")
     assert next_due(cards[:1], found) is None
@@ -341,10 +342,9 @@ def passed(kata):
 def drilled(mine, count):
     """The topics of a person who has answered no card, and so many cards that are asked next."""
     cards = cards_of("path")
-    found = topics(mine, cards, read_checklist())
-    near, weak = near_sets(mine.from_own()[0].name), [each.weak for each in found]
-    asked = next_cards(cards, [], START, count, near=near, weak=weak)
-    return found, asked, plan(asked, count, weak)
+    wanted = Wanted("", mine, cards, read_checklist())
+    asked = wanted.of(cards, START, count)
+    return wanted.topics, asked, plan(asked, count, wanted.topics)
 
 
 def test_half_of_the_cards_are_of_what_is_open(learner_of):
@@ -369,8 +369,7 @@ def test_half_of_the_cards_are_of_what_is_open(learner_of):
 def test_an_interview_has_a_card_of_each_open_topic(learner_of):
     cards = [each for each in cards_of("path") if each.deck == "senior"]
     found, asked, _ = drilled(learner_of("senior"), 8)
-    weak = [each.weak for each in found]
-    chosen = plan([each for each in cards if not each.topics] + asked, 3, weak)
+    chosen = plan([each for each in cards if not each.topics] + asked, 3, found)
     assert {topic for each in chosen for topic in each.topics} == {"clamp", "near-tangent"}
 
 
@@ -401,15 +400,14 @@ def test_a_skill_is_known_if_its_run_shows_it_and_its_last_card_was_right(learne
 # -- an evening --------------------------------------------------------------------------------------------
 
 
-def evening(mine, cards, checklist, hacks=(), now=START):
+def drill(mine, cards, checklist, hacks=(), now=START):
     """The commands of an evening."""
-    stand = topics(mine, cards, checklist)
-    return list(Evening(mine, cards, stand, checklist, now).steps(hacks))
+    return list(evening(Wanted("", mine, cards, checklist), cards, hacks, now))
 
 
 def test_an_evening_is_cards_a_wrong_program_and_a_kata(learner_of):
     cards, checklist = cards_of("path"), read_checklist()
-    steps = evening(learner_of("first-steps", "junior"), cards, checklist)
+    steps = drill(learner_of("first-steps", "junior"), cards, checklist)
     assert [each.command for each in steps] == [
         "judge quiz clamp",
         "judge hack segment 2",
@@ -417,17 +415,17 @@ def test_an_evening_is_cards_a_wrong_program_and_a_kata(learner_of):
     ]
     (first, *_) = read_puzzles(find_problem("segment"), checklist.drilled())[1:]
     broken = [Hack("segment", first.mistake, "", Outcome.WON)]
-    steps = evening(learner_of("first-steps", "junior"), cards, checklist, broken)
+    steps = drill(learner_of("first-steps", "junior"), cards, checklist, broken)
     assert steps[1].command == "judge hack segment 3"
     missed = Answer("junior/equality-test", "choice", Rating.AGAIN, judged=True, when=START)
     tomorrow = START + timedelta(days=1)
-    steps = evening(learner_of("junior", answers=[missed]), cards, checklist, now=tomorrow)
+    steps = drill(learner_of("junior", answers=[missed]), cards, checklist, now=tomorrow)
     asked = [(each.command, each.due) for each in steps if each.command.startswith("judge quiz")]
     assert asked == [("judge quiz clamp", 0), ("judge quiz near-tangent", 1)]
 
 
 def test_a_newcomer_writes_a_program_before_breaking_one(learner_of):
-    steps = evening(learner_of(), cards_of("path"), read_checklist())
+    steps = drill(learner_of(), cards_of("path"), read_checklist())
     assert [each.command for each in steps] == [
         "judge quiz near-tangent",  # the other topic has no card for beginners
         "judge start distance-squared",
@@ -439,9 +437,9 @@ def test_an_evening_of_whom_nothing_is_open(learner_of):
     cards = cards_of("path")
     right = [Answer(each.key, each.form, Rating.GOOD, judged=True, when=START) for each in cards]
     mine = learner_of(*every, answers=right)
-    assert not any(each.open for each in topics(mine, cards, read_checklist()))
+    assert not any(each.open for each in Wanted("", mine, cards, read_checklist()).topics)
     left = [each.id for each in mine.problems if each.id not in mine.solved]
-    assert [each.command for each in evening(mine, cards, read_checklist())] == [
+    assert [each.command for each in drill(mine, cards, read_checklist())] == [
         f"judge start {each}" for each in left
     ]
 
@@ -449,6 +447,6 @@ def test_an_evening_of_whom_nothing_is_open(learner_of):
 def test_a_pack_without_topics_has_an_evening_too(learner_of):
     plain = Checklist(rows=(ChecklistRow("A", "s", "?"),))
     cards = [card("one"), card("two")]
-    assert evening(learner_of("junior"), cards, plain)[0].command == "judge quiz"
-    assert evening(learner_of("junior"), cards, plain)[0].new == 2
-    assert [each.command for each in evening(learner_of("junior"), [], plain)] == ["judge start line-points"]
+    assert drill(learner_of("junior"), cards, plain)[0].command == "judge quiz"
+    assert drill(learner_of("junior"), cards, plain)[0].new == 2
+    assert [each.command for each in drill(learner_of("junior"), [], plain)] == ["judge start line-points"]

@@ -29,14 +29,13 @@ from judge.languages import file_name
 from judge.practice import events
 from judge.practice import quiz as rules
 from judge.practice.cards import Card, MistypedError, cards_of, option
-from judge.practice.drill import Evening
+from judge.practice.drill import evening
 from judge.practice.events import Answer, Hack, Rating
 from judge.practice.history import History
 from judge.practice.questions import LazyProblems
 from judge.practice.questions import ask as asked_of
-from judge.practice.review import read_learner
 from judge.practice.stub import write_stub
-from judge.practice.syllabus import USUAL, read_checklist
+from judge.practice.syllabus import USUAL
 from judge.problem import Verdict
 from judge.problem.find import find_problem
 from judge.report import exercises as texts
@@ -81,7 +80,7 @@ def quiz(name: str | None, ask: QuizAsk, common: Common) -> Iterator[Struct]:
     """
     cards = cards_of(name or USUAL, common.problems)
     with history_at(common.db) as history:
-        wanted = rules.Wanted(name or "", read_learner(history, common.problems))
+        wanted = rules.read_wanted(name or "", history, common.problems)
         asking = Round(history, common)
         chosen = wanted.of(cards, events.now().astimezone(), ask.cards)[: ask.cards]
         try:
@@ -101,11 +100,10 @@ def drill(common: Common) -> Drill:
     written.
     """
     with history_at(common.db, reading=True) as history:
-        mine, hacks = read_learner(history, common.problems), history.events(Hack)
-    cards, checklist = cards_of(USUAL, common.problems), read_checklist(common.problems)
-    now, found = events.now().astimezone(), rules.topics(mine, cards, checklist)
-    steps = tuple(Evening(mine, cards, found, checklist, now).steps(hacks))
-    return Drill(now, sum(each.minutes for each in steps), tuple(found), steps)
+        wanted, hacks = rules.read_wanted("", history, common.problems), history.events(Hack)
+    now = events.now().astimezone()
+    steps = tuple(evening(wanted, cards_of(USUAL, common.problems), hacks, now))
+    return Drill(now, sum(each.minutes for each in steps), tuple(wanted.topics), steps)
 
 
 class StoppedError(Exception):
@@ -222,7 +220,7 @@ def interview(name: str, ask: InterviewAsk, common: Common) -> Iterator[Intervie
     """
     cards, folders = cards_of(name, common.problems), common.problems
     with history_at(common.db) as history:
-        wanted = rules.Wanted(name, read_learner(history, folders))
+        wanted = rules.read_wanted(name, history, folders)
         problem = find_problem(ask.kata, folders) if ask.kata else rules.usual_kata(name, wanted.mine)
         if ask.file is not None:
             read_submission(ask.file)  # whether it is there is said before the first card
@@ -231,7 +229,7 @@ def interview(name: str, ask: InterviewAsk, common: Common) -> Iterator[Intervie
         first, last = rules.interview_cards(ask.minutes)
         count = first + last
         now = events.now().astimezone()
-        chosen = rules.plan(wanted.of(cards, now, count, ahead=True), count, wanted.weak)
+        chosen = rules.plan(wanted.of(cards, now, count, ahead=True), count, wanted.topics)
         before, after = chosen[:first], chosen[first:]
         held.show(texts.opening(ask.minutes, len(before), problem.id, len(after)))
         try:

@@ -31,9 +31,9 @@ from judge.data.libraries import LibraryTable, library_table
 from judge.errors import UsageError
 from judge.languages import file_name, is_program, language_of
 from judge.practice.progress import solved
+from judge.practice.review import read_learner
 from judge.practice.solutions import approaches, chosen_approach
 from judge.practice.stub import write_stub
-from judge.practice.syllabus import read_course
 from judge.problem import Problem
 from judge.problem.find import find_problem, id_of
 from judge.problem.model import LEVELS
@@ -105,7 +105,8 @@ def _meant(words: Sequence[str], ask: StartAsk, common: Common) -> Kata:
             return Kata(problem, Path(here.path))
     else:
         last = here or next(iter(places), None)
-        problem = read_course(done, common.problems).next(last.problem if last else "")
+        with history_at(common.db, reading=True) as history:
+            problem = read_learner(history, common.problems).next(last.problem if last else "")
         if problem is None:
             raise UsageError("All katas are solved. judge progress shows what you can do")
     name = _named(problem, ask.language)
