@@ -73,10 +73,12 @@ class Repaired:
         chains = [*repair.whole, *((Step(way, 0, everything),) for way in repair.ways)]
         if chains:
             often = Counter(step.line for chain in chains for step in chain)
-            return max((self._steps(chain) for chain in chains), key=lambda one: self._rank(one, often))
+            best = max((self._steps(chain) for chain in chains), key=lambda one: self._rank(one, often))
+            return _at_one_place(best)
         gone = frozenset[int]().union(*(step.gone for step in repair.part))
-        if len(gone) < _WORTH * len(everything):
-            return []
+        lines = [step.line for step in repair.part]
+        if len(gone) < _WORTH * len(everything) or len({*lines}) < len(lines):
+            return []  # or one line was made to fit some cases, and then others
         return [_Named(step, "", 0.0) for step in repair.part]
 
     def _rank(self, steps: Sequence[_Named], often: Mapping[int, int]) -> tuple[float, int]:
@@ -180,6 +182,16 @@ class Repaired:
             return repair.rounding or repair.tolerance
         here = {_plain(each.kind) for each, *more in repair.whole if not more and each.line == step.line}
         return len(here) == 1 or _STRENGTH.get(kind, 0.0) >= _STRONG
+
+
+def _at_one_place(steps: Sequence[_Named]) -> list[_Named]:
+    """The steps, those of one kind in one line without a name as one: both ends of a comparison, say."""
+    found: dict[object, _Named] = {}
+    for at, one in enumerate(steps):
+        key = at if one.name else (one.step.line, one.step.kind)
+        gone = one.step.gone | (found[key].step.gone if key in found else frozenset())
+        found[key] = one._replace(step=Step(one.step.kind, one.step.line, gone))
+    return [*found.values()]
 
 
 def seen_in(text: str) -> str:

@@ -227,3 +227,16 @@ def test_a_later_step_is_not_named_after_a_mistake_that_fails_what_is_right_befo
     assert said(steps, programs[0], wrong=range(12)).names == ("near",)
     told = said(steps, programs[1], wrong=range(12)).steps
     assert [(step.name, step.line) for step in told] == [("far", 7), (None, 9)]
+
+
+def test_two_steps_of_one_kind_in_one_line_are_one():
+    """Both ends of a comparison, say."""
+    found = said(whole(("room", 7, range(6)), ("room", 7, range(6, 10))))
+    assert [(step.line, step.gone, step.of) for step in found.steps] == [(7, 10, 10)]
+
+
+def test_a_line_that_was_made_to_fit_some_cases_and_then_others_is_not_told():
+    constants = tuple(Step("constant", 7, frozenset(gone)) for gone in (range(5), range(5, 9)))
+    assert said({"part": constants}) is None
+    apart = constants[0], Step("constant", 8, constants[1].gone)
+    assert [step.line for step in said({"part": apart}).steps] == [7, 8]
