@@ -7,6 +7,11 @@ from pathlib import Path
 
 import flint
 import pytest
+from hypothesis import HealthCheck, settings
+
+# The first draw of a process reads all of our modules: on a busy machine that is no slow strategy.
+settings.register_profile("judge", deadline=None, suppress_health_check=[HealthCheck.too_slow])
+settings.load_profile("judge")
 
 
 @pytest.fixture(autouse=True)
