@@ -27,7 +27,9 @@ from judge.values.check import is_right
 from judge.verify.model import Progress
 
 _WAVES = (0, 8, 32, 128, 512, None)  # cases that are asked before the rest: most mutants die there
-_AT_ONCE = 512  # mutants that are judged to their end, before the next ones are begun
+_AT_ONCE = 512  # mutants that are judged to their end, before the next ones are begun, at most
+_LEAST = 16  # … and at least; of slow programs, one for so many calls in a second of CPU:
+_CALLS = 50
 _KEPT = 4  # groups that are remembered to reject a mutant
 _FEW = 4  # answers of a mutant that are looked at first: most are wrong at once
 _RUNGS = 8  # of a ladder that are judged at once; of other numbers, which are slow, two
@@ -107,7 +109,8 @@ class Bench:
                 return accepted, judged, True
             Random(0).shuffle(batch)  # some of every kind, should the time be up before the end
             while batch:
-                part, batch = batch[:_AT_ONCE], batch[_AT_ONCE:]
+                size = max(_LEAST, min(_AT_ONCE, self.crowd.most // _CALLS))
+                part, batch = batch[:size], batch[size:]
                 self._progress("judging mutants", judged, len(made))
                 passed, left = self._judged(part, self._sets)
                 judged += len(part) - left
