@@ -1,8 +1,10 @@
 """A program as a person writes it: without what does nothing, and without names that are used once.
 
 Comments, docstrings, names that are never read and statements below a return go. A name bound once, to
-another name or for the next line alone, makes room for its value. What a wrapper does to arguments or answer
-moves into the function.
+another name or for one use, makes room for its value. What a wrapper does to arguments or answer moves into
+the function. A chain of numbers that is compared with each of them becomes ifs.
+
+No value is worked out at another place where that could fail, and no line grows beyond a terminal.
 """
 
 from __future__ import annotations
@@ -13,22 +15,22 @@ from collections.abc import Iterable, Iterator
 from contextlib import suppress
 from copy import deepcopy
 from itertools import pairwise
-from typing import TypeVar
 
-from judge.mistakes.transforms import ANSWER, INNER
+from judge.mistakes.transforms import ANSWER
 
 _HARMLESS = ("abs", "copysign", "hypot", "len", "map", "max", "min")  # calls that cannot fail on valid input
-_OFTEN = (ast.Lambda, ast.ListComp, ast.GeneratorExp, ast.SetComp, ast.DictComp)
+_DEFERRED = (ast.Lambda, ast.FunctionDef, ast.While, ast.For)  # what is inside is worked out later, or often
+_NUMBER = re.compile(r"-?\d")
 _WIDTH = 79
 _STYLE = (  # what Python writes otherwise than a person
     ("'", '"'),
     (r"^(.*\de-)0(\d.*)$", r"\1\2"),
     (r"^( *return|[\w, ]+ =) \((.*)\)$", r"\1 \2"),
+    (r"^( *)\(([\w, ]+)\) = (.*)$", r"\1\2 = \3"),
     (r"^(.*\w\()\((.* for .*)\)\)$", r"\1\2)"),
 )
 _RETURNS = 3  # in which the change of an answer may be repeated
 _Block = list[ast.stmt]
-_Node = TypeVar("_Node", bound=ast.AST)
 
 
 def as_written(source: str, entry: str) -> str:
@@ -36,6 +38,7 @@ def as_written(source: str, entry: str) -> str:
     tree, before = ast.parse(source), ""
     while (now := ast.dump(tree)) != before:
         before = now
+        _take_identities_out(tree)
         if entry:
             _move_wrapper(tree, entry)
             tree.body = list(_used(tree, entry))
@@ -44,6 +47,7 @@ def as_written(source: str, entry: str) -> str:
         for function in tree.body:
             if isinstance(function, ast.FunctionDef):
                 for block in _blocks(function):
+                    _chain_to_ifs(function, block)
                     _inline(function, block)
     return _text(tree)
 
@@ -104,6 +108,24 @@ def _needed(block: _Block) -> Iterator[ast.stmt]:
     yield from kept or block[:1]
 
 
+def _take_identities_out(tree: ast.Module) -> None:
+    """Put x in place of every f(x) where f returns what it is given."""
+    same = {
+        node.name
+        for node in tree.body
+        if isinstance(node, ast.FunctionDef)
+        and [*map(ast.unparse, node.body)] == [f"return {ast.unparse(node.args)}"]
+    }
+
+    class Out(ast.NodeTransformer):
+        def visit_Call(self, node: ast.Call) -> ast.AST:
+            self.generic_visit(node)
+            plain = isinstance(node.func, ast.Name) and node.func.id in same
+            return node.args[0] if plain and len(node.args) == 1 else node
+
+    Out().visit(tree)
+
+
 def _used(tree: ast.Module, entry: str) -> Iterator[ast.stmt]:
     """What stands at the top level and the `entry` leads to."""
     wanted, fresh = {entry}, {entry}
@@ -134,37 +156,81 @@ def _bound(node: ast.stmt) -> set[str]:
 def _move_wrapper(tree: ast.Module, entry: str) -> None:
     """Let the function that the entry calls be the entry, with what is done before and after the call."""
     functions = {each.name: each for each in tree.body if isinstance(each, ast.FunctionDef)}
-    outer, inner = functions[entry], functions.get(INNER)
-    rows = [*map(ast.unparse, outer.body)]
-    call = f"{ANSWER} = {INNER}({', '.join(each.arg for each in outer.args.args)})"
-    if inner is None or call not in rows or rows[-1] != f"return {ANSWER}":
-        return
-    at = rows.index(call)
-    after = [each.value for each in outer.body[at + 1 : -1] if isinstance(each, ast.Assign)]
+    outer = functions[entry]
+    at, inner = next(
+        (
+            (at, functions[each.value.func.id])
+            for at, each in enumerate(outer.body)
+            if isinstance(each, ast.Assign)
+            and ast.unparse(each.targets[0]) == ANSWER
+            and isinstance(each.value, ast.Call)
+            and isinstance(each.value.func, ast.Name)
+            and each.value.func.id in functions
+            and [*map(ast.unparse, each.value.args)] == [arg.arg for arg in outer.args.args]
+        ),
+        (0, outer),
+    )
+    names = [[each.arg for each in function.args.args] for function in (outer, inner)]
     returns = [each for each in ast.walk(inner) if isinstance(each, ast.Return)]
+    after = [each for each in outer.body[at + 1 : -1] if isinstance(each, ast.Assign)]
     once = all([name.id for name in _names(each, ast.Load)].count(ANSWER) == 1 for each in after)
-    if after and not (once and len(returns) <= _RETURNS and all(each.value for each in returns)):
+    plain = after == outer.body[at + 1 : -1] and ast.unparse(outer.body[-1]) == f"return {ANSWER}"
+    few = not after or (len(returns) <= _RETURNS and all(each.value for each in returns))
+    if inner is outer or names[0] != names[1] or not (plain and once and few):
         return
     for each in after:
         for done in returns:
-            done.value = _with(each, ANSWER, done.value or ast.Constant(None))
+            done.value = _with(deepcopy(each.value), ANSWER, done.value or ast.Constant(None))
     inner.name, inner.body = entry, [*outer.body[:at], *inner.body]
     tree.body.remove(outer)
 
 
-def _with(root: _Node, name: str, value: ast.expr) -> _Node:
-    """A copy of a node with a value in place of a name."""
+def _with(root: ast.expr, name: str, value: ast.expr) -> ast.expr:
+    """The expression with a value in place of a name."""
 
     class With(ast.NodeTransformer):
         def visit_Name(self, node: ast.Name) -> ast.expr:
             return deepcopy(value) if node.id == name and isinstance(node.ctx, ast.Load) else node
 
-    found: _Node = With().visit(deepcopy(root))
+    found: ast.expr = With().visit(root)
     return found
 
 
+def _chain_to_ifs(function: ast.FunctionDef, block: _Block) -> None:
+    """`x = 1 if a else 0 if b else -1`, `if x == 1: return`, `if x == 0:` with a and b in place of x."""
+    for at, each in enumerate(block):
+        if not (isinstance(each, ast.Assign) and isinstance(each.value, ast.IfExp)):
+            continue
+        tail: ast.expr = each.value
+        tests: dict[str, ast.expr] = {}
+        while isinstance(tail, ast.IfExp):
+            tests[ast.unparse(tail.body)] = tail.test
+            tail = tail.orelse
+        last, name = ast.unparse(tail), ast.unparse(each.targets[0])
+        asked: list[tuple[ast.If, str]] = []
+        for below in block[at + 1 :]:
+            words = ast.unparse(below.test).split(" == ") if isinstance(below, ast.If) else []
+            if isinstance(below, ast.If) and words[0] == name and _NUMBER.fullmatch(words[-1]):
+                asked.append((below, words[1]))
+        reads = [read for read in _names(function, ast.Load) if read.id == name]
+        whole = len(asked) == len(reads) and all(map(_NUMBER.fullmatch, (*tests, last)))
+        ended = all(isinstance(below.body[-1], ast.Return) for below, _ in asked[:-1])
+        order = [value for _, value in asked if value in tests]
+        if not (
+            asked and whole and ended and block[at + 1] is asked[0][0] and order == [*tests][: len(order)]
+        ):
+            continue
+        if any(value == last for _, value in asked):
+            continue
+        never = {id(below): below.orelse for below, value in asked if value not in tests}
+        for below, value in asked:
+            below.test = tests.get(value, below.test)
+        block[at:] = [kept for below in block[at + 1 :] for kept in never.get(id(below), [below])]
+        return
+
+
 def _inline(function: ast.FunctionDef, block: _Block) -> None:
-    """Put the values of names in their places: those bound once, to a name, for the next line or for none."""
+    """Put the values of names in their places: those bound once, to a name, for one use or for none."""
     at = 0
     bound = [each.id for each in _names(function, ast.Store)] + [each.arg for each in function.args.args]
     parts = list(ast.walk(function))
@@ -191,27 +257,19 @@ def _moved(
     name: str, value: ast.expr, reads: list[ast.Name], bound: list[str], below: _Block
 ) -> _Block | None:
     """The statements below with the value in place of the name; None where that cannot be."""
-    if not reads:
-        return below
     free = {read.id for read in _names(value, ast.Load)} - {own.id for own in _names(value, ast.Store)}
-    if bound.count(name) != 1 or any(bound.count(other) > 1 for other in free):
+    if reads and (bound.count(name) != 1 or any(bound.count(other) > 1 for other in free)):
         return None
-    inside = [read for read in _names(below, ast.Load) if read.id == name]
-    if len(inside) != len(reads) or not (isinstance(value, ast.Name) or _is_next(value, reads, below)):
+    inside = [[read for read in _names(each, ast.Load) if read.id == name] for each in below if reads]
+    if sum(map(len, inside)) != len(reads) or (reads and not _moves(value, reads, below)):
         return None
-    new = [_with(each, name, value) for each in below]
-    return new if isinstance(value, ast.Name) or len(ast.unparse(new[0])) + 4 <= _WIDTH else None
-
-
-def _is_next(value: ast.expr, reads: list[ast.Name], below: _Block) -> bool:
-    """Whether the value is read once, by the plain statement that follows, and may be worked out there."""
-    if len(reads) > 1 or not isinstance(below[0], ast.Assign | ast.Return):
-        return False
-    parts = [*ast.walk(below[0])]
-    if any(isinstance(each, _OFTEN) for each in parts) or not any(each is reads[0] for each in parts):
-        return False
-    surely = not any(isinstance(each, ast.IfExp | ast.BoolOp) for each in parts)
-    return _cannot_fail(value) or (surely and _cannot_fail(below[0]))
+    new = [*below]
+    for at, own in enumerate(inside):
+        if own:
+            new[at] = _replaced(below[at], name, value)
+            if max(map(len, ast.unparse(new[at]).splitlines())) + 4 > _WIDTH:
+                return None
+    return new
 
 
 def _pairs(each: ast.Assign) -> list[tuple[str, ast.expr]]:
@@ -230,9 +288,52 @@ def _assigned(pairs: list[tuple[str, ast.expr]]) -> Iterator[ast.stmt]:
         yield from ast.parse(f"{', '.join(names)} = {', '.join(map(ast.unparse, values))}").body
 
 
+def _moves(value: ast.expr, reads: list[ast.Name], below: _Block) -> bool:
+    """Whether the value may stand where it is read, which is below and neither later nor often."""
+    if isinstance(value, ast.IfExp | ast.Lambda | ast.NamedExpr):
+        return False
+    if isinstance(value, ast.Name):
+        return True
+    deferred = {id(read) for each in below for node in ast.walk(each) for read in _deferred(node)}
+    if len(reads) > 1 or id(reads[0]) in deferred:
+        return False
+    if isinstance(value, ast.ListComp | ast.GeneratorExp):  # never one within another
+        inner = [node for each in below for node in ast.walk(each) if isinstance(node, ast.ListComp)]
+        if any(read is reads[0] for node in inner for read in ast.walk(node)):
+            return False
+    surely = any(node is reads[0] for node in _surely(below[0]))
+    return _cannot_fail(value) or (surely and _cannot_fail(below[0]))
+
+
+def _surely(node: ast.AST) -> Iterator[ast.AST]:
+    """What is worked out whenever a statement of one line, or the question of an if, is."""
+    yield node
+    if isinstance(node, ast.If | ast.IfExp):
+        yield from _surely(node.test)
+    elif isinstance(node, ast.BoolOp):
+        yield from _surely(node.values[0])
+    elif not hasattr(node, "body"):
+        for each in ast.iter_child_nodes(node):
+            yield from _surely(each)
+
+
+def _deferred(node: ast.AST) -> Iterator[ast.AST]:
+    """What is below a node and is worked out later than it, or more often."""
+    if isinstance(node, _DEFERRED):
+        yield from ast.walk(node)
+    elif isinstance(node, ast.ListComp | ast.GeneratorExp | ast.SetComp | ast.DictComp):
+        first = {id(each) for each in ast.walk(node.generators[0].iter)}
+        yield from (each for each in ast.walk(node) if id(each) not in first)
+
+
 def _cannot_fail(value: ast.AST) -> bool:
     """Whether to work it out changes nothing, and does not fail as the root of a number below 0 does."""
     parts = list(ast.walk(value))
     calls = (each.func for each in parts if isinstance(each, ast.Call))
     plain = all(isinstance(each, ast.Name) and each.id in _HARMLESS for each in calls)
     return plain and not any(isinstance(each, ast.Div | ast.FloorDiv | ast.Mod | ast.Pow) for each in parts)
+
+
+def _replaced(node: ast.stmt, name: str, value: ast.expr) -> ast.stmt:
+    found: ast.stmt = _with(deepcopy(node), name, value)  # type: ignore[arg-type, assignment]
+    return found

@@ -43,7 +43,7 @@ def test_what_is_shown_is_the_wrong_program(name):
             assert any(each.wrong for each in shown.values()), puzzle.mistake
 
 
-@pytest.mark.parametrize(("name", "lines"), [("count", 15), ("segment", 26), ("ray-nearest", 35)])
+@pytest.mark.parametrize(("name", "lines"), [("count", 15), ("segment", 26), ("ray-nearest", 33)])
 def test_what_is_shown_is_short_and_of_the_topics_first(name, lines):
     drilled = read_checklist().drilled()
     puzzles = read_puzzles(find_problem(name), drilled)

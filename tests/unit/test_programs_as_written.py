@@ -12,6 +12,14 @@ SHORTER = {
     "one of two": ("a, b = x + 1, x + 2\n    return a * b * b", "b = x + 2\n    return (x + 1) * b * b"),
     "never read": ("a, b = x, max(x, 1)\n    return a", "return x"),
     "a comment and more": ('"doc"\n    pass  # why\n    return x\n    return 2', "return x"),
+    "a chain": (
+        "w = 1 if x > 2 else 0 if x else -1\n    if w == 1:\n        return 7\n    if w == 0:\n        x()",
+        "if x > 2:\n        return 7\n    if x:\n        x()",
+    ),
+    "what never is": (
+        "w = 1 if x > 2 else -1\n    if w == 1:\n        return 7\n    if w == 0:\n        x()\n    return 9",
+        "if x > 2:\n        return 7\n    return 9",
+    ),
 }  # fmt: skip
 
 SAME = {
@@ -25,6 +33,8 @@ SAME = {
     "two values": "if x:\n        d = 1\n    else:\n        d = x\n    return d",
     "a name for all functions": "global kept\n    kept = x\n    return 2 * x",
     "a call": "d = input(x)\n    return 2",
+    "a chain that is read": "w = 1 if x > 2 else -1\n    if w == 1:\n        return w\n    return 9",
+    "a chain with more": "w = 1 if x > 2 else -1\n    if w == 1 and x > 3:\n        return 5\n    return 9",
 }
 
 
@@ -41,9 +51,10 @@ def test_it_stays_as_it_is(body):
 
 WRAPPED = """
 from math import hypot, sqrt
+def same(x): return x
 def inner(x, y):
     if x > y:
-        return sqrt(x)
+        return same(sqrt(x))
     return y
 def f(x, y):
     x = x[::-1]
