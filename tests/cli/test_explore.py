@@ -15,7 +15,7 @@ from sampling import nightly
 
 import judge.cli.commands.cases as cases
 import judge.geometry.explore as explore
-from judge.data.build import draw_cases
+from judge.data.build import bounds_fault, draw_cases
 from judge.errors import ProblemError
 from judge.geometry.views import VIEWS
 from judge.problem.declare import InvalidCase, Real, decisions
@@ -267,7 +267,9 @@ def asked():
             for case, *_ in draw_cases(problem, module, msgspec.structs.replace(group, count=CASES)):
                 if sum(1 for _ in explore._flat(case)) > 120:
                     continue
-                for each in (case, moved(problem, case, chance), *merged(case)):
+                other = moved(problem, case, chance)
+                beside = () if bounds_fault(problem, other) else (other,)  # a length may be below 0
+                for each in (case, *beside, *merged(case)):
                     with decisions() as made:
                         try:
                             found = module.solve(*each)
