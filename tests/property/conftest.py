@@ -7,11 +7,19 @@ from pathlib import Path
 
 import flint
 import pytest
-from hypothesis import HealthCheck, settings
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
 
-# The first draw of a process reads all of our modules: on a busy machine that is no slow strategy.
-settings.register_profile("judge", deadline=None, suppress_health_check=[HealthCheck.too_slow])
-settings.load_profile("judge")
+
+@settings(max_examples=1, database=None, suppress_health_check=[HealthCheck.too_slow])
+@given(st.integers())
+def _first(_: int) -> None:
+    """The first draw of a process reads all of our modules, which would count as a slow strategy."""
+
+
+@pytest.fixture(scope="session", autouse=True)
+def _warm() -> None:
+    _first()
 
 
 @pytest.fixture(autouse=True)

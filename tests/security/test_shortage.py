@@ -222,8 +222,9 @@ def test_bubblewrap_fails_and_nothing_drops_in_silence(
 @pytest.mark.nightly
 @pytest.mark.parametrize(("user", "level"), [*product(USERS, LEVELS[:2])])
 def test_a_fork_server_without_a_process_left_says_so_and_goes_on_when_there_is_one(
-    attacker: Attacker, level: str
+    attacker: Attacker, user: str, level: str
 ) -> None:
     attacker.require(level)
     (found,) = attacker.run("scarce.py", level)
-    assert found == {"calls": "a shortage", "for a moment": [1], "afterwards": [1]}
+    looked = {"inspect": "a shortage"} if (user, level) == ("root", "strong") else {}  # nothing between else
+    assert found == {**looked, "calls": "a shortage", "for a moment": [1], "afterwards": [1]}
