@@ -41,8 +41,8 @@ def sections() -> dict[str, str]:
 
 def told(section: str) -> dict[str, bool]:
     """The keys of a section's table, each with whether it may be missing."""
-    rows = re.findall(r"^\| `(\w+)` \| (yes|no) \|", sections()[section], re.MULTILINE)
-    return {key: word == "yes" for key, word in rows}
+    rows = re.findall(r"^\| `(\w+)` \| (required: )?", sections()[section], re.MULTILINE)
+    return {key: not required for key, required in rows}
 
 
 def test_every_key_of_the_loader_is_told_and_no_other_with_an_example():
