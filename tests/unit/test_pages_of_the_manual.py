@@ -40,8 +40,8 @@ def sections() -> dict[str, str]:
 
 
 def told(section: str) -> dict[str, bool]:
-    """The keys of a section's table, each with whether it may be missing."""
-    rows = re.findall(r"^\| `(\w+)` \| (required: )?", sections()[section], re.MULTILINE)
+    """The keys that a section lists, each with whether it may be missing."""
+    rows = re.findall(r"^- `(\w+)`(, required)?: ", sections()[section], re.MULTILINE)
     return {key: not required for key, required in rows}
 
 
@@ -62,7 +62,7 @@ def test_every_type_of_the_loader_is_told():
 
 
 def test_every_name_and_every_hook_of_a_problem_py_is_told():
-    rows = re.findall(r"^\| `(\w+)", sections()["problem.py"], re.MULTILINE)
+    rows = re.findall(r"^- `(\w+)", sections()["problem.py"], re.MULTILINE)
     names = ["solve", *(level.name for level in KataLevel), "GROUPS", "HOOKS", "FORMAT", "EXAMPLES"]
     arguments = [*inspect.signature(group).parameters]
     assert rows == [*names, *arguments, *Hooks.__struct_fields__]
