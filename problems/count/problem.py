@@ -4,7 +4,7 @@ from functools import partial
 
 from judge.geometry import Line, plain
 from judge.geometry.hooks import hooks
-from judge.geometry.scenes import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TILTED, TINY, closed_up, corners, either, grid, lines, telling, uniform, whole
+from judge.geometry.scenes import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TILTED, TINY, beyond, closed_up, corners, either, grid, lines, telling, tried, uniform, whole
 from judge.problem.declare import group
 
 HOOKS = hooks("line")
@@ -19,6 +19,15 @@ def spread(draw, far=-24):
     ends = [(near, r * draw.sign())]
     ends.insert(draw.integer(0, 1), (far * draw.sign(), ends[0][1]))
     return 0, 0, r, *(ends if draw.boolean() else [end[::-1] for end in ends])
+
+
+def beside(cx, cy, r, A, B):
+    """How far a program that goes to the foot of the perpendicular, and once more, ends beside C; along an axis."""
+    (px, py), (dx, dy) = (A[0] - cx, A[1] - cy), (B[0] - A[0], B[1] - A[1])
+    for _ in range(2):
+        t = -(px * dx + py * dy) / (dx * dx + dy * dy)
+        px, py = px + t * dx, py + t * dy
+    return px + py
 
 
 def speck(draw):
@@ -50,7 +59,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("full", "A touch that no formula in floats can see.", either(lines(*TOUCHES, **HUGE), lines(*TOUCHES, **SPLIT), lines("touch close after", "touch close foot", **HUGE)), skills="a tangent has a width"),
     group("near", "Nearly a touch: 1e-7 of the figure away.", lines("touch~ before after", "touch~ foot by", **CLEAR), skills="nearly is not touching"),
     group("near-dot", "The line passes the point by 1e-7 of the figure.", lines("dot~ before after", "dot~ foot by", **CLEAR), skills="nearly is not touching"),
-    group("dot-full", "The circle is a point, on a line that floats put beside it.", lines("dot before after", "dot far by", "dot far foot", **SPLIT), skills="r = 0"),
+    group("dot-full", "The circle is a point, on a line that floats put beside it.", either(lines("dot before after", "dot far by", "dot far foot", **SPLIT), tried(lines("dot before after", "dot far by", **{**HUGE, "turn": "axis"}), lambda case: beside(*case) < 0), beyond), cases=100, skills="r = 0"),
     group("tiny", "All of it tiny, down to 1e-29.", either(lines("touch before after", "touch~ before after", **TINY), lines("touch by ?by", "cut by ?by", **{**TINY, "turn": "axis"})), skills="no absolute epsilon"),
     group("offset", "A small figure far from the origin.", lines(*TOUCHES, "touch before after", "cut before after", "miss before after", "dot-miss before after", "touch~ before after", "touch~ by foot", **OFFSET), skills="far from the origin"),
     group("far", "A or B is up to a hundred million radii away.", either(lines("touch foot far", "touch foot very-far", "touch -far far", "touch~ foot far", **FAR), lines("through foot farther", "through farther by", **FAR), *2 * [lines("touch remote foot", "touch foot remote", "touch foot remote", **{**FAR, "size": 1 << 8, "turn": "any"})]), cases=120, skills="the sharp discriminant"),

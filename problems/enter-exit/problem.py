@@ -2,7 +2,7 @@
 
 from functools import partial
 from itertools import chain, permutations, product
-from math import factorial, ldexp, prod
+from math import factorial, frexp, ldexp, prod, sqrt
 
 from judge.geometry import Crowd, plain
 from judge.geometry.hooks import hooks
@@ -27,6 +27,18 @@ def solve(circles, O, D):
         raise InvalidCase(f"The hits at one place can be put into more than {MOST_ORDERS} orders.")
     orders = [[*chain(*order)] for order in product(*map(permutations, places))]
     return AnyOf(orders) if len(orders) > 1 else orders[0]
+
+
+def order(circles, O, D, bits=53):
+    """The hits of circles that the ray leaves, in the order of t, which has so many bits."""
+    length = sqrt(D[0] * D[0] + D[1] * D[1])
+    found = []
+    for index, (x, y, r) in enumerate(circles):
+        fx, fy = O[0] - x, O[1] - y
+        across, foot = (D[0] * fy - D[1] * fx) / length, -(D[0] * fx + D[1] * fy) / length
+        part, power = frexp((foot + sqrt(max(0, (r - across) * (r + across)))) / length)
+        found.append((round(ldexp(part, bits)), power, index))
+    return [index for *_, index in sorted(found, key=lambda hit: hit[1::-1])]
 
 
 def leaning(draw, least=20, most=2000):
@@ -74,7 +86,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("origin-touch", "The ray touches a circle at its origin, and rounding puts that behind.", crowds("touch0", "touch0 behind", "touch0 exit0", **BIG), cases=90, skills="origin on the circle"),
     group("origin-level", "The origin on circles, level with their centres or upright, and the ray any way or nearly along them, or it touches a circle further on.", either(telling(either(aligned(20, (1, 3)), aligned(2**28, (1, 3))), *TELLING), *2 * [telling(grazing, *TELLING)], leaning, telling(outwards, *TELLING)), cases=150, skills="origin on the circle"),
     group("near", "Nearly a touch: 1e-7 of the figure away.", either(crowds("touch~ cut", "touch~ touch~", "around touch~", "dot~ cut", **{**NEAR, "least": 7}), crowds("touch9~", "touch9~ cut", **{**NEAR, "least": 7})), cases=100, skills="nearly is not touching"),
-    group("ties-near", "Two hits nearly at one place: their order counts.", either(*[crowds("exit2~ enter2", "enter2 enter2~", "exit2~ exit2", "touch2 enter2~", **each) for each in (NEAR, {**NEAR, "least": 7})]), skills="hits in order"),
+    group("ties-near", "Two hits nearly at one place: their order counts.", either(*[crowds("exit2~ enter2", "enter2 enter2~", "exit2~ exit2", "touch2 enter2~", **each) for each in (NEAR, {**NEAR, "least": 7})], telling(crowds("exit3~ exit3", "exit4~ exit4", **{**NEAR, "least": 7}), order, partial(order, bits=24))), cases=75, skills="hits in order"),
     group("origin-near", "The origin is just off a circle, inside or outside.", crowds("exit0~ enter", "enter0~ cut", "exit0~", "enter0~ exit0~", **NEAR), skills="origin on the circle"),
     group("dot-turned", "r = 0, and directions at any angle: |f|² − (f·u)² is all rounding there.", crowds("dot cut", "dot dot", "around dot", "enter2 dot2", **BIG), skills="r = 0"),
     group("lopsided", "A circle hundreds to tens of thousands of times as large as the others: its size is the figure's.", either(*[crowds("touch cut", "touch touch cut", "exit0 enter", "enter1 beside", "around touch exit2 enter2", **{**BIG, "size": 2**12, "uneven": each}) for each in (9, 14)], *[crowds("cut behind", "behind cut", "behind enter", **{**BIG, "size": 2**9, "uneven": 15})]), skills="the size of the whole"),

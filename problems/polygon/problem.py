@@ -35,11 +35,21 @@ def between(cx, cy, r, V, tolerance=0):
     return found
 
 
+def homewards(drawn):
+    """The corners the other way round, the first one first: the edge that left it comes back to it."""
+
+    def back(draw):
+        *circle, V = drawn(draw)
+        return *circle, (V[0], *V[:0:-1])
+
+    return back
+
+
 INTERVIEW = [
     group("grid", "Small whole numbers: everything that can happen.", cornered(grid, (3, 5), 3), cases=120, skills="the small grid"),
     group("stars", "Corners inside and outside all around: most edges cross once.", either(polygons(*STARS, **PLAIN), polygons(*STARS, **AXIS)), skills="edge by edge"),
     group("twice-an-edge", "Corners outside, and edges that cut the circle: two crossings an edge, in the order of the way.", polygons("across out", "across across", "out across out", **PLAIN), skills="edge by edge"),
-    group("corner-on", "Corners on the circle: the boundary passes through, or comes back on the same side.", polygons(*ON, **PLAIN), skills="a corner is met once"),
+    group("corner-on", "Corners on the circle: the boundary passes through, or comes back on the same side.", either(*2 * [polygons(*ON, **PLAIN)], homewards(polygons("leave out", "leave in out", **PLAIN))), cases=75, skills="a corner is met once"),
     group("closing-edge", "The edge from the last corner to the first one crosses.", polygons("in in out", "in in in out", "out out in", **PLAIN), skills="close the loop"),
     group("touch", "An edge touches: one crossing.", polygons(*TOUCHES, **PLAIN), skills="collapse the tangent"),
     group("inside-around", "The whole polygon inside the circle, or around it: no crossing.", polygons("in in in", "in in in in", "box", **PLAIN), skills="no root of a negative number"),

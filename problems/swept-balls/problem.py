@@ -54,6 +54,19 @@ def level(draw):
     return draw.reject()
 
 
+def landing(draw):
+    """Two points that run to one place on an axis, or a hair beside it, and rounding puts them beside each other."""
+    for _ in range(20):
+        x, *P, a, b = (draw.integer(1, 1 << 53) * draw.sign() / (1 << 26) for _ in range(5))
+        y = draw.choice((0, draw.integer(1, 1 << 20) * draw.sign() / (1 << 60)))
+        fx, fy, u, v = P[0] - a, P[1] - b, (x - P[0]) - (x - a), (y - P[1]) - (y - b)
+        if abs(u * fy - v * fx) > 2e-10 * sqrt(abs(y * x) * (u * u + v * v)):
+            turn = draw.choice((1, -1))
+            P, Q, X = ((*P,)[::turn], (a, b)[::turn], (x, y)[::turn])
+            return P, X, 0, Q, X, 0
+    return draw.reject()
+
+
 INTERVIEW = [
     group("grid", "Small whole numbers: everything that can happen.", grid("pprppr", 4), cases=180, skills="the small grid"),
     group("plain", "Both discs move, anyhow: they meet, pass each other, or stop before they meet.", either(balls("cut before after", "cut before in", "through before after", "miss before after", "cut before before", **PLAIN), balls("cut before after", "miss before after", **AXIS)), skills=("sit on one of them", "radii add", "t is not a distance")),
@@ -64,7 +77,7 @@ INTERVIEW = [
     group("parallel", "Both move alike, or rest: what is apart stays so.", balls("cut in =", "miss foot =", "cut before =", "miss foot = rest", "chord first =", **PLAIN), skills="sit on one of them"),
     group("radii", "Radii of very different size, or one of 0.", balls("cut before after dot", "cut before after tiny", "cut in after dot", "miss before after dot", "cut before in tiny", **PLAIN), cases=80, skills="radii add"),
     group("points", "Both radii are 0: two points, which meet or do not.", either(balls(*POINTS, **PLAIN), balls(*POINTS, "dot~ before after", "dot before foot~", "dot foot~ after", **NEAR), balls(*POINTS, **FULL), balls("dot before foot home", "dot before after home", "dot foot after home", **{**FULL, "move": 0})), cases=100, skills="radii add"),
-    group("meeting", "Both radii are 0, and both points run to one place.", either(meeting(29), meeting(29), *4 * [late], level), cases=240, skills="first in time"),
+    group("meeting", "Both radii are 0, and both points run to one place.", either(meeting(29), meeting(29), *4 * [late], level, landing), cases=240, skills="first in time"),
     group("fast", "A way of many radii: at no moment of a coarse clock the discs touch.", balls("cut far after", "through far after", "cut far -far", **PLAIN), skills="never step through"),
     group("repeated", "Neighbouring calls differ in one argument.", grid("pprppr", 4), turns=True, skills="nothing kept between calls"),
 ]

@@ -123,11 +123,9 @@ def cosines(cx1, cy1, r1, cx2, cy2, r2):
         s = 1 if r1 > r2 else -1
         return [(cx1 + s * u.real, cy1 + s * u.imag)]
         # ? inner-missed: return []
-    cosine = (d * d + r1 * r1 - r2 * r2) / (2 * d * r1)
-    angle = acos(max(-1.0, min(1.0, cosine)))
-    # ? degrees-for-radians: angle = degrees(acos(max(-1.0, min(1.0, cosine))))
-    # = angle = acos(cosine)
-    # = angle = atan2(sqrt((d + r1 - r2) * (d + r2 - r1) * (r1 + r2 - d) * (d + r1 + r2)), d * d + r1 * r1 - r2 * r2)
+    cosine = d * d + r1 * r1 - r2 * r2
+    angle = atan2(sqrt((d + r1 - r2) * (d + r2 - r1) * (r1 + r2 - d) * (d + r1 + r2)), cosine)
+    # ? degrees-for-radians: angle = degrees(acos(max(-1.0, min(1.0, cosine / (2 * d * r1)))))
     left, right = u * exp(1j * angle), u * exp(-1j * angle)
     return [(cx1 + p.real, cy1 + p.imag) for p in (left, right)]
     # ? forgotten-centre: return [(p.real, p.imag) for p in (left, right)]
