@@ -17,10 +17,10 @@ def solve(cx1, cy1, r1, cx2, cy2, r2):
 
 
 def speck(draw):
-    """A circle 120 to 900 times 1e-9 as large as another one, which it cuts."""
+    """A circle 2 to 20 millionths as large as another one, which it cuts."""
     cx, cy, large = (draw.integer(2**50, 2**53) * draw.choice(signs) / 2**26 for signs in ((1, -1), (1, -1), (1,)))
-    small = large * draw.integer(120, 900) / 1e9
-    away, angle = large + (small - large * 1.06e-7) * draw.integer(-99, 99) / 99, draw.integer(0, 628)
+    small = large * draw.integer(20, 200) / 1e7
+    away, angle = large + small * draw.integer(-80, 80) / 100, draw.integer(0, 628)
     one, other = (cx, cy, large), (cx + away * cos(angle / 100), cy + away * sin(angle / 100), small)
     return *(one + other if draw.boolean() else other + one),
 
@@ -44,7 +44,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("same-near", "One centre, and radii that are nearly the same.", pairs("same~", "same~", "same", **NEAR), skills="nearly is not touching"),
     group("small-beside-large", "Touches, exact and nearly, and one circle is 500 to ten million times larger.", either(pairs("outer~", "inner~", **{**NEAR, "uneven": 9}), pairs("inner", "outer", **{**NEAR, "uneven": 12, "move": 30}), pairs("inner", "inner", "inner", "outer", **{**NEAR, "uneven": 25, "move": 38}), *[pairs("inner", **{**PLAIN, "uneven": 24})] * 2, speck, speck, *2 * [pairs("outer", "inner", **{**HUGE, "size": 2**14, "uneven": 24})]), cases=150, skills="nearly is not touching"),
     group("close-centres", "They touch from inside, and their centres are close together.", pairs("close", "close", "close~", **BIG), skills="a tangent has a width"),
-    group("tiny", "All of it tiny, down to 1e-29.", pairs("outer", "outer~", "inner", "inner~", "cross", "same~", **TINY), skills=("no absolute epsilon", "scale invariance")),
+    group("tiny", "All of it tiny, down to 1e-29.", either(pairs("outer", "outer~", "inner", "inner~", "cross", "same~", **TINY), pairs("dots", "dot-off", "dot-on", "dot-centre", **TINY)), cases=80, skills=("no absolute epsilon", "scale invariance")),
     group("offset", "Small circles far from the origin.", either(pairs("outer", "inner", "inner", **OFFSET), pairs("cross", "apart", "ring", "dots", **OFFSET), pairs("outer~", "inner~", "same~", **OFFSET)), cases=90, skills="far from the origin"),
     group("steep", "Centres almost beside or above one another.", pairs("cross", "cross", "outer", **STEEP), skills="no slopes"),
     group("large", "Whole numbers up to 2**30, some of them touches.", either(whole("nnrnnr", 30), pairs("outer", "inner", "cross", **{**BIG, "shift": 0, "numbers": "int"})), skills=("whole numbers that are large", "scale invariance")),

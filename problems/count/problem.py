@@ -4,7 +4,7 @@ from functools import partial
 
 from judge.geometry import Line, plain
 from judge.geometry.hooks import hooks
-from judge.geometry.scenes import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TILTED, TINY, beyond, closed_up, corners, either, grid, lines, telling, tried, uniform, whole
+from judge.geometry.scenes import AXIS, BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TILTED, TINY, closed_up, corners, either, grid, lines, telling, tried, uniform, whole
 from judge.problem.declare import group
 
 HOOKS = hooks("line")
@@ -21,13 +21,21 @@ def spread(draw, far=-24):
     return 0, 0, r, *(ends if draw.boolean() else [end[::-1] for end in ends])
 
 
-def beside(cx, cy, r, A, B):
+def beside(cx, cy, _, A, B):
     """How far a program that goes to the foot of the perpendicular, and once more, ends beside C; along an axis."""
     (px, py), (dx, dy) = (A[0] - cx, A[1] - cy), (B[0] - A[0], B[1] - A[1])
     for _ in range(2):
         t = -(px * dx + py * dy) / (dx * dx + dy * dy)
         px, py = px + t * dx, py + t * dy
     return px + py
+
+
+def beyond(draw):
+    """C is a point on the line, far from A and B, which are beside the origin: A − C loses most of A's digits."""
+    way = [draw.integer(1 << 19, 1 << 20) * draw.sign() for _ in "xy"]
+    near, far, a, b = 2.0 ** -draw.integer(44, 53), *(draw.integer(1, 1 << 9) for _ in range(3))
+    A, B, C = ((way[0] * times, way[1] * times) for times in (a * near, -b * near, far))
+    return (*C, 0, *draw.choice(((A, B), (B, A))))
 
 
 def speck(draw):

@@ -139,15 +139,4 @@ def skimming(draw: Draw) -> Case:
     return draw.reject()
 
 
-def beyond(draw: Draw) -> Case:
-    """C is a point on the line, as seen from A and B in one direction and a million million times as far away
-    as they are from the origin: A − C loses most of A's digits.
-    """
-    way = [draw.integer(1 << 19, 1 << 20) * draw.sign() for _ in "xy"]
-    near = 2.0 ** -draw.integer(44, 53)
-    far, a, b = draw.integer(1, 1 << 9), draw.integer(1, 1 << 9), draw.integer(-(1 << 9), 0)
-    A, B, C = ((way[0] * times, way[1] * times) for times in (a * near, b * near, far))
-    return (*C, 0, *draw.choice(((A, B), (B, A))))
-
-
 _ON = points("on", **{**HUGE, "size": 2**30, "shift": -40})
