@@ -87,7 +87,7 @@ def read_class(
     reader = _Reader(root, folders, roster or Roster(), [PurePath(path) for path, _ in every])
     placed, unplaced, size = list[Submission](), list[Submission](), 0
     for path, why in every:
-        if PurePath(path).name == METADATA:
+        if PurePath(path).name == METADATA or reader.is_receipt(PurePath(path)):
             continue
         group = [who for who, _ in reader.group(PurePath(path)) if who]
         for found in reader.submissions(path, why):
@@ -157,6 +157,11 @@ class _Reader:
     def group(self, path: PurePath) -> list[tuple[str, Owner]]:
         """The students whom a platform's name tells, and what else it tells."""
         return self.owners.get((path.parts[self.outer :] or path.parts)[0], [])
+
+    def is_receipt(self, path: PurePath) -> bool:
+        """Whether it is Blackboard's text about files beside it; alone it may hold what was submitted."""
+        own = any(owner.at and not owner.file for _, owner in self.group(path)) and path.suffix == _TEXT
+        return own and any(name.startswith(f"{path.stem}_") for name in self.owners)
 
     def submissions(self, path: str, why: str) -> Iterator[Submission]:
         """What a file holds, by its path in the class's folder; without a student or a problem where it has

@@ -5,7 +5,7 @@
 
 Without an `id` it is the name, or else the first column, that tells all of them apart. Every column goes
 on to the gradebook. Commas, semicolons or tabs part the columns; the text is UTF-8, or UTF-16
-with a byte order mark.
+with a byte order mark, and the gradebook is what the list was.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from judge.batch.model import Submission
 from judge.batch.platforms import Roster
 from judge.errors import UsageError
 from judge.files import read_ordinary, unreadable
-from judge.report.published_klass import Sheet, Student, listed_columns
+from judge.report.published_klass import BOM, Sheet, Student, listed_columns
 
 _LARGEST = 2**24  # bytes
 _LONGEST = 500  # characters of an id
@@ -40,7 +40,7 @@ def read_students(path: Path) -> Roster:
     Raises:
         UsageError: it cannot be read, holds nobody, or a line of it is no row; that line is told.
     """
-    text = _text(path)
+    text, encoding = _text(path)
     sign = _separator(text)
     rows = _rows(text, path, sign)
     _, titles = next(rows, (0, list[str]()))
@@ -66,7 +66,8 @@ def read_students(path: Path) -> Roster:
         students.append(student)
     if not students:
         raise UsageError("there is nobody in this list of students", where=str(path), remedy=_REMEDY)
-    return Roster(students, titles, Sheet(sign, "\r\n" if "\r\n" in text else "\n", tuple(extra)))
+    end = "\r\n" if "\r\n" in text else "\n"
+    return Roster(students, titles, Sheet(sign, end, tuple(extra), encoding))
 
 
 def _student(columns: Sequence[str], row: Sequence[str], own: int, where: str) -> Student:
@@ -113,16 +114,18 @@ def everyone(roster: Roster, submissions: Iterable[Submission]) -> list[Student]
     return [*listed, *(Student(each, known=not listed) for each in others)]
 
 
-def _text(path: Path) -> str:
+def _text(path: Path) -> tuple[str, str]:
+    """The text, and what it is encoded in. Raises UsageError."""
     try:
         content = read_ordinary(path, _LARGEST + 1)
     except (OSError, ValueError) as fault:
         raise unreadable(path, fault, "name a CSV file") from fault
     if len(content) > _LARGEST:
         raise UsageError(f"this file is larger than {_LARGEST // 2**20} MB", where=str(path), remedy=_REMEDY)
+    wide = {b"\xff\xfe": "utf-16-le", b"\xfe\xff": "utf-16-be"}
+    encoding = wide.get(content[:2], "utf-8")
     try:
-        wide = content.startswith((b"\xff\xfe", b"\xfe\xff"))
-        return content.decode("utf-16" if wide else "utf-8-sig")
+        return content.decode(encoding).removeprefix(BOM), encoding
     except UnicodeDecodeError as fault:
         number = content.count(b"\n", 0, fault.start) + 1
         raise _bad(path, number, f"this is not UTF-8: byte 0x{content[fault.start]:02x}") from fault

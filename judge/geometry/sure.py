@@ -1,11 +1,13 @@
 """Decisions about lengths that are exactly 0, or clear: at least 1e-7 of the figure's size.
 
-A sign is exact. That a length is clear is certified by a lower bound: what is taken for clear is clear. A
-length that is longer than the threshold by less than one part in 2**38 may be refused (for per >= 1).
+A sign is exact. That a length is clear is certified by a lower bound, which costs less than to compare it
+with the threshold; where the bound is below that, it is compared, by squaring. So a length of exactly the
+threshold is clear.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from decimal import Decimal
 from fractions import Fraction
 from math import isqrt
@@ -89,7 +91,15 @@ class Sure:
         length = found * ((p << BITS) + _scaled_root(q, d) + _scaled_root(u, v)) - 2
         top, bottom = per.numerator, per.denominator
         size = isqrt(self.size * self.size * top * bottom << _UNIT) + 1  # size·√per, times the bottom
-        self._clear(found * max(length, 0) * bottom, size, share, what)
+
+        def clear() -> bool:
+            # x² = a + b·√d + (c + e·√d)·√v, times what makes it comparable with (size/share)²·per
+            scale, least = share * share * bottom, self.size * self.size * top
+            a, b = scale * (p * p + q * q * d + u * u * v) - least, scale * 2 * p * q
+            c, e = scale * 2 * p * u, scale * 2 * q * u
+            return _nested_sign(a, b, c, e, d, v) >= 0
+
+        self._clear(found * max(length, 0) * bottom, size, share, what, clear)
         return found
 
     def distance(
@@ -103,8 +113,14 @@ class Sure:
         if gap == 0:
             return self._exactly(zero, what)
         reach = isqrt(square * per << _UNIT) + 1 + (radius * per << BITS)
-        self._clear(gap << BITS, self.size * reach, CLEAR, what)
-        return 1 if gap > 0 else -1
+        found = 1 if gap > 0 else -1
+
+        def clear() -> bool:
+            edge = radius * CLEAR + found * self.size  # where √(square/per) must be, or beyond it
+            return edge >= 0 and found * (square * CLEAR * CLEAR - edge * edge * per) >= 0
+
+        self._clear(gap << BITS, self.size * reach, CLEAR, what, clear)
+        return found
 
     def nested(self, square: Root, radius: int, per: Root, *, zero: bool = True, what: DecisionWords) -> int:
         """`distance` for a square and a per in one root √d; two more roots certify its size."""
@@ -116,7 +132,13 @@ class Sure:
         gap = max(abs((p << BITS) + _scaled_root(q, d)) - 1, 0)
         above, below = ((x.p << BITS) + _scaled_root(x.q, x.d) + 1 for x in (square, per))
         reach = isqrt(above * below) + 1 + radius * below
-        self._clear(found * gap, self.size * reach, CLEAR, what)
+
+        def clear() -> bool:
+            edge, scale = radius * CLEAR + found * self.size, CLEAR * CLEAR
+            p, q = square.p * scale - per.p * edge * edge, square.q * scale - per.q * edge * edge
+            return edge >= 0 and found * root_sign(p, q, d) >= 0
+
+        self._clear(found * gap, self.size * reach, CLEAR, what, clear)
         return found
 
     def least(self, square: int, share: int, what: str, *, zero: bool = True) -> None:
@@ -135,12 +157,22 @@ class Sure:
         decided(what.name, 0.0)
         return 0
 
-    def _clear(self, length: int, size: int, share: int, what: DecisionWords) -> None:
-        """Record length/size as a decision; InvalidCase where it is less than 1/share."""
+    def _clear(
+        self, length: int, size: int, share: int, what: DecisionWords, clear: Callable[[], bool]
+    ) -> None:
+        """Record length/size, a lower bound, as a decision; InvalidCase where it is not `clear`."""
         gap = length / (size or 1)
-        if abs(length) * share < size or not length:
+        if not length or (abs(length) * share < size and not clear()):
             refuse(what.sentence(gap))
         decided(what.name, gap)
+
+
+def _nested_sign(a: int, b: int, c: int, e: int, d: int, v: int) -> int:
+    """The sign of (a + b·√d) + (c + e·√d)·√v, d and v >= 0, by one more squaring."""
+    left, right = root_sign(a, b, d), root_sign(c, e, d) if v else 0
+    if left * right >= 0:
+        return left or right
+    return left * root_sign(a * a + b * b * d - v * (c * c + e * e * d), 2 * (a * b - v * c * e), d)
 
 
 def _scaled_root(q: int, d: int) -> int:

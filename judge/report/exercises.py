@@ -64,7 +64,7 @@ RATE = "How well? 1 again, 2 hard, 3 good, 4 easy: "
 SAVE = "Save the file. Enter judges it, q goes on: "
 _OPEN = 38  # columns of the skills that are named
 _NARROW = 60  # columns that the steps need
-_AROUND = 2  # rows for the prompt and one above
+_AROUND = 2  # rows for the place of a question and the empty one below; one more for the legend of an answer
 
 
 def case_tried(found: CaseTried, screen: Screen) -> RenderableType:
@@ -219,22 +219,43 @@ def _ended(found: HackTurn) -> RenderableType:
 
 def question(asked: Question, place: str, screen: Screen) -> RenderableType:
     """The card, what is known of its figure, and the figure where the terminal has room for it."""
-    parts: list[RenderableType] = [faint(place), _prose(strong(asked.card.front)), *map(_prose, asked.given)]
+    parts = [faint(place), *_asked(asked)]
+    return Group(*parts, *_figure(asked, asked.picture, screen, answered=False))
+
+
+def _asked(asked: Question) -> Iterator[RenderableType]:
+    yield _prose(strong(asked.card.front))
+    yield from map(_prose, asked.given)
     if asked.program:
         rows = [indented(text(row), 4) if row else Text() for row in asked.program.splitlines()]
-        parts += [Text(), *rows, Text()]
+        yield from (Text(), *rows, Text())
     if asked.options:
-        parts.append(indented(table([(strong(letter), said) for letter, said in asked.options])))
-    return Group(*parts, *_figure(asked.picture, parts, screen, answered=False))
+        yield indented(table([(strong(letter), said) for letter, said in asked.options]))
 
 
 def _figure(
-    picture: Picture | None, above: Sequence[RenderableType], screen: Screen, *, answered: bool
+    asked: Question, picture: Picture | None, screen: Screen, *, answered: bool
 ) -> Iterator[RenderableType]:
-    """The figure, in the rows that are left, where the terminal has room for it."""
-    if picture is not None and has_room(screen):
-        room = screen.height - drawn(Group(*above), screen).count("\n") - _AROUND
-        yield from map(indented, picture_rows(picture, screen, max(room, LEAST_ROWS), answered=answered))
+    """The figure, in the rows that the question and its longest reply leave.
+
+    Where those are too few, one with the reply is left out, and one with the question is as high as if there
+    was no reply.
+    """
+    if picture is None or not has_room(screen):
+        return
+    words = [*_asked(asked), indented(expected(asked))]
+    for more in (_said(asked, None), ()):
+        room = screen.height - drawn(Group(*words, *more), screen).count("\n") - _AROUND - answered
+        if room >= LEAST_ROWS:
+            break
+        if answered:
+            return
+    yield from map(indented, picture_rows(picture, screen, room, answered=answered))
+
+
+def expected(asked: Question) -> str:
+    """What the prompt of a card asks for, which the judge rates."""
+    return f"Answer ({asked.expects}): "
 
 
 def _prose(said: Cell) -> RenderableType:
@@ -250,14 +271,19 @@ def reply(asked: Question, found: CardReply | None, rating: Rating, screen: Scre
     """Whether the answer was right, the right one, why, a figure; `found` is None where none was given."""
     if asked.check is None:
         return Group(indented(faint(f"noted: {rating.name.lower()}")), Text())
+    return Group(*_said(asked, found), *_figure(asked, asked.drawn, screen, answered=True), Text())
+
+
+def _said(asked: Question, found: CardReply | None) -> Iterator[RenderableType]:
     right = found is not None and found.right
     mistake = f": {found.mistake}" if found and found.mistake else ""
     verdict = good("✓ right") if right else bad(f"✗ wrong{mistake}" if found else "✗ skipped")
     because = found.why if found and not right else ""
     pairs = [("because", because), ("answer", "" if right else asked.answer), ("why", asked.why)]
     said = [pair for pair in pairs if pair[1]]
-    parts = [indented(verdict), *([indented(facts(said))] if said else [])]
-    return Group(*parts, *_figure(asked.drawn, parts, screen, answered=True), Text())
+    yield indented(verdict)
+    if said:
+        yield indented(facts(said))
 
 
 def model(asked: Question) -> RenderableType:

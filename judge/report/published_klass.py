@@ -1,7 +1,7 @@
 """A class as it stands: values in the order in which they are shown, what goes out as JSON, the gradebook.
 
 The gradebook is CSV, a line a student. Excel takes a CSV for UTF-8 only by its byte order mark; LibreOffice
-and Python's `utf-8-sig` skip it.
+and Python's `utf-8-sig` skip it. A list in UTF-16 gets its gradebook in UTF-16.
 """
 
 from __future__ import annotations
@@ -232,6 +232,7 @@ class Sheet(Struct, frozen=True):
     sign: str = ","
     end: str = "\r\n"
     extra: tuple[Sequence[str], ...] = ()
+    encoding: str = "utf-8"
 
 
 def listed_columns(titles: Sequence[str]) -> int:
@@ -267,11 +268,14 @@ def gradebook(cohort: Cohort, sheet: Sheet, *, numbered: bool = False) -> bytes:
         days = [cohort.days_late(person.id)] if late else []
         own += [str(place)] * numbered
         rows.append([*own, *points, cohort.total(person.id), *days, *told, unread])
-    return (BOM + csv_text(rows, sheet.sign, sheet.end)).encode("utf-8", "backslashreplace")
+    return (BOM + csv_text(rows, sheet.sign, sheet.end)).encode(sheet.encoding, "backslashreplace")
 
 
 def is_gradebook(start: bytes) -> bool:
     """Whether a file that begins like this is such a gradebook."""
-    head = start.removeprefix(BOM.encode()).partition(b"\n")[0].replace(b'"', b"")  # as spreadsheets do
+    for mark in (BOM.encode(), b"\xff\xfe", b"\xfe\xff"):
+        start = start.removeprefix(mark)
+    start = start.replace(b"\0", b"")  # of UTF-16
+    head = start.partition(b"\n")[0].replace(b'"', b"")  # as spreadsheets do
     titles = re.split(b"[,;\t]", head.strip())
     return titles[: len(_HEAD)] == _OLD or (_TOTAL.encode() in titles and titles[-1] == _LAST.encode())

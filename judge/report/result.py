@@ -85,7 +85,7 @@ def run_report(found: RunReport, screen: Screen) -> RenderableType:
 def told_of(found: RunReport, why: str = "") -> Summary:
     """The result in words; `why` is what the failing case turns on."""
     problem = found.data.problem if found.data else None
-    return tell(problem, found.result, found.source, why, whole=found.whole)
+    return tell(problem, found.result, found.source, why, whole=found.whole, fresh=bool(found.fresh))
 
 
 def _explained(found: RunReport, screen: Screen) -> tuple[Summary, Drawing | None]:

@@ -74,12 +74,19 @@ class Summary(Struct, frozen=True, kw_only=True):
 
 
 def tell(
-    problem: Problem | None, result: Result, source: bytes = b"", why: str = "", *, whole: bool = False
+    problem: Problem | None,
+    result: Result,
+    source: bytes = b"",
+    why: str = "",
+    *,
+    whole: bool = False,
+    fresh: bool = False,
 ) -> Summary:
     """What the result says, as far as that can be said without the problem where there is none.
 
     A wrong answer of which nothing more is known says `why`, what its case turns on. The time of an accepted
-    one is told where it is worth a word, or `whole` of it is asked for.
+    one is told where it is worth a word, or `whole` of it is asked for. After a run on `fresh` cases the
+    mistake is one that the kata's own cases show.
     """
     hurdle, pitfall = result.hurdle, result.pitfall
     shown = None if hurdle else shown_failure(result)
@@ -100,7 +107,7 @@ def tell(
         input=tuple(f"{name} = {argument(value)}" for name, value in values.items()),
         facts=tuple(_facts(problem, result, shown, why)),
         mistake=order or (mistake_text(pitfall, result.submission) if pitfall else ""),
-        advice=_advice(pitfall) if pitfall and not order else (),
+        advice=_advice(pitfall, " in the kata's own cases" if fresh else "") if pitfall and not order else (),
         time=_time(problem, result, whole=whole),
         fails=tuple(_share(each) for each in failing[:_MOST_FAILS]),
         more=max(0, len(failing) - _MOST_FAILS),
@@ -146,16 +153,16 @@ def mistake_text(pitfall: Pitfall, submission: str) -> str:
     return f"{likely} mistake{'s' * (len(pitfall.names) > 1)}: {' and '.join(pitfall.names)}"
 
 
-def _advice(pitfall: Pitfall) -> tuple[str, ...]:
+def _advice(pitfall: Pitfall, where: str) -> tuple[str, ...]:
     several = len(pitfall.names) > 1
     pairs = zip(pitfall.names, pitfall.advice, strict=False)  # a kept result may be damaged
     told = [f"{name}: {text}" if several else text for name, text in pairs if text]
-    steps = [_step(pitfall, at) for at in range(len(pitfall.steps))]
+    steps = [_step(pitfall, at, where) for at in range(len(pitfall.steps))]
     placed = any(step.line or step.name is None for step in pitfall.steps)  # else nothing is new
     return (*told, *(steps if placed else ()))
 
 
-def _step(pitfall: Pitfall, at: int) -> str:
+def _step(pitfall: Pitfall, at: int, where: str) -> str:
     """`line 19: 73 of 531 failures hang on it`; what was seen there where the step has no name."""
     step, several = pitfall.steps[at], len(pitfall.steps) > 1
     name = f"({step.name})" if several and step.name else ""
@@ -163,7 +170,8 @@ def _step(pitfall: Pitfall, at: int) -> str:
     order = ("Then" if at else "One of several") if several else ""
     place = " ".join(filter(None, (", ".join(filter(None, (order, line))), name)))
     seen = f"{step.why} " if step.why and step.name is None else ""
-    share = f"{step.gone:,} of {counted(step.of, 'failure')} {'hangs' if step.gone == 1 else 'hang'} on it"
+    hang = "hangs" if step.gone == 1 else "hang"
+    share = f"{step.gone:,} of {counted(step.of, 'failure')}{where} {hang} on it"
     return f"{place}: {seen}{share}" if place else f"{seen}{share}"
 
 
@@ -275,7 +283,9 @@ def _failing(result: Result) -> list[GroupResult]:
 
 
 def _share(group: GroupResult) -> str:
-    return f"{group.name} {group.cases - group.passed} of {group.cases}"
+    failed, rest = group.cases - group.passed - group.undecided, group.undecided
+    share = f" {failed} of {group.cases}" if failed else ""  # else it fails as a whole
+    return f"{group.name}{share}{f' ({rest} not judged)' if rest else ''}"
 
 
 def _commands(problem: Problem | None, result: Result, shown: Failure | None) -> Iterator[tuple[str, str]]:
@@ -301,11 +311,13 @@ def _last(result: Result) -> str:
     if result.verdict is Verdict.AC:
         return share + only
     skipped = sum(not group.run for group in result.groups)
+    ends = {group.verdict.meaning for group in result.groups if not group.run} - {result.verdict.meaning}
+    ended = f": {', '.join(sorted(ends))}" if ends else ""
     if skipped and skipped == len(result.groups) - 1 and result.failure and result.failure.group:
         others = "the other group was" if skipped == 1 else f"the other {skipped} groups were"
-        return f"group {result.failure.group}; {others} not run{only}"
+        return f"group {result.failure.group}; {others} not run{ended}{only}"
     parts = [level_text(result.levels) or share, _points(result)]
-    parts += [f"{counted(skipped, 'group')} not run"] if skipped else []
+    parts += [f"{counted(skipped, 'group')} not run{ended}"] if skipped else []
     return ", ".join(filter(None, parts)) + only
 
 

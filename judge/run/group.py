@@ -173,6 +173,7 @@ class GroupRun:
             worst_ulps=self._worst,
             cpu_seconds=self.usage.cpu_seconds,
             run=not self.given_up,
+            undecided=max(0, len(self.cases) - self.passed - len(self.wrong)),
         )
 
     @property

@@ -41,7 +41,8 @@ NOTHING: Behaviour = MappingProxyType({})
 class GroupResult(Struct, frozen=True, kw_only=True):
     """One test group's outcome; `passed` counts accepted cases, `points` is what the group is worth.
 
-    A group was not `run` where the program had been given up before. `worst_ulps` is the largest error of an
+    A group was not `run` where the program had been given up before; so many cases are `undecided` where it
+    ended early, and where no answer was right or wrong. `worst_ulps` is the largest error of an
     accepted number, None where none was measured.
     """
 
@@ -54,6 +55,7 @@ class GroupResult(Struct, frozen=True, kw_only=True):
     worst_ulps: float | None = None
     cpu_seconds: float = 0.0
     run: bool = True
+    undecided: int = 0
 
     @property
     def score(self) -> int:

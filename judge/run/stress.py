@@ -136,7 +136,7 @@ class _Run:
                 continue
             name, more = series.group.name, run.result()
             total = self._totals.get(name) or replace(
-                more, cases=0, passed=0, points=0, level=None, cpu_seconds=0.0
+                more, cases=0, passed=0, points=0, level=None, cpu_seconds=0.0, undecided=0
             )
             first = 0  # of a program that broke, the case that it broke at
             if run.failure:

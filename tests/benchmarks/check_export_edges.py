@@ -18,6 +18,9 @@ sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 from export_edges import disagreements, judged, outputs, validated
 
 from judge.data.load import load_data
+from judge.data.model import ProblemData
+from judge.packs.cases import tests_in
+from judge.packs.export import brought_along
 from judge.packs.schemas import NotExportable, check_forms
 from judge.problem.find import find_problem, problem_folders
 
@@ -38,6 +41,9 @@ def main() -> int:
         try:
             check_forms(problem)
             data = load_data(problem)
+            examples = ProblemData(problem, data.groups[:1])
+            if brought_along(problem, tuple(tests_in(examples, []))):
+                raise NotExportable("the kata's own checker decides")
             cases = max(1, round(wish.lines / EACH / len(data.groups)))
             decided, right, differ = disagreements(data, rng, cases, EACH)
         except NotExportable as why:

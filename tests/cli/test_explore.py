@@ -197,6 +197,53 @@ def test_keys_fingers_and_fields_move_it(tmp_path):
     assert invalid == "true"
 
 
+BELOW = """
+const fields = [...document.querySelectorAll("#numbers input")], shown = [];
+for (const [i, text] of CHANGES) {
+  const before = document.getElementById("case").textContent, field = fields[i], old = field.value;
+  field.value = text; field.dispatchEvent(new Event("input"));
+  shown.push([document.getElementById("promise").textContent, field.getAttribute("aria-invalid"),
+    document.getElementById("case").textContent === before]);
+  field.value = old; field.dispatchEvent(new Event("input"));
+}
+document.getElementById("said").textContent = JSON.stringify(shown);
+"""
+
+
+@browser
+@pytest.mark.parametrize(
+    ("problem", "changes", "bounds"),
+    [
+        (
+            "silhouette",
+            [(-1, "-0.25"), (-1, "0.5"), (2, "-1")],
+            ["0.0001 to 0.4999"] * 2 + ["0 to 1073741824"],
+        ),
+        nightly(
+            "circle-side", [(2, "0"), (0, "1000000001")], ["1 to 1000000000", "-1000000000 to 1000000000"]
+        ),
+        nightly("exact-count", [(2, "-1"), (3, f"1{'0' * 120}1")], ["0 to 1e+120", "-1e+120 to 1e+120"]),
+    ],
+)
+def test_a_number_out_of_its_bounds_is_no_valid_input(tmp_path, problem, changes, bounds):
+    last = sum(1 for _ in explore._flat(find_problem(problem).examples[0].case))
+    places = json.dumps([(at % last, text) for at, text in changes])
+    page = shown(tmp_path, problem, None, BELOW.replace("CHANGES", places))
+    for (_, text), ends, (said, refused, same) in zip(
+        changes, bounds, json.loads(text_of(page, "said")), strict=True
+    ):
+        assert said.endswith(f" has {text}, outside {ends}: not a valid input")
+        assert (refused, same) == ("true", True)
+    assert "not a valid" not in text_of(page, "promise")
+
+
+@browser
+def test_a_first_case_that_is_none_gives_way_to_an_example(tmp_path):
+    page = shown(tmp_path, "count", values(0, 0, -1, (0, 0), (1, 1)))
+    assert "The case it was opened with" in page
+    assert text_of(page, "case") == 'judge try count "0, 0, 5, (-6, 3), (-5, 3)"'
+
+
 # -- what the page decides against each kata's `solve` ------------------------------------------------------
 
 FOLDER = Path(explore.__file__).parent

@@ -17,7 +17,6 @@ from judge.problem.declare import InvalidCase, decisions
 SIDES = "it is below 0", "it is 0", "it is above 0"
 WORDS = DecisionWords("The length is almost 0", "It must be 0, or at least 1e-7·e.", SIDES)
 TINY = Decimal(10) ** -250  # a number of these sizes that is nearer to 0 is 0
-SPARE = Decimal(2) ** -38  # by how much more than the threshold a length may be and yet be refused
 
 wholes = st.one_of(st.integers(-50, 50), st.integers(-(2**80), 2**80))
 naturals = st.one_of(st.integers(0, 60), st.integers(0, 2**120))
@@ -37,11 +36,11 @@ def check(decide, length: Decimal, size: int, *, zero: bool = True, share: int =
     try:
         found = decide()
     except InvalidCase:
-        assert abs(length) < least * (1 + SPARE)
+        assert least - abs(length) > TINY
         assert length or not zero
     else:
         assert found == (length > 0) - (length < 0)
-        assert abs(length) >= least or (length == 0 and zero)
+        assert abs(length) - least > -TINY or (length == 0 and zero)
 
 
 @st.composite
@@ -122,6 +121,32 @@ def test_nested_roots_have_exact_signs_and_certified_sizes(whole, part, d, size,
 
 def _value(number: Root) -> Decimal:
     return number.p + number.q * root(number.d)
+
+
+@given(st.integers(1, 2**70), st.sampled_from((-1, 1)), naturals, st.integers(1, 1000), st.integers(2, 99))
+def test_a_length_of_exactly_the_threshold_is_clear(length, side, radius, k, d):
+    """Each of these lengths is `length`, at most the radius if it is inside; below it is more than that."""
+    e, r = length * CLEAR, radius + length
+    times = k * k * d
+    decide = {
+        "sign": lambda sure: sure.sign(side * length, what=WORDS),
+        "per": lambda sure: sure.sign(side * k * length, per=k * k, what=WORDS),
+        "root": lambda sure: sure.sign(0, side * length, d, per=d, what=WORDS),
+        "roots": lambda sure: sure.sign(
+            0, side * length, d, side * length, times, per=d * (k + 1) ** 2, what=WORDS
+        ),
+        "mixed": lambda sure: sure.sign(side * length - k, k, d * d, k * (1 - d), 1, what=WORDS),
+        "fraction": lambda sure: sure.sign(side * length, per=Fraction(k * k, d * d), what=WORDS),
+        "distance": lambda sure: sure.distance((r + side * length) ** 2 * d, r, d, what=WORDS),
+        "nested": lambda sure: sure.nested(
+            Root((r + side * length) ** 2 * k, (r + side * length) ** 2, d), r, Root(k, 1, d), what=WORDS
+        ),
+    }
+    for name, found in decide.items():
+        size = e * d // k if name == "fraction" else e
+        assert found(Sure(size)) == side, name
+        with pytest.raises(InvalidCase):
+            found(Sure(size + 1))
 
 
 @given(naturals, sizes, st.integers(1, 10**6))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import io
+import os
 import re
 from contextlib import nullcontext
 from fractions import Fraction
@@ -14,15 +16,21 @@ from judge.errors import ProblemError
 from judge.practice.cards import (
     AnyForm,
     Card,
+    Count,
+    Drawn,
     MistypedError,
     WrongOption,
     cards_of,
     count,
     number,
     option,
+    read_decks,
     sequence,
 )
+from judge.practice.events import Rating
 from judge.practice.questions import LazyProblems, ask
+from judge.report import exercises as texts
+from judge.report.screen import Screen, drawn
 
 NUMBERS = re.compile(r"-?\d+")
 
@@ -191,3 +199,25 @@ def test_every_shipped_card_can_be_asked(sources):
         assert question.expects
         assert question.answer
         assert each.form in FORMS
+
+
+FIGURES = [each for each in read_decks()[0] if isinstance(each.content, Count | Drawn)]
+
+
+class Person(io.StringIO):
+    encoding = "utf-8"
+
+    def isatty(self):
+        return True
+
+
+@pytest.mark.parametrize("asks", FIGURES, ids=lambda each: each.key)
+def test_a_question_with_a_figure_fits_a_screen_of_24_rows_and_so_does_its_reply(asks, sources, monkeypatch):
+    monkeypatch.setattr("judge.report.screen._size", lambda _stream: os.terminal_size((80, 24)))
+    screen = Screen(Person(), False, 80)
+    for asked in questions(sources, asks, 8):
+        told = drawn(texts.question(asked, "Question 1 of 10", screen), screen)
+        told += f"{texts.prompt(f'Answer ({asked.expects}): ', screen)}?\n"
+        told += drawn(texts.reply(asked, None, Rating.AGAIN, screen), screen)
+        assert told.count("\n") < 24
+        assert all(len(row) <= 80 for row in told.split("\n"))

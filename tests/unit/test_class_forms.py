@@ -148,6 +148,14 @@ def test_whose_a_file_is(place, roster, names, whose):
     ]
 
 
+def test_blackboards_text_about_a_submission_is_left_out_unless_it_is_all_there_is(place):
+    ada, bob = (f"HW 1_{who}_attempt_2026-11-20-10-15-00" for who in ("alove", "bob.brien"))
+    names = [f"gradebook_HW 1/{name}" for name in (f"{ada}.txt", f"{ada}_middle.py", f"{bob}.txt")]
+    found = read(place, BLACKBOARD, names)
+    assert [each.file for each in found.submissions] == [names[1]]
+    assert [each.file for each in found.unplaced] == [names[2]]
+
+
 def test_late_is_shown_as_the_platform_tells_it(place):
     found = read(place, CANVAS, ["lovelaceada_LATE_101_555_middle.py", "degrdbo_102_556_middle.py"])
     assert found.late == {"101"}

@@ -16,7 +16,7 @@ from judge.batch.roster import read_students
 from judge.errors import ExitCode
 from judge.problem.model import Verdict
 from judge.report.formats import cell, csv_text
-from judge.report.published_klass import Sheet, Student, gradebook, is_gradebook
+from judge.report.published_klass import BOM, Sheet, Student, gradebook, is_gradebook
 from judge.report.screen import Screen, drawn
 from judge.report.views import view
 from judge.run.result import judge_fault
@@ -190,7 +190,8 @@ def test_no_cell_is_calculated(name, shown):
 
 @pytest.mark.parametrize("sign", [",", ";", "\t"])
 @pytest.mark.parametrize("end", ["\n", "\r\n"])
-def test_the_lists_own_columns_go_back_as_they_are(tmp_path, sign, end):
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-16-le", "utf-16-be"])
+def test_the_lists_own_columns_go_back_as_they_are(tmp_path, sign, end, encoding):
     path = tmp_path / "list.csv"
     own = [
         ["Student", "ID", "phone", "note"],
@@ -199,14 +200,15 @@ def test_the_lists_own_columns_go_back_as_they_are(tmp_path, sign, end):
         ["- Luc; Jean", "8", " -5", "a\nb"],
         ["=SUM(1)", "9", "+cmd|' /C calc'!A0", "-HYPERLINK(1)"],
     ]
-    path.write_bytes(csv_text(own, sign, end).encode())
+    path.write_bytes(f"{'' if encoding == 'utf-8' else BOM}{csv_text(own, sign, end)}".encode(encoding))
     guarded = [*own[:4], ["'=SUM(1)", "9", "'+cmd|' /C calc'!A0", "'-HYPERLINK(1)"]]
     for numbered in (True, False):
         roster = read_students(path)
         cohort = cohort_of(roster.students, ("p", "q"), [row("7", "p")], titles=roster.titles)
-        content = gradebook(cohort, roster.sheet, numbered=numbered)
+        written = gradebook(cohort, roster.sheet, numbered=numbered)
+        content = written.decode(encoding).encode()
         assert [cells[:4] for cells in read(content, sign)] == guarded
         assert read(content, sign)[0].count("total") == 1
         assert content.replace(b"a\nb", b"").count(end.encode()) == content.count(b"\n") - 1
-        assert is_gradebook(content[:200])
-        path.write_bytes(content)
+        assert is_gradebook(written[:400])
+        path.write_bytes(written)

@@ -155,3 +155,12 @@ def test_it_ends_as_packages_ask(given, printed, status, tmp_path):
     assert ended.returncode == status
     assert ("export the package again" in ended.stderr) == (status == 1)
     assert (tmp_path / "judgemessage.txt").exists() == (status == 43)
+
+
+@pytest.mark.slow
+def test_a_kata_that_no_package_can_hold_is_left_out_of_the_check_of_edges():
+    script = Path(__file__).parents[1] / "benchmarks" / "check_export_edges.py"
+    command = [sys.executable, script, "--lines", "16", "error-bound"]
+    ended = subprocess.run(command, capture_output=True, text=True, timeout=120)
+    assert (ended.returncode, ended.stderr) == (0, "")
+    assert "left out: its checker imports judge.geometry" in ended.stdout

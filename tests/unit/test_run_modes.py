@@ -8,7 +8,7 @@ from msgspec.structs import replace
 
 from judge.problem import Verdict
 from judge.problem.model import Mode
-from judge.report.tell import fault_place
+from judge.report.tell import fault_place, tell
 from judge.run import groups, program
 from judge.run.group import GroupRun
 from judge.run.groups import MOST_LOSSES_IN_ALL, Budget
@@ -81,6 +81,23 @@ def test_a_submission_is_given_up_after_ten_losses_in_all():
     assert (result.verdict, result.failure.group) == (Verdict.RTE, "a")
     assert [group.verdict for group in result.groups] == [Verdict.RTE] * 8
     assert told[-1][0] == 3 * 9  # three losses in each of three groups; the fourth has one and no more
+
+
+def test_only_what_was_judged_counts_as_failing_and_it_is_said_why_groups_were_not_run():
+    source = """
+def answer(n, P):
+    if n in (12, 22):
+        while True: pass
+    return 7 if n in (0, 11) else int(n + P[0] + P[1])
+"""
+    data = make_data(*"abcdefgh", limits=replace(LIMITS, cpu_seconds=0.2), step=10)
+    result = judged(source, data)
+    assert [each.undecided for each in result.groups] == [0, 1, 1, *[4] * 5]
+    told = tell(None, result)
+    assert told.fails == ("a 2 of 4", "b 2 of 4 (1 not judged)", "c 1 of 4 (1 not judged)")
+    assert told.last.endswith("5 groups not run: time limit exceeded")
+    whole = replace(result.groups[0], passed=4)  # it printed a line too many, or is too slow
+    assert tell(None, replace(result, groups=(whole,))).fails == ("a",)
 
 
 @pytest.mark.parametrize(

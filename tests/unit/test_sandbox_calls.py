@@ -42,6 +42,16 @@ def test_answers_come_back_in_order_and_exactly():
     assert math.copysign(1, result.replies[4].answer[0]) == -1
 
 
+def test_what_it_makes_of_the_builtins_is_told_at_its_own_line():
+    lost = "import builtins\nfor name in ('len', 'repr', 'type', 'print'): setattr(builtins, name, None)\n"
+    found = call(f"{lost}def f(x): return len([x])", NUMBERS)
+    assert {(reply.stop, reply.detail) for reply in found.replies} == {
+        (Stop.EXCEPTION, "TypeError: 'NoneType' object is not callable (line 3)")
+    }
+    found = call(f"{lost}def f(x): return x", NUMBERS)
+    assert [number(reply.answer) for reply in found.replies] == [0, 1, 2, 3, 4]
+
+
 def test_a_series_has_one_module_and_the_next_finds_nothing_of_it():
     source = b"""
 import math

@@ -137,7 +137,7 @@ class Round:
         self.show(texts.question(asked, f"Question {len(self.answers) + 1} of {count}", self.screen))
         found = None
         if asked.check:
-            found = self._read(f"Answer ({asked.expects}): ", asked.check)
+            found = self._read(texts.expected(asked), asked.check)
             given = found.given if found else ""
             rating = Rating.GOOD if found and found.right else Rating.AGAIN
         else:

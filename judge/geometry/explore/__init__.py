@@ -23,7 +23,7 @@ from judge.geometry.polygon import EDGE
 from judge.geometry.quadratic import TANGENT, on_circle, tangent
 from judge.geometry.shadow import LEVEL
 from judge.geometry.sure import CLEAR, DecisionWords
-from judge.problem import Problem
+from judge.problem import Parameter, Problem
 from judge.problem.declare import InvalidCase, decisions
 from judge.values import parameters
 
@@ -77,7 +77,12 @@ def explored(
         "problem": problem.id,
         "kind": kind,
         "args": [
-            {"name": parameter.name, "value": _texts(value), "list": isinstance(value, list)}
+            {
+                "name": parameter.name,
+                "value": _texts(value),
+                "list": isinstance(value, list),
+                "bounds": list(_bounds(parameter, value)),
+            }
             for parameter, value in zip(problem.parameters, cases[0], strict=True)
         ],
         "cases": [[name, _texts(case)] for name, case in zip(called, cases, strict=True)],
@@ -119,6 +124,14 @@ def _flat(value: Any) -> Iterator[Any]:
 def _texts(value: Any) -> Any:
     """The numbers as Python writes them."""
     return [_texts(each) for each in value] if isinstance(value, list | tuple) else repr(value)
+
+
+def _bounds(parameter: Parameter, value: Any) -> Iterator[tuple[str, str]]:
+    """The least and the greatest of each number; of a list, of those of an item."""
+    for atom, _ in parameters.leaves(parameter.type, value[:1] if isinstance(value, list) else value):
+        least, most = getattr(atom, "low", None), getattr(atom, "high", None)
+        low = parameter.low if least is None else max(parameter.low, least)
+        yield str(low), str(parameter.high if most is None else min(parameter.high, most))
 
 
 def _promises(examples: Sequence[list[Any]], solve: Callable[..., Any]) -> bool:

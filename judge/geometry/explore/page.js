@@ -35,13 +35,14 @@
     return `judge try ${start.problem} "${state.args.map(each => text(each.value, each.list)).join(", ")}"`;
   }
 
+  const badge = (text, kind) => html("span", { className: `badge ${kind}`, textContent: text });
+  const invalid = what => badge(`${what}: not a valid input`, "warn");
   function tell() {
     const { told, rough } = state, exactly = told.decisions.filter(each => each.side === 0).map(each => each.says);
-    const badge = (text, kind) => html("span", { className: `badge ${kind}`, textContent: text });
     by("answer").textContent = told.answer || "no answer";
     const differs = rough.answer !== told.answer && told.answer !== shortly(rough.answer);
     by("promise").replaceChildren(
-      told.broken ? badge(`${told.broken}: not a valid input`, "warn")
+      told.broken ? invalid(told.broken)
         : told.decisions.length ? badge([...new Set(exactly)].slice(0, 2).join(", ") || "clear", "good") : "", " ",
       differs ? badge(`in doubles: ${rough.answer || "no answer"}`, "bad") : "");
     const rows = [["answer", told.answer, rough.answer, differs]];
@@ -104,6 +105,21 @@
     return html("label", {}, name, made);
   }
 
+  /* What is said of a number that is not within its bounds, which are fractions; empty where all are. */
+  function outside(texts) {
+    let next = 0;
+    for (const { name, value, bounds } of state.args) {
+      for (const i of flat(value).keys()) {
+        const text = texts[next++], [number, shift] = Exact.parse(text);
+        const ends = bounds[i % bounds.length].map(each => `${each}/1`.split("/").map(BigInt));
+        const [below, above] = ends.map(([n, d]) => number * d - (n << BigInt(shift)));
+        const [low, high] = ends.map(([n, d]) => Number(n) / Number(d));
+        if (below < 0n || above > 0n) return `${name} has ${text.trim()}, outside ${low} to ${high}`;
+      }
+    }
+    return "";
+  }
+
   /* Whether these numbers are a case, which is shown then. */
   function update(texts, { refit = false, refill = true } = {}) {
     const run = arithmetic => {
@@ -111,7 +127,9 @@
       return numbers && { numbers, told: figure(start.kind, start, numbers, state.args.map(each => each.value)) };
     };
     const exact = run(Exact.arithmetic);
-    if (!exact || exact.told.rings.some(each => each.r < 0n)) return false;
+    const wrong = exact && outside(texts);
+    if (wrong) by("promise").replaceChildren(invalid(wrong));
+    if (!exact || wrong) return false;
     Object.assign(state, exact, { texts, rough: run(Doubles.arithmetic).told });
     if (refit || !state.view) fit();
     if (refill) {
@@ -236,12 +254,14 @@
   /* -- the rest of the page --------------------------------------------------------------------------------- */
 
   by("examples").append(...start.cases.map(([name], i) => html("option", { value: String(i), textContent: name })));
-  by("examples").addEventListener("change", () => {
-    state.args = start.args.map((each, i) => ({ ...each, value: start.cases[Number(by("examples").value)][1][i] }));
+  function choose(number) {
+    by("examples").value = String(number);
+    state.args = start.args.map((each, i) => ({ ...each, value: start.cases[number][1][i] }));
     state.texts = textsOf(state.args);
     fields();
-    update(state.texts, { refit: true });
-  });
+    return update(state.texts, { refit: true });
+  }
+  by("examples").addEventListener("change", () => choose(Number(by("examples").value)));
   const steps = ["1", ...(start.whole ? ["10", "1000"] : ["0.1", "0.001", "1e-6", "1e-7", "1e-9", "1e-12", "1e-13"])];
   by("step").append(html("option", { value: "auto", textContent: "what the zoom shows" }),
     ...steps.map(text => html("option", { value: text, textContent: text })));
@@ -268,6 +288,5 @@
     setTimeout(() => { by("copy").textContent = "Copy"; }, 1500);
   });
   addEventListener("resize", resized);
-  fields();
-  update(state.texts, { refit: true });
+  start.cases.some((_, number) => choose(number));
 })();

@@ -203,9 +203,11 @@ def _raised(text: str) -> bytes:
 
 
 def _main_module(module_name: str, file_name: str) -> ModuleType:
-    module = ModuleType(module_name)
-    module.__dict__.update(__builtins__=builtins, __file__=file_name)
-    sys.modules[module_name] = module
+    # What it makes of the builtins is seen in its own lines alone: they are of a copy.
+    module, own = ModuleType(module_name), ModuleType("builtins")
+    own.__dict__.update(builtins.__dict__)
+    module.__dict__.update(__builtins__=own, __file__=file_name)
+    sys.modules.update({"builtins": own, module_name: module})
     sys.argv[:] = [file_name]
     return module
 
