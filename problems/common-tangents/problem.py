@@ -29,8 +29,8 @@ INTERVIEW = [
 PRODUCTION = [  # the same, where rounding bites
     group("turned", "Touches that squares cannot see.", pairs("outer", "inner", **BIG), skills="a tangent has a width"),
     group("full", "Touches that no formula in floats can see.", telling(either(pairs("outer", "inner", **HUGE), pairs("outer", "inner", **SPLIT)), *TELLING), skills="a tangent has a width"),
-    group("near", "Nearly a touch: 1e-7 of the figure away.", either(pairs("outer~", "inner~", **NEAR), pairs("outer~ slant", **{**NEAR, "turn": "axis"})), skills="nearly is not touching"),
-    group("alike", "Radii that differ by a thousandth to a ten millionth of themselves.", pairs("alike", **{**PLAIN, "size": 10**7}), skills="common tangents"),
+    group("near", "Nearly a touch: 1e-7 of the figure away.", either(pairs("outer~", "inner~", **NEAR), pairs("outer~ slant", **{**NEAR, "turn": "axis"}), *3 * [pairs("close~", **{**NEAR, "least": 7})]), cases=150, skills="nearly is not touching"),
+    group("alike", "Radii that differ by a thousandth to a ten billionth of themselves.", either(*[pairs("alike", **{**PLAIN, "size": size}) for size in (10**7, *2 * [2**36])]), cases=120, skills="common tangents"),
     group("close-centres", "They touch from inside, and their centres are close together.", pairs("close", "close", "close~", **BIG), skills="a tangent has a width"),
     group("tiny", "All of it tiny, down to 1e-29.", pairs("outer", "outer~", "inner", "inner~", "cross", "apart", **TINY), skills=("no absolute epsilon", "scale invariance")),
     group("offset", "Small circles far from the origin.", pairs("outer", "inner", "cross", "apart", "within", "outer~", "inner~", **OFFSET), skills="far from the origin"),

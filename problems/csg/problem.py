@@ -4,8 +4,10 @@ from functools import partial
 from math import hypot
 
 from judge.geometry import Crowd, plain
+from judge.geometry.crowd import UNION
 from judge.geometry.hooks import hooks
 from judge.geometry.scenes import BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, aligned, anywhere, crowd_of, crowds, either, solids, telling
+from judge.geometry.scenes.crowds import mixed
 from judge.problem.declare import group
 
 HOOKS = hooks("spans")
@@ -57,9 +59,21 @@ def leaving(draw, along):
     return (*disc, *[(x + small * draw.integer(-2, 2), y, small)] * along), (x, y), D[::-1]
 
 
+def beads(draw):
+    """Discs in a row that do not meet, most of them with a smaller one inside: the union of all, in any order."""
+    discs, axis = [], draw.sign()
+    for at in range(draw.integer(5, 6)):
+        x, y, r = 100 * at + draw.integer(60, 70), draw.integer(-9, 9), draw.integer(25, 29)
+        discs += [(x, y, r), (x + draw.integer(-5, 5), y, draw.integer(12, 18))][: 2 if draw.integer(0, 3) else 1]
+    discs = mixed(draw, discs)
+    O, D = (draw.integer(-9, 9), draw.integer(-9, 9)), (draw.integer(1, 9), 0)
+    program = (0, *[each for disc in range(1, len(discs)) for each in (disc, UNION)])
+    return tuple([(*(x, y)[::axis], r) for x, y, r in discs]), O[::axis], D[::axis], program
+
+
 INTERVIEW = [
     group("grid", "Small whole numbers: everything that can happen.", solids(anywhere(3, (2, 3))), cases=120, skills="the small grid"),
-    group("union", "Discs that overlap, or do not: their union has no seams.", solids(crowds(*OVERLAP, "cut1 cut5 beside", "cut room cut", "cut within exit2", **PLAIN), "union"), skills="a solid is intervals"),
+    group("union", "Discs that overlap, or do not: their union has no seams.", either(*3 * [solids(crowds(*OVERLAP, "cut1 cut5 beside", "cut room cut", "cut within exit2", **PLAIN), "union")], beads), cases=75, skills="a solid is intervals"),
     group("intersection", "What all of the discs hold, which may be nothing.", solids(crowds(*OVERLAP, "enter1 exit3", "cut1 cut9", "around around", **PLAIN), "intersection"), skills="a solid is intervals"),
     group("difference", "A disc less others: an end is cut off, or a hole is in the middle.", solids(crowds(*OVERLAP, "around around", "cut room", "around cut within", **PLAIN), "difference"), skills="a solid is intervals"),
     group("deep", "All three operations, nested, with up to twelve discs, some of them used twice.", solids(crowd_of("cut", "enter", "exit", "around", "beside", count=(2, 11), first="cut1", **PLAIN), form="tree"), skills="operations in any nesting"),

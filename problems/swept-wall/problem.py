@@ -183,6 +183,17 @@ def tangent(draw):
     return mirrored(draw, k * p * small, *[(x * small, y * small) for x, y in points])
 
 
+def past(draw):
+    """A disc that begins just past an end of a long wall, within its radius of the wall's line, and clear of the end."""
+    p, q, c = triple(draw, 65)
+    b, h, i, j = draw.integer(8, 99), draw.integer(0, 99), draw.integer(-16, 16), draw.integer(-16, 16)
+    part, r = b * draw.integer(20, 200), h + (sqrt(b * b + h * h) - h) * draw.integer(1, 7) / 8
+    i, j = draw.choice(((0, 0), (i, j), (i, j)))
+    points = (b, h), (b + i * part, h + j * part), (0, 0), (-16 * part, 0)
+    small = 2.0 ** draw.integer(-20, 4)
+    return mirrored(draw, r * c * small, *[((x * p - y * q) * small, (x * q + y * p) * small) for x, y in points])
+
+
 def mirrored(draw, r, *points):
     """The points by any symmetry of the axes, and the ends of the wall in either order."""
     turn, s, t = draw.choice((1, -1)), draw.sign(), draw.sign()
@@ -196,7 +207,7 @@ INTERVIEW = [
     group("past", "Past the wall, where its line would be hit.", walls("past side", "past side", "hit side", **PLAIN), cases=45, skills="fatten the wall"),
     group("ends", "Onto an end, which is round.", either(walls("hit cap", **PLAIN), walls("hit cap", "hit cap level", **{**AXIS, "shift": -6, "move": 0})), cases=80, skills=("fatten the wall", "a wall has round ends")),
     group("overlap", "Disc and wall overlap or touch from the start, whatever the disc does then: t = 0.", walls("overlap side", "overlap cap", "start side", "start cap", "start post", **PLAIN), cases=45, skills="touching from the start"),
-    group("away", "The disc leaves the wall, or rests beside it: the touch was before the start, or never.", either(walls("away side", "away cap", "rest side", "rest cap", **PLAIN), back(walls("shy cap", "shy post", **PLAIN)), back(walls("flat side", **PLAIN)), back(walls("flat side", **PLAIN))), cases=115, skills="first in time"),
+    group("away", "The disc leaves the wall, or rests beside it: the touch was before the start, or never.", either(walls("away side", "away cap", "rest side", "rest cap", **PLAIN), back(walls("shy cap", "shy post", **PLAIN)), back(walls("flat side", **PLAIN)), back(walls("flat side", **PLAIN)), past), cases=140, skills="first in time"),
     group("short", "The disc stops before the wall, or before it would graze it.", walls("short side", "short cap", "short post", "shy cap", "shy post", **PLAIN), cases=45, skills="first in time"),
     group("graze", "The disc grazes an end.", walls(*GRAZES, "graze cap", **PLAIN), cases=45, skills="a graze is a touch"),
     group("slide", "The disc slides along the wall, and touches it from its first end on.", either(walls("slide side", **PLAIN), walls("slide side", **{**BIG, "turn": "axis"})), cases=45, skills=("a graze is a touch", "a wall has round ends")),

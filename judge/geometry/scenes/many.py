@@ -245,6 +245,7 @@ def scans(
         scene += [(x + 12 * r * right * far, y + 12 * r * up * far, 3 * r) for far in (1, 2)]
         scene += [(x + draw.integer(-r, r), y + draw.integer(-r, r), max(2, r // 4)) for _ in range(2)]
         scene += [any_circle(draw, reach, (2, radii[0])) for _ in range(draw.integer(0, 90))]
+        scene += [(x, y, max(1, r // 2)) for x, y, r in scene[: draw.integer(0, 3)]]  # about one centre
     kept = [each for each in scene if across or each[0] >= 0 or abs(each[1]) > each[2]]
     ways = [
         _towards(draw, (0, 0), draw.choice(kept)) if kept and number % 2 else any_way(draw, fastest)

@@ -54,8 +54,8 @@ def _level_pair(draw: Draw, words: Sequence[str], size: int = 30, uneven: int = 
         a = max(a, 1000 * b)
         b = a - a // draw.integer(100, 900)
         a, b = (a, b) if draw.boolean() else (b, a)
-    if word in ("alike", "equal"):  # alike: the radii differ by 2**-10 to 2**-23
-        b = a if word == "equal" else a - max(1, a >> draw.integer(10, 23)) * draw.sign()
+    if word in ("alike", "equal"):  # alike: the radii differ by 2**-10 to 2**-34
+        b = a if word == "equal" else a - max(1, a >> draw.integer(10, 34)) * draw.sign()
     small, large = sorted((a, b))
     if word in ("inner", "within", "cross", "ring") and (large - small) * 50 < large:
         draw.reject()  # else the centres are almost one
