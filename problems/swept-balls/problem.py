@@ -6,6 +6,7 @@ from math import ldexp, sqrt
 from judge.geometry import plain
 from judge.geometry.hooks import hooks
 from judge.geometry.motion import balls_meeting
+from judge.geometry.pose import triple
 from judge.geometry.scenes import AXIS, BIG, DECIMALS, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, balls, either, grid, meeting, telling, uniform, whole
 from judge.problem.declare import group
 
@@ -54,6 +55,27 @@ def level(draw):
     return draw.reject()
 
 
+def flat_end(draw):
+    """A touch at the very end of a way that is nearly along the edge."""
+    p, q, c = triple(draw, 65)
+    k, a, b = draw.integer(1 << 10, 1 << 20), draw.integer(100, 1000), draw.integer(1, 3)
+    Q, small = [draw.integer(-(1 << 28), 1 << 28) for _ in "xy"], 2.0 ** -draw.integer(1, 30)
+    r, turn, way = draw.integer(0, c * k), draw.choice((1, -1)), draw.integer(1, k // a)
+    ends = (p * k + (p * b - q * a) * way, q * k + (q * b + p * a) * way), (p * k, q * k)
+    P0, P1, Q = ([x * small for x in each][::turn] for each in (*[(x + Q[0], y + Q[1]) for x, y in ends], Q))
+    return tuple(P0), tuple(P1), r * small, tuple(Q), tuple(Q), (c * k - r) * small
+
+
+def soon(draw):
+    """A point that meets a resting one right before the end of its way, or right after the start."""
+    p, q, _ = triple(draw, 65)
+    at, small = 10**7 - draw.integer(3, 20), 2.0 ** -draw.integer(10, 40)
+    x, y = (draw.integer(-(10**6), 10**6) for _ in "xy")
+    points = (x, y), (x + p * 10**7, y + q * 10**7), (x + p * at, y + q * at)
+    P0, P1, Q = (tuple([n * small for n in each]) for each in (points if draw.integer(0, 3) else (*points[1::-1], points[2])))
+    return P0, P1, 0, Q, Q, 0
+
+
 def landing(draw):
     """Two points that run to one place on an axis, or a hair beside it, and rounding puts them beside each other."""
     for _ in range(20):
@@ -87,10 +109,10 @@ PRODUCTION = [  # the same, where rounding bites
     group("turned", "Grazes that squares cannot see.", balls(*GRAZES, "touch before after alone", "touch before after alone dot", "touch before after rest dot", **BIG), cases=120, skills="a tangent has a width"),
     group("graze-full", "Grazes that no formula in floats can see, or that seem to overlap.", either(telling(either(balls(*GRAZES, **FULL), balls("touch before after", "touch before after dot", **{**FULL, "turn": "axis"}), balls("touch before after alone dot", **FULL)), *TELLING), telling(balls("touch before after dot", **FULL), *BELOW), telling(balls("touch before after dot", "touch before after dot rest", **{**FULL, "turn": "axis"}), *BELOW)), cases=70, skills="a tangent has a width"),
     group("start-full", "The discs touch at the start, and rounding puts them apart.", balls(*STARTS, **FULL), skills="touching from the start"),
-    group("end-full", "The discs touch at the very end, and rounding makes it later.", telling(either(balls(*ENDS, **FULL), balls("chord before first", "chord before first along", "dot before foot", **{**FULL, "turn": "axis"}), balls(*ENDS, "dot before foot", "dot before foot rest", "dot before foot alone", **STEEP), balls("chord before first home", "touch before foot home", "chord before first home dot", **{**FULL, "move": 0})), *TELLING), cases=70, skills="first in time"),
+    group("end-full", "The discs touch at the very end, and rounding makes it later.", telling(either(balls(*ENDS, **FULL), balls("chord before first", "chord before first along", "dot before foot", **{**FULL, "turn": "axis"}), balls(*ENDS, "dot before foot", "dot before foot rest", "dot before foot alone", **STEEP), balls("chord before first home", "touch before foot home", "chord before first home dot", **{**FULL, "move": 0}), flat_end), *TELLING), cases=84, skills="first in time"),
     group("near-graze", "Nearly a graze: 1e-7 of the figure away.", balls("touch~ before after", "touch~ before after rest", "touch~ before after along", "touch~ before after rush", "touch~ before after rush", **{**NEAR, "least": 7}), skills="nearly is not touching"),
     group("near-start", "The discs nearly touch at the start, and come together or leave each other.", balls("chord last~ after", "chord first~ before", "chord first~ in", "chord last~ after rest", **{**NEAR, "least": 7}), skills="touching from the start"),
-    group("near-end", "The discs touch just before the end, or do not quite.", either(balls("chord before first~", "chord before first~ rest", "chord after -last~", **{**NEAR, "least": 7}), balls("chord before first~", "dot before foot~", **{**NEAR, "shift": (-60, -40, 17)})), cases=80, skills="first in time"),
+    group("near-end", "The discs touch just before the end, or do not quite.", either(balls("chord before first~", "chord before first~ rest", "chord after -last~", **{**NEAR, "least": 7}), balls("chord before first~", "dot before foot~", **{**NEAR, "shift": (-60, -40, 17)}), soon), cases=100, skills="first in time"),
     group("slow", "The discs go far together, and hardly move as seen from each other.", balls("cut before in together", "cut before after together", "touch before after together", "cut before before together", **{**PLAIN, "shift": -20}), skills="t is not a distance"),
     group("long-way", "A way of up to a million radii.", balls("cut very-far after", "touch very-far after", "through far after", "dot before after rest grain", "chord very-far last", "chord very-far last", "chord far last", **{**PLAIN, "shift": -20}), cases=60, skills="never step through"),
     group("grain", "Discs so small beside the way that they are hardly hit.", balls("dot before foot rest grain", "dot before foot grain", **{**PLAIN, "shift": -20}), cases=100, skills="full precision"),

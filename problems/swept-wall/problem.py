@@ -1,6 +1,7 @@
 """A moving disc and a wall: the exact moment of their first touch."""
 
 from functools import partial
+from itertools import chain
 from math import copysign, hypot, ldexp, sqrt
 
 from judge.geometry import plain
@@ -194,6 +195,48 @@ def past(draw):
     return mirrored(draw, r * c * small, *[((x * p - y * q) * small, (x * q + y * p) * small) for x, y in points])
 
 
+def turned(draw, r, *points):
+    """The points, in whole numbers, turned by any angle, scaled and mirrored."""
+    p, q, c = triple(draw, 4_418)
+    small = 2.0 ** (28 - max(map(abs, chain(*points, (r,)))).bit_length() - c.bit_length() - draw.integer(0, 9))
+    return mirrored(draw, r * c * small, *[((x * p - y * q) * small, (x * q + y * p) * small) for x, y in points])
+
+
+def soon(draw):
+    """A disc that grazes an end right after the start, or a point that runs into one."""
+    if draw.boolean():
+        end = draw.integer(2, 9), 0
+        return turned(draw, 0, (0, 0), (10**7, 0), end, draw.choice((end, (draw.integer(-(10**6), 10**6), draw.integer(10**3, 10**6)))))
+    h = draw.integer(8000, 12000)
+    return turned(draw, h, (-draw.integer(6, 12), h), (draw.integer(99, h // 2), h), (0, 0), (draw.integer(-h, h) // 2, -draw.integer(0, h) // 2))
+
+
+def flat_start(draw):
+    """A small disc that leaves the side of a long wall."""
+    wall, r = draw.integer(10**6, 10**7), draw.integer(1, 1000)
+    x, up = draw.integer(0, wall), draw.integer(10**4, 10**7)
+    return turned(draw, r, (x, r), (x + draw.integer(-wall, wall), r + up), (0, 0), (wall, 0))
+
+
+def flat_end(draw):
+    """A short way that ends in a touch of the side, nearly along the wall."""
+    m, a = draw.integer(5, 3000), draw.integer(1, 2000)
+    wall = a * m * draw.integer(2, 400)
+    x, r = draw.integer(0, wall), draw.integer(1, wall)
+    return turned(draw, r, (x - a * m, r + a), (x, r), (0, 0), (wall, 0))
+
+
+def into(drawn):
+    """The other way from where another case begins."""
+
+    def draw_case(draw):
+        P0, P1, *rest = drawn(draw)
+        P2 = tuple([2 * p - q for p, q in zip(P0, P1, strict=True)])
+        return (P0, P2, *rest) if max(map(abs, P2)) <= 2**30 else draw.reject()
+
+    return draw_case
+
+
 def mirrored(draw, r, *points):
     """The points by any symmetry of the axes, and the ends of the wall in either order."""
     turn, s, t = draw.choice((1, -1)), draw.sign(), draw.sign()
@@ -225,12 +268,12 @@ PRODUCTION = [  # the same, where rounding bites
     group("upright", "Grazes along an axis that seem to be apart or to overlap, from level with an end of the wall, from its line, or right beside it.", either(*3 * [upright], *2 * [partial(upright, stops=True), telling(tangent, *TELLING)]), cases=215, skills="a tangent has a width"),
     group("graze-full", "Grazes that no formula in floats can see, or that seem to overlap.", telling(walls(*GRAZES, **FULL), *TELLING), cases=46, skills="a tangent has a width"),
     group("slide-full", "The disc slides along the wall, or stops where it would, and rounding puts it beside.", either(*3 * [telling(walls("slide side", "stop side", **FULL), *TELLING)], *2 * [sinking]), cases=84, skills="a tangent has a width"),
-    group("start-full", "The disc touches at the start, and rounding puts it apart.", either(*2 * [telling(walls("rest side", **FULL), *TELLING)], telling(walls("start side", **{**FULL, "turn": "axis"}), *TELLING), walls("start cap", **FULL), walls("start side dot", **FULL), walls("start side dot", **FULL), *4 * [abreast]), cases=90, skills="touching from the start"),
-    group("end-full", "The disc touches at the very end, and rounding makes it later.", telling(either(walls("end side", "end cap", **FULL), walls("end cap level", "end cap dot level", "end side level", "end post level", **{**FULL, "turn": "axis"}), walls("end cap afar", "end post afar", **AFAR), walls("end side dot", "end cap dot", "end post dot", **FULL), walls("end cap", "end side", **{**STEEP, "size": 2**7}), walls("end cap home", "end side home", "end post home", "stop cap home", "stop post home", **{**FULL, "move": 0})), *TELLING), cases=72, skills="first in time"),
+    group("start-full", "The disc touches at the start, and rounding puts it apart.", either(*2 * [telling(walls("rest side", **FULL), *TELLING)], telling(walls("start side", **{**FULL, "turn": "axis"}), *TELLING), walls("start cap", **FULL), walls("start side dot", **FULL), walls("start side dot", **FULL), *4 * [abreast], telling(flat_start, *TELLING)), cases=100, skills="touching from the start"),
+    group("end-full", "The disc touches at the very end, and rounding makes it later.", telling(either(walls("end side", "end cap", **FULL), walls("end cap level", "end cap dot level", "end side level", "end post level", **{**FULL, "turn": "axis"}), walls("end cap afar", "end post afar", **AFAR), walls("end side dot", "end cap dot", "end post dot", **FULL), walls("end cap", "end side", **{**STEEP, "size": 2**7}), walls("end cap home", "end side home", "end post home", "stop cap home", "stop post home", **{**FULL, "move": 0}), *2 * [flat_end]), *TELLING), cases=96, skills="first in time"),
     group("beside", "The disc touches at the very end, and its way begins level with an end of the wall.", beside(walls("end side", "end side", "end side", "end side dot", "end cap dot", "end post dot", **FULL)), cases=70, skills="first in time"),
     group("at-an-end", "A point that begins or ends its way at an end of the wall.", either(ending, late, *3 * [slipping], *2 * [head_on, resting, resting]), cases=160, skills="first in time"),
     group("near-graze", "Nearly a graze: 1e-7 of the figure away.", walls("graze~ cap", "graze~ cap dot", "graze~ cap dot", "graze~ cap dot", "graze~ post", "slide~ side", **CLEAR), cases=90, skills="nearly is not touching"),
-    group("near-start", "The disc nearly touches at the start, and leaves.", walls("start~ side", "start~ cap", **CLEAR), skills="touching from the start"),
+    group("near-start", "The disc nearly touches at the start, and leaves or comes nearer; or it touches right after the start.", either(*2 * [walls("start~ side", "start~ cap", **CLEAR)], *3 * [into(walls("start~ side", "start~ side", "start~ cap", **CLEAR))], soon), cases=150, skills="touching from the start"),
     group("near-end", "The disc touches just before the end, or does not quite.", either(walls("end~ side", "end~ cap", "end~ side dot level", "end~ post dot level", **CLEAR), walls("shy cap", "shy post", **{**FULL, "shift": 0}), walls("shy post afar", **AFAR), walls("end~ side grain", "end~ side", **{**PLAIN, "shift": -20})), cases=115, skills="first in time"),
     group("flat", "Onto the side nearly along the wall: it still is the side.", either(walls("flat side", "flat side grain", **{**PLAIN, "shift": -20}), walls("flat side", **{**PLAIN, "size": 100}), walls("flat side", **{**PLAIN, "size": 100})), cases=90, skills="fatten the wall"),
     group("rim", "Onto the side, close to an end: it still is the side.", walls("hit side rim", "end side rim", **{**BIG, "size": 2**16}), skills="a wall has round ends"),
