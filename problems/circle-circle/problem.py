@@ -5,6 +5,7 @@ from math import cos, sin
 
 from judge.geometry import Pair, plain
 from judge.geometry.hooks import hooks
+from judge.geometry.pose import triple
 from judge.geometry.scenes import AXIS, BIG, HUGE, NEAR, OFFSET, PLAIN, SPLIT, STEEP, TINY, either, grid, pairs, telling, uniform, whole
 from judge.problem.declare import group
 
@@ -14,6 +15,16 @@ TELLING = plain.lie, partial(plain.lie, tolerance=1e-10)
 
 def solve(cx1, cy1, r1, cx2, cy2, r2):
     return Pair(cx1, cy1, r1, cx2, cy2, r2).points()
+
+
+def hair(draw):
+    """A touch of two circles, one of them tiny, at a distance that no double holds."""
+    p, q, c = triple(draw, 65)
+    k = draw.integer(2**53 // c + 2, (2**53 - 1) // max(p, q)) | 1
+    small, unit, turn = draw.integer(1 << 29, 9 * 10**8) | 1, 2.0 ** -draw.integer(25, 60), draw.choice((1, -1))
+    place = (p * k * draw.sign() * unit, q * k * draw.sign() * unit)[::turn]
+    one, other = (0, 0, (c * k + small * draw.sign()) * unit), (*place, small * unit)
+    return (*one, *other) if draw.boolean() else (*other, *one)
 
 
 def speck(draw):
@@ -42,7 +53,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("full", "Touches that no formula in floats can see.", telling(either(pairs("outer", "inner", **HUGE), pairs("outer", "inner", **SPLIT)), *TELLING), skills="a tangent has a width"),
     group("near", "Nearly a touch: 1e-7 of the figure away.", either(pairs("outer~", "inner~", "dot-on~", **NEAR), pairs("outer~ slant", **{**NEAR, "turn": "axis"})), skills="nearly is not touching"),
     group("same-near", "One centre, and radii that are nearly the same.", pairs("same~", "same~", "same", **NEAR), skills="nearly is not touching"),
-    group("small-beside-large", "Touches, exact and nearly, and one circle is 500 to ten million times larger.", either(pairs("outer~", "inner~", **{**NEAR, "uneven": 9}), pairs("inner", "outer", **{**NEAR, "uneven": 12, "move": 30}), pairs("inner", "inner", "inner", "outer", **{**NEAR, "uneven": 25, "move": 38}), *[pairs("inner", **{**PLAIN, "uneven": 24})] * 2, speck, speck, *2 * [pairs("outer", "inner", **{**HUGE, "size": 2**14, "uneven": 24})]), cases=150, skills="nearly is not touching"),
+    group("small-beside-large", "Touches, exact and nearly, and one circle is 500 to ten million times larger.", either(pairs("outer~", "inner~", **{**NEAR, "uneven": 9}), pairs("inner", "outer", **{**NEAR, "uneven": 12, "move": 30}), pairs("inner", "inner", "inner", "outer", **{**NEAR, "uneven": 25, "move": 38}), *[pairs("inner", **{**PLAIN, "uneven": 24})] * 2, speck, speck, *2 * [pairs("outer", "inner", **{**HUGE, "size": 2**14, "uneven": 24})], hair), cases=150, skills="nearly is not touching"),
     group("close-centres", "They touch from inside, and their centres are close together.", pairs("close", "close", "close~", **BIG), skills="a tangent has a width"),
     group("tiny", "All of it tiny, down to 1e-29.", either(pairs("outer", "outer~", "inner", "inner~", "cross", "same~", **TINY), pairs("dots", "dot-off", "dot-on", "dot-centre", **TINY)), cases=80, skills=("no absolute epsilon", "scale invariance")),
     group("offset", "Small circles far from the origin.", either(pairs("outer", "inner", "inner", **OFFSET), pairs("cross", "apart", "ring", "dots", **OFFSET), pairs("outer~", "inner~", "same~", **OFFSET)), cases=90, skills="far from the origin"),

@@ -4,7 +4,7 @@ from functools import partial
 from math import hypot
 
 from judge.geometry import Crowd, plain
-from judge.geometry.crowd import UNION
+from judge.geometry.crowd import DIFFERENCE, UNION
 from judge.geometry.hooks import hooks
 from judge.geometry.scenes import BIG, DECIMALS, FAR, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, aligned, anywhere, crowd_of, crowds, either, solids, telling
 from judge.geometry.scenes.crowds import mixed
@@ -59,15 +59,18 @@ def leaving(draw, along):
     return (*disc, *[(x + small * draw.integer(-2, 2), y, small)] * along), (x, y), D[::-1]
 
 
-def beads(draw):
-    """Discs in a row that do not meet, most of them with a smaller one inside: the union of all, in any order."""
+def beads(draw, bored=False):
+    """Discs in a row that do not meet, most of them with a smaller one inside: the union of all, in any order; or
+    a disc about all of them less that union.
+    """
     discs, axis = [], draw.sign()
-    for at in range(draw.integer(5, 6)):
+    for at in range(draw.integer(9, 10) if bored else draw.integer(5, 6)):
         x, y, r = 100 * at + draw.integer(60, 70), draw.integer(-9, 9), draw.integer(25, 29)
-        discs += [(x, y, r), (x + draw.integer(-5, 5), y, draw.integer(12, 18))][: 2 if draw.integer(0, 3) else 1]
-    discs = mixed(draw, discs)
+        discs += [(x, y, r), (x + draw.integer(-5, 5), y, draw.integer(12, 18))][: 1 + (not bored and draw.integer(0, 3) > 0)]
+    discs = [*mixed(draw, discs), *[(500, draw.integer(-9, 9), 600)] * bored]
     O, D = (draw.integer(-9, 9), draw.integer(-9, 9)), (draw.integer(1, 9), 0)
-    program = (0, *[each for disc in range(1, len(discs)) for each in (disc, UNION)])
+    all_ = [0, *[step for disc in range(1, len(discs) - bored) for step in (disc, UNION)]]
+    program = (len(discs) - 1, *all_, DIFFERENCE) if bored else tuple(all_)
     return tuple([(*(x, y)[::axis], r) for x, y, r in discs]), O[::axis], D[::axis], program
 
 
@@ -79,7 +82,7 @@ INTERVIEW = [
     group("deep", "All three operations, nested, with up to twelve discs, some of them used twice.", solids(crowd_of("cut", "enter", "exit", "around", "beside", count=(2, 11), first="cut1", **PLAIN), form="tree"), skills="operations in any nesting"),
     group("inside", "The ray begins inside discs, and leaves others behind it: a span begins at t = 0.", solids(crowds("around behind cut", "around around behind", "around cut", "around exit1 behind", **PLAIN)), skills="origin inside"),
     group("touch", "Discs that the ray only touches: they hold nothing of it and take nothing away.", solids(crowds("cut touch", "touch around", "enter1 exit3 touch2", "touch0 cut", "touch touch", **PLAIN)), skills="collapse the tangent"),
-    group("holes", "A large disc less the union of several small ones: several holes in one interval.", solids(crowd_of("enter", "exit", "cut", count=(2, 5), first="around", **PLAIN), form="holes"), skills="a solid is intervals"),
+    group("holes", "A large disc less the union of several small ones: several holes in one interval.", either(*3 * [solids(crowd_of("enter", "exit", "cut", count=(2, 5), first="around", **PLAIN), form="holes")], partial(beads, bored=True)), cases=75, skills="a solid is intervals"),
     group("radius-zero", "Discs of radius 0: points, which hold nothing.", solids(crowds("dot0 dot0", "cut dot", "dot enter", "around dot2", "dot0 enter", "dot dot", **PLAIN)), skills="r = 0"),
     group("repeated", "Neighbouring calls differ in one argument.", solids(anywhere(4, (2, 3))), turns=True, skills="nothing kept between calls"),
 ]
@@ -87,7 +90,7 @@ INTERVIEW = [
 PRODUCTION = [  # the same, where rounding bites
     group("decimals", "Touches in short decimals, which == does not see.", either(telling(solids(crowds("touch cut", "touch touch", "cut touch touch", **DECIMALS)), *TELLING), telling(solids(crowds("touch0", "touch0", "touch0 cut", **DECIMALS)), *TELLING)), cases=60, skills="collapse the tangent"),
     group("abut", "Discs that begin where others end: no seam and no sliver is left.", telling(solids(crowds(*ABUT, **BIG)), *TELLING), skills="no slivers"),
-    group("abut-full", "The same, where floats put the ends in order.", telling(solids(crowds(*ABUT, *BARE, **FULL)), *TELLING), cases=80, skills="no slivers"),
+    group("abut-full", "The same, where floats put the ends in order.", either(*3 * [telling(solids(crowds(*ABUT, *BARE, **FULL)), *TELLING)], telling(solids(crowds("exit1 enter1", **{**FULL, "size": 2**20, "uneven": 14}), "intersection"), *TELLING)), cases=105, skills="no slivers"),
     group("origin-full", "The ray begins where a disc ends or begins.", telling(either(solids(crowds("exit0 enter0", "exit0 enter", "enter0 exit2", "exit0 around", "exit0 enter0 about", "exit0 enter dot5", **FULL)), *2 * [solids(either(aligned(20, (2, 3)), aligned(2**28, (2, 3))))], bored, *[telling(solids(partial(leaving, along=each)), *TELLING) for each in (True, False)]), *TELLING), cases=140, skills="no slivers"),
     group("touch-full", "Touches that floats take for short chords.", either(solids(crowds("touch cut", "touch touch", "around touch", "dot cut", "around dot dot", "dot0 enter", "touch0", "touch0 cut", **FULL)), telling(solids(crowds("touch0", "touch0", "touch0 touch0", **FULL)), cuts, partial(cuts, slack=1e-10))), cases=105, skills="a tangent has a width"),
     group("near-ties", "Ends nearly at one place: what is between them counts.", either(solids(crowds("exit2~ enter2", "enter2 enter2~", "exit2~ exit2", "exit0~ enter", **NEAR)), *2 * [ahead], solids(crowds("enter0~", "enter0~ cut", "exit0~", **NEAR)), solids(crowds("enter2 enter2~", "exit2~ exit2", **NEAR), "difference"), solids(crowds("exit2~ enter2", **NEAR), "intersection"), solids(crowds("around exit2~ enter2", **NEAR), form="holes")), cases=190, skills="nearly is not touching"),
