@@ -155,13 +155,15 @@ class _Hunt:
         finally:
             self._keep()
         marked, stale = self._marked([*made.values()], accepted)
-        left = {each.key: each for each in accepted if each.key not in marked}
+        keys = {each.key for each in accepted} - marked
+        left = {key: each for key, each in made.items() if key in keys}  # in an order of their own
         if left:
             self._bench.until = begun + seconds
             self._look(right, left)
         wrong = [each for key, each in left.items() if key in self._found]
         self._bench.until = inf
-        found = {each.key: each for each in self._bench.accepted(wrong)}
+        keys = {each.key for each in self._bench.accepted(wrong)}
+        found = {each.key: each for each in wrong if each.key in keys}
         rejected = count - len(accepted) + len(wrong) - len(found)
         unknown = [each for key, each in left.items() if key not in self._found | self._edge]
         self._bench.until = begun + seconds * 1.25  # for shorter cases

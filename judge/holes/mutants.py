@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import ast
 from collections.abc import Iterator
-from itertools import combinations
+from itertools import combinations, pairwise
 from random import Random
 
 from msgspec import Struct
@@ -49,6 +49,8 @@ _CALLED = {
 }
 _SIZES = ("max", "min", "hypot")
 _RUNGS = tuple(float(f"{m}e-{k}") for k in range(2, 17) for m in ("5", "3", "2", "1.5", "1.2", "1"))
+_PARTS = (1e-4, 1e-6, 1e-8, 1e-9, 1e-10, 1e-12, 1e-14, 1e-16)  # what is smaller is taken for 0, or for equal
+_LEAST = (1e-9, 1e-12, 1e-15, 1e-20, 1e-30)
 _LONGEST = 16  # characters of a text that is no message
 _SMALL = 1e-4  # a constant below it is a tolerance
 _LARGE = 100  # an int above it may say how fine something is
@@ -121,6 +123,7 @@ class _Maker:
             for node in scope.nodes:
                 if isinstance(node, ast.stmt):
                     yield from ((at, kind, text, "") for at, kind, text in _statement(node))
+                    yield from scope.straightened(node)
                 elif isinstance(node, ast.expr):
                     yield from scope.expression(node)
                     swaps += scope.renamed(node)
@@ -151,6 +154,13 @@ class _Scope:
         stored = {n.id for n in self.nodes if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Store)}
         given = {each.arg for each in root.args.args} if isinstance(root, ast.FunctionDef) else set()
         self._names = sorted(stored | given)
+        self._assigned = [
+            (name.id, node)
+            for node in self.nodes
+            if isinstance(node, ast.Assign)
+            for name in (node.targets[0].elts if isinstance(node.targets[0], ast.Tuple) else node.targets)
+            if isinstance(name, ast.Name)
+        ]
         self._values = [f"{name}{item}" for name in self._names for item in ("", "[0]", "[1]")]
         own = {
             target.id: small
@@ -183,6 +193,15 @@ class _Scope:
         others = self._names if node.id in self._names else []
         return [(node, "another name", other, "") for other in others if other != node.id]
 
+    def straightened(self, node: ast.stmt) -> Iterator[_Change]:
+        """Of two names that are assigned after one another, one is 0 where it is small beside the other."""
+        for (first, _), (last, at) in pairwise(self._assigned):
+            for small, large in ((first, last), (last, first)) if at is node and first != last else ():
+                for part in _PARTS:
+                    more = f"{small} *= abs({small}) > {part!r} * abs({large})"
+                    place = f"{node.lineno}:{node.col_offset} {small} {large}"
+                    yield node, "small taken for 0", f"{ast.unparse(node)}; {more}", place
+
     def expression(self, node: ast.expr) -> Iterator[_Change]:
         """The changes of one expression that is read."""
         if not isinstance(getattr(node, "ctx", ast.Load()), ast.Load):
@@ -199,6 +218,7 @@ class _Scope:
                 yield from self._tolerance(node, self.tolerances[name])
             case ast.Compare():
                 yield from ((node, kind, text, "") for kind, text in _compared(node))
+                yield from _roomy(node)
             case ast.BoolOp(op=op, values=values):
                 other = ast.Or() if isinstance(op, ast.And) else ast.And()
                 yield node, "and/or", f"({ast.unparse(ast.BoolOp(other, values))})", ""
@@ -294,6 +314,30 @@ def _compared(node: ast.Compare) -> Iterator[tuple[str, str]]:
             squares = f"{'' if bare is left else 'abs'}({p} ** 2 - {q} ** 2)"
             for bound in (right, f"{right} ** 2", f"1e-9 * {q} ** 2", f"1e-9 * ({p} ** 2 + {q} ** 2)"):
                 yield "difference of squares", f"{squares} {sign} {bound}"
+
+
+def _roomy(node: ast.Compare) -> Iterator[_Change]:
+    """Numbers or points that are equal if they are close, be it to a length or to a part of their own."""
+    signs: dict[type[ast.cmpop], str] = {ast.Eq: "<=", ast.NotEq: ">"}
+    sign, p, q = signs.get(type(node.ops[0]), ""), ast.unparse(node.left), ast.unparse(node.comparators[0])
+    if (
+        not sign
+        or len(node.ops) > 1
+        or any(
+            isinstance(each, ast.Constant) and isinstance(each.value, str)
+            for each in (node.left, node.comparators[0])
+        )
+    ):
+        return
+    forms = (
+        ("abs(({p}) - ({q})) {sign} {room!r}", _LEAST),
+        ("max([abs(u_ - v_) for u_, v_ in zip({p}, {q})]) {sign} {room!r}", _LEAST),
+        ("abs(({p}) - ({q})) {sign} {room!r} * max(abs({p}), abs({q}))", _PARTS),
+    )
+    for number, (form, rooms) in enumerate(forms):
+        for room in rooms:
+            text = form.format(p=p, q=q, sign=sign, room=room)
+            yield node, "room for equality", f"({text})", f"{node.lineno}:{node.col_offset} {number}"
 
 
 def _small(node: ast.expr) -> float | None:
