@@ -2,7 +2,7 @@
 
 from judge.geometry import whole
 from judge.geometry.hooks import hooks
-from judge.geometry.scenes import signs, tried
+from judge.geometry.scenes import either, signs, tried
 from judge.problem.declare import group
 
 HOOKS = hooks("foot on an axis")
@@ -19,6 +19,12 @@ def beyond(draw, size):
     return (a, b, draw.integer(max(a, b), size)) if draw.boolean() else (-a, -b, -draw.integer(max(a, b), size))
 
 
+def neighbours(draw, size):
+    """A and B are next to each other, and P is near the end of the bounds."""
+    a = draw.integer(-9, 9)
+    return a, a + draw.sign(), (size - draw.integer(0, size // 20)) * draw.sign()
+
+
 def rounded(draw, size):
     """The foot is near 0, and doubles round f/D times D, the way to it from A."""
     a, b, p = draw.integer(-size, size), draw.integer(-size, size), draw.integer(-9, 9)
@@ -30,7 +36,7 @@ def rounded(draw, size):
 GROUPS = [
     group("small", "All coordinates up to 4.", signs.level((4,)), cases=140, skills=SKILL),
     group("beyond", "The foot is not between A and B, or just at one of them.", signs.level((6, 100), beyond), cases=80, skills=SKILL),
-    group("large", "Coordinates of up to 1,000,000,000.", signs.level((100, 10**4, 10**9)), skills=SKILL),
+    group("large", "Coordinates of up to 1,000,000,000.", either(*2 * [signs.level((100, 10**4, 10**9))], signs.level((10**9,), neighbours)), cases=90, skills=SKILL),
     group("rounded", "A part of the way to the foot is rounded in floats.", tried(signs.level((10**4, 10**9), rounded)), skills=SKILL),
     group("repeated", "Neighbouring calls differ in one point.", signs.level((3,)), turns=True, skills=SKILL),
 ]

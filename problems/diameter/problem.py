@@ -1,8 +1,10 @@
 """Whether a point is inside the circle with a given diameter, on it or outside, in whole numbers."""
 
+from math import gcd, isqrt, sqrt
+
 from judge.geometry import whole
 from judge.geometry.hooks import hooks
-from judge.geometry.scenes import signs
+from judge.geometry.scenes import either, signs, tried
 from judge.problem.declare import group
 
 HOOKS = hooks("diameter")
@@ -13,10 +15,39 @@ def solve(A, B, P):
     return whole.sign(whole.dot(A, B, P))
 
 
+def oblong(draw):
+    """On the circle, and one of A and B is farther away from P than the other."""
+    root = isqrt(draw.choice((100, 10**9)))
+    (x, y), a, b = signs.direction(draw, root), draw.integer(root // 9, root), draw.integer(root // 9, root)
+    if a == b:
+        draw.reject()
+    return tuple(signs.fitted(draw, root * root, [(a * x, a * y), (b * y, -b * x), (0, 0)]))
+
+
+def uneven(A, B, P):
+    """Whether the squares of the three distances, each rounded to a double, miss Pythagoras by several units in the last place."""
+    a, b, c = (sqrt(whole.square(*ends)) for ends in ((A, P), (B, P), (A, B)))
+    return abs(a * a + b * b - c * c) > 4e-16 * c * c
+
+
+def wide(draw):
+    """Beside the circle by as little as can be, and all three as far apart as there is room: A and B seen from P alike or not."""
+    size, unlike = draw.choice(((10**8, False), (10**9, True)))
+    a = draw.integer(900, 1800)
+    b = draw.integer(1, a // 5) if unlike else a - draw.integer(1, a // 50)
+    if gcd(a, b) != 1:
+        draw.reject()
+    times, side = 2 * size // (a + b), draw.sign()
+    times -= draw.integer(2, times // 200)
+    (px, py), (qx, qy) = signs.across((a, b), side, times), signs.across((a, b), side, times - 1)
+    A, B, P = signs.fitted(draw, size, [(px, py), (qy, -qx), (0, 0)])
+    return (A, B, P) if draw.boolean() else (B, A, P)
+
+
 GROUPS = [
     group("small", "Three points anywhere, their coordinates up to 4: the centre is whole or not.", signs.scattered("ppp", 4), cases=120, skills=SKILL),
-    group("on-the-circle", "P is on the circle: A and B are seen from it at a right angle.", signs.right_angles((6, 100, 10**9), 0), cases=120, skills=SKILL),
-    group("close", "P is beside the circle by as little as whole numbers allow.", signs.right_angles((100, 10**4, 10**6, 10**9, 10**9), 1, -1, 2, -2, 5, -5), cases=240, skills=SKILL),
+    group("on-the-circle", "P is on the circle: A and B are seen from it at a right angle.", either(*4 * [signs.right_angles((6, 100, 10**9), 0)], tried(oblong, lambda case: uneven(*case))), cases=150, skills=SKILL),
+    group("close", "P is beside the circle by as little as whole numbers allow.", either(*7 * [signs.right_angles((100, 10**4, 10**6, 10**9, 10**9), 1, -1, 2, -2, 5, -5)], wide), cases=280, skills=SKILL),
     group("middling", "Coordinates of up to some 100,000, whose products leave 32 bits, or of up to 1,000,000,000.", signs.scattered("ppp", 24_000, 33_000, 50_000, 100_000, 10**9, 10**9), cases=240, skills=SKILL),
     group("repeated", "Neighbouring calls differ in one point.", signs.scattered("ppp", 4), turns=True, skills=SKILL),
 ]

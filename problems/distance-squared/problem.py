@@ -2,7 +2,7 @@
 
 from judge.geometry import whole
 from judge.geometry.hooks import hooks
-from judge.geometry.scenes import signs
+from judge.geometry.scenes import either, signs
 from judge.problem.declare import group
 
 HOOKS = hooks("two points")
@@ -18,10 +18,17 @@ def level(draw):
     return A, (B if draw.integer(0, 4) else A)
 
 
+def aligned(draw):
+    """Side by side, one above the other, or on a diagonal, some 10,000,000 to 2,000,000,000 apart."""
+    size, way = draw.choice((10**7, 10**8, 10**9, 10**9)), draw.choice(((1, 0), (1, 1), (1, -1)))
+    long = draw.integer(size, 2 * size)
+    return tuple(signs.fitted(draw, size, [(0, 0), (way[0] * long, way[1] * long)]))
+
+
 GROUPS = [
     group("small", "Two points anywhere, their coordinates up to 9.", signs.scattered("pp", 9), cases=120, skills=SKILL),
     group("level", "Two points side by side, one above the other, or one and the same.", level, skills=SKILL),
     group("middling", "Coordinates of up to some 100,000: their squares leave 32 bits, and doubles hold them.", signs.scattered("pp", 24_000, 33_000, 50_000, 100_000), cases=120, skills=SKILL),
-    group("large", "Coordinates of up to 1,000,000,000, whose squares doubles do not hold.", signs.scattered("pp", 10**6, 10**8, 10**8, 10**9), cases=160, skills=SKILL),
+    group("large", "Coordinates of up to 1,000,000,000, whose squares doubles do not hold.", either(*4 * [signs.scattered("pp", 10**6, 10**8, 10**8, 10**9)], aligned), cases=200, skills=SKILL),
     group("repeated", "Neighbouring calls differ in one point.", signs.scattered("pp", 9), turns=True, skills=SKILL),
 ]

@@ -46,6 +46,13 @@ def brim(draw):
     return cx, cy, 2 * n, A, B
 
 
+def multiples(draw):
+    """All numbers are multiples of a power of two or of 2**61 - 1, so that Δ leaves no remainder modulo any usual number."""
+    times = draw.choice((2 ** draw.integer(16, 99), 2**61 - 1))
+    cx, cy, r, A, B = signs.scattered("nnrpp", 10, 100)(draw)
+    return cx * times, cy * times, r * times, (A[0] * times, A[1] * times), (B[0] * times, B[1] * times)
+
+
 INTERVIEW = [
     group("grid", "Small whole numbers: everything that can happen.", signs.ints(grid("nnrpp", 3)), cases=220, skills="distance against radius"),
     group("same-point", "A equals B: there is no line.", lines("cut before =", "cut in =", "touch foot =", "miss by =", **INT), skills="degenerate line"),
@@ -62,7 +69,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("just-off", "The least that ints allow: r²a − k² is 1 or -1.", either(*[hairlines.least(10**3, 10**4, 10**6, 10**20, 10**50, 10**100, 10**119)] * 8, brim), cases=180, skills="exact count for integers"),
     group("hairline", "The line cuts or misses by a hair at 1e6 to 1e15: k is r·|D| ± 1.", either(*[hairlines.hairlines(10**6, 10**9, 10**15, off=(1, -1, 2, -2))] * 2, odd), cases=160, skills="exact count for integers"),
     group("hairline-huge", "The same at 1e30 to 1e100: beyond any fixed number of digits.", hairlines.hairlines(10**30, 10**60, 10**100, off=(1, -1)), cases=100, skills="integers of any size"),
-    group("wide", "Anything anywhere within 1e6 to 1e120: products leave 64 bits, 128 bits, and then any float.", signs.scattered("nnrpp", 10**6, 10**9, 10**12, 10**30, *[2 * 10**75] * 3, 10**100, 10**120), cases=160, skills="integers of any size"),
+    group("wide", "Anything anywhere within 1e6 to 1e120: products leave 64 bits, 128 bits, and then any float.", either(*7 * [signs.scattered("nnrpp", 10**6, 10**9, 10**12, 10**30, *[2 * 10**75] * 3, 10**100, 10**120)], multiples), cases=184, skills="integers of any size"),
     group("offset", "A small figure so far from the origin that a double cannot tell its points apart.", either(*[hairlines.hairlines(10**3, off=(0, 0, 1, -1, 200, -200), away=10**far) for far in (17, 40, 100)]), cases=80, skills="far from the origin"),
     group("slid", "A and B are close together and 1e20 to 1e60 lengths away along the line.", hairlines.hairlines(10**3, 10**6, off=(0, 1, -1), away=10**70, slid=(20, 40, 60)), skills="integers of any size"),
     group("radius-zero-huge", "The circle is a point at 1e6 and 1e40: on the line, or next to it.", hairlines.hairlines(10**6, 10**40, off=(0, 1, -1), radius=0), skills="integers of any size"),

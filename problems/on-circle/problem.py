@@ -36,6 +36,13 @@ def speck(draw):
     return *C, r * small, tuple(x * small for x in P)
 
 
+def beside(draw):
+    """The circle is a point, and P is less than 1e-30 away from it: on a diagonal, an axis or anyhow."""
+    i, j = draw.choice(((1, 0), (0, 1), (1, 1), (1, -1), (draw.integer(1, 9), draw.integer(-9, 9))))
+    times, x, y = draw.integer(1, 30) * draw.sign(), draw.integer(1000, 1600), draw.integer(1000, 1600)
+    return x * 2.0**-109, y * 2.0**-109, 0, ((x + i * times) * 2.0**-109, (y + j * times) * 2.0**-109)
+
+
 INTERVIEW = [
     group("grid", "Small whole numbers: everything that can happen.", grid("nnrp", 4), cases=180, skills="inside, on or outside"),
     group("inside", "Points inside, and the centre itself.", points("in", "in", "centre", **PLAIN), skills="inside, on or outside"),
@@ -49,8 +56,8 @@ PRODUCTION = [  # the same, where rounding bites
     group("on-turned", "On the circle, where squares are rounded.", points("on", **BIG), skills="on the circle has a width"),
     group("on-full", "On the circle, where differences are rounded, too.", either(points("on", **HUGE), points("on", **SPLIT)), skills="on the circle has a width"),
     group("near", "Nearly on the circle: 1e-7 of the figure away.", points("on~", "on~", "dot-on~", **CLEAR), skills="nearly is not on it"),
-    group("tiny", "All of it tiny, down to 1e-29.", either(points("on", "on~", "in", "dot-on~", **TINY), speck), skills=("no absolute epsilon", "scale invariance")),
-    group("offset", "A small figure far from the origin.", points("on", "on", "in", "out", "dot-out", "dot-on", **OFFSET), skills="far from the origin"),
+    group("tiny", "All of it tiny, down to 1e-29.", either(*2 * [points("on", "on~", "in", "dot-on~", **TINY), speck], beside), cases=75, skills=("no absolute epsilon", "scale invariance")),
+    group("offset", "A small figure far from the origin.", either(*3 * [points("on", "on", "in", "out", "dot-out", "dot-on", **OFFSET)], points("on", **{**HUGE, "size": 2**32, "move": 52})), cases=80, skills="far from the origin"),
     group("offset-near", "Small figures far from the origin, nearly on the circle.", points("on~", **{**NEAR, "move": 47, "shift": -20}), skills="far from the origin"),
     group("dot-split", "The circle is a point, and P is this point in its last bits.", points("dot-on~", "dot-out", "dot-on", **{**NEAR, "move": "split"}), skills="no absolute epsilon"),
     group("large", "Whole numbers up to 2**30, some of them on the circle.", either(whole("nnrp", 30), points("on", **{**BIG, "shift": 0, "numbers": "int"}), halfway), skills=("whole numbers that are large", "scale invariance")),

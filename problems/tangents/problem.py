@@ -22,14 +22,31 @@ def half_way(draw):
     return cx, cy, c * times, (cx + x * times * draw.sign(), cy + y * times * draw.sign())
 
 
+def leaning(draw):
+    """P is almost straight beside or above C, by 1.5 to 30 parts in 1e9, and not far."""
+    r, cx, cy = draw.integer(2**20, 2**21), draw.integer(-9, 9), draw.integer(-9, 9)
+    far = r + draw.integer(r // 8, r // 3)
+    off = far * draw.integer(15, 30) * draw.choice((1, 1, 10)) * 1e-10 * draw.sign()
+    x, y = draw.choice(((far * draw.sign(), off), (off, far * draw.sign())))
+    return cx, cy, r, (cx + x, cy + y)
+
+
+def edge(draw):
+    """One of the tangents is almost upright or level, by 1e-12 to 1e-9 of the radius."""
+    r, cx, cy = draw.integer(2**20, 2**21), draw.integer(-9, 9), draw.integer(-9, 9)
+    along = (r + r * 2.0 ** -draw.integer(30, 39)) * draw.sign()
+    x, y = draw.choice(((along, r * draw.integer(3, 30) / 10 * draw.sign()), (r * draw.integer(3, 30) / 10 * draw.sign(), along)))
+    return cx, cy, r, (cx + x, cy + y)
+
+
 INTERVIEW = [
     group("grid", "Small whole numbers: everything that can happen.", grid("nnrp", 3), cases=180, skills="the small grid"),
-    group("outside", "P outside, in every direction: two points.", either(*2 * [points("out", **PLAIN)], points("out", **{**TILTED, "move": 0, "tilt": (50, 75)})), skills="tangents from a point"),
+    group("outside", "P outside, in every direction: two points.", either(*2 * [points("out", **PLAIN)], points("out", **{**TILTED, "move": 0, "tilt": (50, 75)}), edge), cases=80, skills="tangents from a point"),
     group("order", "P straight beside, above or below the circle: the point left of P→C comes first.", points("out", **AXIS), skills="left and right of a line"),
     group("on", "P on the circle: it touches itself, once.", either(points("on", **PLAIN), points("on", **AXIS)), skills="inside, on or outside"),
     group("inside", "P inside the circle, or its centre: no tangent, and no root of a negative number.", points("in", "in", "centre", **PLAIN), skills="inside, on or outside"),
     group("radius-zero", "The circle is the point C, and that is where every line touches it.", points("dot-on", "dot-out", **PLAIN), skills="r = 0"),
-    group("beside", "P almost straight beside the centre or above it.", points("out", **STEEP), skills="no slopes"),
+    group("beside", "P almost straight beside the centre or above it.", either(*2 * [points("out", **STEEP)], leaning), cases=90, skills="no slopes"),
     group("random", "Any numbers, small and large.", uniform("nnrp", 20, 1e4, 1e9), skills="full precision"),
 ]
 

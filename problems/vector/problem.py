@@ -11,6 +11,7 @@ from judge.problem.declare import group
 
 HOOKS = hooks("rows")
 ALL = "cut", "cut", "touch", "miss"
+SCALES = columns("touch~", "touch", "cut", octaves=(8, 31), **{**NEAR, "shift": -40})
 TELLING = plain.counts, partial(plain.counts, tolerance=1e-10)
 
 
@@ -28,6 +29,22 @@ def upright(draw):
     return cx, cy, tuple([(m * m + 1) * r for r in radii]), (0, 0), (ldexp(m * m - 1, -24), ldexp(m, -23))[::turn]
 
 
+def thousands(draw):
+    """A thousand circles or more, of very different sizes, some of them alike."""
+    *rows, A, B = SCALES(draw)
+    count = draw.integer(1000, 2000)
+    return *((column * (count // len(column) + 1))[:count] for column in rows), A, B
+
+
+def ended(draw):
+    """A million circles, of which the last one, and the last of each 2**16, are around A: the line meets them."""
+    *centres, r, A, B = million(1_000_000, 2000, 200, 26)(draw)
+    centres = [list(column) for column in centres]
+    for column, at in zip(centres, A, strict=True):
+        column[65_535::65_536], column[-1] = [at] * 15, at
+    return *map(tuple, centres), r, A, B
+
+
 INTERVIEW = [
     group("few", "Up to forty circles that cut the line, touch it or miss it.", columns(*ALL, count=(1, 40), **PLAIN), skills="distance against radius"),
     group("one", "A single circle: an array of one number.", columns(*ALL, count=(1, 1), **PLAIN), cases=30, skills="nothing at all"),
@@ -41,10 +58,10 @@ PRODUCTION = [  # the same, where rounding bites
     group("decimals", "Touches in short decimals, which == does not see.", telling(columns("touch", "touch", "cut", count=(10, 30), **DECIMALS), *TELLING), skills="collapse the tangent"),
     group("touch-full", "Touches that no formula in floats can see, also by circles beside which A and B are close together.", either(columns("touch", "cut", count=(8, 24), **{**HUGE, "size": 2**36}), columns("touch", "cut", count=(8, 24), octaves=(20, 31), **{**HUGE, "size": 2**36, "move": 0}), upright), cases=75, skills="a tangent has a width"),
     group("near", "Circles that miss or cut the line by 1e-7 of their size.", columns("touch~", "touch~", "touch", "dot~", **NEAR), cases=30, skills="nearly is not touching"),
-    group("mixed-scale", "Circles of very different sizes in one array: each has a size of its own.", columns("touch~", "touch", "cut", octaves=(8, 31), **{**NEAR, "shift": -40}), cases=30, skills="each by its own size"),
+    group("mixed-scale", "Circles of very different sizes in one array: each has a size of its own.", either(*2 * [SCALES], thousands), cases=42, skills="each by its own size"),
     group("far-end", "A and B are thousands of sizes apart, or millions: that is the size of the circles.", either(columns("touch", "cut", "touch~", along=5000, **{**NEAR, "size": 2**5}), columns("touch", along=10**8, **{**NEAR, "size": 2**5, "shift": (-20, -40)})), cases=45, skills="each by its own size"),
     group("tiny", "All of it tiny, down to 1e-29.", columns("touch", "touch~", "cut", **TINY), cases=30, skills=("no absolute epsilon", "scale invariance")),
     group("offset", "Small circles far from the plane's origin.", columns("touch", "touch~", "cut", "miss", **OFFSET), cases=30, skills="far from the origin"),
     group("integers", "Whole numbers as doubles: products of four do not fit into 64 bits.", columns("touch", "cut", "miss", **{**BIG, "size": 2**12, "move": 20, "shift": 0}), cases=30, skills="whole numbers that are large"),
-    group("million", "A million circles, a few of which touch the line or nearly do: arithmetic on whole arrays, or too slow.", million(1_000_000, 2000, 200, 26), cases=2, size=1_000_000, time_limit=4, skills="arrays, not objects"),
+    group("million", "A million circles, a few of which touch the line or nearly do: arithmetic on whole arrays, or too slow.", ended, cases=2, size=1_000_000, time_limit=4, skills="arrays, not objects"),
 ]

@@ -1,8 +1,10 @@
 """The side of a line that a point is on: the sign of a cross product of whole numbers."""
 
+from math import gcd
+
 from judge.geometry import whole
 from judge.geometry.hooks import hooks
-from judge.geometry.scenes import signs
+from judge.geometry.scenes import either, signs
 from judge.problem.declare import group
 
 HOOKS = hooks("side")
@@ -13,10 +15,20 @@ def solve(A, B, P):
     return whole.sign(whole.cross(A, B, P))
 
 
+def across(draw):
+    """A and B are near opposite corners of all the room that there is, and P is beside the line by as little as can be."""
+    size = draw.choice((10**8, 10**9))
+    way = 2 * size - draw.integer(0, size // 5), 2 * size - draw.integer(0, size // 5)
+    if gcd(*way) != 1:
+        draw.reject()
+    A, B, P = signs.fitted(draw, size, [(0, 0), way, signs.across(way, draw.sign(), 0)])
+    return (A, B, P) if draw.boolean() else (B, A, P)
+
+
 GROUPS = [
     group("small", "Three points anywhere, their coordinates up to 4: every direction comes up.", signs.scattered("ppp", 4), cases=120, skills=SKILL),
     group("on-the-line", "P is on the line: between A and B, at one of them, or beyond.", signs.beside_line((6, 100, 10**9), 0), cases=80, skills=SKILL),
-    group("close", "P is beside the line by as little as whole numbers allow.", signs.beside_line((100, 10**4, 10**6, 10**9, 10**9), 1, -1, 2, -2, 5, -5), cases=240, skills=SKILL),
+    group("close", "P is beside the line by as little as whole numbers allow.", either(*8 * [signs.beside_line((100, 10**4, 10**6, 10**9, 10**9), 1, -1, 2, -2, 5, -5)], across), cases=276, skills=SKILL),
     group("middling", "Coordinates of up to some 100,000, whose products leave 32 bits, or of up to 1,000,000,000.", signs.scattered("ppp", 33_000, 50_000, 100_000, 10**9), cases=200, skills=SKILL),
     group("repeated", "Neighbouring calls differ in one point.", signs.scattered("ppp", 4), turns=True, skills=SKILL),
 ]
