@@ -4,6 +4,7 @@ from contextlib import suppress
 
 from judge.geometry.hooks import hooks
 from judge.geometry.scenes import AXIS, BIG, NEAR, OFFSET, PLAIN, TILTED, TINY, anywhere, either, home, lights, shaded, topped, tried
+from judge.geometry.scenes.many import any_circle
 from judge.geometry.shadow import Shade, shade
 from judge.problem.declare import InvalidCase, group
 
@@ -40,10 +41,13 @@ def alone(circles, O, D, L):
 
 
 def last(draw):
-    """Thirty-two circles, of which the last one alone is in the way."""
-    circles, *rest = shaded(anywhere(1000, (32, 32), (16, 125), light=True), "blocked")(draw)
-    parted = alone(circles, *rest) or draw.reject()
-    return (*parted[0], parted[1]), *rest
+    """Thirty-two circles, of which the last one alone is in the way; most are far off."""
+    circles, *rest = lights("blocked", **PLAIN)(draw)
+    far = 3 * int(max(map(abs, (*circles[0], *circles[1], *rest[0], *rest[2]))))
+    (hit,), other = alone(circles, *rest) or draw.reject()
+    others = [any_circle(draw, far, (far // 99 + 1, far // 9 + 1)) for _ in range(30)]
+    x, y = 3 * far * draw.sign(), 3 * far * draw.sign()
+    return (hit, *((x + u, y + v, r) for u, v, r in others), other), *rest
 
 
 INTERVIEW = [
