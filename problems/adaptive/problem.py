@@ -1,5 +1,8 @@
 """The sign of Δ = r²·a − k² for doubles just as they are: no tolerance, no promise."""
 
+from fractions import Fraction
+from math import nextafter, sqrt
+
 from judge.geometry import whole
 from judge.geometry.hooks import hooks
 from judge.geometry.scenes import BIG, FAR, HUGE, OFFSET, PLAIN, SPLIT, TINY, doubles, either, grid, hairlines, lines, tried
@@ -12,6 +15,29 @@ seven = doubles.seven
 
 def solve(cx, cy, r, ax, ay, bx, by):
     return whole.discriminant(*whole.held(cx, cy, r, ax, ay, bx, by)).sign
+
+
+def one_way(draw):
+    """k is tiny beside dx·fy and dy·fx, whose six roundings all make it too small, and Δ is just below 0."""
+    step, one = 1 << draw.integer(24, 26), 1 << 52
+    beyond = round((draw.integer(100, 1 << draw.integer(8, 18)) + 0.98) * one / step) - step
+    for _ in range(50):
+        y = draw.integer(1 << 32, 1 << 33)
+        x = y + beyond
+        if 0.46 < x * y % one / one < 0.5:
+            break
+    else:
+        draw.reject()
+    dx, fy, dy, fx = ((one + part) / one for part in (x, y, x + step, y - step))
+    off = -draw.integer(9900, 9999) / 10000 / 2**53
+    wide, high = Fraction(dx) - Fraction(off), Fraction(dy) + Fraction(off)
+    k = wide * (Fraction(fy) - Fraction(off)) - high * (Fraction(fx) + Fraction(off))
+    square = wide * wide + high * high
+    r = float(k) / sqrt(square)
+    while Fraction(r) ** 2 * square > k * k:
+        r = nextafter(r, 0)
+    scale = 2.0 ** draw.choice((0, -40, 20))
+    return tuple(scale * part for part in (-fx, -fy, r, off, -off, dx, dy))
 
 
 INTERVIEW = [
@@ -34,6 +60,6 @@ PRODUCTION = [  # the same, where rounding bites
     group("tiny", "Numbers of about 1e-20, some of them a unit in their last place off.", doubles.ulps(seven(lines(*TOUCH, **TINY)), 1), skills="no absolute epsilon"),
     group("one-place", "Touches at the same place of the same circle, the other end a unit off or not.", doubles.one_place, skills="nothing kept between calls"),
     group("spread", "Numbers of 1e28 and of 1e-28 in one case: Δ is 1 where r²·a has 120 digits.", doubles.spread, skills="full precision"),
-    group("vanishing", "Doubles make k nothing at all, and it is nearly the most that three roundings can lose; or the other way round.", tried(doubles.vanishing), skills="the sharp discriminant"),
+    group("vanishing", "Doubles make k nothing at all, and it is nearly the most that three roundings can lose; or the other way round; or k is larger, and loses as much.", either(*5 * [tried(doubles.vanishing)], tried(one_way)), cases=72, skills="the sharp discriminant"),
     group("easy", "Twenty thousand lines that doubles decide: to be exact from the start costs too much.", doubles.easy, cases=20_000, points=24, time_limit=2.5, limits={"cpu_seconds": 10}, skills="trust a double, or do not"),
 ]

@@ -8,7 +8,7 @@ from judge.geometry.hooks import hooks
 from judge.geometry.scenes import either, telling
 from judge.geometry.scenes.close import narrow
 from judge.geometry.scenes.growth import arcs
-from judge.geometry.scenes.many import FASTEST, any_circle, any_point, any_way, besides, scanned, scans, touches, turned, wraps
+from judge.geometry.scenes.many import FASTEST, TRIPLES, any_circle, any_point, any_way, besides, scanned, scans, touches, turned, wraps
 from judge.problem.declare import group
 
 HOOKS = hooks("many")
@@ -49,6 +49,14 @@ def cornered(draw):
     return scanned(circles, O, [any_way(draw) for _ in range(draw.integer(6, 9))])
 
 
+def skimmed(draw):
+    """One beam that touches a huge circle close to O: the sine of half its angle is nearly 1."""
+    (p, q, c), times, quarters = draw.choice(TRIPLES), draw.integer(4_000, 20_000), draw.integer(0, 3)
+    ahead, side = times // draw.integer(100, 500), times * draw.sign()
+    circle = turned((p * ahead - q * side, q * ahead + p * side, c * times), quarters)
+    return scanned([circle], any_point(draw, 300_000), [turned((p, q), quarters)], apart=0)
+
+
 def smallest(draw):
     """A touch in the smallest numbers, and beams on all sides; often another circle."""
     r, quarters = draw.integer(1, 2), draw.integer(0, 3)
@@ -67,11 +75,11 @@ INTERVIEW = [
 ]
 
 PRODUCTION = [
-    group("touch", "Beams that touch a circle or miss that by 1, and a circle behind it; one beam alone, too.", either(touches((3, 8), 24), TOUCH, smallest, telling(TOUCH, partial(first_beam, apart=0.0), TOLERANT), *2 * [telling(TOUCH, first_beam, TOLERANT)]), cases=165, skills="collapse the tangent"),
+    group("touch", "Beams that touch a circle or miss that by 1, and a circle behind it; one beam alone, too.", either(touches((3, 8), 24), TOUCH, smallest, telling(TOUCH, partial(first_beam, apart=0.0), TOLERANT), *2 * [telling(TOUCH, first_beam, TOLERANT)], skimmed), cases=192, skills="collapse the tangent"),
     group("near", "Beams that nearly touch a circle, or meet two at nearly one place.", narrow((1, 2), 40_000), cases=150, skills="nearly is not touching"),
     group("wrap", "Circles across the direction of π, where the angles begin anew, and beams on both sides of it.", either(wraps((1, 5), (6, 10), 90, (10, 40)), wraps((0, 0), (1, 4), 90, (10, 40))), skills="angles wrap around"),
     group("hidden", "Large circles that small ones hide in part, and circles behind them that cannot be seen at all.", scans((1, 5), (14, 24), 90, (8, 30), hidden=True), skills="the nearest of several"),
-    group("beside", "A crowd of large circles beside a beam: they reach nearer to O than the small one that the beam meets first.", besides((20, 40), (2, 6), 500), cases=20, skills="the nearest of several"),
+    group("beside", "A crowd of large circles beside a beam: they reach nearer to O than the small one that the beam meets first.", either(*3 * [besides((20, 40), (2, 6), 500)], besides((210, 240), (2, 6), 500)), cases=27, skills="the nearest of several"),
     group("short", "Directions of −2 to 2, (1, 0) and (2, −1) among them, through a crowd on all sides of O.", scans((30, 60), (12, 20), 400, (3, 20), fastest=2), cases=20, skills="the nearest of several"),
     group("long", "Small circles close to O, and directions of up to 1,000: t is small.", scans((2, 6), (12, 16), 9, (1, 3), fastest=FASTEST), cases=40, skills="full precision"),
     group("wide", "Few circles and whole numbers of all seven digits, O among them; or O close to a large circle.", either(scans((1, 8), (8, 12), 250_000, (10_000, 200_000), fastest=FASTEST), close_by, cornered), cases=90, skills="full precision"),

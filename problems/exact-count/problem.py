@@ -53,6 +53,22 @@ def multiples(draw):
     return cx * times, cy * times, r * times, (A[0] * times, A[1] * times), (B[0] * times, B[1] * times)
 
 
+def just_past(draw):
+    """Δ is -1 or -4 in numbers of 14 bits: r²·|D|² and k² are beyond 2**53, and make one double."""
+    n, times = draw.integer(6_890, 8_190), draw.integer(1, 2)
+    A, B = (-1 - n, 2 * n - 1), (-1 + (times - 1) * n, 2 * n + times - 1)
+    (cx, cy), A, B = signs.fitted(draw, 2**14 - 1, [(0, 0), A, B])
+    return cx, cy, 2 * n, A, B
+
+
+def borders(draw):
+    """A level or upright line along one border of what 16 bits hold, and a circle at the other: k² has 64 bits."""
+    a, b, c, d = (draw.integer(29_500, 2**15 - 1) for _ in "abcd")
+    up, flip = draw.sign(), draw.boolean()
+    (cx, cy), A, B = (part[::-1] if flip else part for part in ((draw.integer(-d, d), -c * up), (-a, b * up), (d, b * up)))
+    return cx, cy, draw.integer(1, d), A, B
+
+
 INTERVIEW = [
     group("grid", "Small whole numbers: everything that can happen.", signs.ints(grid("nnrpp", 3)), cases=220, skills="distance against radius"),
     group("same-point", "A equals B: there is no line.", lines("cut before =", "cut in =", "touch foot =", "miss by =", **INT), skills="degenerate line"),
@@ -67,12 +83,12 @@ INTERVIEW = [
 PRODUCTION = [  # the same, where rounding bites
     group("tangent-huge", "Touches at 1e6 to 1e119: no double holds their squares.", hairlines.hairlines(10**6, 10**12, 10**40, 10**119), cases=80, skills="integers of any size"),
     group("just-off", "The least that ints allow: r²a − k² is 1 or -1.", either(*[hairlines.least(10**3, 10**4, 10**6, 10**20, 10**50, 10**100, 10**119)] * 8, brim), cases=180, skills="exact count for integers"),
-    group("hairline", "The line cuts or misses by a hair at 1e6 to 1e15: k is r·|D| ± 1.", either(*[hairlines.hairlines(10**6, 10**9, 10**15, off=(1, -1, 2, -2))] * 2, odd), cases=160, skills="exact count for integers"),
+    group("hairline", "The line cuts or misses by a hair at 1e4 to 1e15: k is r·|D| ± 1, or nearer.", either(*[hairlines.hairlines(10**6, 10**9, 10**15, off=(1, -1, 2, -2))] * 12, *6 * [odd], just_past), cases=170, skills="exact count for integers"),
     group("hairline-huge", "The same at 1e30 to 1e100: beyond any fixed number of digits.", hairlines.hairlines(10**30, 10**60, 10**100, off=(1, -1)), cases=100, skills="integers of any size"),
     group("wide", "Anything anywhere within 1e6 to 1e120: products leave 64 bits, 128 bits, and then any float.", either(*7 * [signs.scattered("nnrpp", 10**6, 10**9, 10**12, 10**30, *[2 * 10**75] * 3, 10**100, 10**120)], multiples), cases=184, skills="integers of any size"),
     group("offset", "A small figure so far from the origin that a double cannot tell its points apart.", either(*[hairlines.hairlines(10**3, off=(0, 0, 1, -1, 200, -200), away=10**far) for far in (17, 40, 100)]), cases=80, skills="far from the origin"),
     group("slid", "A and B are close together and 1e20 to 1e60 lengths away along the line.", hairlines.hairlines(10**3, 10**6, off=(0, 1, -1), away=10**70, slid=(20, 40, 60)), skills="integers of any size"),
     group("radius-zero-huge", "The circle is a point at 1e6 and 1e40: on the line, or next to it.", hairlines.hairlines(10**6, 10**40, off=(0, 1, -1), radius=0), skills="integers of any size"),
-    group("axis-huge", "Upright and level lines at 1e6 and 1e40.", level, skills="integers of any size"),
+    group("axis-huge", "Upright and level lines at 1e6 and 1e40, and far from the circle at 3e4.", either(*5 * [level], borders), cases=70, skills="integers of any size"),
     group("nearly", "The line passes the circle by 1e-13 to 0.9 of the radius, in every direction.", tried(hairlines.nearly(10**20, 10**40)), cases=160, skills="no slopes"),
 ]

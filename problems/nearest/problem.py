@@ -1,11 +1,14 @@
 """Many circles and many rays: the circle that each ray meets first, exactly."""
 
+from math import gcd, sqrt
+
 from judge.geometry.boxes import nearest
 from judge.geometry.hooks import hooks
 from judge.geometry.scenes import either
 from judge.geometry.scenes.close import nearly
 from judge.geometry.scenes.growth import crowded
 from judge.geometry.scenes.many import FASTEST, any_circle, aside, clusters, fields, heaps, inside, leaving, strips, ties, turned
+from judge.geometry.scenes.signs import across
 from judge.problem.declare import group
 
 HOOKS = hooks("many")
@@ -28,22 +31,69 @@ def edges(draw):
     return tuple(turned(each, quarters) for each in circles), tuple((turned(O, quarters), turned(D, quarters)) for O, D in rays)
 
 
+def askew(draw):
+    """Rays askew by 1:1000 from hundreds of thousands of units away; each runs into a circle, from outside of its strip."""
+    quarters, circles, rays = draw.integer(0, 3), [], []
+    for _ in range(draw.integer(1, 2)):
+        O, steps, r = any_circle(draw, 300_000, (150, 600))[:2], draw.integer(200, 600), draw.integer(5, 100)
+        D = draw.sign(), FASTEST * draw.sign()
+        circles.append((O[0] + steps * D[0] + draw.integer(1 - r, r - 1), O[1] + steps * D[1], r))
+        rays.append((O, D))
+    return tuple(turned(each, quarters) for each in circles), tuple((turned(O, quarters), turned(D, quarters)) for O, D in rays)
+
+
+def hairs(draw):
+    """A small scene up to a million units from (0, 0), and rays that pass a circle by a few ten-thousandths, inside or outside."""
+    ox, oy = (draw.choice((0, 1, 1)) * draw.integer(900_000, 1_000_000) * draw.sign() for _ in "xy")
+    circles, rays = [], []
+    for _ in range(draw.integer(1, 3)):
+        p, q, least, apart = draw.integer(1, 40), draw.integer(1, 40), draw.integer(5, 30), draw.integer(0, 400)
+        way = p // gcd(p, q), q // gcd(p, q)
+        length = sqrt(way[0] ** 2 + way[1] ** 2)
+        _, r = min((abs(round(r * length) - r * length) or 1.0, r) for r in range(least, least + 50))
+        x, y = across(way, round(r * length) * draw.sign(), draw.integer(1, 4))
+        circles.append((ox + apart + x, oy + y, r))
+        rays.append(((ox + apart, oy), way))
+    return tuple(circles), tuple(rays)
+
+
+def walled(draw):
+    """Rays that start right at the wall of a huge circle, and meet a small one before it; up to a hundred more outside."""
+    r, quarters, others = draw.integer(100_000, 250_000), draw.integer(0, 3), draw.choice((5, 52, 52))
+    off = draw.integer(r // 4000, r // 1100)  # of the start from the wall
+    within = draw.integer(1, off // 5)
+    circles = [(0, 0, r), (r - off // 2 + draw.integer(-off // 8, off // 8), 0, within)]
+    for at in range(2 * others):
+        x, y, other = any_circle(draw, 300_000, (10, 20_000))
+        circles.append(((-1) ** at * (abs(x) + r + 40_000), y, other))
+    rays = [((r - off, draw.integer(1 - within, within - 1)), (draw.integer(1, 9), 0)) for _ in range(draw.integer(1, 3))]
+    rays.append((any_circle(draw, r // 2, (1, 1))[:2], (draw.integer(-9, 9), draw.integer(1, 9))))
+    return tuple(turned(each, quarters) for each in circles[:: draw.sign()]), tuple((turned(O, quarters), turned(D, quarters)) for O, D in rays)
+
+
+def rings(draw):
+    """A thousand circles and more about one centre, and rays into them."""
+    x, y, r = any_circle(draw, 90, (1, 99))
+    circles = [(x, y, r + at) for at in range(draw.integer(1001, 1100))]
+    return tuple(circles[:: draw.sign()]), (((x + draw.integer(-r // 2, 900), y - draw.integer(1200, 2000)), (0, draw.integer(1, 9))),)
+
+
 INTERVIEW = [
     group("few", "Up to ten circles of about one size, and some rays: a plain loop is good enough.", aside(fields((1, 10), (4, 9), 70, (9, 17)), 90), skills="the nearest of several"),
-    group("inside", "Rays that start inside one circle or several: they meet the curve where they leave, or another circle before.", inside((1, 8), (4, 8), 40, (12, 30)), skills="origin inside"),
+    group("inside", "Rays that start inside one circle or several: they meet the curve where they leave, or another circle before.", either(*5 * [inside((1, 8), (4, 8), 40, (12, 30))], walled), cases=72, skills="origin inside"),
 ]
 
 PRODUCTION = [
     group("ties", "Several circles met at once, touches, and origins on a circle; others are just off.", ties((5, 9), 40), skills="ties of circles"),
     group("grid", "The smallest numbers: origins on a circle, touches and ties come up by themselves.", either(fields((1, 2), (12, 17), 1, (1, 2), fastest=2), aside(fields((5, 9), (12, 17), 3, (1, 3), fastest=2), 4), edges, edges), cases=280, skills="the small grid"),
-    group("near", "Rays that nearly touch a circle, nearly begin on one, or meet two at nearly one place.", nearly((3, 6), 4_000), skills="nearly is not touching"),
+    group("near", "Rays that nearly touch a circle, nearly begin on one, or meet two at nearly one place.", either(*4 * [nearly((3, 6), 4_000)], hairs), cases=75, skills="nearly is not touching"),
     group("leaving", "Rays in any direction from a place on a circle, and from its centre, there with a D of two lengths.", leaving((3, 6), 60), cases=30, skills="origin inside"),
     group("sparse", "Small circles far apart: most rays go a long way and meet nothing.", fields((150, 300), (60, 90), 20_000, (60, 110)), cases=20, skills="walk through boxes"),
     group("big-and-small", "Radii from 1 to 1000 times of that: large circles reach over hundreds of small ones.", fields((150, 300), (60, 90), 30_000, (20, 60), (9_000, 20_000)), cases=20, skills="large among small"),
     group("clustered", "Dense clusters of circles that overlap, wide empty room between them, and a few large circles.", clusters((300, 500), (80, 120), 50_000, (20, 300), (15_000, 30_000)), cases=10, skills="walk through boxes"),
-    group("heaps", "Each circle many times over, or as rings about one centre: no cut parts them.", heaps((3, 8), (8, 16), 90, (5, 20), (3, 12)), cases=20, skills="ties of circles"),
+    group("heaps", "Each circle many times over, or as rings about one centre: no cut parts them.", either(*3 * [heaps((3, 8), (8, 16), 90, (5, 20), (3, 12))], rings), cases=27, skills="ties of circles"),
     group("strip", "Small circles in a strip that is thousands of times as long as wide: rays run along it.", strips((150, 300), (40, 60), 1_000_000, 60, (1, 4)), cases=10, skills="walk through boxes"),
-    group("wide", "Few circles and whole numbers of all seven digits.", fields((2, 8), (9, 17), 1 << 20, (10_000, 400_000)), skills="full precision"),
+    group("wide", "Few circles and whole numbers of all seven digits.", either(*5 * [fields((2, 8), (9, 17), 1 << 20, (10_000, 400_000))], askew), cases=74, skills="full precision"),
     group("n-2000", "2,000 circles and 500 rays: where the growth is measured from.", crowded(2_000), cases=3, size=2_000, time_limit=30, limits={"cpu_seconds": 10, "wall_seconds": 60}, skills="do not ask all of them"),
     group("n-8000", "8,000 circles and 2,000 rays.", crowded(8_000), cases=2, size=8_000, time_limit=30, limits={"cpu_seconds": 15, "wall_seconds": 60}, skills="do not ask all of them"),
     group("n-32000", "32,000 circles and 8,000 rays.", crowded(32_000), cases=1, size=32_000, time_limit=30, limits={"cpu_seconds": 30, "wall_seconds": 90}, skills="do not ask all of them"),

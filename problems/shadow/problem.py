@@ -1,9 +1,12 @@
 """Whether a light reaches the first hit of a ray: exactly, and nothing is nearly a tie."""
 
+from contextlib import suppress
+
 from judge.geometry.hooks import hooks
-from judge.geometry.scenes import AXIS, BIG, NEAR, OFFSET, PLAIN, TILTED, TINY, anywhere, either, home, lights, shaded, topped
+from judge.geometry.scenes import AXIS, BIG, NEAR, OFFSET, PLAIN, TILTED, TINY, anywhere, either, home, lights, shaded, topped, tried
+from judge.geometry.scenes.many import any_circle
 from judge.geometry.shadow import Shade, shade
-from judge.problem.declare import group
+from judge.problem.declare import InvalidCase, group
 
 HOOKS = hooks("light")
 ANSWERS = {Shade.NOTHING: None, Shade.LIT: "lit"}
@@ -16,14 +19,45 @@ def solve(circles, O, D, L):
     return ANSWERS.get(shade(circles, O, D, L), "dark")
 
 
+def twins(draw):
+    """The circle between is as large as the one that is hit, and right above or beside it."""
+    r, far, up = draw.integer(20, 99), draw.integer(100, 300), draw.integer(0, 3) > 0
+    high = draw.integer(2 * r + 1, 3 * r)
+    left, top = draw.sign(), draw.sign()
+    points = (0, 0), (0, high), (-far, draw.integer(1, r - 1)), (draw.integer(1, 9), 0), (-draw.integer(r // 4, r), high + draw.integer(r, 3 * r))
+    C, other, O, D, L = ((left * x, top * y) if up else (top * y, left * x) for x, y in points)
+    rows = (*C, r), (*other, r)
+    return rows[:: draw.sign()], O, D, L
+
+
+def alone(circles, O, D, L):
+    """The circles without the first one that alone is in the way, and that one; None if there is none such."""
+    for at, circle in enumerate(circles):
+        rest = circles[:at] + circles[at + 1 :]
+        with suppress(InvalidCase):
+            if shade(rest, O, D, L) is Shade.LIT:
+                return rest, circle
+    return None
+
+
+def last(draw):
+    """Thirty-two circles, of which the last one alone is in the way; most are far off."""
+    circles, *rest = lights("blocked", **PLAIN)(draw)
+    far = 3 * int(max(map(abs, (*circles[0], *circles[1], *rest[0], *rest[2]))))
+    (hit,), other = alone(circles, *rest) or draw.reject()
+    others = [any_circle(draw, far, (far // 99 + 1, far // 9 + 1)) for _ in range(30)]
+    x, y = 3 * far * draw.sign(), 3 * far * draw.sign()
+    return (hit, *((x + u, y + v, r) for u, v, r in others), other), *rest
+
+
 INTERVIEW = [
     group("grid", "Few circles in small whole numbers.", anywhere(12, (1, 3), (1, 8), light=True), cases=120, skills="the small grid"),
     group("open", "The light shines freely on the point, or nothing is hit; other circles stand about.", either(lights("open", "open", "open", "miss", **ABOUT, **PLAIN), lights("torch", **AXIS)), cases=80, skills=("a second ray", "off the surface, a little")),
     group("far-side", "The light is on the side of the circle that the ray does not see.", lights("back", "back", "open", **ABOUT, **PLAIN), skills="which side is seen"),
-    group("blocked", "A circle is between the point and the light.", lights("blocked", "around-light", "around-point", **PLAIN), skills="a second ray"),
+    group("blocked", "A circle is between the point and the light.", either(*4 * [lights("blocked", "around-light", "around-point", **PLAIN)], shaded(twins, "blocked")), cases=76, skills="a second ray"),
     group("beyond", "A circle is on the line, but beyond the light or behind the point.", lights("beyond", "beyond", "behind", **PLAIN), skills="a ray that ends"),
     group("inside", "The ray begins inside a circle and hits its wall from there; the light is in the same room or not.", either(lights("room", "room", "wall", "wall", "outdoors", others=(0, 1), **PLAIN), lights("straight", **AXIS)), skills=("origin inside", "which side is seen")),
-    group("many", "Up to thirty-two circles anywhere.", shaded(anywhere(1000, (8, 32), (16, 125), light=True), "lit", "lit", "blocked", "back"), cases=34, skills="full precision"),
+    group("many", "Up to thirty-two circles anywhere.", either(*3 * [shaded(anywhere(1000, (8, 32), (16, 125), light=True), "lit", "lit", "blocked", "back")], tried(last)), cases=45, skills="full precision"),
     group("repeated", "Neighbouring calls differ in one argument.", anywhere(12, (1, 3), (1, 8), light=True), cases=90, turns=True, skills="nothing kept between calls"),
 ]
 
@@ -37,7 +71,7 @@ PRODUCTION = [  # the same, where rounding bites
     group("ledge", "The point is just outside of another circle, beside the ray: whoever starts far off the surface starts in it.", lights("ledge", **FINE), skills="off the surface, a little"),
     group("sill", "Another circle begins right before the point, on the way to the light.", either(lights("sill", **FINE), *[lights("sill", **{**FINE, "turn": "axis"})] * 2), cases=110, skills="off the surface, a little"),
     group("home", "The ray begins at the centre, or level with it or upright, and so does the way to the light; or where the light is.", either(either(home(20), home(2**28)), lights("candle", "candle", "candle", "straight", **{**TILTED, "size": 256, "tilt": (23, 27)})), cases=160, skills="off the surface, a little"),
-    group("rooms", "Circles one in another, often about one centre: a wall around everything blocks nothing, one around the point does.", either(lights("court", "court", "pillar", "moat", **PLAIN), lights("court", "pillar", "moat", **AXIS)), skills=("a second ray", "a ray that ends")),
+    group("rooms", "Circles one in another, often about one centre: a wall around everything blocks nothing, one around the point does.", either(*3 * [lights("court", "court", "pillar", "moat", **PLAIN), lights("court", "pillar", "moat", **AXIS)], tried(lights("around-point", others=(7, 12), **PLAIN), lambda case: alone(*case))), cases=70, skills=("a second ray", "a ray that ends")),
     group("level", "The light is just above or below the surface: no distance off the surface tells.", lights("level-open", "level-back", "level-far", "level-far", **{**BIG, "size": 20_000}), cases=90, skills="which side is seen"),
     group("direction-length", "Directions up to 1e24 times longer or shorter than the figure.", either(lights("open", "back", "blocked", "blocked", "room", "wall", **{**PLAIN, "shift": -17, "stretch": (-40, -20, 0, 20, 30, 30)}), lights("open", "blocked", "room", "wall", **{**NEAR, "shift": -60, "stretch": (0, 40, 70, 82)})), cases=90, skills="t is not a distance"),
     group("top", "The point is the top of its circle, or the bottom, or to the left or right of the centre.", shaded(either(topped(20), topped(2**28)), "lit", "lit", "own", "back"), skills="off the surface, a little"),

@@ -1,5 +1,7 @@
 """A line held against a circle that moves: 1 or 0 for each frame, steadily."""
 
+from fractions import Fraction
+
 from judge.geometry.frames import steady
 from judge.geometry.hooks import hooks
 from judge.geometry.scenes import AXIS, HUGE, NEAR, OFFSET, PLAIN, STEEP, TILTED, TINY, anything, either, frames
@@ -16,6 +18,22 @@ def solve(circles, O, D, h):
     return steady(circles, O, D, h)
 
 
+def thin(draw):
+    """h is 0.0004 to 0.0005, and a distance misses a threshold by little more than 1e-7 of the figure."""
+    h, r = draw.integer(400, 499) / 10**6, draw.integer(2**28, 2**29)
+    gap = r * draw.integer(1010, 1200) // 10**10 + 1
+    distances = [draw.choice((r // 2, r // 2, 3 * r // 2))]
+    for _ in range(draw.integer(1, 3)):
+        distances.append(round(r * (1 + Fraction(h) * draw.sign()) + gap * draw.choice((1, 1, -1))))
+    scale, upright = 2.0 ** draw.choice((0, -20, -60)), draw.boolean()
+    start = draw.integer(0, r // 2)
+    rows = [((start + draw.integer(-r, r)) * scale, d * draw.sign() * scale, r * scale) for d in distances]
+    O, D = (start * scale, 0), (draw.integer(1, 9) * draw.sign(), 0)
+    if upright:
+        O, D, rows = O[::-1], D[::-1], [(y, x, r) for x, y, r in rows]
+    return tuple(rows), O, D, h
+
+
 INTERVIEW = [
     group("grid", "Small whole numbers: everything that can happen.", anything(4, 4), cases=120, skills="distance against radius"),
     group("walk", "The circle comes and goes, past both thresholds and between them.", either(frames(*ALL, **PLAIN), frames(*ALL, **AXIS)), skills=("a state that is kept", "distance against radius", "no slopes")),
@@ -28,7 +46,7 @@ INTERVIEW = [
 
 PRODUCTION = [
     group("at-threshold", "A distance exactly at a threshold, which does not pass it.", frames(*EXACT, exact=True, **FULL), skills="a tangent has a width"),
-    group("near-threshold", "A distance that misses a threshold by 1e-7 of the figure, or r in the first frame.", either(frames("low~", "high~", exact=True, **CLOSE), frames("low~", "high~", exact=True, count=(2, 4), **CLOSE), frames("low~", "high~", first=("broad",), exact=True, count=(2, 4), **CLOSE), frames("less", "more", first=("even~",), count=(1, 4), **CLOSE), frames("dot~", "dot", "in", "out", **CLOSE)), cases=85, skills="nearly is not touching"),
+    group("near-threshold", "A distance that misses a threshold by 1e-7 of the figure, or r in the first frame.", either(*5 * [either(frames("low~", "high~", exact=True, **CLOSE), frames("low~", "high~", exact=True, count=(2, 4), **CLOSE), frames("low~", "high~", first=("broad",), exact=True, count=(2, 4), **CLOSE), frames("less", "more", first=("even~",), count=(1, 4), **CLOSE), frames("dot~", "dot", "in", "out", **CLOSE))], thin), cases=103, skills="nearly is not touching"),
     group("vanishing", "The radius is 0 in some frames.", either(frames(*ALL, "dot", "dot-miss", "dot-origin", **PLAIN), frames("dot-again", first=("centre",), count=(2, 3), away=10**4, **{**FULL, "move": "split"}), frames(*EXACT, first=("dot-miss",), exact=True, **FULL)), cases=90, skills="thresholds as wide as the figure"),
     group("tiny", "Circles of 1e-20 and less.", frames(*ALL, "low", "high", exact=True, grows=True, **{**TINY, "size": 40}), skills=("no absolute epsilon", "scale invariance")),
     group("long", "Two hundred frames.", frames(*ALL, count=(200, 200), **PLAIN), cases=8, skills="a state that is kept"),
